@@ -37,9 +37,9 @@ from esg.dynamics.choreography.throws import (
     putts,
     sends_on,
     slowest_passage,
+    within_reach,
 )
 from esg.dynamics.story.kinematics import Ride, lob_time
-from esg.dynamics.story.paces import usual_stop
 from esg.dynamics.story.stagecraft import (
     approach_distance,
     coasting_drag,
@@ -218,7 +218,7 @@ def _come_faster(stage: Stage, e: Encounter, demand: Demand, ride: Ride, run: fl
     """It gains speed on its way, at least as much as its hit needs where the time is open."""
     lasts = demand.time_left(stage.tracks[e.a].time)
     if lasts is not None and e.node.event is NodeEvent.REACH and stays_there(stage, e.node, e.a):
-        lasts -= ride.left(lasts) / usual_stop(stage.doc, stage.member(e.a), ride.speed)
+        lasts -= ride.left(lasts) / stage.halt(e.a, ride.speed)
     if lasts is None:
         needed = ride.until(max(demand.needed, demand.least))
         lasts = ride.lasts(demand.asked or max(run, needed, _room_after(stage, e.a, e.b)))
@@ -337,7 +337,7 @@ def _pace(stage: Stage, e: Encounter, demand: Demand, run: float) -> tuple[float
     if wait is not None:
         if e.node.event is NodeEvent.REACH and stays_there(stage, e.node, e.a):
             # Its way ends at rest.
-            rate = usual_stop(stage.doc, stage.member(e.a), speed)
+            rate = stage.halt(e.a, speed)
             speed = min(speed, 0.5 * rate * wait)
             wait -= speed / rate
         if not (_thrown(stage, e.a) or phase.edge.speed_is_prescribed):
@@ -348,7 +348,7 @@ def _pace(stage: Stage, e: Encounter, demand: Demand, run: float) -> tuple[float
     # Steep enough to come down through an opening that looks up.
     pa, pb = stage.prop(e.a), stage.prop(e.b)
     way = demand.asked or LOB_M
-    hand = hand_height(stage, e.node, e.b, pa, pb)
+    hand = within_reach(stage, e.node, e.a, hand_height(stage, e.node, e.b, pa, pb))
     lasts = lob_time(way + pb.half_length, hand - pb.height)
     return way / lasts, lasts
 
@@ -429,4 +429,4 @@ def _release_height(stage: Stage, e: Encounter, demand: Demand, lasts: float) ->
         return level_height(pb, pa, lasts)
     if sends_on(stage, e.node, e.b):
         return level_height(pb, pa, lasts, MIDDLE)
-    return hand_height(stage, e.node, e.b, pa, pb)
+    return within_reach(stage, e.node, e.a, hand_height(stage, e.node, e.b, pa, pb))

@@ -5,10 +5,10 @@ from __future__ import annotations
 from esg.dynamics.choreography.placing import asked_distance
 from esg.dynamics.choreography.stage import Stage, speed_is_fixed
 from esg.dynamics.story.kinematics import braked, slowing
-from esg.dynamics.story.paces import grip, hardest_brake, slows_by, stated_rate, usual_stop
+from esg.dynamics.story.paces import grip, hardest_brake, slows_by, stated_rate
 from esg.dynamics.story.stagecraft import coasting_drag
-from esg.dynamics.story.story import Phase, bounds
-from esg.graph.models import EdgeEvent, NodeEvent
+from esg.dynamics.story.story import CRUISES, UNDISTURBED, Phase, bounds
+from esg.graph.models import NodeEvent
 
 INTO_HIT = 0.38
 """Share of its speed that is left to what brakes and still runs into something."""
@@ -31,6 +31,13 @@ def brake(stage: Stage, actor: str, phase: Phase, duration: float | None) -> Non
     speed = track.speed or stage.speed(actor, phase)
     stops = phase.end.event is NodeEvent.STOP
     left = 0.0 if stops else _goes_on_at(stage, actor, phase, speed)
+    if _drives_on(stage, actor, phase):
+        usual = stage.halt(actor, speed)
+        lasts = (speed - left) / usual if duration is None else duration
+        lasts = max(lasts, (speed - left) / grip(stage.doc))
+        stage.nominal[f"{phase.edge.id}/leaves"] = left / max(speed, 1e-6)
+        track.straight(0.5 * (speed + left) * lasts, lasts, left)
+        return
     way = asked_distance(stage, phase.end, actor) if stops else None
     if way is not None and speed > 0.0:
         duration = 2.0 * way / speed
@@ -44,7 +51,7 @@ def brake_into(
     """Braking that still ends in a hit: way [m], time [s] and speed left [m/s]."""
     duration = None if prescribed is None else max(LEAST_S, prescribed - now)
     body, actor = stage.prop(phase.edge.actor), phase.edge.actor
-    if duration is None and not (_walks(stage, actor) or stage.story.soars(actor)):
+    if duration is None and not stage.held(actor):
         duration = max(float(stage.rng.uniform(0.7, 1.0)), shortest(stage, actor, speed))
         drag = coasting_drag(body)
         if drag > 0.0:
@@ -54,7 +61,7 @@ def brake_into(
 
 def shortest(stage: Stage, actor: str, speed: float) -> float:
     """Time [s] in which usual brakes take so much of a speed [m/s] that it counts as braking."""
-    return (1.0 - INTO_HIT) * speed / usual_stop(stage.doc, stage.member(actor), speed)
+    return (1.0 - INTO_HIT) * speed / stage.halt(actor, speed)
 
 
 def slow_down(
@@ -67,7 +74,7 @@ def slow_down(
     """
     actor, name = phase.edge.actor, stage.member(phase.edge.actor)
     edge = phase.edge
-    usual = usual_stop(stage.doc, name, speed)
+    usual = stage.halt(actor, speed)
     lasts = min((speed - left) / usual if duration is None else duration, LONGEST_STOP_S)
     lasts = max(lasts, 0.05)
     low, _, stated = bounds(edge.params.damping, (0.0, 0.0))
@@ -78,7 +85,7 @@ def slow_down(
         return way, lasts, left
     told = stated_rate(edge)
     needed = 0.5 * sum(told) if told else (speed - left) / lasts
-    if _walks(stage, actor) or stage.story.soars(actor):
+    if stage.held(actor):
         # Its soles would stop it in their own time: it slows down step by step instead.
         rate = max(min(needed, grip(stage.doc)), 0.05)
         stage.nominal[f"{edge.id}/stopping"] = speed / rate
@@ -96,11 +103,15 @@ def slow_down(
     return way, lasts, left
 
 
-def _walks(stage: Stage, actor: str) -> bool:
-    """Whether an actor is on its feet or soles under its own power."""
-    body = stage.prop(actor)
-    powered = stage.story.phases[actor][0].edge.event is not EdgeEvent.TOWARD
-    return powered and not (body.wheeled or body.rolls)
+def _drives_on(stage: Stage, actor: str, phase: Phase) -> bool:
+    """Whether its own power takes it from one speed to another, with which it goes on."""
+    phases = stage.story.phases[actor]
+    k = phases.index(phase)
+    if not 0 < k < len(phases) - 1 or phase.end.event not in UNDISTURBED:
+        return False
+    if bounds(phase.edge.params.damping, (0.0, 0.0))[2]:
+        return False
+    return all(p.edge.event in CRUISES for p in (phases[k - 1], phases[k + 1]))
 
 
 def _goes_on_at(stage: Stage, actor: str, phase: Phase, speed: float) -> float:

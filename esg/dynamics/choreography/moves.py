@@ -6,12 +6,12 @@ import math
 
 from esg.dynamics.choreography.braking import brake
 from esg.dynamics.choreography.falls import goes_over_edge, over_edge, tip_over
-from esg.dynamics.choreography.placing import gap_left, join
+from esg.dynamics.choreography.placing import comes_to_rest, gap_left, join
 from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, sliding_travel
 from esg.dynamics.story.stagecraft import coasting_drag, top_surface
-from esg.dynamics.story.story import Phase, bounds, rebounds, turn_of
+from esg.dynamics.story.story import CRUISES, Phase, bounds, rebounds, turn_of
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
@@ -130,7 +130,15 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float | None) -> 
         track.straight(sliding_travel(speed, drag, duration), duration, left)
         return
     ride = ride_of(stage, actor, phase, speed)
+    node = phase.end
+    halts = node.event is NodeEvent.STOP and edge.event in CRUISES
+    if halts:
+        # Its brakes set in before it stands.
+        duration = max(duration - speed / stage.halt(actor, speed), 0.1)
+        stage.nominal[f"{node.id}/time"] = track.time + duration
     track.straight(ride.way(duration), duration, ride.left(duration))
+    if halts:
+        track.straight(*comes_to_rest(stage, actor), 0.0)
 
 
 def _stop_time(node: TimelineNode) -> float | None:

@@ -8,7 +8,6 @@ from esg.dynamics.choreography.braking import INTO_HIT, shortest, slow_down
 from esg.dynamics.choreography.placing import asked_distance
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
 from esg.dynamics.story.kinematics import Frame
-from esg.dynamics.story.paces import usual_stop
 from esg.dynamics.story.story import Phase
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 
@@ -131,7 +130,7 @@ def _slowing(
         # It has lost on the other what that was behind.
         left = max(fast - 2.0 * max(fast - slow + gap / duration, 0.0), 0.0)
         return slow_down(stage, lead, fast, left, duration)
-    rate = usual_stop(stage.doc, stage.member(lead.edge.actor), fast)
+    rate = stage.halt(lead.edge.actor, fast)
     duration = _caught_up(fast, slow, gap, rate)
     return slow_down(stage, lead, fast, max(fast - rate * duration, 0.0), duration)
 

@@ -15,7 +15,6 @@ from esg.dynamics.story.kinematics import (
     rolling_travel,
     sliding_travel,
 )
-from esg.dynamics.story.paces import pace, usual_stop
 from esg.dynamics.story.solid import beside_the_middle
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, support_of, target_yaw
 from esg.dynamics.story.story import bounds
@@ -37,6 +36,14 @@ def hits_on(stage: Stage, node: TimelineNode, b: str) -> bool:
         n.event is NodeEvent.COLLISION and b in map(stage.key, n.participants)
         for n in stage.story.after(node.id)
     )
+
+
+def rolls_on(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether a target is pushed on to something else on its wheels: it stands along the way.
+
+    Across it its tyres would stop it within v^2 / (2 mu g).
+    """
+    return stage.prop(b).wheeled and hits_on(stage, node, b)
 
 
 def asked_distance(stage: Stage, node: TimelineNode, a: str) -> float | None:
@@ -164,7 +171,8 @@ def _place_target(
     """Puts b where a arrives: ahead of it, past it for a Miss, short of it for a Reach."""
     pb = stage.prop(b)
     sets_off = _sets_off(stage, node, b)
-    yaw = heading if sets_off else target_yaw(pb, heading, stage.rng, pa)
+    along = sets_off or rolls_on(stage, node, b)
+    yaw = heading if along else target_yaw(pb, heading, stage.rng, pa)
     if node.event is NodeEvent.ENTER_REGION:
         # Its opening towards what comes (`meetings.enters`).
         yaw = heading + math.pi
@@ -208,10 +216,8 @@ def _room_to_stop(stage: Stage, node: TimelineNode, a: str) -> float:
 
 def comes_to_rest(stage: Stage, a: str) -> tuple[float, float]:
     """Way [m] and time [s] in which an actor usually comes to rest from the speed it has."""
-    name, speed = stage.member(a), stage.tracks[a].speed
-    rate = usual_stop(stage.doc, name, speed)
-    if stage.story.soars(a):
-        rate = pace(stage.doc, name).brakes
+    speed = stage.tracks[a].speed
+    rate = stage.halt(a, speed)
     return 0.5 * speed * speed / rate, speed / rate
 
 

@@ -10,6 +10,7 @@ import numpy as np
 
 from esg.dynamics.story.edges import edge_of
 from esg.dynamics.story.kinematics import Frame, Track, wrap_angle
+from esg.dynamics.story.paces import on_foot, usual_halt
 from esg.dynamics.story.stagecraft import (
     Prop,
     climb_height,
@@ -20,7 +21,7 @@ from esg.dynamics.story.stagecraft import (
     top_surface,
 )
 from esg.dynamics.story.story import CRUISES, UNDISTURBED, Phase, Story, bounds, stranded
-from esg.graph.models import EsgDocument, TimelineNode
+from esg.graph.models import EdgeEvent, EsgDocument, TimelineNode
 from esg.layout.problem.hints import Constellation, Corridor, Placement
 
 if TYPE_CHECKING:
@@ -296,6 +297,18 @@ class Stage:
         if before is None or before.end.event not in UNDISTURBED:
             return None
         return self.nominal.get(f"{before.edge.id}/speed") if before.edge.event in CRUISES else None
+
+    def held(self, actor: str) -> bool:
+        """Whether an actor is on its feet or wings, so that it slows down step by step.
+
+        Its soles alone would stop it in their own time.
+        """
+        powered = self.story.phases[actor][0].edge.event is not EdgeEvent.TOWARD
+        return self.story.soars(actor) or (powered and on_foot(self.prop(actor)))
+
+    def halt(self, actor: str, speed: float) -> float:
+        """The rate [m/s^2] at which an actor usually comes to rest from a speed [m/s]."""
+        return usual_halt(self.doc, self.member(actor), speed, held=self.held(actor))
 
     def prescribed_time(self, node: TimelineNode) -> float | None:
         """Absolute time [s] the prompt asks for, or None."""

@@ -16,8 +16,8 @@ from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.plan.guides import Way
 from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
-from esg.dynamics.story.paces import pace, slows_by, usual_brake
-from esg.dynamics.story.stagecraft import stacked_with, support_of
+from esg.dynamics.story.paces import grip, on_foot, pace, slows_by, usual_brake, usual_halt
+from esg.dynamics.story.stagecraft import prop, stacked_with, support_of
 from esg.dynamics.story.story import UNDISTURBED, Phase, turn_of
 from esg.engines.program import (
     AdjustProperties,
@@ -39,6 +39,8 @@ AT_REST_DAMPING = 9.0
 """Linear and angular damping [1/s] of a ball that has rolled out."""
 SHAKEN_S = 0.15
 """From the hit of a support until something on it sets off to fall [s]."""
+LEAST_S = 0.05
+"""Least time of a segment."""
 RUN_OUT_MPS2 = 5.0
 """How fast a jumper comes to rest after it has landed."""
 HELD_ON_S = 8.0
@@ -224,6 +226,8 @@ class Composer:
                 self._let_go(course, leg)
             elif f"{phase.edge.id}/stopping" in v:
                 self._stop_in_time(course, leg)
+            elif f"{phase.edge.id}/leaves" in self.nominal:
+                self._slow_to(course, leg, phases[k + 1])
             elif phase.edge.event is EdgeEvent.BRAKE:
                 self._brake(course, leg)
             else:
@@ -327,6 +331,27 @@ class Composer:
             )
         )
         course.speed, course.clock = 0.0, leg.start + lasts
+
+    def _slow_to(self, course: _Course, leg: _Leg, after: Phase) -> None:
+        """It slows down to the speed with which it goes on, no sooner than the ground allows."""
+        share = self.nominal[f"{leg.phase.edge.id}/leaves"]
+        left = min(leg.v.get(f"{after.edge.id}/speed", share * course.speed), course.speed)
+        lasts = max(leg.end - leg.start, (course.speed - left) / grip(self.doc), LEAST_S)
+        soars = self.story.soars(course.actor)
+        course.out.append(
+            HoldVelocity(
+                course.actor,
+                leg.start,
+                leg.start + lasts,
+                course.speed,
+                course.heading,
+                acceleration=-(course.speed - left) / lasts,
+                roll_radius=self.scene.body(course.actor).roll_radius,
+                until_contact=self._others(course.actor) if soars else (),
+                climb=0.0 if soars else None,
+            )
+        )
+        course.speed, course.clock = left, leg.start + lasts
 
     def _brake(self, course: _Course, leg: _Leg) -> None:
         """Its brakes are put on, or its damping is raised, until what it does next."""
@@ -443,8 +468,19 @@ class Composer:
         if self.cast.leaves_to_others(actor, leg.phase):
             hit = end if pushes else self.nominal.get(f"{node.id}/event_time", leg.duration)
             course.out.append(AdjustProperties(actor, hit, braking=self._brakes(course)))
-        if stays:
+        if stays and on_foot(prop(self.doc, actor)):
+            course.out.append(self._halts(course, end))
+        elif stays:
             course.out.append(AdjustProperties(actor, end, braking=self._brakes(course)))
+
+    def _halts(self, course: _Course, time: float) -> HoldVelocity:
+        """It slows down within a step or two, and stands."""
+        actor, speed = course.actor, abs(course.speed)
+        rate = usual_halt(self.doc, actor, speed, held=True)
+        lasts = max(speed / rate, LEAST_S)
+        return HoldVelocity(
+            actor, time, time + lasts, speed, course.heading, acceleration=-speed / lasts
+        )
 
     def _brakes(self, course: _Course) -> float:
         """How hard an actor usually brakes [m/s^2]."""
@@ -498,9 +534,9 @@ class Composer:
     def phase_end(self, phase: Phase, v: Values, start: float, duration: float) -> float:
         name = f"{phase.end.id}/time"
         if phase.end.event in TIMED and name in v:
-            return max(start + 0.05, v[name])
+            return max(start + LEAST_S, v[name])
         if phase.end.event is NodeEvent.POSITION_AT and phase.end.timestamp is not None:
-            return max(start + 0.05, phase.end.timestamp)
+            return max(start + LEAST_S, phase.end.timestamp)
         return duration + HELD_ON_S
 
     def _lets_go(
@@ -535,10 +571,7 @@ class Composer:
                 v[f"{edge.id}/flight_time"],
                 body.linear_damping,
             )
-            spin = (0.0, 0.0, 0.0)
-            if f"{edge.id}/spin" in self.nominal and body.roll_radius > 0.0:
-                spin = _rolling(velocity, body.roll_radius)
-            return SetVelocity(actor, time, _vec(velocity), spin)
+            return SetVelocity(actor, time, _vec(velocity), (0.0, 0.0, 0.0))
         speed = v[f"{edge.id}/speed"]
         elevation = v.get(f"{edge.id}/elevation", 0.0)
         velocity = speed * (math.cos(elevation) * flat + np.array([0, 0, math.sin(elevation)]))

@@ -191,7 +191,7 @@ class Declarations:
                 0.05 * stopping,
                 "s",
             )
-        elif edge.event is EdgeEvent.BRAKE:
+        elif edge.event is EdgeEvent.BRAKE and f"{edge.id}/leaves" not in nominal:
             self.declare_brake(actor, phase)
         if edge.event in (EdgeEvent.TURN, EdgeEvent.SPIN):
             usual = TURN_RATE_DEG_S if edge.event is EdgeEvent.SPIN else (20.0, 80.0)
@@ -273,7 +273,9 @@ class Declarations:
         window = node.window or (0.3, 12.0)
         told = self.nominal.get(f"{node.id}/event_time", 0.5 * (window[0] + window[1]))
         nominal = self.nominal.get(name, told + (AFTER_EVENT_S if follows_outcome else 0.0))
-        if node.timestamp is not None and node.time_is_prescribed:
+        # It comes to rest then; its brakes set in before.
+        brakes = (brakes_at_reach or plain_stop) and f"{node.id}/time" in self.nominal
+        if node.timestamp is not None and node.time_is_prescribed and not brakes:
             self.add(
                 name,
                 node.timestamp,
@@ -285,7 +287,8 @@ class Declarations:
                 fixed=True,
             )
             return
-        low, high = window if node.time_is_prescribed else (0.3 * nominal, 2.5 * nominal + 1.0)
+        prescribed = node.time_is_prescribed and not brakes
+        low, high = window if prescribed else (0.3 * nominal, 2.5 * nominal + 1.0)
         self.add(name, low, high, nominal, 0.5 * (window[0] + window[1]), 0.12, "s")
 
     def declare_speed(self, actor: str, phase: Phase) -> None:

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
-from esg.dynamics.story.stagecraft import SLICK, coasting_drag, ground_friction, prop
+from esg.dynamics.story.stagecraft import SLICK, Prop, coasting_drag, ground_friction, prop
 from esg.dynamics.story.story import bounds
 from esg.graph.models import EsgDocument, TimelineEdge
 from esg.lexicon.hypernyms import hypernyms
@@ -33,13 +33,15 @@ class Pace:
     Args:
         gains: With which it sets off.
         brakes: With which it usually brakes, on dry ground.
+        hardest: With which it brakes at most there.
     """
 
     gains: float
     brakes: float
+    hardest: float
 
 
-USUAL = Pace(0.3 * GRAVITY_MPS2, 0.5 * GRAVITY_MPS2)
+USUAL = Pace(0.3 * GRAVITY_MPS2, 0.5 * GRAVITY_MPS2, BRAKING_DRY_G * GRAVITY_MPS2)
 """Of what no row of the table is about."""
 
 
@@ -49,7 +51,7 @@ def paces() -> dict[str, Pace]:
     with open(TABLE, encoding="utf-8", newline="") as file:
         return {
             row["kind"]: Pace(
-                float(row["sets_off_g"]) * GRAVITY_MPS2, float(row["brakes_g"]) * GRAVITY_MPS2
+                *(GRAVITY_MPS2 * float(row[c]) for c in ("sets_off_g", "brakes_g", "hardest_g"))
             )
             for row in csv.DictReader(file)
         }
@@ -128,9 +130,9 @@ def slows_by(doc: EsgDocument, name: str, speed: float) -> float:
 
 
 def hardest_brake(doc: EsgDocument, name: str, speed: float) -> float:
-    """The hardest braking [m/s^2] that the ground allows beside what slows a node by itself."""
-    body = prop(doc, name)
-    return max(grip(doc) - coasting_drag(body) - body.damping * speed, 0.05)
+    """The hardest braking [m/s^2] of a node on its ground, beside what slows it by itself."""
+    body, most = prop(doc, name), min(grip(doc), pace(doc, name).hardest)
+    return max(most - coasting_drag(body) - body.damping * speed, 0.05)
 
 
 def usual_brake(doc: EsgDocument, name: str, speed: float) -> float:
@@ -141,3 +143,15 @@ def usual_brake(doc: EsgDocument, name: str, speed: float) -> float:
 def usual_stop(doc: EsgDocument, name: str, speed: float) -> float:
     """Mean rate [m/s^2] at which a node usually comes to rest from a speed [m/s]."""
     return usual_brake(doc, name, speed) + slows_by(doc, name, speed)
+
+
+def usual_halt(doc: EsgDocument, name: str, speed: float, *, held: bool) -> float:
+    """The rate [m/s^2] at which a node comes to rest: on its feet or wings, or by its brakes."""
+    if held:
+        return min(pace(doc, name).brakes, grip(doc))
+    return usual_stop(doc, name, speed)
+
+
+def on_foot(body: Prop) -> bool:
+    """Whether a body that moves by itself does so on feet or soles, which do not roll."""
+    return not (body.wheeled or body.rolls)
