@@ -162,10 +162,10 @@ class BodyModel(_Model):
     wheels: tuple[WheelModel, ...] = Field((), description="Absent where there are none")
 
     @model_serializer(mode="wrap")
-    def _without_wheels(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        # Bodies without wheels and tyres read as they always did. A model has one serializer.
+    def _without_what_it_lacks(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        # Bodies without wheels and tyres read as they always did.
         data = handler(self)
-        for name in ("wheels", "tyre_friction", "tyre_drop"):
+        for name in ("tyre_friction", "tyre_drop", "wheels"):
             if not data[name]:
                 del data[name]
         return data

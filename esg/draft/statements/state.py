@@ -7,15 +7,15 @@ from dataclasses import dataclass, field
 import re
 from typing import Any
 
-from esg.draft.discourse.core import kind_of, structural
+from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, SELF_POWERED
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import AT_ITS_OWN_PACE, TURNING, measurable
-from esg.draft.events.motions import flies_itself
+from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.events.stated import adverbs_of, place_of, start_of
-from esg.draft.events.told import things, traits_of
+from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.unclaimed import Account, unclaimed
 from esg.draft.statements.unkept import dropped, missing
@@ -41,6 +41,8 @@ _POSTURES = {
 """What verbs of posture say of what holds something."""
 _ON_THE_WAY = ("along", "across", "through")
 """Directions that roads, fields and floors have, too."""
+_CORNERED = ("box", "compound")
+"""Shapes that do not roll, whatever a text says."""
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
 
 
@@ -173,8 +175,15 @@ def _carried(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 
 
 def _rolled(book: _Book, clause: Clause, s: Said, mover: str) -> None:
-    """ "A ball rolls"; of a car it is only how one says that it moves."""
-    if "round" in traits_of(book.d, mover) or kind_of(book.d, mover) not in SELF_POWERED:
+    """ "A ball rolls"; of a car it is only how one says that it moves, and a box cannot."""
+    d = book.d
+    noun = entity_of(d, mover).noun
+    if "round" not in noun.traits and noun.kind in SELF_POWERED:
+        return
+    if noun.shape in _CORNERED and not can_roll(d, mover) and "wheeled" not in noun.traits:
+        note = f"{entity_of(d, mover).head} is not round: it slides"
+        book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=(mover,), note=note)
+    else:
         _plainly(book, clause, s, mover)
 
 
