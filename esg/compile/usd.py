@@ -172,7 +172,7 @@ def _body(stage: Any, path: str, body: Body) -> Any:
     # As JSON, because a name may hold characters that USD text cannot.
     prim.SetCustomDataByKey("esg:name", json.dumps(body.name))
     for field in GROUNDED:
-        if value := getattr(body, field, 0.0):
+        if value := getattr(body, field):
             prim.SetCustomDataByKey(f"esg:{field}", value)
     mass = UsdPhysics.MassAPI.Apply(prim)
     mass.CreateCenterOfMassAttr(Gf.Vec3f(*(float(-v) for v in offset)))

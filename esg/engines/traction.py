@@ -11,6 +11,7 @@ import math
 from typing import Any, Protocol
 
 import numpy as np
+from numpy.typing import NDArray
 
 from esg.engines.program import Action, Column, ProgramBatch, Vec
 from esg.engines.scene import Body, Floats, SimScene
@@ -64,7 +65,7 @@ def _features(body: Body) -> tuple[float, ...]:
     return float(body.roll_radius > 0.0), grip, axle, body.tyre_drop, lean
 
 
-def has_tyres(rows: Floats) -> bool:
+def has_tyres(rows: NDArray[np.floating]) -> bool:
     """Whether any of these bodies has tyres."""
     return bool((rows[:, Feature.GRIP] > 0.0).any())
 

@@ -133,6 +133,35 @@ def test_brakes_and_wheels_stop_where_the_formulas_say(tmp_path: Path) -> None:
     assert rollout.linear_velocity[0, -1, 1, 0] == pytest.approx(coasts, abs=0.05)
 
 
+def test_tyres_and_brakes_act_as_in_physx(tmp_path: Path) -> None:
+    """A car and a motorcycle thrown sideways, a ball that brakes: within a centimetre after 1.5 s."""
+    car = scenes.box("car", (0.0, 0.0, 0.5), (2.0, 0.8, 0.5), 900.0, 0.3)
+    cycle = scenes.box("cycle", (0.0, 8.0, 0.5), (1.0, 0.2, 0.5), 80.0, 0.3)
+    grip = {"friction": 0.1, "wheeled": True, "tyre_friction": 0.8}
+    bodies = (
+        replace(car, **grip),
+        replace(cycle, **grip, tyre_drop=0.4),
+        scenes.ball("ball", (0.0, 16.0, 0.1), 0.1, 1.0),
+    )
+    program = Program(
+        (
+            SetVelocity("car", 0.0, (3.0, 5.0, 0.0), (0.0, 0.0, 1.0)),
+            SetVelocity("cycle", 0.0, (3.0, 2.0, 0.0)),
+            SetVelocity("ball", 0.0, (3.0, 0.0, 0.0), (0.0, 30.0, 0.0)),
+            AdjustProperties("car", 0.4, braking=5.0),
+            AdjustProperties("ball", 0.2, braking=2.0),
+        ),
+        1.5,
+    )
+    scene = SimScene("tyres", bodies, vehicle_ground_friction=0.0)
+    rollout = played(usd_of(tmp_path, scene, program))
+    batch = batch_programs([program], scene.names)
+    ours = get_engine("physx").rollout(scene, batch, dt=1 / 240)
+    assert np.abs(rollout.position - ours.position).max() < 0.01
+    loose = played(usd_of(tmp_path, scene, program), "--no-program").position[0, -1, 0, 1]
+    assert loose > ours.position[0, -1, 0, 1] + 2.0
+
+
 def test_oblique_bounces_have_the_friction_of_the_formula(tmp_path: Path) -> None:
     """Tangential: mu (1 + e) v_n, or 2/7 of the speed where the ball grips."""
     rng = np.random.default_rng(0)

@@ -38,6 +38,14 @@ def hits_on(stage: Stage, node: TimelineNode, b: str) -> bool:
     )
 
 
+def rolls_on(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether a target is pushed on to something else on its wheels: it stands along the way.
+
+    Across it its tyres would stop it within v^2 / (2 mu g).
+    """
+    return stage.prop(b).wheeled and hits_on(stage, node, b)
+
+
 def asked_distance(stage: Stage, node: TimelineNode, a: str) -> float | None:
     """Distance [m] the prompt has `a` cover until the event, or None.
 
@@ -163,7 +171,8 @@ def _place_target(
     """Puts b where a arrives: ahead of it, past it for a Miss, short of it for a Reach."""
     pb = stage.prop(b)
     sets_off = _sets_off(stage, node, b)
-    yaw = heading if sets_off else target_yaw(pb, heading, stage.rng, pa)
+    along = sets_off or rolls_on(stage, node, b)
+    yaw = heading if along else target_yaw(pb, heading, stage.rng, pa)
     if node.event is NodeEvent.ENTER_REGION:
         # Its opening towards what comes (`meetings.enters`).
         yaw = heading + math.pi
