@@ -168,18 +168,10 @@ class BodyModel(_Model):
     wheels: tuple[WheelModel, ...] = Field((), description="Absent where there are none")
 
     @model_serializer(mode="wrap")
-    def _without_wheels(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        # Bodies without wheels read as they always did.
+    def _without_what_it_lacks(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        # Bodies without wheels and tyres read as they always did.
         data = handler(self)
-        if not data["wheels"]:
-            del data["wheels"]
-        return data
-
-    @model_serializer(mode="wrap")
-    def _without_tyres(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        # Scenes without tyres read as they always did.
-        data = handler(self)
-        for name in ("tyre_friction", "tyre_drop"):
+        for name in ("tyre_friction", "tyre_drop", "wheels"):
             if not data[name]:
                 del data[name]
         return data

@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Generator, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
+import math
 from threading import RLock
 from typing import Any
 
@@ -36,10 +37,13 @@ ROLLING_SIDES, CROWN = 84, (0.05, 0.02)
 """Of a cylinder that rolls: sides, and how much lower its rims are, at most: [of half its width]
 and [of its radius]."""
 
+STEEPEST_DEG, ROLLS_OVER = 45.0, 0.1
+"""Of what bears a cylinder that starts rolling: its tilt, and its gap below [of the radius]."""
+
 ROLLS_TO = 0.17
 """Sine of the tilt of its axis up to which a cylinder rolls on the ground as on a capsule."""
 
-_GROUND, _VEHICLE_GROUND, _BODY, _WHEELED, _ROLLING, _TREAD = 1, 2, 4, 8, 16, 32
+_GROUND, _VEHICLE_GROUND, _BODY, _WHEELED, _ROLLING, _TREAD, _ROLLED_ON = 1, 2, 4, 8, 16, 32, 64
 _TOUCHED = _BODY | _WHEELED | _ROLLING
 _X_TO_Z = (0.0, -(0.5**0.5), 0.0, 0.5**0.5)
 """Rotation that takes PhysX's capsule axis X to our Z."""
@@ -170,6 +174,7 @@ class PhysxWorld:
         self._treads: dict[int, tuple[Any, Any, Vec]] = {}
         self._add_ground(ground_mu, ground_e, _GROUND, _BODY | _TREAD)
         self._add_ground(vehicle_mu, ground_e, _VEHICLE_GROUND, _WHEELED)
+        below = rolled_on(scene, values, w)
         for i, body in enumerate(scene.bodies):
             mu = float(values.friction[w, i])
             material = px.PhysxMaterial(mu, mu, float(values.restitution[w, i]))
@@ -182,9 +187,11 @@ class PhysxWorld:
             )
             group = _WHEELED if body.wheeled else _BODY
             rolls = rolls_on_rim(body)
-            for shape in body.shapes:
+            for k, shape in enumerate(body.shapes):
                 collider = make_shape(px, shape, material, rolls=rolls)
                 collider.set_collision_groups([group, _TOUCHED, 0, 0])
+                if (i, k) in below:
+                    collider.set_collision_groups([_ROLLED_ON, _BODY | _WHEELED | _TREAD, 0, 0])
                 component.attach(collider)
                 if rolls and not (body.static or body.wheeled):
                     self._add_tread(i, component, collider, shape, material)
@@ -366,6 +373,51 @@ def rolls_on_rim(body: Body) -> bool:
         return False
     x, y, z, w = body.shapes[0].quaternion
     return abs(2.0 * (y * z - w * x)) > 0.99
+
+
+def rolled_on(scene: SimScene, values: Values, w: int) -> set[tuple[int, int]]:
+    """Static shapes, as (body, shape), on whose flat tops a wheel or a barrel starts.
+
+    They bear its tread as the ground does; what they hit from the side with is the same.
+    """
+    out: set[tuple[int, int]] = set()
+    for i, body in enumerate(scene.bodies):
+        if body.static or body.wheeled or not rolls_on_rim(body):
+            continue
+        radius = body.shapes[0].size[0]
+        turn = values.quaternion[w, i]
+        center = values.position[w, i] + quat_rotate(turn, np.array(body.shapes[0].position))
+        for j, other in enumerate(scene.bodies):
+            if not other.static:
+                continue
+            for k, shape in enumerate(other.shapes):
+                if shape.kind not in ("box", "convex"):
+                    continue
+                normals, away = _faces(shape, values, w, j, center)
+                up = normals[:, 2] > math.cos(math.radians(STEEPEST_DEG))
+                over = up & (np.abs(away - radius) < ROLLS_OVER * radius)
+                # Above one upper face, and behind all others as far as the foot of its axis.
+                for face in np.nonzero(over)[0]:
+                    foot = away - (normals @ normals[face]) * away[face]
+                    if foot[np.arange(len(foot)) != face].max() <= 0.0:
+                        out.add((j, k))
+    return out
+
+
+def _faces(shape: Shape, values: Values, w: int, body: int, point: Any) -> tuple[Any, Any]:
+    """Outer normals of a shape's faces in the world, shape [n, 3], and how far a point is off."""
+    if shape.kind == "box":
+        normals = np.concatenate([np.eye(3), -np.eye(3)])
+        reach = np.tile(shape.size, 2)
+    else:
+        from scipy.spatial import ConvexHull
+
+        equations = np.unique(ConvexHull(np.array(shape.vertices)).equations.round(9), axis=0)
+        normals, reach = equations[:, :3], -equations[:, 3]
+    turn = quat_multiply(values.quaternion[w, body], np.array(shape.quaternion))
+    at = values.position[w, body] + quat_rotate(values.quaternion[w, body], shape.position)
+    normals = quat_rotate(turn, normals)
+    return normals, normals @ (point - at) - reach
 
 
 def rolling_vertices(shape: Shape) -> Any:

@@ -85,12 +85,12 @@ def test_patterns(prompt: str, count: int, pattern: str) -> None:
 
 @pytest.mark.parametrize("where", ["in a lane", "on a road"])
 def test_a_queue_waits_on_its_lane(where: str) -> None:
-    """Stand what waits on the road, unless its motion decides where the road is."""
+    """Stand what waits on the road there; where the road is, the motion of others decides."""
     doc = clean(f"A queue of five cars waits {where}.")
     road = next(n for n in doc.spatial_relation_graph.nodes if n.startswith(("lane", "road")))
     assert {host(doc, n) for n in members(doc)} == {road}
     moving = clean("A truck crashes into a car that waits on a road.")
-    assert host(moving, "car_1") == "ground_1"
+    assert (host(moving, "car_1"), host(moving, "truck_1")) == ("road_1", "ground_1")
 
 
 def test_what_hangs_from_the_ceiling() -> None:

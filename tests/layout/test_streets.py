@@ -143,3 +143,49 @@ def test_a_pavement_lies_beside_the_street() -> None:
     assert abs(math.remainder(off, 180.0)) < 1.0
     _, bench, _, _ = on_street(doc, "pavement_1", "bench_1")
     assert abs(bench) < half_width(doc, "pavement_1")
+
+
+def test_a_second_street_lies_where_a_way_turns_off() -> None:
+    """A car that turns left starts on the right of one street and ends on the right of another."""
+    doc = laid("A car moves along the street and turns left at a cross. It brakes after entering "
+               "the new lane, but still hits a bicycle stopped in the middle of the road.")  # fmt: skip
+    assert in_its_lane(doc, "street_1", "car_1")
+    _, across, off, _ = on_street(doc, "lane_1", "bicycle_1")
+    assert -half_width(doc, "lane_1") < across < 0.0 and abs(math.sin(math.radians(off))) < 0.1
+    first, second = (on_street(doc, "cross_1", n)[1:3] for n in ("street_1", "lane_1"))
+    assert abs(first[0]) < 1.0 and abs(math.remainder(first[1] - second[1], 180.0)) > 89.0
+
+
+def test_parked_vehicles_of_a_plural_stand_along_the_kerb() -> None:
+    doc = laid("A car drives down the street past three parked cars.")
+    for name in ("car_2", "car_3", "car_4"):
+        _, across, off, reach = on_street(doc, "street_1", name)
+        assert across < 0.0 and abs(across) - reach > half_width(doc, "street_1")
+        assert abs(math.remainder(off, 180.0)) < 1.0
+
+
+def test_a_street_without_drivers_lies_beside_what_is_parked() -> None:
+    doc = laid("A child throws a snowball at a parked car.")
+    _, across, _, reach = on_street(doc, "road_1", "car_1")
+    assert 0.0 < abs(across) - reach - half_width(doc, "road_1") < 50.0
+    assert abs(on_street(doc, "road_1", "child_1")[1]) > half_width(doc, "road_1")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "who", "what"),
+    [
+        ("A boy throws a basketball into a hoop.", "boy_1", "basketball_1"),
+        ("A child throws a snowball at a parked car.", "child_1", "snowball_1"),
+        ("A girl throws a stone at a can.", "girl_1", "stone_1"),
+        ("A man throws a frisbee to a dog.", "man_1", "frisbee_1"),
+    ],
+)
+def test_a_throw_starts_at_a_hand(prompt: str, who: str, what: str) -> None:
+    doc = laid(prompt)
+    assert doc.layout_result is not None
+    nodes, poses = doc.spatial_relation_graph.nodes, doc.layout_result.poses
+    size = doc.asset_configurations[nodes[who].asset_id].dimensions_cm
+    thing = doc.asset_configurations[nodes[what].asset_id].dimensions_cm
+    (x, y, _), (u, v, z) = poses[who].position_cm, poses[what].position_cm
+    assert math.dist((x, y), (u, v)) < 0.5 * (size[0] + max(thing)) + 30.0
+    assert 0.4 * size[2] < z + 0.5 * thing[2] <= 1.26 * size[2]

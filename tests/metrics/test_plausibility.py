@@ -3,16 +3,19 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+import csv
 from dataclasses import replace
 import math
+from typing import get_args
 
 import numpy as np
 import pytest
 
 from esg.engines.program import AdjustProperties, GuideAlong, HoldVelocity, SetVelocity
 from esg.engines.scene import Shape
+from esg.lexicon.kinds import kinds
 from esg.metrics.plausibility import CHECKS, Check, Told, assess
-from esg.metrics.plausibility.limits import limit, motion_of
+from esg.metrics.plausibility.limits import LIMITS, MOTION, Moves, limit, motion_of
 from tests.metrics.worlds import DT, World, ball, body, line
 
 G = 9.81
@@ -106,6 +109,45 @@ def test_braking_stays_under_friction(surface: str, rate: float, ok: bool) -> No
     assert found.measured == pytest.approx(rate, rel=0.02)
 
 
+def test_icy_ground_grips_as_ice_whatever_the_prompt_says() -> None:
+    world = World().add(car(), x=changing(10.0, -4.0))
+    icy = replace(world.scene, ground_friction=0.05)
+    rollout = world.rollout()
+    checks = assess(icy, world.program, rollout, Told()).checks
+    assert not next(c for c in checks if c.name == "braking").ok
+
+
+@pytest.mark.parametrize(
+    ("names", "moves", "speed"),
+    [
+        (("yellow tow truck", "steamroller"), "road", motion_of("truck").speed_mps),
+        (("Ferrari", "sports_car"), "road", motion_of("sports car").speed_mps),
+        (("zebra", ""), "legs", motion_of("horse").speed_mps),
+        (("nurse", "person"), "legs", motion_of("person").speed_mps),
+        (("pebble", "rock"), "thrown", motion_of("").speed_mps),
+        (("toy truck", "toy_truck"), "road", 50.0),
+    ],
+)
+def test_a_thing_is_what_the_prompt_calls_it(
+    names: tuple[str, ...], moves: str, speed: float
+) -> None:
+    """An asset may stand in for another kind: the label comes first, then its category."""
+    assert (motion_of(*names).moves, motion_of(*names).speed_mps) == (moves, speed)
+
+
+def test_every_row_of_the_tables_has_a_source_and_a_known_way_to_move() -> None:
+    with open(MOTION, encoding="utf-8", newline="") as file:
+        rows = list(csv.DictReader(file))
+    assert len(rows) > 50
+    assert {r["moves"] for r in rows} <= set(get_args(Moves))
+    assert all(len(r["source"]) > 8 for r in rows)
+    known = {n.replace("_", " ") for k in kinds() for n in (k.name, *k.said_as)}
+    assert not {n for r in rows for n in r["names"].split(";") if n} - known
+    assert not {r["kinds"] for r in rows if r["kinds"]} - {k.kind for k in kinds()}
+    with open(LIMITS, encoding="utf-8", newline="") as file:
+        assert all(len(r["source"]) > 8 for r in csv.DictReader(file))
+
+
 def shoved(rate: float) -> World:
     """A car that something has set sliding sideways at 4 m/s, and that slows down at a rate."""
     return World(6.0).add(car(), y=changing(4.0, -rate, 0.0))
@@ -147,6 +189,20 @@ def test_a_hit_makes_no_energy(factor: float, ok: bool) -> None:
     assert found.ok is ok
     if not ok:
         assert found.measured == pytest.approx(0.5 * (3.0**2 - 2.0**2) * 101.0, rel=0.02)
+
+
+@pytest.mark.parametrize(("lasts", "ok"), [(0.05, True), (0.3, False)])
+def test_a_contact_may_store_energy_for_a_moment(lasts: float, ok: bool) -> None:
+    """Two balls come together, stand, and part at the speed at which they came."""
+
+    def way(side: float) -> Curve:
+        apart = lambda t: np.maximum(0.4 - t, 0.0) + np.maximum(t - 0.4 - lasts, 0.0)  # noqa: E731
+        return lambda t: side * (0.1 + 2.0 * apart(t))
+
+    world = World().add(ball("ball_1"), x=way(-1.0)).add(ball("ball_2"), x=way(1.0))
+    for t in np.arange(0.4, 0.4 + lasts + 0.01, 0.01):
+        world.touch(float(t), "ball_1", "ball_2", 1.0)
+    assert checked(world)["energy"].ok is ok
 
 
 def test_energy_from_the_program_is_no_gain_and_from_nowhere_is() -> None:

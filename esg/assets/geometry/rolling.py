@@ -24,8 +24,8 @@ FLAGS = {"rim": 2, "axle": 0, "across": 1}
 the index of that axis."""
 _THIN = 0.8
 _ROUND = 1.25
-_OFF_AXIS = 0.02
-"""Share of the radius by which the centre of mass of what rolls may lie beside its axis."""
+_OFF_CENTRE = 0.02
+"""Share of radius and half length by which the centre of mass may lie beside axis and middle."""
 
 
 def _spun(doc: EsgDocument, spin: str) -> frozenset[str]:
@@ -134,9 +134,9 @@ def rolling(entry: Entry, sketch: Sketch, size: Vec3) -> Sketch:
     )
     weighed = [placed(p) for p in sketch.weighed or sketch.proxies]
     densities = list(sketch.densities)
-    (x, _, z), _ = mass_properties(weighed, 1.0, densities)
-    if math.hypot(x, z - radius) > _OFF_AXIS * radius:
-        # Drawn with a flat to lie on, or with proxies beside the axis: it would limp.
+    (x, y, z), _ = mass_properties(weighed, 1.0, densities)
+    if math.hypot(x, z - radius) > _OFF_CENTRE * radius or abs(y) > _OFF_CENTRE * half:
+        # Drawn with a flat to lie on it would limp; heavier at one end, roll to that side.
         weighed, densities = [cylinder], [1.0]
     return Sketch(
         parts=[replace(p, mesh=moved(p.mesh)) for p in sketch.parts],

@@ -17,6 +17,7 @@ from esg.draft.document.requirements import (
     opened,
     requirement,
 )
+from esg.draft.document.tints import tints
 from esg.graph.models import (
     AssetRequirement,
     BinaryRelation,
@@ -48,7 +49,7 @@ _RESTRICTED = re.compile(
 )
 
 
-_STREETS = frozenset({"road", "sidewalk"})
+_STREETS = ("road", "sidewalk")
 """Grounds on or beside which things stay, whatever comes to hit them."""
 _CARDINALS = {0.0: "+X", 90.0: "+Y", 180.0: "-X", 270.0: "-Y"}
 """Directions by heading [degrees]."""
@@ -99,7 +100,8 @@ def build(
     graph = _Graph(scene)
     _lay_ground(scene, scene_type)
     _hang(scene)
-    assets = {e.id: _asset(e, graph) for e in graph.entities.values()}
+    tint = tints(scene)
+    assets = {e.id: _asset(e, graph, tint.get(e.id)) for e in graph.entities.values()}
     for e in graph.entities.values():
         graph.nodes[e.id] = _node(e, assets[e.id], graph)
     _relate(graph)
@@ -159,9 +161,11 @@ def _hang(scene: Scene) -> None:
             scene.relations.append(Relation(e.id, host, "surround"))
 
 
-def _asset(e: Entity, graph: _Graph) -> str:
-    """Name of what an entity needs; alike entities share it."""
+def _asset(e: Entity, graph: _Graph, tint: str | None) -> str:
+    """Name of what an entity needs; alike entities of one colour share it."""
     required = requirement(e)
+    if tint is not None:
+        required = required.model_copy(update={"color": tint})
     inside = f"{e.id}/inside"
     if any(n.extra.get("region") == inside for n in graph.scene.timeline.nodes):
         names = {x.noun.name for x in graph.entities.values()}
@@ -217,7 +221,8 @@ def _road_under(e: Entity, graph: _Graph) -> str:
     """
     road, timeline = graph.scene.marked.get(e.id, ""), graph.scene.timeline
     acting = {a for a, track in timeline.tracks.items() if track.motion}
-    if road not in graph.entities or graph.entities[road].noun.name not in _STREETS:
+    streets = [lex.nouns()[name] for name in _STREETS]  # not a pier, which is as flat
+    if road not in graph.entities or graph.entities[road].noun not in streets:
         acting |= {i for n in timeline.nodes for i in n.participants}
     members = graph.scene.world.groups.get(e.group or "", [e.id])
     return road if road in graph.entities and not acting & set(members) else ""

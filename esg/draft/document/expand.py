@@ -135,7 +135,7 @@ def _add_context(scene: Scene, reasons: list[str]) -> None:
     if all(e.noun.kind != "vehicle" for e in entities.values()):
         return
     dynamic = bool(timeline.nodes) or any(t.motion for t in timeline.tracks.values())
-    paved = _find(scene, "road", "parking lot", "crossroad") is not None
+    paved = _find(scene, "road", "parking lot") is not None
     if dynamic and not paved and not any(is_driven(scene, i) for i in entities):
         _add(scene, "road", reasons, "vehicles drive on a road")
     turns = any(

@@ -56,7 +56,7 @@ def said(text: str, f: Frame) -> list[Said]:
     out = [Said(row, *verb) for row in _by_word().get(("verb", f.verb.lemma), ())]
     for word in adverbs_of(text, f):
         for row in _by_word().get(("adverb", word), ()):
-            at = _place_of(word, text, f) or verb
+            at = place_of(word, text, f) or verb
             exactly = word == "right" and _INTENSE.match(text, at[1]) is not None
             if not exactly and (word != "up" or _goes_up(f)):
                 out.append(Said(row, *at))
@@ -90,7 +90,7 @@ def _goes_up(f: Frame) -> bool:
     return f.verb.sense == "fly" or f.verb.lemma in _UPWARD
 
 
-def _place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:
+def place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:
     """Where an adverb of a clause stands: the place nearest to its verb."""
     low = max(0, f.verb.start - _REACH)
     found = re.finditer(rf"\b{re.escape(word)}\b", text[low : f.verb.end + _REACH], re.IGNORECASE)

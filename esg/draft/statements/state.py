@@ -14,7 +14,7 @@ from esg.draft.discourse.scene import GROUND, SELF_POWERED
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import AT_ITS_OWN_PACE, TURNING, measurable
 from esg.draft.events.motions import can_roll, flies_itself
-from esg.draft.events.stated import adverbs_of, start_of
+from esg.draft.events.stated import adverbs_of, place_of, start_of
 from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.unclaimed import Account, unclaimed
@@ -105,7 +105,7 @@ def state(
 
 
 def _own_up(book: _Book, frames: list[Frame], elements: list[Element], tokens: list[Token]) -> None:
-    """Writes down what nothing in the document stands for, unless a statement is about the words."""
+    """Writes down what nothing in the document stands for, each of the words once."""
     d = book.d
     lost = [(s.start, s.end) for s in book.items if s.predicate is Predicate.NOT_REPRESENTED]
     told = [f for f in frames if not f.unreal and not f.verb.negated]
@@ -118,12 +118,11 @@ def _own_up(book: _Book, frames: list[Frame], elements: list[Element], tokens: l
                      note=gap.missing)  # fmt: skip
 
 
-def _of_what_does_not_happen(d: Discourse, frames: list[Frame]) -> set[str]:
-    """The adverbs of clauses that tell of nothing ("does not walk carefully"), and of no other."""
-    told, untold = set[str](), set[str]()
-    for f in frames:
-        (untold if f.unreal or f.verb.negated else told).update(adverbs_of(d.text, f))
-    return untold - told
+def _of_what_does_not_happen(d: Discourse, frames: list[Frame]) -> set[tuple[int, int]]:
+    """Where the adverbs of clauses that tell of nothing stand ("does not walk carefully")."""
+    denied = [f for f in frames if f.unreal or f.verb.negated]
+    places = (place_of(word, d.text, f) for f in denied for word in adverbs_of(d.text, f))
+    return {at for at in places if at is not None}
 
 
 def _moves(d: Discourse, f: Frame) -> bool:
@@ -148,6 +147,8 @@ def _motion(book: _Book, clause: Clause) -> None:
 
 def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     if s.row.part == "goal":
+        if clause.frame.verb.lemma == "pass":
+            return  # "passes under a bridge": it does not end there
         _goal(book, clause, s, mover)
     else:
         _SAYINGS[s.row.states](book, clause, s, mover)
@@ -215,6 +216,9 @@ def _moved(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 def _posture(book: _Book, clause: Clause) -> None:
     """ "A lamp hangs from a branch", "a broom leans on a wall"."""
     d, f = book.d, clause.frame
+    if f.verb.lemma == "hover":
+        for body in (i for i in _ids(f.subject) if i in d.world.entities):
+            book.add(Predicate.AIRBORNE, *_span(f), object=(body,))
     says = _POSTURES.get(f.verb.lemma)
     held = f.phrase("from", "by") if says is Predicate.HANGS_FROM else f.phrase("on", "against")
     targets = [i for i in things(held) if i in d.world.entities][:1]
@@ -295,7 +299,7 @@ def _slope(book: _Book, s: Said, mover: str, where: str) -> None:
     """ "Up the stairs" is a way up; "down the road" one along it."""
     d = book.d
     on = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
-    if on and structural(d, on[0]):
+    if on and (structural(d, on[0]) or kind_of(d, on[0]) == "water"):
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(on),
                  direction="along", when=where)  # fmt: skip
     elif on:

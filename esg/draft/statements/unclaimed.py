@@ -9,12 +9,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Iterator
 import csv
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cache
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import entity_of, movable, structural
+from esg.draft.discourse.core import entity_of, kind_of, movable, structural
+from esg.draft.discourse.places import holds
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.scene import GROUND
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.courses import measurable
 from esg.draft.events.stated import start_of
@@ -35,6 +37,7 @@ _AIR = frozenset({"air", "sky", "midair", "mid-air"})
 _TURNS = frozenset(
     {"left", "right", "clockwise", "counterclockwise", "anticlockwise", "around", "round"}
 )
+_BACK_AND_FORTH = frozenset({"back", "forth", "fro"})
 _SIDES = {
     "front": "in_front_of",
     "back": "behind",
@@ -44,18 +47,28 @@ _SIDES = {
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
+_OWN = frozenset({"own", "fly", "reverse"})
+_COMPANIONS = frozenset({"person", "animal", "robot"})
+_ENTERED = frozenset({"building", "structure"})
 _ENDS = frozenset({"ends_on", "ends_in", "ends_near", "above", "under"})
-_EACH = frozenset({"own", "fly", "fall", "roll", "slide", "launch", "drop", "bounce", "coast"})
+_EACH = frozenset(
+    {"own", "fly", "fall", "roll", "slide", "launch", "drop", "bounce", "coast", "topple"}
+)
 """Senses of which each of several things needs a motion of its own."""
+_CHAINS = frozenset({"row", "pins", "rack"})
+"""Patterns of which one member fells the next."""
 _STATES = frozenset(
     {"be", "posture", "have", "weigh", "contain", "measure", "unknown", "lead", "noop"}
 )
+_ALONG = frozenset({"own", "tow", "carry"})
+"""Senses of which who does it goes where the object goes."""
 _MOTIONS = frozenset({"own", "fly", "fall", "roll", "accelerate"})
 _SMALL = (
     lex.DETERMINERS | lex.PREPOSITIONS | lex.PRONOUNS | lex.MODALS | lex.word_set("be")
     | frozenset({"and", "or", "but", "to", "not", "who", "which"})
 )  # fmt: skip
 NO_MANNER = "manner is not simulated"
+NO_EVENT = "nothing of the kind happens in the scene"
 NOTHING = "nothing in the scene stands for it"
 
 
@@ -98,8 +111,12 @@ def carriers() -> dict[str, Carriers]:
     out: dict[str, Carriers] = {}
     with open(lex.DATA / "carriers.csv", encoding="utf-8", newline="") as file:
         for r in csv.DictReader(file, delimiter=";"):
-            sets = (frozenset(r[k].split("|")) for k in ("relations", "states", "events"))
-            row = Carriers(*sets, r["holds"] == "yes", r["aims"] == "yes", r["example"])
+            row = Carriers(
+                *[frozenset(r[k].split("|")) for k in ("relations", "states", "events")],
+                holds=r["holds"] == "yes",
+                aims=r["aims"] == "yes",
+                example=r["example"],
+            )
             out.update(dict.fromkeys(r["preps"].split("|"), row))
     return out
 
@@ -114,7 +131,7 @@ class Account:
         elements: What the text was read as.
         tokens: Its words.
         said: Its statements.
-        untold: Adverbs of what does not happen.
+        untold: Where adverbs of what does not happen stand.
     """
 
     d: Discourse
@@ -122,7 +139,7 @@ class Account:
     elements: list[Element]
     tokens: list[Token]
     said: list[Statement]
-    untold: set[str] = field(default_factory=set[str])
+    untold: set[tuple[int, int]] = field(default_factory=set[tuple[int, int]])
 
     @property
     def kept(self) -> list[Statement]:
@@ -138,22 +155,22 @@ def unclaimed(a: Account) -> Iterator[Gap]:
 
 def _phrases(a: Account) -> Iterator[Gap]:
     """Phrases of clauses and nouns ("passes under a bridge", "a cart of laundry")."""
-    asked: dict[int, tuple[Phrase, set[str]]] = {}
+    asked: dict[int, tuple[Phrase, Frame | None, set[str]]] = {}
     for f in a.frames:
         about = _about(a.d, f)
         for p in f.phrases:
             if not _side_of_a_turn(a.d, f, p):
-                asked.setdefault(id(p.mention), (p, set()))[1].update(about)
+                asked.setdefault(id(p.mention), (p, f, set()))[2].update(about)
             about |= {*_nodes(a.d, p.mention)}
     for m, p in a.d.attached:
-        asked.setdefault(id(p.mention), (p, set()))[1].update(_nodes(a.d, m))
-    for p, about in asked.values():
+        asked.setdefault(id(p.mention), (p, None, set()))[2].update(_nodes(a.d, m))
+    for p, f, about in asked.values():
         m = p.mention
         if m is None or p.amount is not None or m.amounts or p.prep in _WHY:
             continue
         others = {*_nodes(a.d, m)}
         about -= others
-        if about and not (_answered(a, about, others, p) if others else _no_place(a, about, p)):
+        if about and not (_answered(a, about, others, p, f) if others else _no_place(a, about, p)):
             missing = f'nothing in the scene stands for "{p.prep}"'
             yield Gap(max(start_of(p, a.d.text), 0), m.end, missing, tuple(sorted(about))[:1])
 
@@ -190,6 +207,11 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
     assert m is not None
     if p.prep == "of" or m.pronoun or m.head in _PASSED_OVER or (m.start, m.end) in a.d.scene.used:
         return True
+    if m.noun is not None and m.noun.kind == "region":  # "into the side pocket"
+        return any(n.event is NodeEvent.ENTER_REGION for n in a.d.timeline.nodes)
+    falls = [n for n in a.d.timeline.nodes if n.event is NodeEvent.FALL]
+    if p.prep in ("off", "over", "from") and any(about & {*n.participants} for n in falls):
+        return True  # "falls off the edge"
     start = start_of(p, a.d.text)
     if any(s.start < m.end and start < s.end for s in a.kept):
         return True
@@ -197,16 +219,21 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
     return flies and m.head in _AIR
 
 
-def _answered(a: Account, about: set[str], others: set[str], p: Phrase) -> bool:
+def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame | None) -> bool:
     """Whether something in the document is about both what a phrase names and who it is said of."""
     d, by = a.d, carriers().get(p.prep, _ANY)
-    if p.prep in _WAYS and any(structural(d, i) for i in others):
-        return True
+    if any(structural(d, i) for i in others):
+        return p.prep in _WAYS or (p.prep == "into" and GROUND not in others)
+    if p.prep == "with" and all(kind_of(d, i) in _COMPANIONS for i in others):
+        by = replace(by, relations=by.relations | {"near"})
     part = p.mention.part if p.mention is not None else ""
     if part in _SIDES:
-        by = Carriers(frozenset({_SIDES[part]}), by.states, by.events, by.holds, by.aims)
+        by = replace(by, relations=frozenset({_SIDES[part]}))
     elif part and p.prep in _TO_A_PART:
         return any(about & {*s.object} and s.predicate.value in _ENDS for s in a.kept)
+    open_ = any(holds(d, i) or kind_of(d, i) in _ENTERED for i in others)
+    if f is not None and f.verb.sense in _OWN and (open_ or p.prep in ("on", "onto")):
+        by = replace(by, events=by.events - {"Collision"})  # "jumps onto a box" is no bump
     return (
         (by.holds and _held(d, about, others))
         or _related(d, about, others, by)
@@ -257,11 +284,36 @@ def _arguments(a: Account) -> Iterator[Gap]:
         taking |= {*at, *at.values()}
     taking |= {i for s in a.said for i in (*s.object, *s.target)} | {*d.moves.still}
     for f in a.frames:
-        for m in (f.subject, f.object) if f.verb.sense not in _STATES else ():
+        if f.verb.sense in _STATES:
+            continue
+        for m in (f.subject, f.object):
             ids = _nodes(d, m)
             if ids and not {*ids} & taking and not structural(d, ids[0]):
-                missing = "nothing of the kind happens in the scene"
-                yield Gap(f.verb.start, f.verb.end, missing, tuple(ids))
+                yield Gap(f.verb.start, f.verb.end, NO_EVENT, tuple(ids))
+        m = f.object if f.verb.sense not in ("avoid", "miss") else None
+        if m is None or _nodes(d, m) or m.pronoun or m.amounts or m.count == 0:
+            continue
+        if m.head not in _PASSED_OVER and (m.start, m.end) not in d.scene.used:
+            yield Gap(m.start, m.end, NOTHING)
+
+
+def _left_behind(a: Account) -> Iterator[Gap]:
+    """ "A woman walks a dog": what goes is only what she takes along."""
+    d = a.d
+    for c in d.scene.clauses:
+        f = c.frame
+        takes = f.verb.sense in _ALONG and c.movers and not f.verb.passive and f.object is not None
+        if not takes or not any(f.verb is kept.verb for kept in a.frames):
+            continue
+        doers = [i for i in _nodes(d, f.subject) if movable(d, i) and i not in c.movers]
+        going = {e.actor for e in d.timeline.edges}
+        left = [i for i in doers if i not in going and not _held(d, {i}, {*c.movers})]
+        rides = any(
+            s.predicate in (Predicate.INSIDE, Predicate.SUPPORTED_BY) and {*left} & {*s.object}
+            for s in a.kept
+        )
+        if left and not rides:
+            yield Gap(f.verb.start, f.verb.end, "who does it does not go along", tuple(left))
 
 
 def _idle(a: Account) -> Iterator[Gap]:
@@ -273,7 +325,7 @@ def _idle(a: Account) -> Iterator[Gap]:
             continue
         told = c.movers and f.verb.sense in _EACH and f.verb.auxiliary != "have"
         group = _nodes(a.d, f.subject) if told else []
-        idle = [i for i in group if i not in moving]
+        idle = [i for i in group if i not in moving and entity_of(a.d, i).pattern not in _CHAINS]
         if 0 < len(idle) < len(group):
             yield Gap(f.verb.start, f.verb.end, "only one of them does", tuple(idle))
 
@@ -281,10 +333,19 @@ def _idle(a: Account) -> Iterator[Gap]:
 def _adverbs(a: Account) -> Iterator[Gap]:
     """Adverbs that neither order events nor state anything."""
     turned = _turns(a.d)
+    rebounds = {w for f in a.frames if f.verb.sense == "bounce" for w in f.adverbs}
     for w in a.elements:
         if not isinstance(w, Word) or w.kind != "adv" or (w.start, w.end) in a.d.scene.used:
             continue
-        if w.low in _PASSED_OVER or w.low in a.untold or (turned and w.low in _TURNS):
+        over = {*a.d.text[w.start : w.end].lower().split()} if w.low == "indeed" else set[str]()
+        if over & _BACK_AND_FORTH:
+            yield Gap(w.start, w.end, NOTHING)
+        if (
+            w.low in _PASSED_OVER
+            or (w.start, w.end) in a.untold
+            or w.low in rebounds
+            or (turned and w.low in _TURNS)
+        ):
             continue
         if not any(s.start <= w.start < s.end for s in a.said):
             yield Gap(w.start, w.end, NO_MANNER if w.low.endswith("ly") else NOTHING)
@@ -323,6 +384,7 @@ def _left_out(a: Account) -> Iterator[Gap]:
 _FINDERS: tuple[Callable[[Account], Iterator[Gap]], ...] = (
     _phrases,
     _arguments,
+    _left_behind,
     _idle,
     _adverbs,
     _qualities,

@@ -23,7 +23,8 @@ _NOT_TOLD = frozenset({"gerund", "no event of its own"})
 """Reasons for which a verb is no statement of the prompt."""
 _STATES = frozenset(
     {"be", "posture", "have", "weigh", "contain", "face", "measure", "surround", "lead", "unknown",
-     "park", "give", "acquire", "apply", "cause", "continue", "avoid", "miss", "end", "lose", "start"}
+     "park", "give", "acquire", "apply", "cause", "continue", "avoid", "miss", "end", "lose",
+     "start"}
 )  # fmt: skip
 """Senses that may add nothing to a scene: states, and what other clauses tell."""
 NOTHING_MOVES = "nothing of the kind happens in the scene"
@@ -39,7 +40,7 @@ class _Row:
     example: str
 
     def names(self, f: Frame) -> bool:
-        """Whether a clause's verb is among the row's: of its sense, and listed ("!" before all but those)."""
+        """Whether a clause's verb is of the row's sense, and listed."""
         listed = f.verb.lemma in self.lemmas or "*" in self.lemmas
         return self.sense == f.verb.sense and listed is not self.all_but
 
@@ -96,7 +97,7 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
 
 
 def _leads_to_an_event(d: Discourse, clause: Clause, kind: str = "") -> bool:
-    """Whether an event that one could see, of a kind if one is named, is told of what a clause moves."""
+    """Whether an event that one could see, of a kind, is told of what a clause moves."""
     about = {*clause.movers}
     told = [n.event for n in d.timeline.nodes if about & {*n.participants}]
     return any(measurable(event) and kind in ("", event.value) for event in told)

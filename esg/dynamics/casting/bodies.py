@@ -19,18 +19,29 @@ THINNEST_CM = 1.0
 """Least thickness of a mat on which something lands."""
 LARGEST = 5.0
 """Most that anything is enlarged."""
+UNFOUNDED = frozenset({
+    "counter", "goal", "hoop", "kennel", "net", "pallet", "parasol", "sandbox", "scaffold", "stand",
+    "swing", "table", "wreck",
+})  # fmt: skip
+"""Words of categories of what is too heavy for a ball and yet only stands on the ground."""
+MANY_TIMES = 5.0
+"""So many times as heavy is a vehicle that shoves such things aside."""
 MOVES = (NodeEvent.TOPPLE, NodeEvent.FALL, NodeEvent.STOP)
 
 
 def fit_freed(doc: EsgDocument, story: Story) -> EsgDocument:
-    """The document in which what is knocked over is not fixed: a bollard, a lamp."""
+    """The document in which what is knocked over is not fixed: a bollard, a lamp.
+
+    Nor is what only stands on the ground (a goal, a counter) when a vehicle many times as heavy
+    runs into it.
+    """
     graph = doc.spatial_relation_graph
     moved = {
         p
         for node in story.nodes.values()
         if node.event in (NodeEvent.TOPPLE, NodeEvent.FALL)
         for p in node.participants
-    }
+    } | _run_down(doc, story)
     freed = {
         n: v.model_copy(update={"is_static": False})
         for n, v in graph.nodes.items()
@@ -42,6 +53,25 @@ def fit_freed(doc: EsgDocument, story: Story) -> EsgDocument:
     return doc.model_copy(update={"spatial_relation_graph": graph})
 
 
+def _run_down(doc: EsgDocument, story: Story) -> set[str]:
+    """What has no foundation and is run into by a vehicle that is much heavier."""
+    nodes = doc.spatial_relation_graph.nodes
+    out: set[str] = set()
+    for event in story.nodes.values():
+        if event.event is not NodeEvent.COLLISION:
+            continue
+        a, b = (p.removeprefix("group:") for p in event.participants[:2])
+        for mover, met in ((a, b), (b, a)):
+            if mover not in nodes or met not in nodes or not prop(doc, met).fixed:
+                continue
+            category = doc.asset_configurations[nodes[met].asset_id].category
+            runs = prop(doc, mover).wheeled and mover in story.phases
+            heavy = prop(doc, mover).mass > MANY_TIMES * prop(doc, met).mass
+            if runs and heavy and set(category.split("_")) & UNFOUNDED:
+                out.add(met)
+    return out
+
+
 def fit_movable(doc: EsgDocument, story: Story) -> Configs:
     """What the timeline moves, movable."""
     assert doc.timeline_system is not None
@@ -49,6 +79,7 @@ def fit_movable(doc: EsgDocument, story: Story) -> Configs:
     for node in story.nodes.values():
         if node.event in MOVES and node.participants:
             names.update(story.expand(node.participants[0]))
+    names |= _run_down(doc, story)
     out: Configs = {}
     for name, node in doc.spatial_relation_graph.nodes.items():
         config = doc.asset_configurations.get(node.asset_id)

@@ -37,6 +37,7 @@ from esg.dynamics.choreography.throws import (
     putts,
     sends_on,
     slowest_passage,
+    within_reach,
 )
 from esg.dynamics.story.kinematics import Ride, lob_time
 from esg.dynamics.story.stagecraft import (
@@ -347,7 +348,7 @@ def _pace(stage: Stage, e: Encounter, demand: Demand, run: float) -> tuple[float
     # Steep enough to come down through an opening that looks up.
     pa, pb = stage.prop(e.a), stage.prop(e.b)
     way = demand.asked or LOB_M
-    hand = hand_height(stage, e.node, e.b, pa, pb)
+    hand = within_reach(stage, e.node, e.a, hand_height(stage, e.node, e.b, pa, pb))
     lasts = lob_time(way + pb.half_length, hand - pb.height)
     return way / lasts, lasts
 
@@ -428,4 +429,4 @@ def _release_height(stage: Stage, e: Encounter, demand: Demand, lasts: float) ->
         return level_height(pb, pa, lasts)
     if sends_on(stage, e.node, e.b):
         return level_height(pb, pa, lasts, MIDDLE)
-    return hand_height(stage, e.node, e.b, pa, pb)
+    return within_reach(stage, e.node, e.a, hand_height(stage, e.node, e.b, pa, pb))

@@ -1,9 +1,7 @@
 """Bounces off a top: a ball comes down on a table or a trampoline and goes on to something else.
 
 What is dropped straight down comes straight up again. It is let go with the little speed along the
-ground that carries it over the edge on its second flight, and comes down near that edge. It spins
-as if it rolled there, so that it does not slip on the top and keeps that speed: engines differ by
-two sevenths of it in what friction does in the instant of a bounce.
+ground of which the bounce leaves enough to carry it over the edge, and comes down near that edge.
 """
 
 from __future__ import annotations
@@ -14,7 +12,7 @@ import math
 from esg.dynamics.choreography.flights import CLEAR_M, LOW_M, mouth_height
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.choreography.throws import asked_height, is_dropped, region_of
-from esg.dynamics.story.kinematics import Frame, half_along
+from esg.dynamics.story.kinematics import Frame, half_along, rubbed
 from esg.dynamics.story.stagecraft import Prop, prop, top_surface
 from esg.dynamics.story.story import Phase, Story, read_story
 from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument, NodeEvent, TimelineNode
@@ -126,6 +124,7 @@ class Bounce:
         middle: Height of its centre then [m].
         lasts: Time from there to what comes next [s].
         back: From the place where it comes down to the middle of what comes next [m].
+        restitution, friction: Of the bounce.
     """
 
     follows: Phase
@@ -136,6 +135,8 @@ class Bounce:
     middle: float
     lasts: float
     back: float
+    restitution: float
+    friction: float
 
 
 def bounces_on(stage: Stage, e: Encounter) -> bool:
@@ -159,14 +160,18 @@ def _bounce_of(stage: Stage, e: Encounter) -> Bounce | None:
     if above <= 0.0:
         return None
     falls = math.sqrt(2.0 * above / GRAVITY_MPS2)
-    up = 0.5 * (pa.restitution + pb.restitution) * GRAVITY_MPS2 * falls
+    restitution = 0.5 * (pa.restitution + pb.restitution)
+    up = restitution * GRAVITY_MPS2 * falls
     back, height = _meets(stage, follows, pa, pc)
     middle = top + 0.5 * pa.height
     under = up * up + 2.0 * GRAVITY_MPS2 * (middle - height)
     if under <= 0.0:
         return None
     lasts = (up + math.sqrt(under)) / GRAVITY_MPS2
-    return Bounce(follows, onto, top, above, falls, middle, lasts, back)
+    friction = 0.5 * (pa.friction + pb.friction)
+    return Bounce(
+        follows, onto, top, above, falls, middle, lasts, back, restitution, friction
+    )  # fmt: skip
 
 
 def bounce_on(stage: Stage, e: Encounter) -> None:
@@ -182,8 +187,12 @@ def bounce_on(stage: Stage, e: Encounter) -> None:
     half = 0.5 * max(pb.length, pb.width) if pb.rolls else half_along(pb.length, pb.width, yaw)
     way = inside + (half - reach) + CLEAR_M + 0.5 * pc.length + back
     # Its line points at the middle of the top, which it has to start before.
-    speed = max(way / lasts, (reach - inside + BEFORE_M) / falls)
-    way = speed * lasts
+    hit = GRAVITY_MPS2 * falls
+    # What does not slip loses most; what slips, a fixed speed.
+    slower = min(2.0 / 5.0 * way / lasts, bounce.friction * (1.0 + bounce.restitution) * hit)
+    speed = max(way / lasts + slower, (reach - inside + BEFORE_M) / falls)
+    left = (1.0 - rubbed(bounce.friction, bounce.restitution, hit, speed)) * speed
+    way = left * lasts
     start = -speed * falls
     stage.places[a] = (start, 0.0, 0.0)
     stage.frames[a] = Frame(start, 0.0, 0.0)
@@ -196,10 +205,9 @@ def bounce_on(stage: Stage, e: Encounter) -> None:
     stage.nominal[f"{name}speed"] = speed
     stage.nominal[f"{name}goal_beyond"] = reach - inside
     stage.nominal[f"{name}goal_above"] = bounce.middle
-    stage.nominal[f"{name}spin"] = 1.0
     track.straight(speed * falls, falls, speed)
     stage.time[node.id] = track.time
-    track.straight(way, lasts, speed)
+    track.straight(way, lasts, left)
     stage.time[bounce.follows.end.id] = track.time
     stage.met[a] = onto
 

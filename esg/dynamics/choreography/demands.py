@@ -6,7 +6,7 @@ import math
 
 from esg.dynamics.choreography.placing import hits_on
 from esg.dynamics.choreography.stage import Stage
-from esg.dynamics.story.kinematics import impact_speed
+from esg.dynamics.story.kinematics import impact_speed, off_a_wall
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, fall_speed
 from esg.dynamics.story.story import bounds
 from esg.dynamics.story.tipping import topple_speed
@@ -52,14 +52,6 @@ def run_on_speed(body: Prop) -> float:
         return 0.0
     drag = coasting_drag(body)
     return max(math.sqrt(2.0 * drag * RUN_ON_M), RUN_ON_S * drag)
-
-
-def thrown_back_share(restitution: float, *, rolling: bool) -> float:
-    """Share of its speed with which something comes back from a wall.
-
-    A ball's spin still rolls it forward: that takes two sevenths, once the ground has turned it.
-    """
-    return 5.0 / 7.0 * restitution - 2.0 / 7.0 if rolling else restitution
 
 
 def gentlest(stage: Stage, node: TimelineNode, a: str, b: str) -> tuple[float, int]:
@@ -113,7 +105,7 @@ def demanded(stage: Stage, node: TimelineNode, a: str, b: str) -> float:
     if pb.fixed:
         rolling = pa.rolls and not stage.story.flies(a)
         restitution = 0.5 * (pa.restitution + pb.restitution)
-        back = thrown_back_share(restitution, rolling=rolling)
+        back, _ = off_a_wall(restitution, 0.5 * (pa.friction + pb.friction), rolling=rolling)
         return _after(stage, node, a, BACK_KEPT) / max(back, LEAST_BACK)
     if b in stage.tracks:
         return 0.0

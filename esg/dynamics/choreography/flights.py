@@ -7,14 +7,12 @@ import math
 
 from esg.dynamics.choreography.stage import Encounter, Stage, speed_is_fixed
 from esg.dynamics.choreography.throws import is_lobbed, region_of
-from esg.dynamics.story.kinematics import Frame, half_along
+from esg.dynamics.story.kinematics import Frame, half_along, rubbed
 from esg.dynamics.story.story import Phase, Story
 from esg.graph.models import NamedRegion, NodeEvent, ProxyKind, TimelineNode
 from esg.units import GRAVITY_MPS2
 
 PASSES = (NodeEvent.MISS, NodeEvent.REACH)
-GRIPS = 5.0 / 7.0
-"""Share of its speed along a wall that a ball keeps which does not slip on it."""
 BANK_S, BANK_FALL_MPS = 0.125, 1.5
 """A bank shot: time from the board to the hoop, and how fast the ball falls at the board."""
 LOW_M = 0.6
@@ -130,7 +128,7 @@ def slowed(stage: Stage, a: str, share: float) -> None:
 
 
 def hits_level(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
-    """Has a flight meet a wall at its highest point, where friction has nothing to slow down.
+    """Has a flight meet a wall at its highest point: what falls by then is down soon after.
 
     Args:
         stage: The stage.
@@ -168,7 +166,9 @@ def hits_level(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
     return True
 
 
-def thrown_back(stage: Stage, a: str, heading: float, restitution: float, tilt: float) -> None:
+def thrown_back(
+    stage: Stage, a: str, heading: float, restitution: float, friction: float, tilt: float
+) -> None:
     """Turns a flight round at a wall.
 
     Args:
@@ -176,12 +176,14 @@ def thrown_back(stage: Stage, a: str, heading: float, restitution: float, tilt: 
         a: The body in flight.
         heading: Of its way back [rad].
         restitution: Of the hit.
+        friction: Between the two.
         tilt: Angle between its way to the wall and the wall's normal [rad].
     """
     arc = stage.arcs[a]
-    normal, along = restitution * math.cos(tilt), GRIPS * math.sin(tilt)
-    speed = arc.speed * math.hypot(normal, along)
-    stage.arcs[a] = Arc(arc.x, arc.y, arc.z, heading, speed, GRIPS * arc.rise)
+    hit, along = arc.speed * math.cos(tilt), arc.speed * math.sin(tilt)
+    kept = 1.0 - rubbed(friction, restitution, hit, math.hypot(along, arc.rise))
+    speed = math.hypot(restitution * hit, kept * along)
+    stage.arcs[a] = Arc(arc.x, arc.y, arc.z, heading, speed, kept * arc.rise)
 
 
 def flies_on(stage: Stage, e: Encounter) -> bool:
@@ -260,7 +262,8 @@ def bank(stage: Stage, e: Encounter) -> None:
     restitution = max(0.5 * (pa.restitution + pb.restitution), 0.1)
     speed = max(cx - face - pa.half_width, 0.02) / (restitution * BANK_S)
     fall = BANK_FALL_MPS
-    height = top + GRIPS * fall * BANK_S + 0.5 * GRAVITY_MPS2 * BANK_S**2
+    kept = 1.0 - rubbed(0.5 * (pa.friction + pb.friction), restitution, speed, fall)
+    height = top + kept * fall * BANK_S + 0.5 * GRAVITY_MPS2 * BANK_S**2
     start = 1.3
     gain = max(height - start, 0.0)
     lasts = (fall + math.sqrt(fall * fall + 2.0 * GRAVITY_MPS2 * gain)) / GRAVITY_MPS2

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from esg.dynamics.choreography.demands import KEPT, thrown_back_share
+from esg.dynamics.choreography.demands import KEPT
 from esg.dynamics.choreography.flights import hits_level, slowed, thrown_back
 from esg.dynamics.choreography.placing import bring_support, goes_on, hits_on, rolls_on
 from esg.dynamics.choreography.stage import Encounter, Stage
@@ -15,6 +15,7 @@ from esg.dynamics.story.kinematics import (
     braking_distance,
     half_along,
     impact_speed,
+    off_a_wall,
     rolling_travel,
     sliding_distance,
     sliding_travel,
@@ -51,8 +52,8 @@ NEXT_BALL_S = (0.15, 0.19)
 """Time between the hits of a chain of balls."""
 BALL_GAP, NARROW = 0.45, 1.5
 """Share of the usual gap between balls of a chain; narrow things, in ball's widths, are as near."""
-BOUNCE_RAD, BOUNCE_KEPT = math.radians(25.0), 0.75
-"""Angle at which a ball meets a wall it bounces off, and what it keeps of its speed along it."""
+BOUNCE_RAD = math.radians(25.0)
+"""Angle at which a ball meets a wall it bounces off, where it does not come straight back."""
 
 BEHIND_M, LONGEST_BACK_S = 0.25, 2.5
 """From what bounced straight back, where it started, to what it meets; longest time of that way."""
@@ -98,10 +99,10 @@ def impact(stage: Stage, node: TimelineNode, a: str, b: str) -> None:
 def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float) -> None:
     """A ball or puck that goes on to something else after a hit of a wall comes straight back.
 
-    What waits for it lies behind its start: engines differ in how much of the speed along a
-    wall friction takes in a bounce. What is thrown meets the wall squarely, too, as it
-    neither rises nor falls. Where the time is too short for that, or the speed of a throw is
-    stated, the wall is turned by `BOUNCE_RAD`, so that the way back does not lead over the start.
+    What waits for it lies behind its start: what meets a wall squarely is not turned aside by
+    more or less friction or restitution. What is thrown meets the wall at the top of its flight.
+    Where the time is too short for that, or the speed of a throw is stated, the wall is turned by
+    `BOUNCE_RAD`, so that the way back does not lead over the start.
     """
     pa, pb = stage.prop(a), stage.prop(b)
     if a not in stage.tracks or a not in stage.frames:
@@ -114,14 +115,15 @@ def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float
     heading = track.heading + frame.angle
     side = float(stage.rng.choice([-1.0, 1.0]))
     rolling = pa.rolls and not stage.story.flies(a)
-    back = thrown_back_share(restitution, rolling=rolling)
+    friction = 0.5 * (pa.friction + pb.friction)
+    back, _ = off_a_wall(restitution, friction, rolling=rolling)
     level = hits_level(stage, node, a, b)
     least = None if level else _way_back(stage, node, a, b, max(back, 0.1) * track.speed)
     tilt = BOUNCE_RAD if least is None and not level else 0.0
     if least is not None:
         stage.way_back[a] = least
-    normal = max(back, 0.1) * math.cos(tilt)
-    along = BOUNCE_KEPT * math.sin(tilt)
+    normal, along = off_a_wall(restitution, friction, tilt, rolling=rolling)
+    normal = max(normal, 0.1 * math.cos(tilt))
     x, y = frame.apply(track.x, track.y)
     # Its centre, where it touches, to the middle of the wall, which faces the ball obliquely.
     facing = heading + math.pi + side * tilt
@@ -140,7 +142,7 @@ def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float
     track.speed *= math.hypot(normal, along)
     if a in stage.arcs:
         back = track.heading + frame.angle
-        thrown_back(stage, a, back, restitution, tilt)
+        thrown_back(stage, a, back, restitution, friction, tilt)
     stage.thrown_back.add(a)
 
 

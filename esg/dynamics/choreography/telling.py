@@ -18,6 +18,7 @@ from esg.dynamics.choreography.moves import controlled, plain, turned
 from esg.dynamics.choreography.placing import enter_beside
 from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.choreography.throws import stand_behind
 from esg.dynamics.choreography.ways import place_by_the_way, state_course, ways_stated
 from esg.dynamics.story.stagecraft import fit_to_surface
 from esg.dynamics.story.story import Story, read_story
@@ -143,6 +144,8 @@ def _play(stage: Stage) -> Stage:
         elif stage.anchor is None or fit_to_surface(stage.doc, stage.anchor, stage.places):
             break
         stage = stage.tighter()
+    if stage.anchor is None:
+        stand_behind(stage)
     return stage
 
 

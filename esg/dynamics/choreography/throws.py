@@ -11,7 +11,7 @@ from esg.dynamics.story.stagecraft import Prop, release_height, support_of, top_
 from esg.dynamics.story.story import Phase, bounds
 from esg.dynamics.story.tipping import FLIES_AT
 from esg.engines.scene import Region
-from esg.graph.models import EdgeEvent, NamedRegion, NodeEvent, TimelineNode
+from esg.graph.models import EdgeEvent, NamedRegion, NodeEvent, RelationType, TimelineNode
 from esg.units import GRAVITY_MPS2
 
 HIGHEST_HAND_M = 1.7
@@ -20,6 +20,10 @@ LOW_DROP_M = 0.2
 """What is dropped from a height starts at least this far above its target."""
 SHORTEST_FALL_S, LONGEST_FALL_S = 0.2, 2.0
 """Of a drop whose height is open."""
+BY_THE_EAR, ARMS_UP = 1.0, 1.25
+"""Height of a hand that throws, and of one that shoots or tosses up, over the body's height."""
+ARM_M = 0.1
+"""From a body to what its hand lets go."""
 LOW_M = 0.6
 """What is lower is hit from above by a hand's throw."""
 SWUNG = 3.0
@@ -89,6 +93,41 @@ def hand_height(stage: Stage, node: TimelineNode, b: str, thrown: Prop, target: 
         middle = usual if region is None else region.center_cm[2] / 100.0
         return max(min(usual, middle), 0.05)
     return min(usual, max(target.height + TOSS_M, 0.6))
+
+
+def thrower_of(stage: Stage, thrown: str) -> str | None:
+    """Who throws, kicks or strikes something: stands beside it, faces it and does nothing else."""
+    edges = stage.doc.spatial_relation_graph.edges.binary_relations
+    name = stage.member(thrown)
+    beside = {e.from_ for e in edges if e.to == name and e.relation_type is RelationType.NEAR}
+    facing = {e.from_ for e in edges if e.to == name and e.relation_type is RelationType.FACE}
+    acting = {p for n in stage.story.nodes.values() for p in n.participants}
+    return min((beside & facing) - acting - set(stage.story.phases), default=None)
+
+
+def within_reach(stage: Stage, node: TimelineNode, thrown: str, height: float) -> float:
+    """A height [m] of release that the hand of who throws reaches; as it is where nobody does."""
+    who = thrower_of(stage, thrown)
+    if who is None:
+        return height
+    reach = ARMS_UP if node.event is NodeEvent.ENTER_REGION else BY_THE_EAR
+    highest = reach * stage.prop(who).height - 0.5 * stage.prop(thrown).height
+    return min(height, max(highest, 0.05))
+
+
+def stand_behind(stage: Stage) -> None:
+    """Sets who throws, kicks or strikes something behind it, at arm's length or less."""
+    for thrown in [a for a in stage.tracks if a in stage.places]:
+        who = thrower_of(stage, thrown)
+        first = next(iter(stage.story.phases[thrown]), None)
+        if who is None or first is None or first.edge.event is not EdgeEvent.TOWARD:
+            continue
+        if support_of(stage.doc, who) is not None or support_of(stage.doc, stage.member(thrown)):
+            continue
+        x, y, _ = stage.places[thrown]
+        heading = stage.frames[thrown].angle if thrown in stage.frames else 0.0
+        back = 0.5 * (stage.prop(who).length + stage.prop(thrown).length) + ARM_M
+        stage.places[who] = (x - back * math.cos(heading), y - back * math.sin(heading), heading)
 
 
 def region_of(stage: Stage, node: TimelineNode) -> NamedRegion | None:

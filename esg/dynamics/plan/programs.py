@@ -571,10 +571,7 @@ class Composer:
                 v[f"{edge.id}/flight_time"],
                 body.linear_damping,
             )
-            spin = (0.0, 0.0, 0.0)
-            if f"{edge.id}/spin" in self.nominal and body.roll_radius > 0.0:
-                spin = _rolling(velocity, body.roll_radius)
-            return SetVelocity(actor, time, _vec(velocity), spin)
+            return SetVelocity(actor, time, _vec(velocity), (0.0, 0.0, 0.0))
         speed = v[f"{edge.id}/speed"]
         elevation = v.get(f"{edge.id}/elevation", 0.0)
         velocity = speed * (math.cos(elevation) * flat + np.array([0, 0, math.sin(elevation)]))

@@ -15,6 +15,7 @@ from esg.dynamics.plan import Plan
 from esg.dynamics.search.simulate import Simulator
 from esg.engines.program import AdjustProperties, Lasting
 from esg.engines.scene import Rollout
+from esg.metrics.plausibility.grounds import beyond, flats
 from esg.thresholds import AT_REST_MPS
 
 LONGEST_S = 6.0
@@ -37,7 +38,8 @@ def until_rest(plan: Plan, reference: Simulator, theta: Floats, last: float, lea
 
     Returns:
         When every body is slower than `AT_REST_MPS` and stays so, between `least` and `LONGEST_S`
-        after the last event. What drives or flies on has no end and is not waited for.
+        after the last event. What drives or flies on has no end and is not waited for; nor is what
+        rolls off the ground that is drawn: the recording ends before it does.
     """
     longest = last + LONGEST_S
     if longest <= least:
@@ -55,7 +57,21 @@ def until_rest(plan: Plan, reference: Simulator, theta: Floats, last: float, lea
     speed = np.linalg.norm(rollout.linear_velocity[0][:, waits].astype(float), axis=-1)
     moving = np.flatnonzero((speed >= AT_REST_MPS).any(axis=1))
     rest = float(rollout.time[moving[-1]]) if len(moving) else 0.0
-    return max(least, math.ceil(10.0 * min(rest + STILL_S, longest)) / 10.0)
+    end = math.ceil(10.0 * min(rest + STILL_S, longest)) / 10.0
+    return max(least, min(end, math.floor(10.0 * (_leaves(plan, rollout) - STILL_S)) / 10.0))
+
+
+def _leaves(plan: Plan, rollout: Rollout) -> float:
+    """When the first body leaves the drawn ground [s], a million if none does."""
+    scene = plan.scene
+    drawn = flats(scene)
+    out = [
+        beyond(scene, rollout.position[0, :, i].astype(float), drawn) > 0.0
+        for i, body in enumerate(scene.bodies)
+        if not body.static and body.collides
+    ]
+    frames = np.flatnonzero(np.any(out, axis=0))
+    return float(rollout.time[frames[0]]) if len(frames) else 1e6
 
 
 def _goes_on(plan: Plan, theta: Floats, rollout: Rollout, body: int) -> bool:

@@ -187,6 +187,46 @@ def back_spin(mass_a: float, mass_b: float, speed: float, friction: float, hit: 
     return 2.5 * min(friction * mass_b * hit, keeps_up) / mass_b
 
 
+def rubbed(friction: float, restitution: float, hit: float, along: float) -> float:
+    """Share of its speed along a surface that a solid ball without spin loses in a bounce.
+
+    Friction takes mu (1 + e) of the speed of the hit, and no more than ends the slip: two sevenths.
+
+    Args:
+        friction: Between the two.
+        restitution: Of the hit.
+        hit: Speed towards the surface [m/s].
+        along: Speed along the surface [m/s].
+    """
+    return min(friction * (1.0 + restitution) * hit / max(along, 1e-9), 2.0 / 7.0)
+
+
+def off_a_wall(
+    restitution: float, friction: float, tilt: float = 0.0, *, rolling: bool
+) -> tuple[float, float]:
+    """Shares of its speed with which a ball that hits a wall goes on away from it and along it.
+
+    The front of a rolling ball rubs down the wall, which takes from its spin. What is left of that
+    still rolls it forward: two sevenths, once the ground has turned it.
+
+    Args:
+        restitution: Of the hit.
+        friction: Between the ball and the wall.
+        tilt: Angle between its way and the wall's normal [rad].
+        rolling: Whether it rolls; otherwise it has no spin.
+
+    Returns:
+        Away from the wall, negative if its spin presses it on, and along it.
+    """
+    hit, along = math.cos(tilt), math.sin(tilt)
+    lost = rubbed(friction, restitution, hit, 1.0 if rolling else along)
+    away, kept = restitution * hit, (1.0 - lost) * along
+    if not rolling:
+        return away, kept
+    spin = (1.0 - 2.5 * lost) * hit
+    return (5.0 * away - 2.0 * spin) / 7.0, (5.0 * kept + 2.0 * along) / 7.0
+
+
 def sliding_travel(speed: float, drag: float, duration: float) -> float:
     """Distance [m] of what slides with a deceleration `drag` [m/s^2], if need be until it rests."""
     lasts = min(duration, speed / max(drag, 1e-6))

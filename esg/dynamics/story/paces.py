@@ -33,13 +33,15 @@ class Pace:
     Args:
         gains: With which it sets off.
         brakes: With which it usually brakes, on dry ground.
+        hardest: With which it brakes at most there.
     """
 
     gains: float
     brakes: float
+    hardest: float
 
 
-USUAL = Pace(0.3 * GRAVITY_MPS2, 0.5 * GRAVITY_MPS2)
+USUAL = Pace(0.3 * GRAVITY_MPS2, 0.5 * GRAVITY_MPS2, BRAKING_DRY_G * GRAVITY_MPS2)
 """Of what no row of the table is about."""
 
 
@@ -49,7 +51,7 @@ def paces() -> dict[str, Pace]:
     with open(TABLE, encoding="utf-8", newline="") as file:
         return {
             row["kind"]: Pace(
-                float(row["sets_off_g"]) * GRAVITY_MPS2, float(row["brakes_g"]) * GRAVITY_MPS2
+                *(GRAVITY_MPS2 * float(row[c]) for c in ("sets_off_g", "brakes_g", "hardest_g"))
             )
             for row in csv.DictReader(file)
         }
@@ -128,9 +130,9 @@ def slows_by(doc: EsgDocument, name: str, speed: float) -> float:
 
 
 def hardest_brake(doc: EsgDocument, name: str, speed: float) -> float:
-    """The hardest braking [m/s^2] that the ground allows beside what slows a node by itself."""
-    body = prop(doc, name)
-    return max(grip(doc) - coasting_drag(body) - body.damping * speed, 0.05)
+    """The hardest braking [m/s^2] of a node on its ground, beside what slows it by itself."""
+    body, most = prop(doc, name), min(grip(doc), pace(doc, name).hardest)
+    return max(most - coasting_drag(body) - body.damping * speed, 0.05)
 
 
 def usual_brake(doc: EsgDocument, name: str, speed: float) -> float:

@@ -56,7 +56,7 @@ def _distance(s: Segment, x: float, y: float) -> float:
     return math.hypot(x - s[0] - t * dx, y - s[1] - t * dy)
 
 
-def _turn_centre(corridors: list[Corridor], aside: float) -> tuple[float, float] | None:
+def turn_centre(corridors: list[Corridor], aside: float) -> tuple[float, float] | None:
     """Where the axes cross of roads whose lanes a turning path comes from and goes on in.
 
     Args:
@@ -122,7 +122,7 @@ def lay_decals(
             out[name] = _under(shape[name], unit.members[under[0]], legs, main)
         elif riders or (not beside and is_road(doc, name) and not taken_elsewhere):
             if is_crossing(doc, name):
-                centre = _turn_centre(unit.corridors, _lane(doc, name, unit, shape))
+                centre = turn_centre(unit.corridors, _lane(doc, name, unit, shape))
                 if centre is not None and longest is not None:
                     out[name] = (*centre, _direction(legs[0]))
                     continue

@@ -11,7 +11,7 @@ import numpy as np
 
 from esg.graph.models import EsgDocument, RelationType
 from esg.layout.judge.setting import set_on_supports
-from esg.layout.problem.decals import is_crossing, lay_decals
+from esg.layout.problem.decals import lay_decals
 from esg.layout.problem.hints import Constellation, Corridor, StartHints, in_the_way
 from esg.layout.problem.kerbs import lay_along, line_up
 from esg.layout.problem.patterns import arrange, is_domino_like
@@ -19,6 +19,8 @@ from esg.layout.problem.poses import Pose2, compose, inverse
 from esg.layout.problem.roles import falling_nodes, ground_nodes
 from esg.layout.problem.streets import (
     Street,
+    is_parked,
+    lay_beside_parked,
     lay_street,
     street_in,
     street_of,
@@ -246,6 +248,8 @@ class UnitBuilder:
         pattern = self.pattern_of(name)
         if pattern not in RIGID_PATTERNS or len(members) < 2:
             return
+        if street_in(self.doc) is not None and all(is_parked(self.doc, m) for m in members):
+            return  # along the kerb, one by one
         bases = {self.supports.of[m].parent for m in members} - set(members)
         if len(bases) > 1:
             return
@@ -328,8 +332,12 @@ class UnitBuilder:
             return
         who = users(self.doc, unit, road, self.supports, self.shape)
         if not who.drivers:
+            pose = lay_beside_parked(street, who, unit)
+            if pose is not None:
+                self._put(unit, road, pose)
+                self._line(unit, road, street)
             return
-        if any(is_crossing(self.doc, n) for n in self.nodes if self.shape[n].is_decal):
+        if turned_into(unit, who) is not None:
             who = replace(who, beside={}, waiting={}, on_it={})  # most is along the other road
         ways = [p[:2] for p in unit.members.values()]
         ways += [p for c in unit.corridors for p in c.points_cm]

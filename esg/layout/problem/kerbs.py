@@ -6,6 +6,7 @@ from collections.abc import Iterator
 import math
 
 from esg.graph.models import EsgDocument, RelationType
+from esg.layout.problem.decals import is_crossing, turn_centre
 from esg.layout.problem.edges import near_band
 from esg.layout.problem.hints import in_the_way
 from esg.layout.problem.poses import Pose2, compose, inverse
@@ -75,6 +76,8 @@ def lay_along(
             continue
         if said & PAVEMENTS:
             out[name] = _pavement(name, street, at, unit, supports, shape)
+        elif is_crossing(doc, name) and not _turns(unit):
+            out[name] = _crossing(at, street, unit, shape)
         elif said & CROSSINGS:
             out[name] = _crosswalk(name, at, unit, supports, shape)
     taken = [(unit.members[n], shape[n]) for n in unit.members if not shape[n].is_decal]
@@ -100,7 +103,10 @@ def _joins(
 ) -> bool:
     """Whether a thing is put at the kerb: it belongs there, and nothing else says where it is."""
     node = doc.spatial_relation_graph.nodes[name]
-    if node.group is not None or not belongs_beside(doc, name, road, supports, shape):
+    parked = is_parked(doc, name)
+    if (node.group is not None and not parked) or not belongs_beside(
+        doc, name, road, supports, shape
+    ):
         return False
     graph = doc.spatial_relation_graph
     edges = [e for e in graph.edges.binary_relations if name in (e.from_, e.to)]
@@ -110,7 +116,7 @@ def _joins(
     if multi or len(said) < len(others):
         return False
     on_pavement = supports.of[name].parent is not None
-    return bool(said) or on_pavement or bool(words_of(doc, name) & {*KERBSIDE, "parked"})
+    return bool(said) or on_pavement or parked or bool(words_of(doc, name) & KERBSIDE)
 
 
 def _places(
@@ -167,6 +173,21 @@ def _pavement(
     half = min(shape[name].hx, shape[name].hy)
     turned = 0.0 if shape[name].hx >= shape[name].hy else 0.5 * math.pi
     return compose(at, (x, side * (street.half_width + half), turned))
+
+
+def _turns(unit: Unit) -> bool:
+    """Whether a planned way turns off: then a crossing lies under it."""
+    return any(turn_centre(unit.corridors[k : k + 1], 0.0) for k in range(len(unit.corridors)))
+
+
+def _crossing(at: Pose2, street: Street, unit: Unit, shape: dict[str, Shape]) -> Pose2:
+    """Behind what stands at the kerb, so that it is at the corner; else behind all ways."""
+    places = [(compose(inverse(at), p), shape[n]) for n, p in unit.members.items()
+              if not shape[n].is_decal]  # fmt: skip
+    ends = [compose(inverse(at), (*p, 0.0))[0] for c in unit.corridors for p in c.points_cm]
+    ahead = [x + math.hypot(s.hx, s.hy) for (x, y, _), s in places if abs(y) > street.half_width]
+    x = max(ahead or [*ends, 0.0]) + KERB_GAP_CM + street.half_width
+    return compose(at, (x, 0.0, 0.0))
 
 
 def _crosswalk(

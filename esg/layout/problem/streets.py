@@ -151,8 +151,10 @@ def street_in(doc: EsgDocument) -> str | None:
 
 
 def is_parked(doc: EsgDocument, name: str) -> bool:
-    """Whether a vehicle is said to be parked."""
-    return "parked" in words_of(doc, name)
+    """Whether a vehicle is said to be parked; of a plural its description tells."""
+    required = doc.asset_requirement.get(doc.spatial_relation_graph.nodes[name].asset_id)
+    told = required.asset_description.partition(":")[0] if required is not None else ""
+    return "parked" in words_of(doc, name) or "parked" in told.lower().split()
 
 
 def belongs_beside(
@@ -218,6 +220,27 @@ def drivers(doc: EsgDocument, unit: Unit, shape: dict[str, Shape]) -> dict[str, 
             if onward and wheeled and math.dist((x, y), start) < 1.0 and name not in out:
                 out[name] = math.atan2(onward[1] - start[1], onward[0] - start[0])
     return out
+
+
+def lay_beside_parked(street: Street, who: Users, unit: Unit) -> Pose2 | None:
+    """The pose at which the first parked vehicle is at the kerb, with fewest others on the street.
+
+    For scenes in which nobody drives; None where nothing is parked.
+    """
+    parked = next((b for b in who.beside.values() if b.half[0] > 1.2 * b.half[1]), None)
+    if parked is None:
+        return None
+    lateral = street.keeps * (street.half_width + PARKED_GAP_CM + parked.half[1])
+    poses = [
+        compose((*parked.pose[:2], parked.pose[2] + turn), (0.0, -lateral, 0.0))
+        for turn in (0.0, math.pi)
+    ]
+
+    def hit(pose: Pose2) -> int:
+        places = (compose(inverse(pose), p)[1] for p in unit.members.values())
+        return sum(abs(y) < street.half_width for y in places)
+
+    return min(poses, key=hit)
 
 
 def turned_into(unit: Unit, who: Users) -> Users | None:

@@ -77,7 +77,8 @@ class _Group:
 def energy(f: Facts) -> Check:
     """Bodies that nothing drives gain energy, alone or from each other.
 
-    Bodies in touch are taken together. Where the program acts on one of them it starts anew.
+    Bodies in touch are taken together. Where the program acts on one of them it starts anew. What
+    is back after a moment was stored in a contact.
     """
     worst = Worst()
     kinetic, total = _energies(f)
@@ -92,13 +93,20 @@ def energy(f: Facts) -> Check:
         for a, b in runs(~acted):
             # The step after the program let go begins with what it left.
             part = slice(max(a - 1, 0), b)
-            gain = own[part] - np.minimum.accumulate(own[part])
+            gain = own[part] - np.minimum.accumulate(_lasting(f, own[part]))
             k = int(np.argmax(gain))
             most = limit("energy share") * float(moving[part].max()) + spare
             names = ", ".join(f.name(i) for i in members[:2])
             time = float(f.replay.time[group.start + part.start + k])
             worst.look(float(gain[k]), most, names, time)
     return worst.check("energy", "J")
+
+
+def _lasting(f: Facts, energy: Floats) -> Floats:
+    """The most of an energy within the last moment: what a contact stores it may give back."""
+    n = max(1, round(limit("energy stored") / f.replay.frame_s))
+    padded = np.concatenate([np.full(n - 1, energy[0]), energy])
+    return np.lib.stride_tricks.sliding_window_view(padded, n).max(axis=1)
 
 
 def _energies(f: Facts) -> tuple[Floats, Floats]:

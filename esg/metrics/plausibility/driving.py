@@ -8,15 +8,12 @@ import numpy as np
 
 from esg.metrics.detection import runs
 from esg.metrics.plausibility.facts import Bools, Facts
+from esg.metrics.plausibility.grounds import ROADS, beyond, flats
 from esg.metrics.plausibility.limits import limit
 from esg.metrics.plausibility.record import Check, Worst
 from esg.metrics.replay import Floats
-from esg.metrics.support import local_position
 from esg.thresholds import MOVING_MPS, STOPPED_MPS, UPRIGHT_DEG
 from esg.units import quat_rotate
-
-_ROADS = ("road", "crossroad", "crossroads", "lane", "parking_lot", "crossing", "crosswalk")
-_FLAT_M = 0.05
 
 
 def acceleration(f: Facts) -> Check:
@@ -125,17 +122,18 @@ def speed(f: Facts) -> Check:
 def leaving(f: Facts) -> Check:
     """Moves beyond the drawn ground, or drives off the road that it set out on."""
     worst = Worst()
-    bodies = f.replay.scene.bodies
-    flat = [i for i, b in enumerate(bodies) if not b.collides and b.half_extents[2] < _FLAT_M]
-    roads = [i for i in flat if bodies[i].category in _ROADS]
+    scene = f.replay.scene
+    flat = flats(scene)
+    roads = [i for i in flat if scene.bodies[i].category in ROADS]
     for i in f.dynamic:
-        beyond = _outside(f, i, flat)
-        k = int(np.argmax(beyond))
+        way = f.replay.position[:, i]
+        out = beyond(scene, way, flat)
+        k = int(np.argmax(out))
         time = float(f.replay.time[k])
-        worst.look(float(beyond[k]), limit("off the ground"), f.name(i), time, "off the ground")
+        worst.look(float(out[k]), limit("off the ground"), f.name(i), time, "off the ground")
         if f.motion(i).moves != "road" or f.told.off_road or not roads:
             continue
-        off = _outside(f, i, roads)
+        off = beyond(scene, way, roads)
         goes = f.upto_struck(i) & np.logical_or.accumulate(f.powered(i)) & f.level(i)
         if off[0] > 0.0 or not goes.any() or _meets_off_road(f, i, off):
             continue
@@ -149,20 +147,3 @@ def _meets_off_road(f: Facts, i: int, off: Floats) -> bool:
     """Whether what it runs into, or nearly, stands beside the road: its way leads there."""
     struck = np.flatnonzero(f.struck(i))
     return bool(len(struck)) and bool(off[struck[0]] > 0.0)
-
-
-def _outside(f: Facts, i: int, flat: list[int]) -> Floats:
-    """How far a body's centre is outside of all outlines over time [m]; without any, of the plane
-    that exports draw.
-    """
-    if not flat:
-        p = np.abs(f.replay.position[:, i, :2]) - limit("drawn ground")
-        return np.linalg.norm(np.maximum(p, 0.0), axis=1)
-    away: list[Floats] = []
-    for k in flat:
-        b = f.replay.scene.bodies[k]
-        local = local_position(f.replay, i, k)[:, :2] - np.array(b.origin_offset[:2])
-        away.append(
-            np.linalg.norm(np.maximum(np.abs(local) - np.array(b.half_extents[:2]), 0.0), axis=1)
-        )
-    return np.min(away, axis=0)

@@ -50,7 +50,8 @@ class Facts:
 
     def motion(self, body: int) -> Motion:
         """The row of a body's kind."""
-        return motion_of(self.replay.scene.bodies[body].category)
+        b = self.replay.scene.bodies[body]
+        return motion_of(b.label, b.category)
 
     def name(self, body: int) -> str:
         """A body's name."""
@@ -139,16 +140,15 @@ class Facts:
 
     def friction(self, body: int) -> float:
         """Friction of a body on what carries it: its kind's grip, else the mean of materials."""
-        grip = self.motion(body).grip
-        b = self.replay.scene.bodies[body]
-        if math.isnan(grip):
-            scene, c = self.replay.scene, self.replay.contacts
-            mine = (c.a == body) | (c.b == body)
-            other = np.unique(np.where(c.a[mine] == body, c.b[mine], c.a[mine]))
-            tops = [scene.bodies[int(k)] for k in other if k >= 0]
-            rough = [t.friction for t in tops if t.static]
-            grip = 0.5 * (b.friction + max([scene.ground_friction, *rough]))
-        return min(grip, surface_grip(self.told.surface))
+        grip, scene = self.motion(body).grip, self.replay.scene
+        if not math.isnan(grip):
+            return min(grip, surface_grip(self.told.surface, scene.ground_friction))
+        c = self.replay.contacts
+        mine = (c.a == body) | (c.b == body)
+        other = np.unique(np.where(c.a[mine] == body, c.b[mine], c.a[mine]))
+        tops = [scene.bodies[int(k)] for k in other if k >= 0]
+        rough = [t.friction for t in tops if t.static]
+        return 0.5 * (scene.bodies[body].friction + max([scene.ground_friction, *rough]))
 
     def clear(self, *barred: Bools) -> Bools:
         """Windows without any of the barred frames, by their first frame, shape [T - window]."""

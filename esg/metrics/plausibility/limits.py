@@ -5,10 +5,12 @@ from __future__ import annotations
 import csv
 from dataclasses import dataclass
 from functools import cache
+import math
 from pathlib import Path
 from typing import Literal
 
 from esg.lexicon.kinds import Kind, kinds
+from esg.thresholds import BRAKING_ICY_G, BRAKING_WET_G
 
 _HERE = Path(__file__).parent
 MOTION, LIMITS = _HERE / "motion.csv", _HERE / "limits.csv"
@@ -57,37 +59,54 @@ def _limits() -> dict[str, float]:
         return {r["name"]: float(r["value"]) for r in csv.DictReader(file) if r["value"]}
 
 
-def surface_grip(surface: str) -> float:
-    """Most friction that a surface (dry, wet, ice) gives; infinite where the kind's own decides."""
-    return _limits().get(f"surface {surface}", float("inf"))
-
-
-@cache
-def motion_of(category: str) -> Motion:
-    """The row of a kind: its own, else its broader kinds', else its class's, else of any thing.
+def surface_grip(said: str, ground_friction: float) -> float:
+    """Most friction that tyres, soles and hulls find on a scene's ground.
 
     Args:
-        category: Of a body: the slug of a kind's name.
+        said: What the prompt says of the ground: dry, wet or ice.
+        ground_friction: Of the simulated ground.
     """
-    rows = _rows()
-    found = _kinds_by_slug().get(category)
-    names = [category.replace("_", " ")]
-    if found is not None:
-        names = [found.name, *found.parents]
-    for name in names:
-        if name in rows:
-            return rows[name]
-    classes = [found.kind] if found is not None and found.kind else []
-    classes += [k.kind for n in names if (k := _kinds_by_slug().get(n.replace(" ", "_")))]
-    for kind in (*classes, *names):
-        if f"/{kind}" in rows:
-            return rows[f"/{kind}"]
-    return rows["/"]
+    if said == "ice" or ground_friction < limit("icy ground"):
+        return BRAKING_ICY_G
+    if said == "wet" or ground_friction < limit("wet ground"):
+        return BRAKING_WET_G
+    return math.inf
 
 
 @cache
-def _kinds_by_slug() -> dict[str, Kind]:
-    return {k.slug: k for k in reversed(kinds())}
+def motion_of(*names: str) -> Motion:
+    """The row of the first name of which one is known: its own, or that of a broader kind or class.
+
+    Args:
+        names: What a thing is called, the most telling first: its label, its category. Of several
+            words the last ones count too ("red tow truck", "tow truck", "truck").
+    """
+    for name in names:
+        words = name.lower().replace("_", " ").split()
+        parts = [" ".join(words[k:]) for k in range(len(words))]
+        for kinds_ in _kinds():
+            for part in parts:
+                if (row := _row(part, kinds_.get(part))) is not None:
+                    return row
+    return _rows()["/"]
+
+
+def _row(name: str, kind: Kind | None) -> Motion | None:
+    own = (name,) if kind is None else (kind.name, *kind.parents)
+    plain = _kinds()[0]
+    classes = [f"/{k.kind}" for n in own if (k := plain.get(n)) is not None and k.kind]
+    keys = (*own, *classes, *(f"/{n}" for n in own if n))
+    return next((_rows()[key] for key in keys if key in _rows()), None)
+
+
+@cache
+def _kinds() -> tuple[dict[str, Kind], dict[str, Kind]]:
+    """Kinds by their names, and by what else they are called: a tow truck is a truck first."""
+    called: dict[str, Kind] = {}
+    for kind in kinds():
+        for name in kind.said_as:
+            called.setdefault(name, kind)
+    return {kind.name: kind for kind in reversed(kinds())}, called
 
 
 @cache

@@ -92,6 +92,11 @@ def test_story_decides_over_the_size() -> None:
         ("cheese_wheel", 2.0, "physx"),
         ("wheel", 4.0, "rapier"),
         ("log", 2.0, "rapier"),
+        ("bottle", 2.0, "physx"),
+        ("trash_bin", 3.0, "physx"),
+        ("cup", 3.0, "physx"),
+        ("round_bale", 2.0, "physx"),
+        ("dumbbell", 1.5, "physx"),
     ],
 )
 def test_rolls_straight_and_smoothly(name: str, speed: float, engine: str, yaw: float) -> None:

@@ -19,6 +19,7 @@ from esg.dynamics.story.kinematics import (
     lob_time,
     rolling_travel,
 )
+from esg.dynamics.story.stagecraft import prop
 from esg.dynamics.story.story import read_story
 from esg.engines.program import HoldVelocity, SetVelocity
 from esg.graph.models import AssetConfiguration, EsgDocument, ForceDirection
@@ -183,3 +184,19 @@ def test_a_struck_ball_loses_two_sevenths_until_it_rolls() -> None:
     # Without friction it only slides.
     assert rolling_travel(2.0, 0.0, 1.0) == pytest.approx((2.0, 2.0))
     assert 10.0 / 7.0 < way < 2.0
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thing", "moves"),
+    [
+        ("A truck crashes into a soccer goal.", "soccer_goal_1", True),
+        ("A truck hits a basketball hoop.", "basketball_hoop_1", True),
+        ("A bus rams a counter.", "counter_1", True),
+        ("A truck crashes into a bench.", "bench_1", True),
+        ("A truck crashes into a lamp post.", "lamp_post_1", False),
+        ("A truck crashes into a brick wall.", "brick_wall_1", False),
+        ("A ball hits a basketball hoop.", "basketball_hoop_1", False),
+    ],
+)
+def test_a_heavy_vehicle_moves_what_has_no_foundation(prompt: str, thing: str, moves: bool) -> None:
+    assert prop(cast(prompt), thing).fixed is not moves

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 import math
 
 import numpy as np
@@ -9,12 +10,15 @@ import pytest
 
 from esg.dynamics import build_scene, start_hints
 from esg.dynamics.plan.planner import make_plan
-from esg.engines.program import SetVelocity, batch_programs
+from esg.dynamics.story.kinematics import off_a_wall
+from esg.engines.program import Program, SetVelocity, batch_programs
 from esg.engines.registry import get_engine
+from esg.engines.scene import SimScene
 from esg.graph.models import EsgDocument
 from esg.layout import solve
 from esg.units import GRAVITY_MPS2
 from tests.dynamics.stories import cast
+from tests.engines.lab import ball, box
 
 
 def _launch(doc: EsgDocument) -> tuple[SetVelocity, np.ndarray, np.ndarray, float]:
@@ -30,26 +34,25 @@ def _launch(doc: EsgDocument) -> tuple[SetVelocity, np.ndarray, np.ndarray, floa
 
 
 def test_what_is_dropped_to_bounce_on_drifts_over_the_edge() -> None:
-    """Slowly, from the stated height above the ground, spinning as if it rolled."""
+    """Slowly, from the stated height above the ground, without spin."""
     doc = cast("A ball is dropped from 3 m onto a table, bounces off and lands in a basket.")
     launch, start, _, radius = _launch(doc)
     assert start[2] - radius == pytest.approx(3.0, abs=0.02)
     across = math.hypot(*launch.linear[:2])
     assert 0.1 < across < 1.5
     assert abs(launch.linear[2]) < 0.3
-    assert launch.angular is not None
-    assert np.cross(launch.angular, (0, 0, radius)) == pytest.approx((*launch.linear[:2], 0.0))
+    assert launch.angular == (0.0, 0.0, 0.0)
 
 
 def test_it_comes_down_in_what_waits_beside_the_top() -> None:
-    """The ball enters the basket in two engines that differ in the friction of a bounce."""
+    """The ball enters the basket in every engine: the bounce takes two sevenths of its speed."""
     doc = cast("A ball is dropped from 2 m onto a crate, bounces off and lands in a basket.")
     laid = solve(doc, hints=start_hints(doc))
     scene = build_scene(laid)
     plan = make_plan(laid, scene)
     program = plan.compile(plan.initial())
     region = next(r for r in scene.regions if r.name.startswith("basket"))
-    for engine in ("newton", "rapier"):
+    for engine in ("newton", "physx", "rapier"):
         rollout = get_engine(engine).rollout(scene, batch_programs([program], scene.names))
         ball = rollout.position[0, :, scene.index("ball_1")]
         basket = rollout.position[0, 0, scene.index("basket_1")]
@@ -64,10 +67,46 @@ def test_what_is_only_dropped_falls_straight_down() -> None:
 
 
 def test_a_wall_is_met_squarely_at_the_top_of_the_flight() -> None:
-    """What neither rises nor falls has no speed along the wall that friction could take."""
+    """What falls when it meets the wall is on the ground soon after."""
     doc = cast("A ball is thrown at a wall and bounces off it into a box.")
     launch, start, wall, radius = _launch(doc)
     speed = math.hypot(*launch.linear[:2])
     way = float(np.linalg.norm((wall - start)[:2])) - 0.1 - radius
     assert launch.linear[2] - GRAVITY_MPS2 * way / speed == pytest.approx(0.0, abs=0.4)
     assert launch.linear[2] > 1.0
+
+
+@pytest.mark.parametrize(
+    ("rolling", "friction", "tilt_deg"),
+    [
+        (True, 0.05, 0.0), (True, 0.5, 0.0), (True, 0.5, 25.0),
+        (False, 0.1, 0.0), (False, 0.1, 25.0), (False, 0.5, 25.0),
+    ],
+)  # fmt: skip
+def test_a_ball_goes_on_from_a_wall_as_told(
+    rolling: bool, friction: float, tilt_deg: float
+) -> None:
+    """Away from it and along it, with and without spin, in an engine."""
+    speed, restitution, tilt = 4.0, 0.6, math.radians(tilt_deg)
+    rolled = ball(
+        "ball", 0.1, 1.0, (0.0, 0.0, 0.1 if rolling else 5.0), friction=friction,
+        restitution=restitution,
+    )  # fmt: skip
+    wall = replace(
+        box("wall", (0.2, 6.0, 6.0), 1.0, (1.5, 0.0, 6.0)), static=True, friction=friction,
+        restitution=restitution, quaternion=(0.0, 0.0, math.sin(tilt / 2), math.cos(tilt / 2)),
+    )  # fmt: skip
+    # Without gravity in the air; it rolls on ground that has the same friction in every engine.
+    scene = SimScene(
+        "s", (rolled, wall), gravity=(0.0, 0.0, -GRAVITY_MPS2 if rolling else 0.0),
+        ground_friction=1.0, ground_restitution=0.0,
+    )  # fmt: skip
+    spin = (0.0, speed / 0.1, 0.0) if rolling else (0.0, 0.0, 0.0)
+    push = SetVelocity("ball", 0.0, (speed, 0.0, 0.0), spin)
+    batch = batch_programs([Program((push,), 2.5)], scene.names)
+    v = get_engine("physx").rollout(scene, batch).linear_velocity[0, -1, 0].astype(float)
+    away, along = off_a_wall(restitution, friction, tilt, rolling=rolling)
+    normal = np.array([-math.cos(tilt), -math.sin(tilt)])
+    across = np.array([math.sin(tilt), -math.cos(tilt)])
+    assert v[:2] @ normal == pytest.approx(speed * away, abs=0.03 * speed)
+    assert abs(v[:2] @ across) == pytest.approx(speed * along, abs=0.03 * speed)

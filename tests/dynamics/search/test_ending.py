@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any
 
@@ -53,6 +54,26 @@ def test_what_was_hit_or_brakes_is() -> None:
     assert ends({"a": 4.0}, DRIVE, rows=hit) == pytest.approx(4.0 + STILL_S, abs=0.11)
     brake = AdjustProperties("a", 1.0, linear_damping=2.0)
     assert ends({"a": 4.0}, DRIVE, brake) == pytest.approx(4.0 + STILL_S, abs=0.11)
+
+
+def test_a_recording_ends_before_something_rolls_off_the_drawn_ground() -> None:
+    """Body a goes at 2 m/s from the middle of a floor of 8 m: it would leave it after 2 s."""
+    floor = replace(SCENE.bodies[2], name="floor", static=True, shapes=(), position=(0.0, 0.0, 0.0),
+                    half_extents=(8.0, 8.0, 0.01))  # fmt: skip
+    scene = SCENE.with_bodies((*SCENE.bodies[:2], floor))
+
+    def play_on(theta: Any, duration: float) -> Rollout:
+        made = rollout([[]], duration)
+        t = np.arange(made.position.shape[1]) / FPS
+        made.position[0, :, 0, 0] = 2.0 * t
+        made.linear_velocity[0, :, 0, 0] = 2.0
+        return made
+
+    plan: Any = SimpleNamespace(scene=scene, compile=lambda theta: Program((), LEAST))
+    reference: Any = SimpleNamespace(play_on=play_on)
+    found = until_rest(plan, reference, np.zeros(0), LAST, LEAST)
+    assert found == pytest.approx(4.0 - STILL_S, abs=0.11)
+    assert until_rest(plan, reference, np.zeros(0), LAST, 5.0) == 5.0
 
 
 def test_what_diverges_is_no_reason_to_record_longer() -> None:
