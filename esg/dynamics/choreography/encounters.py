@@ -298,7 +298,8 @@ def _rear_end(stage: Stage, e: Encounter) -> None:
         distance = left * (time - began)
     stage.nominal[f"{chase.edge.id}/speed"] = speed
     ahead.straight(distance, time - began, left)
-    rear.straight(speed * (time - rear.time), time - rear.time, speed)
+    ride = ride_of(stage, behind, chase, speed)
+    rear.straight(ride.way(time - rear.time), time - rear.time, ride.left(time - rear.time))
     gap = max(rear.x - ahead.x, 0.3)
     reach = stage.prop(behind).half_length + stage.prop(front).half_length
     stage.frames[behind] = Frame()

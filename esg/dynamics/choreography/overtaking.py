@@ -6,6 +6,7 @@ import math
 
 from esg.dynamics.choreography.braking import INTO_HIT, shortest, slow_down
 from esg.dynamics.choreography.placing import asked_distance
+from esg.dynamics.choreography.setting_off import ride_of
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.story import Phase
@@ -65,9 +66,12 @@ def overtake(stage: Stage, e: Encounter) -> None:
     duration = (_reach(stage, a, b) + CLEAR_M) / (fast - slow)
     if prescribed is not None:
         duration = max(prescribed - track.time, 0.2)
+    ride = ride_of(stage, a, phase, fast)
+    if prescribed is None and not math.isinf(ride.rate):
+        duration += ride.gaining
     stage.nominal[f"{phase.edge.id}/speed"] = fast
     stage.nominal[f"{stage.story.phases[b][0].edge.id}/speed"] = slow
-    track.straight(fast * duration, duration, fast)
+    track.straight(ride.way(duration), duration, ride.left(duration))
     stage.time[node.id] = stage.nominal[f"{node.id}/time"] = track.time
     frame = stage.frames.setdefault(a, Frame())
     stage.places[a] = (*frame.apply(0.0, 0.0), frame.angle)

@@ -125,16 +125,17 @@ class Cast:
         falls = (n for n in after if n.event is NodeEvent.FALL and target in n.participants)
         return next(falls, None)
 
-    def leaves_to_others(self, actor: str, phase: Phase) -> bool:
-        """A driven body whose part ends with a hit that others carry on brakes there.
+    def brakes_after(self, actor: str, phase: Phase) -> bool:
+        """A driven body whose part ends with a hit brakes there.
 
-        Otherwise it would run into the back of what it has just sent on its way, and crush it
-        against the next target.
+        Otherwise it would roll on or back for seconds, run into the back of what it has just sent
+        on its way, and crush it against the next target. On foot only the latter is prevented.
         """
-        if phase.end.event is not NodeEvent.COLLISION or self.scene.body(actor).roll_radius:
+        body = self.scene.body(actor)
+        if phase.end.event is not NodeEvent.COLLISION or body.roll_radius:
             return False
         after = self.story.after(phase.end.id)
-        return bool(after) and not any(actor in n.participants for n in after)
+        return (bool(after) or body.wheeled) and not any(actor in n.participants for n in after)
 
     def leaves_support(self, actor: str, phase: Phase) -> bool:
         """Whether a body that stands on something meets what stands on the ground."""

@@ -434,6 +434,7 @@ class Composer:
                     climb=0.0 if soars else None,
                 )
             )
+            end += 0.0 if soars else STRAIGHT_S
         # What follows a hit follows it when it happens, not when the hold would have ended.
         told = v.get(f"{phase.end.id}/time", self.told(phase.end, end))
         course.clock = min(end, max(start, told))
@@ -465,10 +466,11 @@ class Composer:
             if stays:
                 course.out.append(self._hover(actor, end, course.speed, course.heading))
             return
-        if self.cast.leaves_to_others(actor, leg.phase):
+        if self.cast.brakes_after(actor, leg.phase):
             hit = end if pushes else self.nominal.get(f"{node.id}/event_time", leg.duration)
             course.out.append(AdjustProperties(actor, hit, braking=self._brakes(course)))
-        if stays and on_foot(prop(self.doc, actor)):
+        if on_foot(prop(self.doc, actor)) and (stays or end < leg.duration):
+            # Let go on its feet, it would fall over them.
             course.out.append(self._halts(course, end))
         elif stays:
             course.out.append(AdjustProperties(actor, end, braking=self._brakes(course)))

@@ -162,6 +162,22 @@ def test_the_driver_brakes_after_a_hit_that_others_carry_on() -> None:
     assert brakes[0].linear_damping is None
 
 
+def test_nobody_is_let_go_on_their_feet() -> None:
+    """Whose part ends while the scene goes on slows down within a step, and stays upright."""
+    plan = planned(cast("A man walks onto the road. A car drives at 10 m/s and brakes and stops."))
+    played = get_engine("physx").rollout(
+        plan.scene, batch_programs([plan.compile(plan.initial())], plan.scene.names)
+    )
+    x, y, _, _ = played.quaternion[0, -1, plan.scene.index("man_1")]
+    assert 1.0 - 2.0 * (x * x + y * y) > 0.99
+
+
+def test_who_has_crashed_brakes() -> None:
+    """A car does not roll back from a wall for seconds."""
+    brakes = [p for p in program_of(cast("A car hits a wall.")) if isinstance(p, AdjustProperties)]
+    assert [p.braking for p in brakes] == [pytest.approx(pace_of("car").brakes)]
+
+
 def test_ice_stops_nothing_soon() -> None:
     """What is said to be on ice brakes at a tenth of g at most."""
     doc = cast("A puck slides over the ice at 4 m/s and hits a goalpost.")
