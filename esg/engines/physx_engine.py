@@ -191,7 +191,9 @@ class PhysxWorld:
                 collider = make_shape(px, shape, material, rolls=rolls)
                 collider.set_collision_groups([group, _TOUCHED, 0, 0])
                 if (i, k) in below:
-                    collider.set_collision_groups([_ROLLED_ON, _BODY | _WHEELED | _TREAD, 0, 0])
+                    own = _VEHICLE_GROUND if body.wheeled else _GROUND
+                    touched = _BODY | _WHEELED | _TREAD | _ROLLED_ON | own
+                    collider.set_collision_groups([_ROLLED_ON, touched, 0, 0])
                 component.attach(collider)
                 if rolls and not (body.static or body.wheeled):
                     self._add_tread(i, component, collider, shape, material)
@@ -376,7 +378,7 @@ def rolls_on_rim(body: Body) -> bool:
 
 
 def rolled_on(scene: SimScene, values: Values, w: int) -> set[tuple[int, int]]:
-    """Static shapes, as (body, shape), on whose flat tops a wheel or a barrel starts.
+    """Shapes, as (body, shape), on whose flat tops a wheel or a barrel starts.
 
     They bear its tread as the ground does; what they hit from the side with is the same.
     """
@@ -388,7 +390,7 @@ def rolled_on(scene: SimScene, values: Values, w: int) -> set[tuple[int, int]]:
         turn = values.quaternion[w, i]
         center = values.position[w, i] + quat_rotate(turn, np.array(body.shapes[0].position))
         for j, other in enumerate(scene.bodies):
-            if not other.static:
+            if i == j:
                 continue
             for k, shape in enumerate(other.shapes):
                 if shape.kind not in ("box", "convex"):

@@ -108,6 +108,22 @@ def test_it_rolls_on_tables_and_slopes_as_on_the_ground(
     assert np.abs(ratio[1:] - 1.0).max() < 0.02
 
 
+def test_it_rolls_on_a_table_that_could_move() -> None:
+    """The table stands on the ground as before, and goes on bearing what else comes."""
+    body, top, _ = on_top(0.02, 0.1, 0.0, Shape("box", (5.0, 1.0, 0.5)))
+    inertia = ((20.0, 0.0, 0.0), (0.0, 400.0, 0.0), (0.0, 0.0, 400.0))
+    table = replace(top, static=False, inertia=inertia, position=(0.0, 0.0, 0.5))
+    cube = Body("cube", False, 1.0, ((0.01, 0, 0), (0, 0.01, 0), (0, 0, 0.01)),
+                (Shape("box", (0.1, 0.1, 0.1)),), (3.0, 0.5, 1.1))  # fmt: skip
+    scene = SimScene("s", (replace(body, position=(-4.0, 0.0, 1.02)), table, cube))
+    push = SetVelocity("wheel", 0.0, (2.0, 0.0, 0.0), (0.0, 100.0, 0.0))
+    program = Program((push,), 1.5)
+    out = get_engine("physx").rollout(scene, batch_programs([program], scene.names))
+    assert out.linear_velocity[0, -1, 0, 0] == pytest.approx(2.0, rel=0.02)
+    assert out.angular_velocity[0, -1, 0, 1] == pytest.approx(100.0, rel=0.02)
+    assert out.position[0, -1, 1:, 2] == pytest.approx([0.5, 1.1], abs=2e-3)
+
+
 def test_what_rolls_off_a_table_falls_and_rolls_on() -> None:
     body, top, down = on_top(0.05, 0.1, 0.0, BLOCKS[0])
     scene = SimScene("s", (replace(body, position=(4.0, 0.0, 2.15)), top))
