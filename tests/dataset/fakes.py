@@ -135,6 +135,11 @@ def _judge(state: SceneState, folder: Path) -> None:
     metrics: dict[str, Any] = {"verdict": verdict.to_json(), "proof": "class"}
     document = json.loads((state.artifact("optimize") / "esg.json").read_bytes())
     metrics["statements"] = statement_rows(document, [])
+    fast = "rockets" in request.prompt
+    check = {"name": "speed", "unit": "m/s", "ok": not fast, "measured": 900.0 if fast else 3.0,
+             "limit": 47.3, "body": "ball_1", "time_s": 0.0, "note": ""}  # fmt: skip
+    worst = "ball_1: speed 900 m/s, limit 47.3 m/s" if fast else ""
+    metrics["plausibility"] = {"plausible": not fast, "worst": worst, "checks": [check]}
     (folder / "metrics.json").write_text(json.dumps(metrics))
 
 

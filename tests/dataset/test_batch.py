@@ -87,7 +87,16 @@ def test_a_dataset_holds_every_scene_and_nothing_else(tmp_path: Path) -> None:
     assert [r["prompt"] for r in rows] == GOOD
     assert all(r["verified"] and r["outcome"] == "solved" and r["manifest"] for r in rows)
     top = sorted(p.name for p in (tmp_path / "a").iterdir() if not p.name.startswith("."))
-    assert top == ["README.md", "meta", "metrics", "runs", "scenes", "timings", "trajectories"]
+    assert top == [
+        "README.md",
+        "meta",
+        "metrics",
+        "plausibility_checks",
+        "runs",
+        "scenes",
+        "timings",
+        "trajectories",
+    ]
     assert sorted(p.name for p in (tmp_path / "a" / "meta").iterdir()) == [
         "info.json", "plan.json", "prompts.jsonl", "run.json", "timings.json",
     ]  # fmt: skip
@@ -167,6 +176,21 @@ def test_a_strict_dataset_counts_partial_scenes_as_failed(tmp_path: Path) -> Non
         ("half balls", "partial")
     ]
     assert "--strict" in (tmp_path / "a" / "README.md").read_text()
+
+
+def test_implausible_scenes_are_marked_told_on_the_card_and_fail_only_if_strict(
+    tmp_path: Path,
+) -> None:
+    for strict in (False, True):
+        out = tmp_path / str(strict)
+        build(out, ["balls", "rockets balls"], strict=strict)
+        assert [r["plausible"] for r in scenes(out)] == [True, False]
+        card = (out / "README.md").read_text()
+        assert "1 of 2 replays are `plausible`" in card and "| speed | 1 |" in card
+        failed = out / "failures.jsonl"
+        told = [json.loads(t) for t in failed.read_text().splitlines()] if failed.exists() else []
+        assert [r["prompt"] for r in told] == (["rockets balls"] if strict else [])
+        assert all("implausible: ball_1: speed 900" in r["reason"] for r in told)
 
 
 def test_verified_asks_for_what_an_expectation_states_too() -> None:
