@@ -9,9 +9,10 @@ import pytest
 from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics.casting.hits import carried, fastest
-from esg.dynamics.choreography.demands import felt, passed_on, thrown_back_share
+from esg.dynamics.choreography.demands import felt, passed_on
 from esg.dynamics.choreography.impacts import FARTHEST_AHEAD
 from esg.dynamics.choreography.telling import choreograph
+from esg.dynamics.story.kinematics import off_a_wall
 from esg.dynamics.story.stagecraft import coasting_drag, prop
 from esg.dynamics.story.story import read_story
 from esg.dynamics.story.tipping import topple_speed
@@ -27,8 +28,10 @@ def nominal(doc: EsgDocument, actor: str) -> float:
 
 
 def test_a_wall_keeps_less_of_a_rolling_ball() -> None:
-    assert thrown_back_share(0.8, rolling=False) == pytest.approx(0.8)
-    assert thrown_back_share(0.8, rolling=True) == pytest.approx(2.0 / 7.0)
+    """All of its spin off a smooth one, two sevenths of it off a rough one."""
+    assert off_a_wall(0.8, 0.5, rolling=False) == pytest.approx((0.8, 0.0))
+    assert off_a_wall(0.8, 0.0, rolling=True) == pytest.approx((2.0 / 7.0, 0.0))
+    assert off_a_wall(0.8, 0.5, rolling=True) == pytest.approx((4.0 / 7.0 - 4.0 / 49.0, 0.0))
 
 
 @pytest.mark.parametrize(
@@ -50,7 +53,11 @@ def test_a_first_hit_is_fast_enough_for_the_topple_behind_it(
 def test_a_ball_that_comes_back_from_a_wall_is_fast_enough_for_its_topple() -> None:
     doc = cast("A basketball bounces off a wall and knocks over a vase.")
     ball, wall, vase = (prop(doc, n) for n in ("basketball_1", "wall_1", "vase_1"))
-    share = thrown_back_share(0.5 * (ball.restitution + wall.restitution), rolling=True)
+    restitution, friction = (
+        0.5 * (x + y)
+        for x, y in ((ball.restitution, wall.restitution), (ball.friction, wall.friction))
+    )
+    share, _ = off_a_wall(restitution, friction, rolling=True)
     assert share * nominal(doc, "basketball_1") > topple_speed(ball, vase, flies=False)
 
 
