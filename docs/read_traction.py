@@ -13,12 +13,19 @@ class Traction:
         braked = {p["body"] for p in primitives if p.get("braking") is not None}
         self.bodies = {b["name"]: b for b in bodies if b["name"] in braked or "tyre_friction" in b}
         self.braking = dict.fromkeys(self.bodies, 0.0)
-        self.gravity_z, self.rise, self.falling = manifest["gravity"][2], {}, set()
+        self.gravity_z, self.before, self.falling = manifest["gravity"][2], {}, set()
+        self.tips = {}
 
     def look(self, dt, body_of):
-        """Before the primitives: what fell freely in the last step, nothing carries."""
-        lost = {n: z - tuple(body_of(n).linvel)[2] for n, z in self.rise.items()}
-        self.falling = {n for n, v in lost.items() if v > -0.5 * self.gravity_z * dt}
+        """Before the primitives: what fell freely, nothing carries; what a blow met, tips over."""
+        self.falling = set()
+        for name, old in self.before.items():
+            x, y, z = (a - v for v, a in zip(body_of(name).linvel, old, strict=True))
+            if z > -0.5 * self.gravity_z * dt:
+                self.falling.add(name)
+            b = self.bodies[name]
+            if "tyre_friction" in b and "tyre_drop" in b and math.hypot(x, y) > 1.0:
+                self.tips[name] = 0.5
 
     def adjust(self, p):
         """An AdjustProperties fires."""
@@ -30,12 +37,18 @@ class Traction:
         driven = {p["body"] for p in lasting if p["kind"] != "HoldSpin"}
         for name, b in self.bodies.items():
             body = body_of(name)
-            self.rise[name] = tuple(body.linvel)[2]
-            if name not in driven | self.falling:
+            self.before[name] = tuple(body.linvel)
+            if name in driven:
+                self.tips[name] = 0.0
+            elif name not in self.falling:
                 taken = brake(b, body, self.braking[name] * dt)
                 grip = -b.get("tyre_friction", 0.0) * self.gravity_z * dt
                 if grip > taken:
                     tyres(b, body, math.sqrt(grip**2 - taken**2))
+                self.before[name] = tuple(body.linvel)
+                if self.tips.get(name, 0.0) > 0:
+                    self.tips[name] -= dt
+                    tip(body)
 
 
 def brake(b, body, loss):
@@ -66,3 +79,18 @@ def tyres(b, body, limit):
     a, yaw = (front + rear) / 2, (front - rear) / 2 / axle
     body.linvel = (vx + fy * a, vy - fx * a, vz)
     body.angvel = (wx - fx * lean * a, wy - fy * lean * a, wz - yaw)
+
+
+def tip(body):
+    """Leans at 2.5 rad/s at least, on to the side it leans to, until it does not stand any more."""
+    x, y, z, w = body.rotation.quaternion
+    if 1 - 2 * (x * x + y * y) <= math.sqrt(0.5):
+        return
+    fx, fy = 1 - 2 * (y * y + z * z), 2 * (x * y + z * w)
+    fx, fy = fx / math.hypot(fx, fy), fy / math.hypot(fx, fy)
+    wx, wy, wz = body.angvel
+    lean, right = fx * wx + fy * wy, fy * 2 * (x * z + y * w) - fx * 2 * (y * z - x * w)
+    if abs(lean) < 2.5:
+        left = lean < 0 if abs(lean) > 0.05 else right < -0.001
+        more = (-2.5 if left else 2.5) - lean
+        body.angvel = (wx + fx * more, wy + fy * more, wz)

@@ -43,8 +43,7 @@ def bench(
         collision: What bodies collide with during the search: exact (their parts), proxy (one
             sphere or box each), or sdf (that first, then signed distance fields).
         out: Folder of the scene folders; default runs/bench-SUITE-STRATEGY-ENGINE.
-        strict: Count scenes that do not show all of their prompt (partial) or are not plausible as
-            failed.
+        strict: Count scenes as failed that are partial or not plausible.
         workers: Worker processes; default one a core.
     """
     from esg.commands import inputs

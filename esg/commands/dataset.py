@@ -66,8 +66,7 @@ def dataset(
         strategy: How the physics is searched; none keeps the first guess.
         engine: Engine of the replay: physx runs the emitted class.
         device: cpu or cuda:N.
-        strict: Count scenes that do not show all of their prompt (partial) or are not plausible as
-            failed.
+        strict: Count scenes as failed that are partial (not all is shown) or not plausible.
         json: Print one JSON document with counts and paths.
     """
     from esg.commands.console import progress

@@ -48,8 +48,7 @@ def generate(
         traffic: Side of the road that vehicles keep to.
         render: Ground-truth channels to render into the scene folder at 256x256 and 24 frames a
             second, with commas, or all; esg render has further options.
-        strict: Count a scene that does not show all of its prompt (partial) or is not plausible as
-            failed.
+        strict: Count a scene as failed that is partial (not all is shown) or not plausible.
         json: Print one JSON document with outcome, metrics and paths.
     """
     from esg.commands.console import emit, note_first_use

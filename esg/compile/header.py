@@ -324,9 +324,10 @@ _WATCHING = """\
 DRIVES = "\t\tbool bDrives = false;\n"
 GROUNDED = """\
 		double Braking = 0.0;
-		/** Vertical velocity at the beginning of the last step; so low before the first one. */
-		double Rise = -1.0e9;
+		/** Velocity at the beginning of the last step; so low before the first one. */
+		FVector Before = FVector(0.0, 0.0, -1.0e9);
 		bool bFalls = false;
+		double Tips = 0.0;
 """
 """Of commands and bodies, in classes with brakes or tyres."""
 
@@ -392,6 +393,7 @@ _GROUND = """\
 """
 _TYRES = """\
 	void ApplyTyres(const FBodyRef& Body, double Weight, double Taken);
+	void TipOver(FBodyRef& Body, double Step);
 """
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache
+import math
 from pathlib import Path
 
 from esg.compile import frames, names
@@ -11,7 +12,17 @@ from esg.compile.header import PRIMITIVE_FIELDS
 from esg.compile.model import ScenePlan, UnrealBody, UnrealWheel
 from esg.engines.program import GUIDE_RATE
 from esg.engines.scene import Body, SimScene
-from esg.engines.traction import FALLING, ON_WHEELS, Feature, features
+from esg.engines.traction import (
+    BLOW_MPS,
+    FALLING,
+    LEAST_LEAN_RAD_S,
+    LEAST_TILT,
+    ON_WHEELS,
+    TIPPING_RAD_S,
+    TIPPING_S,
+    Feature,
+    features,
+)
 from esg.engines.wheels import FALLS, RUNS_DOWN_S, UPRIGHT
 
 INCLUDES = (
@@ -67,8 +78,15 @@ UPRIGHT_COSINE = f"""\
 \t/** Of the tilt up to which a body stands on its wheels. */
 \tconstexpr double UprightCosine = {frames.literal(ON_WHEELS)};
 
+\t/** Change of velocity [cm/s] that costs a two-wheeler its balance; it then leans [s, deg/s]. */
+\tconstexpr double Blow = {frames.literal(BLOW_MPS * frames.CM_PER_M)};
+\tconstexpr double TippingTime = {frames.literal(TIPPING_S)};
+\tconstexpr double TippingRate = {frames.literal(math.degrees(TIPPING_RAD_S))};
+\tconstexpr double LeastTilt = {frames.literal(LEAST_TILT)};
+\tconstexpr double LeastLean = {frames.literal(math.degrees(LEAST_LEAN_RAD_S))};
+
 """
-"""Constant of classes with tyres."""
+"""Constants of classes with tyres."""
 
 ROLL = """\
 \tif (Body.Settings->bRolls)
@@ -85,8 +103,13 @@ BRAKES = "\t\tApplyBrakes(Body, Body.Braking * Step);\n"
 TYRES = """\
 \t\tconst double Taken = ApplyBrakes(Body, Body.Braking * Step);
 \t\tApplyTyres(Body, -WorldGravityZ * Step, Taken);
+\t\tTipOver(Body, Step);
 """
-"""What acts on a body, in classes without and with tyres."""
+BLOW = """\
+\t\tLost.Z = 0.0;
+\t\tBody.Tips = Body.Settings->TyreDrop > 0.0 && Lost.Size() > Blow ? TippingTime : Body.Tips;
+"""
+"""What acts on a body, in classes without and with tyres, and what tips a two-wheeler."""
 
 GUIDING = f"""\
 \t/** How fast a guided body that is off its path returns to it [1/s]. */
@@ -176,6 +199,7 @@ def _traction(plan: ScenePlan) -> list[str]:
     if not (plan.brakes or plan.tyres):
         return []
     text = _template("ApplyTraction").replace("@ROLL@\n", ROLL if plan.brakes else "")
+    text = text.replace("@BLOW@\n", BLOW if plan.tyres else "")
     tyres = [_template("ApplyTyres")] if plan.tyres else []
     return [text.replace("@ACTS@\n", TYRES if plan.tyres else BRAKES), *tyres]
 

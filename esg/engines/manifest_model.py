@@ -18,6 +18,7 @@ from pydantic import (
 
 from esg.engines.program import GUIDE_RATE, MAX_KNOTS
 from esg.engines.scene import GROUND, ShapeKind
+from esg.engines.traction import BLOW_MPS, LEAST_LEAN_RAD_S, TIPPING_RAD_S, TIPPING_S
 
 MANIFEST_FORMAT = "esg-manifest"
 MANIFEST_VERSION = 1
@@ -88,8 +89,13 @@ TYRES_CONVENTION = (
     "|gravity_z| dt)^2 - l^2), l what the brakes have taken of |v_h| in this step (no tyres if "
     "that is more); slip = (v.s + h w.f) / (1 + h q); front and rear = slip + k w_z and slip - k "
     "w_z, each clipped to [-limit, limit]; a = (front + rear) / 2, b = (front - rear) / 2; v "
-    "loses a s, w loses q a f + b / k z. They act neither in a step in which a HoldVelocity or "
-    "GuideAlong sets its velocity nor while nothing carries it: in the last step, from after all "
+    "loses a s, w loses q a f + b / k z. If tyre_drop > 0 and the horizontal velocity has changed "
+    f"by more than {BLOW_MPS:g} m/s in the last step (from after all this to before the program "
+    f"acts again), then for {TIPPING_S:g} s of steps in which the tyres act |w.f| is raised to "
+    f"{TIPPING_RAD_S:g} rad/s, keeping its sign, or if |w.f| <= {LEAST_LEAN_RAD_S:g} with the sign "
+    "that tilts it further (positive up to a tilt of 0.001 rad), until it is driven. All "
+    "this is not done in a step in which a HoldVelocity or GuideAlong sets its velocity nor while "
+    "nothing carries it: in the last step, from after all "
     "this to before the program acts again, it lost more than |gravity_z| dt / 2 of its vertical "
     "velocity (in the first step everything is carried). So a body resists sliding sideways and "
     "spinning, and rolls on unhindered"

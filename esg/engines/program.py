@@ -31,6 +31,12 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   of its axles are u = (v.s + h w.f) / (1 + h q) + k w_z and (...) - k w_z, each clipped to
   +-limit; with their half sum a and half difference b, v loses a s, w loses q a f + b / k z.
   So a body is pushed to the side by at most mu m g, and kept from turning about the vertical.
+* A two-wheeler (`tyre_drop` > 0) whose horizontal velocity has changed by more than BLOW_MPS
+  (`esg.engines.traction`) in the last step, from after all this to before the primitives, has lost
+  its balance: for TIPPING_S of the steps from then on in which these act, and while it is upright,
+  |w.f| is raised to TIPPING_RAD_S, keeping its sign; if it is less than LEAST_LEAN_RAD_S the one
+  that tilts the body further (positive, to the right, up to a tilt of LEAST_TILT). A drive ends
+  that.
 * Brakes and tyres do not act in a step in which a hold or a guide sets the body's velocity, nor on
   what nothing carries: a body that lost more than g dt / 2 of its vertical velocity in the last
   step, from after all this to before the primitives (in the first step everything is carried).

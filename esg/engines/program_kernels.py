@@ -9,10 +9,20 @@ from __future__ import annotations
 import warp as wp
 
 from esg.engines.program import GUIDE_RATE, KNOT_FIELDS, Column
-from esg.engines.traction import FALLING, ON_WHEELS, Feature
+from esg.engines.traction import (
+    BLOW_MPS,
+    FALLING,
+    LEAST_LEAN_RAD_S,
+    LEAST_TILT,
+    ON_WHEELS,
+    TIPPING_RAD_S,
+    Feature,
+)
 
 _RATE, _WIDTH = wp.constant(GUIDE_RATE), wp.constant(KNOT_FIELDS)
 _FALLING, _ON_WHEELS = wp.constant(FALLING), wp.constant(ON_WHEELS)
+_BLOW, _TIPPING = wp.constant(BLOW_MPS), wp.constant(TIPPING_RAD_S)
+_LEAST_LEAN, _LEAST_TILT = wp.constant(LEAST_LEAN_RAD_S), wp.constant(LEAST_TILT)
 
 
 @wp.func
@@ -93,6 +103,29 @@ def grounded(
     if taken > 0.0:
         limit = wp.sqrt(limit * limit - taken * taken)
     return _gripped(features, i, limit, slow, spin, turn)
+
+
+@wp.func
+def struck(before: wp.vec3, v: wp.vec3) -> bool:
+    """Whether a blow has changed a horizontal velocity; not said of NaN `before` the first step."""
+    return wp.length(wp.vec2(v[0] - before[0], v[1] - before[1])) > _BLOW
+
+
+@wp.func
+def tipped(o: wp.vec3, turn: wp.quat) -> wp.vec3:
+    """Angular velocity of what has lost its balance (`esg.engines.traction.tipped`)."""
+    up = wp.quat_rotate(turn, wp.vec3(0.0, 0.0, 1.0))
+    ahead = wp.quat_rotate(turn, wp.vec3(1.0, 0.0, 0.0))
+    f = wp.normalize(wp.vec3(ahead[0], ahead[1], 0.0))
+    lean = wp.dot(f, o)
+    if up[2] <= _ON_WHEELS or wp.abs(lean) >= _TIPPING:
+        return o
+    left = f[1] * up[0] - f[0] * up[1] < -_LEAST_TILT
+    if wp.abs(lean) > _LEAST_LEAN:
+        left = lean < 0.0
+    if left:
+        return o - f * (_TIPPING + lean)
+    return o + f * (_TIPPING - lean)
 
 
 @wp.func

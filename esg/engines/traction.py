@@ -23,6 +23,16 @@ FALLING = 0.5
 ON_WHEELS = math.sqrt(0.5)
 """A body stands on its wheels while the cosine of its tilt is larger than this (45 degrees)."""
 
+BLOW_MPS = 1.0
+"""What changes the horizontal velocity of a two-wheeler by more within a step costs its balance."""
+TIPPING_S = 0.5
+"""How long it then leans on, if nothing stops it [s]."""
+TIPPING_RAD_S = 2.5
+"""How fast it leans then, at least: over 45 degrees within a third of a second."""
+LEAST_LEAN_RAD_S = 0.05
+LEAST_TILT = 1e-3
+"""What leans more slowly leans to where it is tilted, if it is by more than that [rad]."""
+
 
 class Feature(IntEnum):
     """Columns of what the ground has to know about a body (`features`)."""
@@ -59,10 +69,12 @@ def features(scene: SimScene, friction_scale: float = 1.0) -> Floats:
 
 
 def _features(body: Body) -> tuple[float, ...]:
-    grip = body.tyre_friction if body.wheeled else 0.0
+    rolls = float(body.roll_radius > 0.0)
+    if not body.wheeled or body.tyre_friction <= 0.0:
+        return rolls, 0.0, 0.0, 0.0, 0.0
     axle = math.sqrt(body.inertia[2][2] / body.mass)
     lean = body.mass * body.tyre_drop / body.inertia[0][0]
-    return float(body.roll_radius > 0.0), grip, axle, body.tyre_drop, lean
+    return rolls, body.tyre_friction, axle, body.tyre_drop, lean
 
 
 def has_tyres(rows: NDArray[np.floating]) -> bool:
@@ -101,7 +113,8 @@ class Traction:
         watched |= {int(b) for b in np.nonzero(rows[:, Feature.GRIP] > 0.0)[0]}
         self._rows = {b: [float(v) for v in rows[b]] for b in sorted(watched)}
         self._braking = dict.fromkeys(self._rows, 0.0)
-        self._rise = dict.fromkeys(self._rows, math.nan)
+        self._before = dict.fromkeys(self._rows, (math.nan, math.nan, math.nan))
+        self._tips = dict.fromkeys(self._rows, 0.0)
         self._falls: set[int] = set()
 
     def set_braking(self, body: int, braking: float) -> None:
@@ -110,14 +123,23 @@ class Traction:
             self._braking[body] = braking
 
     def look(self, dt: float, bodies: Bodies) -> None:
-        """Finds out what nothing carries, before the primitives.
+        """Finds out what nothing carries and what has lost its balance, before the primitives.
 
         Args:
             dt: Physics step [s].
             bodies: The world's.
         """
         least = -FALLING * self._gravity_z * dt
-        self._falls = {b for b, z in self._rise.items() if z - bodies.linear(b)[2] > least}
+        self._falls.clear()
+        for body, (x, y, z) in self._before.items():
+            now = bodies.linear(body)
+            if z - now[2] > least:
+                self._falls.add(body)
+            if (
+                self._rows[body][Feature.DROP] > 0.0
+                and math.hypot(now[0] - x, now[1] - y) > BLOW_MPS
+            ):
+                self._tips[body] = TIPPING_S
 
     def act(self, dt: float, driven: Mapping[int, float], bodies: Bodies) -> None:
         """Acts after the primitives, before the step.
@@ -130,15 +152,20 @@ class Traction:
         """
         pull = self._gravity_z * dt
         for body, row in self._rows.items():
-            if body in driven:
-                self._rise[body] = driven[body]
-                continue
             _, turn, linear, angular = bodies.read(body)
             v, o = [float(x) for x in linear], [float(x) for x in angular]
-            self._rise[body] = v[2]
+            if body in driven:
+                self._tips[body] = 0.0
+                self._before[body] = v[0], v[1], driven[body]
+                continue
+            self._before[body] = v[0], v[1], v[2]
             if body in self._falls:
                 continue
             slow, turned = grounded(row, self._braking[body] * dt, -pull, v, o, turn)
+            if self._tips[body] > 0.0:
+                self._tips[body] -= dt
+                turned = tipped(turned, turn)
+            self._before[body] = slow[0], slow[1], slow[2]
             if slow != v:
                 bodies.set_linear(body, (slow[0], slow[1], slow[2]))
             if turned != o:
@@ -172,6 +199,26 @@ def grounded(
         return v, o
     # What the brakes have taken, the tyres cannot give to the side.
     return _gripped(row, math.sqrt(limit**2 - taken**2), v, o, float(ahead[0]), float(ahead[1]))
+
+
+def tipped(o: list[float], turn: Any) -> list[float]:
+    """Angular velocity [rad/s] of what has lost its balance: it leans on the way it does.
+
+    Args:
+        o: Before [rad/s].
+        turn: Quaternion (x, y, z, w).
+    """
+    ahead, up = quat_rotate(turn, np.eye(3)[0]), quat_rotate(turn, np.eye(3)[2])
+    if up[2] <= ON_WHEELS:
+        return o
+    length = math.hypot(ahead[0], ahead[1])
+    fx, fy = float(ahead[0]) / length, float(ahead[1]) / length
+    lean, right = fx * o[0] + fy * o[1], fy * up[0] - fx * up[1]
+    if abs(lean) >= TIPPING_RAD_S:
+        return o
+    left = lean < 0.0 if abs(lean) > LEAST_LEAN_RAD_S else right < -LEAST_TILT
+    more = (-TIPPING_RAD_S if left else TIPPING_RAD_S) - lean
+    return [o[0] + fx * more, o[1] + fy * more, o[2]]
 
 
 def _gripped(

@@ -17,6 +17,8 @@ from esg.engines.scene import Body, Rollout, SimScene
 from esg.units import quat_rotate
 
 Floats = NDArray[np.float64]
+Path = NDArray[np.float32] | Floats
+"""Positions or quaternions at the frames, as recordings keep them or as computed."""
 
 UPRIGHT = 0.5
 """A body whose up axis rises less than this (60 degrees of tilt) does not stand on its wheels."""
@@ -27,7 +29,7 @@ RUNS_DOWN_S = 2.0
 
 
 def wheel_angles(
-    body: Body, time: Floats, position: Floats, quaternion: Floats, gravity: Sequence[float]
+    body: Body, time: Floats, position: Path, quaternion: Path, gravity: Sequence[float]
 ) -> Floats:
     """Angles [rad] of a body's wheels about its Y axis, from 0 at the start, shape [T, wheels].
 

@@ -126,8 +126,7 @@ def make_record(
         scene_id: Id of the suite's scene, or of the generated one.
         seed: Its seed.
         prompt: Its prompt.
-        outcome: Value of the Outcome enum.
-        reason: Why.
+        outcome, reason: Value of the Outcome enum, and why.
         level: Difficulty label of the suite.
         drafter, device, proof: How it was made and proven.
         documents: Canonical JSON of the ESG by stage (draft, resolve, cast, layout, optimize).
@@ -138,8 +137,7 @@ def make_record(
         stages: Log entries of the stages: stage, seconds, cached, outcome.
         statements: What became of statements (rows of esg.fidelity), by source: prompt or suite.
         checks: Of the plausibility of the replay in the run's engine, as JSON.
-        split: Overrides the split of the prompt family.
-        family: Overrides the prompt family (counterfactual pairs keep one).
+        split, family: Override those of the prompt (counterfactual pairs keep one family).
         extra: Further columns of the scene's row, such as rule, pair and manifest.
     """
     common = _common(run, scene_id, seed)
@@ -159,9 +157,8 @@ def make_record(
         "proof": proof,
         "outcome": outcome,
         "reason": reason,
-        **_judged((verdicts or {}).get(run.engine), run),
+        **_judged((verdicts or {}).get(run.engine), run, checks),
         **_documented(documents, statements or {}),
-        "plausible": all(c["ok"] for c in checks) if checks else None,
         **_timed(stages),
         "artifacts": json.dumps(dict(artifacts or {}), sort_keys=True),
         **(extra or {}),
@@ -171,11 +168,10 @@ def make_record(
         {
             "runs": [run.row()],
             "scenes": [scene],
-            **_judged_rows(common, run, verdicts or {}),
+            **_judged_rows(common, run, verdicts or {}, checks),
             "trajectories": [trajectory_row(common, split, e, r, bodies) for e, r in played],
             "coverage": coverage_rows(common, documents.get("draft")),
             "statements": statement_rows(common, run, statements or {}),
-            "plausibility_checks": check_rows(common, run, checks),
             "timings": [{**common, **_timing(i, s)} for i, s in enumerate(stages)],
         }
     )
@@ -193,13 +189,17 @@ def _common(run: RunInfo, scene_id: str, seed: int) -> dict[str, Any]:
 
 
 def _judged_rows(
-    common: Mapping[str, Any], run: RunInfo, verdicts: Mapping[str, SceneVerdict]
+    common: Mapping[str, Any],
+    run: RunInfo,
+    verdicts: Mapping[str, SceneVerdict],
+    checks: Sequence[Mapping[str, Any]],
 ) -> dict[str, list[dict[str, Any]]]:
     """Rows of what verdicts say, of every engine."""
     judged = list(verdicts.items())
     return {
         "metrics": [row for e, v in judged for row in event_rows(common, run, e, v)],
         "constraints": [row for e, v in judged for row in constraint_rows(common, run, e, v)],
+        "plausibility_checks": check_rows(common, run, checks),
     }
 
 
@@ -212,16 +212,19 @@ def _timed(stages: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
     }
 
 
-def _judged(verdict: SceneVerdict | None, run: RunInfo) -> dict[str, Any]:
+def _judged(
+    verdict: SceneVerdict | None, run: RunInfo, checks: Sequence[Mapping[str, Any]]
+) -> dict[str, Any]:
     """Columns of a scene's row that its verdict fills; without one, nothing is verified."""
     if verdict is None:
-        unknown = ("max_penetration_m", "n_events", "ppa", "ppa_strict", "ppa_lenient")
+        unknown = ("plausible", "max_penetration_m", "n_events", "ppa", "ppa_strict", "ppa_lenient")
         nothing = {"dt_s": run.dt_s, "verified": False, "slr": False, "n_completed": 0}
         return {**nothing, **dict.fromkeys(unknown)}
     return {
         "dt_s": verdict.dt_s,
         "verified": verdict.verified,
         "slr": verdict.slr,
+        "plausible": all(c["ok"] for c in checks) if checks else None,
         "max_penetration_m": verdict.layout.max_penetration_m,
         "n_events": verdict.n_events,
         "n_completed": verdict.completed,
@@ -294,7 +297,7 @@ def record_of(
         scene_id = json.loads(documents["draft"])["scene_definition"]["scene_id"]
     verdicts: dict[str, SceneVerdict] = {}
     proof = ""
-    checks: list[dict[str, Any]] = []
+    metrics: dict[str, Any] = {}
     said = fidelity.statement_rows(json.loads(documents.get("draft", b"{}")))
     if "judge" in state.artifacts:
         metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
@@ -303,7 +306,6 @@ def record_of(
         verdicts[verdict.engine] = verdict
         proof = metrics.get("proof", "")
         said = metrics.get("statements", [])
-        checks = metrics.get("plausibility", {}).get("checks", [])
     elif request.suite_scene:
         verdicts[run.engine] = _nothing(state, run)
     rollouts: dict[str, Rollout] = {}
@@ -333,7 +335,7 @@ def record_of(
         bodies=bodies,
         stages=state.log,
         statements={"prompt": said, "suite": _asked(state, verdicts.get(run.engine))},
-        checks=checks,
+        checks=metrics.get("plausibility", {}).get("checks", ()),
         split=split,
         family=family,
         extra=extra,

@@ -23,6 +23,11 @@ from esg.compile.glb import read_glb
 from esg.compile.mjcf import start_velocities
 from esg.engines.executor import Executor
 from esg.engines.manifest import load_manifest, manifest_bytes, manifest_to_json
+from esg.engines.physx_engine import (
+    BOUNCE_THRESHOLD_MPS,
+    CONTACT_OFFSET_M,
+    DEPENETRATION_MPS,
+)
 from esg.engines.program import (
     ApplyImpulse,
     GuideAlong,
@@ -346,6 +351,15 @@ def test_plugin_has_all_parts_and_the_proven_class(folder: Path, tmp_path: Path)
     assert "ESGSCENES_API" in header
     readme = (tmp_path / "ESGScenes/README.md").read_text()
     assert "Not checked" in readme and "@CLASS@" not in readme
+    settings = (tmp_path / "ESGScenes/Config/DefaultEngine.fragment.ini").read_text()
+    # As the replay has it, in cm.
+    for name, metres in (
+        ("MinContactOffset", CONTACT_OFFSET_M), ("MaxContactOffset", CONTACT_OFFSET_M),
+        ("BounceThresholdVelocity", BOUNCE_THRESHOLD_MPS),
+        ("MaxDepenetrationVelocity", DEPENETRATION_MPS),
+    ):  # fmt: skip
+        value = next(v for v in settings.splitlines() if v.startswith(f"{name}="))
+        assert float(value.split("=")[1]) == pytest.approx(100.0 * metres)
 
 
 def test_plugin_refuses_a_class_that_was_cut_off(tmp_path: Path) -> None:

@@ -391,25 +391,31 @@ def test_the_class_has_the_tyres_of_its_program(tmp_path: Path, engine: str) -> 
         replace(car("car_2", 10.0), quaternion=(0.0, 0.0, 0.6, 0.8)),
         car("car_3", 20.0, 40.0),
         replace(bike, tyre_friction=0.75, tyre_drop=0.5),
+        replace(bike, name="rider_1", position=(0.0, 40.0, 0.5), tyre_friction=0.75, tyre_drop=0.5),
+        box("wall_1", (4.0, 40.3, 1.0), (0.1, 2.0, 1.0), 1.0, static=True),
     )
     program = Program(
         (
             HoldVelocity("car_1", 0.0, 0.3, 5.0, 0.0),
-            *(SetVelocity(b.name, 0.5, (1.0, 3.0, 0.0), (0.0, 0.0, 2.0)) for b in bodies),
+            *(SetVelocity(b.name, 0.5, (1.0, 3.0, 0.0), (0.0, 0.0, 2.0)) for b in bodies[:4]),
+            HoldVelocity("rider_1", 0.0, math.inf, 5.0, 0.0, until_contact=("wall_1",)),
             AdjustProperties("car_2", 0.6, braking=4.0),
         ),
         2.0,
     )
     replayed, rollout = both(tmp_path, SimScene("tyres", bodies), program, engine=engine)
-    assert_same(replayed.rollout, rollout, tolerance_m=1e-4)
+    # Who falls over on an edge magnifies the rounding of centimetres.
+    assert_same(replayed.rollout, rollout, tolerance_m=1e-2)
+    apart = np.abs(replayed.rollout.position - rollout.position)[0, :, :4]
+    assert apart.max() < 1e-4
     v, spin = replayed.rollout.linear_velocity[0, -1], replayed.rollout.angular_velocity[0, -1]
     ahead = quat_rotate(replayed.rollout.quaternion[0, -1, 0].astype(float), (1.0, 0.0, 0.0))
     assert abs(ahead[0] * v[0, 1] - ahead[1] * v[0, 0]) < 0.02 and abs(spin[0, 2]) < 0.02
     assert np.linalg.norm(v[0]) > 0.2
     assert np.linalg.norm(v[1]) < 0.02
     np.testing.assert_allclose(v[2, :2], (1.0, 3.0), atol=1e-3)
-    x, y, _, _ = replayed.rollout.quaternion[0, -1, 3]
-    assert 1.0 - 2.0 * (x**2 + y**2) < 0.3  # It has fallen over.
+    x, y = replayed.rollout.quaternion[0, -1, 3:5, :2].T
+    assert (1.0 - 2.0 * (x**2 + y**2) < 0.3).all()  # They have fallen over.
     plain = SimScene("tyres", tuple(replace(b, tyre_friction=0.0) for b in bodies))
     emitted = emit_class(plain, Program((), 1.0))
     assert "TyreFriction" not in emitted.header + emitted.source

@@ -115,3 +115,19 @@ def test_draft_says_what_a_thing_is_shaped_like_and_warns_of_boxes() -> None:
     assert [w for w in coverage.warnings if "lexicon" in w] == [
         '"zorple" is not in the lexicon; a stand-in of 40 cm and 5 kg is used.'
     ]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "drawn"),
+    [
+        ("12 december 2019: a car hits a wall.", ["car", "wall"]),
+        ("A boat drifts in cambodia in the spring of 2017.", ["boat"]),
+        ("A girl stands by some water.", ["girl", "water"]),
+        ("A stone is thrown into a pile of hay.", ["hay", "stone"]),
+        ("A horse shakes its mane.", ["horse"]),
+    ],
+)
+def test_dates_places_and_heaps_are_no_things_of_a_number(prompt: str, drawn: list[str]) -> None:
+    nodes = draft(prompt).spatial_relation_graph.nodes
+    found = [i.rsplit("_", 1)[0] for i, n in nodes.items() if n.mentioned and not n.is_structural]
+    assert sorted(found) == drawn

@@ -27,7 +27,7 @@ def test_what_is_over_the_limit_is_named() -> None:
     assert [line.split(" off")[0] for line in too_far([row])] == ["a fall: physx is 10.00%"]
     assert too_far([replace(row, error={"physx": LIMIT})]) == []
     assert len(too_far([replace(row, error={"physx": float("nan")})])) == 1
-    assert markdown([row], ("physx",)).splitlines()[-1] == "| a fall | s | 1.000 | 10.00% |"
+    assert markdown([row], ("physx",)).splitlines()[-1] == "| a fall | s | 10.00% |"
 
 
 def play(scene: SimScene, *commands: SetVelocity, duration: float = 1.0) -> Rollout:

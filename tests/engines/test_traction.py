@@ -104,7 +104,13 @@ def street() -> tuple[SimScene, Program]:
         replace(car("flies", 100.0), position=(0.0, 100.0, 60.0)),
         replace(bike, wheeled=True, tyre_friction=GRIP, tyre_drop=0.5),
         replace(car("driven", 140.0)),
-    )
+        replace(box("wall", (0.1, 2.0, 1.0), 1.0, (4.0, 160.0, 1.0)), static=True),
+        *(
+            replace(bike, name=n, position=(0.0, y, 0.5), wheeled=True, tyre_friction=GRIP,
+                    tyre_drop=0.5)
+            for n, y in (("rider", 160.2), ("taps", 159.0))
+        ),
+    )  # fmt: skip
     side = np.array(quat_rotate(turned, (0.0, -8.0, 0.0))).tolist()
     program = Program(
         (
@@ -117,6 +123,8 @@ def street() -> tuple[SimScene, Program]:
             SetVelocity("flies", 0.1, (0.0, 4.0, 0.0)),
             SetVelocity("bike", 0.1, (0.0, 3.0, 0.0)),
             HoldVelocity("driven", 0.0, 2.0, 3.0, 1.2),
+            HoldVelocity("rider", 0.0, math.inf, 5.0, 0.0, until_contact=("wall",)),
+            SetVelocity("taps", 0.1, (-0.5, 0.0, 0.0)),
         ),
         2.0,
     )
@@ -189,6 +197,15 @@ def test_what_has_two_wheels_falls_where_a_car_slides(streets, name: str) -> Non
     i = scene.index("bike")
     assert tilts(held, i)[-1] > 75.0
     assert tilts(free, i).max() < 5.0
+
+
+@pytest.mark.parametrize("name", EVERYWHERE)
+def test_who_rides_into_a_wall_falls_over(streets, name: str) -> None:
+    scene, held, free = streets[name]
+    i = scene.index("rider")
+    assert tilts(held, i)[-1] > 75.0 and tilts(held, i)[round(0.5 / DT)] < 2.0
+    assert tilts(free, i)[-1] < 30.0
+    assert tilts(held, scene.index("taps")).max() < 2.0
 
 
 def test_one_street_is_the_same_in_every_engine(streets) -> None:

@@ -189,3 +189,8 @@ def test_a_throw_starts_at_a_hand(prompt: str, who: str, what: str) -> None:
     (x, y, _), (u, v, z) = poses[who].position_cm, poses[what].position_cm
     assert math.dist((x, y), (u, v)) < 0.5 * (size[0] + max(thing)) + 30.0
     assert 0.4 * size[2] < z + 0.5 * thing[2] <= 1.26 * size[2]
+
+
+def test_who_rides_keeps_the_lane_too() -> None:
+    doc = laid("A cyclist rides along the street and hits a traffic cone lying on the road.")
+    assert in_its_lane(doc, "street_1", "cyclist_1")

@@ -149,6 +149,7 @@ def test_a_relation_that_the_layout_did_not_satisfy_makes_a_scene_partial(
     )
     monkeypatch.setattr(stages, "load_doc", lambda state: doc)
     monkeypatch.setattr(stages, "_verdict", lambda state, expected: verdict)
+    monkeypatch.setattr(stages, "_plausibility", lambda state, doc: {"worst": "", "checks": []})
     monkeypatch.setattr(SceneState, "artifact", lambda self, stage: tmp_path)
     (tmp_path / "replay.json").write_text('{"proof": "class"}')
     stages._judge(SceneState(SceneRequest("A ball hits a box.")), tmp_path)

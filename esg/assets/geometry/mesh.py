@@ -70,7 +70,7 @@ def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
     return scene
 
 
-def _moved(by: Vec3) -> NDArray[np.float64]:
+def _moved(by: Vec3 | NDArray[np.float64]) -> NDArray[np.float64]:
     matrix = np.eye(4)
     matrix[:3, 3] = by
     return matrix

@@ -16,7 +16,7 @@ from esg.assets.geometry.massprops import mass_properties
 from esg.assets.geometry.rotations import ALONG, IDENTITY, turn
 from esg.assets.geometry.sketch import Sketch
 from esg.assets.library.catalogue import Entry
-from esg.graph.models import AssetRequirement, EsgDocument, Proxy, ProxyKind, Quat, Vec3
+from esg.graph.models import AssetRequirement, EsgDocument, Predicate, Proxy, ProxyKind, Quat, Vec3
 from esg.units import quat_multiply
 
 FLAGS = {"rim": 2, "axle": 0, "across": 1}
@@ -40,8 +40,11 @@ def _spun(doc: EsgDocument, spin: str) -> frozenset[str]:
 
 
 def rolled_assets(doc: EsgDocument) -> frozenset[str]:
-    """Assets of which some node rolls in the story."""
-    return _spun(doc, "roll")
+    """Assets of which some node rolls in the story, by itself or because it is pushed."""
+    nodes = doc.spatial_relation_graph.nodes
+    told = (s for s in doc.statements or () if s.predicate is Predicate.ROLLS)
+    pushed = {nodes[i].asset_id for s in told for i in s.object if i in nodes}
+    return _spun(doc, "roll") | pushed
 
 
 def lying_assets(doc: EsgDocument) -> frozenset[str]:
@@ -83,7 +86,12 @@ def drawn_size(entry: Entry, size: Vec3) -> Vec3:
     """Extents [cm] at which a thing is drawn whose rolling form has these."""
     (flag,) = entry.flags & FLAGS.keys()
     around, long, _ = size
-    return {0: (long, around, around), 1: size, 2: (around, around, long)}[FLAGS[flag]]
+    one, other = (d for k, d in enumerate(entry.dimensions_cm) if k != FLAGS[flag])
+    uneven = math.sqrt(one / other)
+    across = [around * uneven, around / uneven]
+    across.insert(FLAGS[flag], long)
+    length, width, height = across
+    return (length, width, height)
 
 
 def rolling(entry: Entry, sketch: Sketch, size: Vec3) -> Sketch:

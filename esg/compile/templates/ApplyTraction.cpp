@@ -4,11 +4,13 @@ void A@CLASS@::FindFalling(double Due)
 	const double Step = (Due - SceneTime) / HalfStep;
 	for (FBodyRef& Body : Bodies)
 	{
-		if (Body.Settings->bSimulated && Body.Settings->bCollides)
+		if (!Body.Settings->bSimulated || !Body.Settings->bCollides)
 		{
-			const double Lost = Body.Rise - Body.Component->GetPhysicsLinearVelocity().Z;
-			Body.bFalls = Lost > -FallingShare * WorldGravityZ * Step;
+			continue;
 		}
+		FVector Lost = Body.Before - Body.Component->GetPhysicsLinearVelocity();
+		Body.bFalls = Lost.Z > -FallingShare * WorldGravityZ * Step;
+@BLOW@
 	}
 }
 
@@ -21,12 +23,18 @@ void A@CLASS@::ApplyTraction(double Due)
 		{
 			continue;
 		}
-		Body.Rise = Body.Component->GetPhysicsLinearVelocity().Z;
-		if (Body.bFalls || IsDriven(Body.Component))
+		Body.Before = Body.Component->GetPhysicsLinearVelocity();
+		if (IsDriven(Body.Component))
+		{
+			Body.Tips = 0.0;
+			continue;
+		}
+		if (Body.bFalls)
 		{
 			continue;
 		}
 @ACTS@
+		Body.Before = Body.Component->GetPhysicsLinearVelocity();
 	}
 }
 

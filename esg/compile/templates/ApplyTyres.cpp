@@ -28,3 +28,29 @@ void A@CLASS@::ApplyTyres(const FBodyRef& Body, double Weight, double Taken)
 	Body.Component->SetPhysicsLinearVelocity(Velocity - Side * Mean);
 	Body.Component->SetPhysicsAngularVelocityInDegrees((Spin - Left) * Radian);
 }
+
+void A@CLASS@::TipOver(FBodyRef& Body, double Step)
+{
+	using namespace @CLASS@Detail;
+	if (Body.Tips <= 0.0)
+	{
+		return;
+	}
+	Body.Tips -= Step;
+	const FQuat Turn = Body.Component->GetComponentTransform().GetRotation();
+	const FVector Up = Turn.RotateVector(FVector(0.0, 0.0, 1.0));
+	FVector Ahead = Turn.RotateVector(FVector(1.0, 0.0, 0.0));
+	Ahead.Z = 0.0;
+	Ahead = Ahead * (1.0 / Ahead.Size());
+	const FVector Spin = Body.Component->GetPhysicsAngularVelocityInDegrees();
+	// Seen from above Unreal's axes are mirrored: positive leans to the left.
+	const double Lean = FVector::DotProduct(Ahead, Spin);
+	if (Up.Z <= UprightCosine || FMath::Abs(Lean) >= TippingRate)
+	{
+		return;
+	}
+	const double Left = Ahead.Y * Up.X - Ahead.X * Up.Y;
+	const bool bLeft = FMath::Abs(Lean) > LeastLean ? Lean > 0.0 : Left > LeastTilt;
+	const double More = (bLeft ? TippingRate : -TippingRate) - Lean;
+	Body.Component->SetPhysicsAngularVelocityInDegrees(Spin + Ahead * More);
+}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container, Sequence
+import math
 import re
 
 from esg.draft import lexicon as lex
@@ -70,7 +71,7 @@ def _measure(word: str, size: Sequence[float]) -> float:
     """What a word compares of a size: one side, else the side of a cube of its volume [cm]."""
     length, width, height = size
     sides = {"height": height, "length": max(length, width), "width": min(length, width)}
-    cube = (length * width * height) ** (1.0 / 3.0)
+    cube = math.cbrt(length * width * height)
     return sides.get(_SIDES.get(word, word), cube)
 
 

@@ -14,7 +14,6 @@ from functools import cache
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
-from esg.draft.discourse.places import holds
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND
 from esg.draft.discourse.windows import Draft
@@ -23,7 +22,7 @@ from esg.draft.events.stated import start_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Element, Mention, Token, Word
 from esg.draft.verbphrases import verb_readings
-from esg.graph.models import NodeEvent, Predicate, Statement
+from esg.graph.models import NodeEvent, Predicate, Statement, TimelineEdge
 
 _PASSED_OVER = lex.word_set("passed over (unclaimed)")
 _QUALITIES = lex.word_set("unseen qualities")
@@ -88,16 +87,16 @@ class Gap:
 
 @dataclass(frozen=True)
 class Carriers:
-    """What can stand for a preposition: relations, predicates, events; support and aims or not.
+    """What can stand for a preposition: relations, predicates, events (none given: any); support.
 
-    Empty sets stand for any.
+    `aims` is "yes" if going for what the phrase names does, "back" if that goes for who is told of.
     """
 
     relations: frozenset[str] = frozenset()
     states: frozenset[str] = frozenset()
     events: frozenset[str] = frozenset()
     holds: bool = True
-    aims: bool = True
+    aims: str = "yes"
     example: str = ""
 
 
@@ -114,7 +113,7 @@ def carriers() -> dict[str, Carriers]:
             row = Carriers(
                 *[frozenset(r[k].split("|")) for k in ("relations", "states", "events")],
                 holds=r["holds"] == "yes",
-                aims=r["aims"] == "yes",
+                aims=r["aims"],
                 example=r["example"],
             )
             out.update(dict.fromkeys(r["preps"].split("|"), row))
@@ -205,7 +204,13 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
     """Whether a phrase that names nothing in the scene need not be missed."""
     m = p.mention
     assert m is not None
-    if p.prep == "of" or m.pronoun or m.head in _PASSED_OVER or (m.start, m.end) in a.d.scene.used:
+    if (
+        p.prep == "of"
+        or "same" in m.adjectives
+        or m.pronoun
+        or m.head in _PASSED_OVER
+        or (m.start, m.end) in a.d.scene.used
+    ):
         return True
     if m.noun is not None and m.noun.kind == "region":  # "into the side pocket"
         return any(n.event is NodeEvent.ENTER_REGION for n in a.d.timeline.nodes)
@@ -231,16 +236,23 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
         by = replace(by, relations=frozenset({_SIDES[part]}))
     elif part and p.prep in _TO_A_PART:
         return any(about & {*s.object} and s.predicate.value in _ENDS for s in a.kept)
-    open_ = any(holds(d, i) or kind_of(d, i) in _ENTERED for i in others)
+    open_ = any(kind_of(d, i) in _ENTERED for i in others)
     if f is not None and f.verb.sense in _OWN and (open_ or p.prep in ("on", "onto")):
         by = replace(by, events=by.events - {"Collision"})  # "jumps onto a box" is no bump
+    own = {node for g, node in d.times.of_frame if f is not None and g.verb is f.verb}
     return (
         (by.holds and _held(d, about, others))
         or _related(d, about, others, by)
         or any(_tells(s, about, others, p.prep, by) for s in a.kept)
-        or any(_happens(n, about, others, by) for n in d.timeline.nodes)
-        or (by.aims and any(e.actor in about and e.target in others for e in d.timeline.edges))
+        or any(_happens(n, about, others, by, own) for n in d.timeline.nodes)
+        or any(_aims(e, about, others, by.aims) for e in d.timeline.edges)
     )
+
+
+def _aims(e: TimelineEdge, about: set[str], others: set[str], which: str) -> bool:
+    """Whether who is told of goes for what a phrase names; "back": the other way round."""
+    ends = (e.actor, e.target) if which == "yes" else (e.target, e.actor)
+    return bool(which) and ends[0] in about and ends[1] in others
 
 
 def _held(d: Discourse, about: set[str], others: set[str]) -> bool:
@@ -261,23 +273,26 @@ def _related(d: Discourse, about: set[str], others: set[str], by: Carriers) -> b
 def _tells(s: Statement, about: set[str], others: set[str], prep: str, by: Carriers) -> bool:
     ends = {*s.object, *s.target}
     fits = not by.states or s.predicate.value in by.states
-    way = s.predicate is Predicate.MOVES and s.direction == prep
-    return bool(ends & about) and (way or (fits and bool(ends & others)))
+    way = s.predicate is Predicate.MOVES and s.direction == prep  # "up the stairs": up
+    return fits and bool(ends & about) and (way or bool(ends & others))
 
 
-def _happens(n: Draft, about: set[str], others: set[str], by: Carriers) -> bool:
-    """Whether an event tells of both, or is told by its place ("stops 1 m in front of a gate")."""
+def _happens(n: Draft, about: set[str], others: set[str], by: Carriers, own: set[str]) -> bool:
+    """Whether an event tells of both, or one of the clause's own is told by its place."""
     also = {*n.participants, str(n.extra.get("region", "")).split("/")[0]}
     if not measurable(n.event) or not about & also:
         return False
+    if n.id in own and any(c.to in others for c in n.constraints):
+        return True  # "stops 1 m in front of a gate"
     fits = not by.events or n.event.value in by.events
-    return any(c.to in others for c in n.constraints) or (fits and bool(others & also))
+    return fits and bool(others & also)
 
 
 def _arguments(a: Account) -> Iterator[Gap]:
     """What a clause says something of and the document does not ("a girl walks a dog")."""
     d, scene = a.d, a.d.scene
     taking = {i for n in d.timeline.nodes for i in n.participants}
+    taking |= {str(n.extra.get("region", "")).split("/")[0] for n in d.timeline.nodes}
     taking |= {i for e in d.timeline.edges for i in (e.actor, e.target) if i}
     taking |= {i for r in scene.relations for i in (r.source, r.target, r.text)}
     for at in (scene.supported_by, scene.inside_of, scene.attached, scene.marked, scene.facing):

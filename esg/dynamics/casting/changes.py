@@ -34,7 +34,8 @@ def resized(
     from esg.assets.stage import configure
 
     wanted = kind or doc.asset_requirement[key]
-    size = dimensions or tuple(factor * d for d in config.dimensions_cm)
+    length, width, height = config.dimensions_cm
+    size = dimensions or (factor * length, factor * width, factor * height)
     entry = parametric_entry(config)
     rolled = None
     if entry is not None and is_rolling_form(entry, config.rolls):

@@ -352,7 +352,8 @@ def _coasting_gap(stage: Stage, body: Prop, target: Prop, speed: float, apart_s:
     A ball that hits a ball off its centre by x sends it off by x over their radii, so that each
     further ball of a chain multiplies an error by the gap in diameters: balls lie close.
     """
-    reach = 50.0 if body.rolls else sliding_distance(speed, 0.5 * (body.friction + body.rough))
+    rubs = body.friction if body.wheeled else body.friction + body.rough
+    reach = 50.0 if body.rolls else sliding_distance(speed, 0.5 * rubs)
     preferred = float(stage.rng.uniform(0.28, 0.36)) * speed
     if body.rolls and (target.rolls or max(target.length, target.width) < NARROW * body.width):
         preferred *= BALL_GAP

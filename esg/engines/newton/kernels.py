@@ -23,9 +23,11 @@ from esg.engines.program_kernels import (
     guide,
     held_spin,
     held_velocity,
+    struck,
+    tipped,
     vector,
 )
-from esg.engines.traction import Feature
+from esg.engines.traction import TIPPING_S, Feature
 
 
 @wp.func
@@ -103,7 +105,8 @@ def run_programs(
     features: wp.array2d(dtype=float),
     braking: wp.array(dtype=float),
     driven: wp.array(dtype=int),
-    rise: wp.array(dtype=float),
+    before: wp.array(dtype=wp.vec3),
+    tips: wp.array(dtype=float),
 ):
     """One thread per world executes its program before a step (`esg.engines.program`)."""
     world = wp.tid()
@@ -117,8 +120,11 @@ def run_programs(
         if target < 0:
             continue
         # What nothing carries is left alone as what is driven.
-        if falls(rise[target], wp.spatial_top(body_qd[target])[2], pull):
+        u = wp.spatial_top(body_qd[target])
+        if falls(before[target][2], u[2], pull):
             driven[target] = step + 1
+        if features[target, Feature.DROP] > 0.0 and struck(before[target], u):
+            tips[target] = TIPPING_S
     for k in range(primitives[world]):
         if done[world, k] != 0:
             continue
@@ -143,6 +149,7 @@ def run_programs(
                 _set_angular(target, wp.spatial_bottom(kept), body_qd, joint_qd)
                 if kind[world, k] != Action.SPIN:
                     driven[target] = step + 1
+                    tips[target] = 0.0
         elif start <= now:
             done[world, k] = 1
             if kind[world, k] == Action.SET_VELOCITY:
@@ -171,7 +178,7 @@ def run_programs(
         target = dynamic[world, b]
         if target >= 0:
             v = wp.spatial_top(body_qd[target])
-            rise[target] = v[2]
+            before[target] = v
             acts = braking[target] > 0.0 or features[target, Feature.GRIP] > 0.0
             if acts and driven[target] != step + 1:
                 omega = wp.spatial_bottom(body_qd[target])
@@ -179,8 +186,13 @@ def run_programs(
                 loss = braking[target] * float(dt)
                 weight = -pull * friction_scale[world]
                 kept = grounded(features, target, loss, weight, v, omega, turn)
+                spun = wp.spatial_bottom(kept)
+                if tips[target] > 0.0:
+                    tips[target] = tips[target] - float(dt)
+                    spun = tipped(spun, turn)
+                before[target] = wp.spatial_top(kept)
                 _set_linear(target, wp.spatial_top(kept), body_qd, joint_qd)
-                _set_angular(target, wp.spatial_bottom(kept), body_qd, joint_qd)
+                _set_angular(target, spun, body_qd, joint_qd)
 
 
 @wp.kernel(enable_backward=False)

@@ -142,7 +142,8 @@ class NewtonWorlds:
         self.primitive_counts = wp.zeros(w, dtype=int)
         n = max(1, self.model.body_count)
         self.features = wp.zeros((n, FEATURES), dtype=float)
-        self.braking, self.rise = wp.zeros(n, dtype=float), wp.zeros(n, dtype=float)
+        self.braking, self.tips = wp.zeros(n, dtype=float), wp.zeros(n, dtype=float)
+        self.before = wp.zeros(n, dtype=wp.vec3)
         self.driven = wp.zeros(n, dtype=int)
 
     # -- before a rollout --------------------------------------------------------------------------
@@ -219,7 +220,8 @@ class NewtonWorlds:
         self.touched.fill_(-1)
         self.braking.zero_()
         self.driven.zero_()
-        self.rise.fill_(math.nan)
+        self.tips.zero_()
+        self.before.fill_(self.wp.vec3(math.nan))
         self.grid.fill_(dt)
         self.dt, self.record_every = dt, record_every
         self._clock = np.array([0, record_every, 0, chunk_frames], np.int32)
@@ -258,7 +260,7 @@ class NewtonWorlds:
                 self.clock, self.touched, self.done, self.active, self.impulse, self.first,
                 self.depth, self.moments, self.model.shape_material_mu,
                 steel.rigid_body_linear_damping, steel.rigid_body_angular_damping, self.braking,
-                self.rise, self.driven,
+                self.before, self.tips, self.driven,
             )
         ]  # fmt: skip
         self._step()
@@ -284,7 +286,8 @@ class NewtonWorlds:
                 self.friction_scale, self.touched, self.done, self.active, model.body_mass,
                 model.steel.rigid_body_linear_damping, model.steel.rigid_body_angular_damping,
                 model.shape_material_mu, model.gravity, s.body_q, s.body_qd, s.joint_qd,
-                self.features, self.braking, self.driven, self.rise,
+                self.features, self.braking, self.driven, self.before,
+                self.tips,
             ],
         )  # fmt: skip
         if self.has_friction_change:

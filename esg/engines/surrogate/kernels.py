@@ -20,6 +20,8 @@ from esg.engines.program_kernels import (
     guide,
     held_spin,
     held_velocity,
+    struck,
+    tipped,
     vector,
 )
 from esg.engines.surrogate.contacts import find_contacts, prepare_bodies, wake
@@ -35,6 +37,7 @@ from esg.engines.surrogate.types import (
     State,
     Trace,
 )
+from esg.engines.traction import TIPPING_S, Feature
 
 wp.set_module_options({"enable_backward": False})
 
@@ -83,6 +86,7 @@ def _hold(model: Model, state: State, w: int, k: int, step: int, t: wp.float64, 
     pull = model.gravity[2] * float(dt)
     if model.action[k] != Action.SPIN:
         state.driven[w, i] = step + 1
+        state.tips[w, i] = 0.0
     if model.action[k] == Action.HOLD:
         v = held_velocity(model.table, w, k, t, state.v[w, i][2], pull)
         state.v[w, i] = v
@@ -126,9 +130,13 @@ def run_program(model: Model, state: State, trace: Trace, w: int, step: int, dt:
 @wp.func
 def _look(model: Model, state: State, w: int, step: int, dt: float):
     """What nothing carries is left alone by brakes and tyres, as what is driven."""
+    if step == 0:
+        return
     for i in range(model.n_bodies):
-        if step > 0 and falls(state.rise[w, i], state.v[w, i][2], model.gravity[2] * dt):
+        if falls(state.start[w, i][2], state.v[w, i][2], model.gravity[2] * dt):
             state.driven[w, i] = step + 1
+        if model.features[i, Feature.DROP] > 0.0 and struck(state.start[w, i], state.v[w, i]):
+            state.tips[w, i] = TIPPING_S
 
 
 @wp.func
@@ -139,7 +147,7 @@ def _ground(model: Model, state: State, trace: Trace, w: int, step: int, dt: flo
             continue
         v = state.v[w, i]
         o = state.o[w, i]
-        state.rise[w, i] = v[2]
+        state.start[w, i] = v
         if state.driven[w, i] == step + 1:
             continue
         weight = -model.gravity[2] * dt * model.friction_scale[w]
@@ -147,10 +155,15 @@ def _ground(model: Model, state: State, trace: Trace, w: int, step: int, dt: flo
         kept = grounded(model.features, i, loss, weight, v, o, state.r[w, i])
         state.v[w, i] = wp.spatial_top(kept)
         state.o[w, i] = wp.spatial_bottom(kept)
+        state.start[w, i] = state.v[w, i]
+        tips = state.tips[w, i] > 0.0
+        if tips:
+            state.tips[w, i] = state.tips[w, i] - dt
+            state.o[w, i] = tipped(state.o[w, i], state.r[w, i])
         if trace.steps > 0:
-            changed = wp.length_sq(wp.spatial_top(kept) - v) > 0.0
-            changed = changed or wp.length_sq(wp.spatial_bottom(kept) - o) > 0.0
-            trace.grounded[w, step, i] = wp.where(changed, 1, 0)
+            changed = wp.length_sq(state.v[w, i] - v) > 0.0
+            changed = changed or wp.length_sq(state.o[w, i] - o) > 0.0
+            trace.grounded[w, step, i] = wp.where(changed, wp.where(tips, 2, 1), 0)
 
 
 @wp.func

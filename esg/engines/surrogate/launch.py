@@ -345,7 +345,7 @@ def _states(state: Records, arena: Arena, jobs: list[Job], scenes: list[SceneArr
         },
     )
     still = ("v", "o", "before_v", "before_o", "delay", "inverse", "idle", "light", "braking",
-             "driven", "rise")  # fmt: skip
+             "driven", "start", "tips")  # fmt: skip
     arena.fill(state, still, [w, b])
     arena.fill(state, ("touched",), [w, b, b], "minus")
     arena.fill(state, ("done", "active"), [w, primitives])

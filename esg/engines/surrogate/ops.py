@@ -93,8 +93,8 @@ class Ops:
     of the one before it, and of this one. After a change of control `b` is -2 - its number
     (`Change`) and `impulse_out` the velocity after it."""
     contact: wp.array(dtype=int)
-    """Of a contact; for ACT a sum of `Act`; for FORCES the primitive that set the angular
-    damping."""
+    """Of a contact; for ACT a sum of `Act`; for GROUND as in the trace; for FORCES the primitive
+    that set the angular damping."""
     impulse_in: wp.array(dtype=int)
     impulse_out: wp.array(dtype=int)
 
@@ -281,10 +281,11 @@ def _link_program(model: Model, trace: Trace, ops: Ops, ver: Versions, w: int, s
 
 
 @wp.func
-def _link_ground(model: Model, ops: Ops, ver: Versions, w: int, step: int, i: int):
+def _link_ground(model: Model, ops: Ops, ver: Versions, w: int, step: int, i: int, how: int):
     """Tyres of a body, and its brakes as the last primitive that set them has it, or none (-1)."""
     q = _op(ops, ver, w, Operation.GROUND, step, i)
     ops.b[q] = -1
+    ops.contact[q] = how
     for k in range(model.n_primitives):
         adjusts = model.action[k] == Action.ADJUST and ver.acted[w, k] != 0
         adjusts = adjusts and model.target[k] == i
@@ -302,7 +303,7 @@ def _link_forces(model: Model, trace: Trace, ops: Ops, ver: Versions, w: int, st
         if model.dynamic[i] == 0 or trace.awake[w, step, i] == 0:
             continue
         if trace.grounded[w, step, i] != 0:
-            _link_ground(model, ops, ver, w, step, i)
+            _link_ground(model, ops, ver, w, step, i, trace.grounded[w, step, i])
         damper = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
         spin_damper = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
         for k in range(model.n_primitives):

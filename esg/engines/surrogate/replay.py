@@ -19,6 +19,7 @@ from esg.engines.program_kernels import (
     guided_velocity,
     path_knot,
     path_velocity,
+    tipped,
     vector,
 )
 from esg.engines.surrogate.features import Features
@@ -133,11 +134,19 @@ def _act(
 
 
 @wp.func
+def _leaning(o: wp.vec3, turn: wp.quat, how: int) -> wp.vec3:
+    if how == 2:
+        return tipped(o, turn)
+    return o
+
+
+@wp.func
 def _stand(
     model: Model,
     w: int,
     i: int,
     brake: int,
+    how: int,
     dt: float,
     table: wp.array3d(dtype=wp.float64),
     vin: int,
@@ -152,11 +161,11 @@ def _stand(
         loss = float(table[w, brake, Column.BRAKING]) * dt
         braked = grounded(model.features, i, loss, weight, V[vin], O[vin], R[pose])
         V[vout] = wp.spatial_top(braked)
-        O[vout] = wp.spatial_bottom(braked)
+        O[vout] = _leaning(wp.spatial_bottom(braked), R[pose], how)
     else:
         kept = grounded(model.features, i, 0.0, weight, V[vin], O[vin], R[pose])
         V[vout] = wp.spatial_top(kept)
-        O[vout] = wp.spatial_bottom(kept)
+        O[vout] = _leaning(wp.spatial_bottom(kept), R[pose], how)
 
 
 @wp.func
@@ -359,7 +368,7 @@ def replay(
                 arm_b, wanted, delay, share,
             )  # fmt: skip
         elif kind == Operation.GROUND:
-            _stand(model, w, a, b, h, table, va, ops.out_a[q], pa, V, O, R)
+            _stand(model, w, a, b, c, h, table, va, ops.out_a[q], pa, V, O, R)
         elif kind == Operation.DELAY:
             push = J[ops.impulse_in[q]][0]
             weight = wp.vec2(push * delay[c], push)

@@ -93,8 +93,10 @@ class State:
     braking: wp.array2d(dtype=float)
     driven: wp.array2d(dtype=int)
     """Step after the last one in which a hold or a guide set the velocity."""
-    rise: wp.array2d(dtype=float)
-    """Vertical velocity at the beginning of the last step."""
+    start: wp.array2d(dtype=wp.vec3)
+    """Velocity at the beginning of the last step, after brakes and tyres."""
+    tips: wp.array2d(dtype=float)
+    """How long a two-wheeler that has lost its balance still leans on [s]."""
     done: wp.array2d(dtype=int)
     active: wp.array2d(dtype=int)
     """Of every primitive, [W, P]."""
@@ -145,7 +147,7 @@ class Trace:
     sweeps: wp.array2d(dtype=int)
     """[W, steps]"""
     grounded: wp.array3d(dtype=int)
-    """Whether brakes or tyres changed a velocity, [W, steps, B]."""
+    """Whether brakes or tyres changed a velocity, 2 if it tips over too, [W, steps, B]."""
 
 
 @wp.struct

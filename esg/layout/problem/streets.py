@@ -25,6 +25,8 @@ PAVEMENTS = frozenset({"pavement", "sidewalk"})
 """Categories of the strips beside a street."""
 CROSSINGS = frozenset({"crosswalk"})
 """Categories of what leads across it."""
+RIDERS = frozenset({"cyclist", "bicyclist", "biker", "motorcyclist", "moped", "rider"})
+"""Words for who rides without what is ridden being drawn."""
 FACE_TRAFFIC = frozenset({"sign", "traffic_light", "billboard", "meter"})
 """Words of categories that are read by who drives, not by who walks."""
 KERBSIDE = frozenset({
@@ -216,8 +218,14 @@ def drivers(doc: EsgDocument, unit: Unit, shape: dict[str, Shape]) -> dict[str, 
         start, *rest = corridor.points_cm
         onward = next((p for p in rest if math.dist(p, start) > 1.0), None)
         for name, (x, y, _) in unit.members.items():
-            wheeled = shape[name].config.is_wheeled and name in acting
-            if onward and wheeled and math.dist((x, y), start) < 1.0 and name not in out:
+            rides = shape[name].config.is_wheeled or words_of(doc, name) & RIDERS
+            if (
+                onward
+                and rides
+                and name in acting
+                and math.dist((x, y), start) < 1.0
+                and name not in out
+            ):
                 out[name] = math.atan2(onward[1] - start[1], onward[0] - start[0])
     return out
 

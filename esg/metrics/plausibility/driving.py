@@ -83,7 +83,8 @@ def braking(f: Facts) -> Check:
 def side_slip(f: Facts) -> Check:
     """Slides sideways on upright wheels farther than the energy that it lost pays for.
 
-    A tyre that slips across takes mu m g per metre. Shoved at v it slides v^2/(2 mu g) far.
+    A tyre that slips across takes mu m g per metre, and no more than it is pressed on the ground.
+    Shoved at v it slides v^2/(2 mu g) far.
     """
     worst = Worst()
     for i in f.dynamic:
@@ -94,12 +95,14 @@ def side_slip(f: Facts) -> Check:
         across = np.abs((quat_rotate(q, np.array([0.0, 1.0, 0.0])) * v).sum(axis=1))
         upright = f.replay.up(i)[:, 2] >= math.cos(math.radians(UPRIGHT_DEG))
         slips = (across > STOPPED_MPS) & upright & f.level(i) & ~f.struck(i)
+        pressed = np.clip(1.0 + np.gradient(v[:, 2], f.replay.time) / f.g, 0.0, 1.0)
         turning = body.inertia[2][2] / body.mass * f.replay.spin[:, i, 2] ** 2
         energy = 0.5 * ((v[:, :2] ** 2).sum(axis=1) + turning)
         for start, stop in runs(slips):
-            way = float(across[start:stop].sum() * f.replay.frame_s)
+            way = float((across * pressed)[start:stop].sum() * f.replay.frame_s)
             lost = max(float(energy[start] - energy[min(stop, len(energy) - 1)]), 0.0)
-            most = lost / (f.friction(i) * f.g) + limit("side slip tolerance")
+            mu = limit("least of grip") * f.friction(i)
+            most = lost / (mu * f.g) + limit("side slip tolerance")
             worst.look(way, most, f.name(i), float(f.replay.time[start]))
     return worst.check("side_slip", "m")
 

@@ -80,6 +80,8 @@ def test_story_decides_over_the_size() -> None:
     assert not only(stacked, "tire").rolls
     log = only(draft("A log rolls into a car."), "log")
     assert log.rolls and log.dimensions_cm[1] == max(log.dimensions_cm)
+    pushed = draft("A worker pushes a barrel and it rolls into a crate.")
+    assert only(pushed, "barrel").rolls and not only(draft("A car hits a barrel."), "barrel").rolls
 
 
 @pytest.mark.parametrize("yaw", [0.0, -90.0, 37.0])

@@ -7,7 +7,10 @@ import math
 import numpy as np
 import pytest
 
+from esg.assets import resolve
+from esg.draft import draft
 from esg.dynamics import build_scene, start_hints
+from esg.dynamics.casting.changes import resized
 from esg.dynamics.casting.containers import SNUG, entries, is_filled
 from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.losses.assessment import Assessment
@@ -200,3 +203,14 @@ def test_a_struck_ball_loses_two_sevenths_until_it_rolls() -> None:
 )
 def test_a_heavy_vehicle_moves_what_has_no_foundation(prompt: str, thing: str, moves: bool) -> None:
     assert prop(cast(prompt), thing).fixed is not moves
+
+
+def test_what_rolls_goes_on_rolling_at_another_size() -> None:
+    """A pencil made larger, so that its hit is felt, lay along its way and slid."""
+    doc = resolve(draft("A pencil rolls into a book."))
+    key = next(k for k in doc.asset_requirement if k.startswith("pen"))
+    small = doc.asset_configurations[key]
+    large = resized(doc, key, small, 2.0)
+    assert small.rolls and large.rolls
+    assert large.dimensions_cm == pytest.approx([2.0 * d for d in small.dimensions_cm])
+    assert [p.kind for p in large.proxies] == [p.kind for p in small.proxies]

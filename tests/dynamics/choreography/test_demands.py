@@ -156,7 +156,7 @@ def test_what_is_pushed_on_by_something_light_is_light_enough_for_that(
     assert reach > 0.1
 
 
-def test_what_is_pushed_stands_a_short_way_before_what_it_is_pushed_into() -> None:
+def test_what_is_pushed_on_its_wheels_stands_a_short_way_along_before_what_it_meets() -> None:
     doc = cast("A runaway trailer hits a parked truck, and the truck is pushed into a gate.")
     told = choreograph(doc)
     at = {p.node: p for k in told.hints.constellations for p in k.placements}
@@ -164,7 +164,9 @@ def test_what_is_pushed_stands_a_short_way_before_what_it_is_pushed_into() -> No
     between = math.dist(
         (at["truck_1"].x_cm, at["truck_1"].y_cm), (at["gate_1"].x_cm, at["gate_1"].y_cm)
     )
-    gap = between / 100.0 - 0.5 * truck.length - 0.5 * gate.length  # a trailer meets its rear
+    # Across them its tyres would stop it.
+    assert at["truck_1"].yaw_deg == pytest.approx(at["trailer_1"].yaw_deg)
+    gap = between / 100.0 - 0.5 * truck.length - 0.5 * gate.length
     reach = (passed_on(trailer, truck) * nominal(doc, "trailer_1")) ** 2
     assert 0.0 < gap < 0.8 * reach / (2.0 * coasting_drag(truck))
 

@@ -8,6 +8,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.matching import same_kind
 from esg.draft.discourse.referents.record import World
 from esg.draft.text.elements import Mention
+from esg.lexicon.hypernyms import hypernyms
 from esg.lexicon.senses import no_things
 
 _SCENES = lex.word_set("scenes")
@@ -93,9 +94,10 @@ def _date(world: World, m: Mention, subject: bool) -> bool:
 
 
 def _place_name(world: World, m: Mention, subject: bool) -> bool:
-    """ "in berlin", "at cambodia": a bare noun that nobody knows, where something is."""
+    """ "at cambodia": a bare noun that nobody knows, where something is."""
     bare = not (m.determiner or m.plural or m.adjectives or m.count or m.letters or m.amounts)
-    return bare and m.noun is None and m.after_prep in ("in", "at") and m.possessor is None
+    named = bare and m.noun is None and m.head not in hypernyms()
+    return named and m.after_prep in ("in", "at") and m.possessor is None
 
 
 _TESTS: tuple[Callable[[World, Mention, bool], bool], ...] = (

@@ -1,0 +1,116 @@
+"""What nothing in a draft stands for is owned up to, whatever its words are."""
+
+from __future__ import annotations
+
+import pytest
+
+from esg.draft import draft
+from esg.draft.statements.unclaimed import carriers
+from esg.graph.models import Predicate, Statement
+
+
+def missing(prompt: str) -> list[Statement]:
+    said = draft(prompt).statements or ()
+    return [s for s in said if s.predicate is Predicate.NOT_REPRESENTED]
+
+
+def words(prompt: str) -> list[str]:
+    return [s.text for s in missing(prompt)]
+
+
+ROWS = sorted({(row.example, tuple(p for p, r in carriers().items() if r is row))
+               for row in carriers().values()})  # fmt: skip
+
+
+@pytest.mark.parametrize(("example", "preps"), ROWS, ids=[example for example, _ in ROWS])
+def test_a_preposition_is_carried_as_its_row_says(
+    example: str, preps: tuple[str, ...], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    assert words(example) == []
+    nothing = {p: carriers()[p] for p in carriers() if p not in preps}
+    none = frozenset({"none"})
+    row = next(r for r in carriers().values() if r.example == example)
+    empty = type(row)(none, none, none, holds=False, aims="")
+    table = nothing | dict.fromkeys(preps, empty)
+    monkeypatch.setattr("esg.draft.statements.unclaimed.carriers", lambda: table)
+    assert len(words(example)) == 1
+
+
+@pytest.mark.parametrize(
+    ("prompt", "lost"),
+    [
+        ("A train passes under a bridge.", "under a bridge"),
+        ("Two people are pushing a cart of laundry.", "of laundry"),
+        ("A dog runs behind a bench and stops next to it.", "behind a bench"),
+        ("A horse gallops in the distance.", "in the distance"),
+        ("A car drives around a corner.", "around a corner"),
+        ("A drummer hits a cymbal with a stick.", "with a stick"),
+        ("A squirrel walks to the top of a rock.", "to the top of a rock"),
+        ("A dog walks around the yard.", "around the yard"),
+    ],
+)
+def test_a_phrase_that_nothing_carries_is_owned_up_to(prompt: str, lost: str) -> None:
+    assert lost in words(prompt)
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A drone is floating in the air.",
+        "A robot turns to the left.",
+        "A ball lies in the front of an apple.",
+        "A boy with a dog walks to a gate.",
+        "The eight ball rolls into the side pocket.",
+        "A ball rolls along a table and falls off the edge.",
+        "A ball rolls across a table and hits a cup.",
+        "A ball rolls past a cone and enters a tent.",
+    ],
+)
+def test_what_something_carries_is_not(prompt: str) -> None:
+    assert words(prompt) == []
+
+
+def test_members_of_a_plural_that_stay_behind_are_named() -> None:
+    (said,) = missing("Two sumo wrestlers push a crate.")
+    assert said.object == ("sumo_wrestler_2",)
+    assert words("Two dogs run.") == []
+    assert words("A row of dominoes topples.") == []
+
+
+def test_what_a_clause_is_about_has_a_part_in_the_scene() -> None:
+    (said,) = missing("A person walks a dog in a park.")
+    assert (said.text, said.object) == ("walks", ("person_1",))
+    assert words("A man drives a car.") == []
+    assert words("A dog chases its tail.") == ["its tail"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "lost"),
+    [
+        ("A curious sloth hangs from a branch.", ["curious"]),
+        ("A ball lies beside a moving vehicle.", ["moving"]),
+        ("A moving vehicle hits a wall.", []),
+        ("A man in a blue shirt hits a post.", ["blue", "shirt"]),
+        ("A bag swings back and forth.", ["swings", "back and forth"]),
+    ],
+)
+def test_qualities_and_words_taken_off_are_missed(prompt: str, lost: list[str]) -> None:
+    assert words(prompt) == lost
+
+
+@pytest.mark.parametrize(
+    ("prompt", "lost"),
+    [
+        ("A boy dribbles a ball.", "dribbles"),
+        ("A dog catches a ball.", "catches"),
+        ("A car drifts along a road.", "drifts"),
+        ("A girl tiptoes to a door.", "tiptoes"),
+        ("A plate breaks on the floor.", "breaks"),
+    ],
+)
+def test_a_verb_of_more_than_its_sense_shows_is_owned_up_to(prompt: str, lost: str) -> None:
+    assert lost in words(prompt)
+
+
+def test_each_of_several_like_words_is_missed() -> None:
+    assert words("A ball lies on a table, oddly and quaintly.") == ["oddly", "quaintly"]
