@@ -355,20 +355,23 @@ class Composer:
 
     def _brake(self, course: _Course, leg: _Leg) -> None:
         """Its brakes are put on, or its damping is raised, until what it does next."""
-        actor, name, lasts = course.actor, leg.phase.edge.id, max(leg.end - leg.start, 0.0)
+        actor, name, end = course.actor, leg.phase.edge.id, max(leg.end, leg.start)
         damping = leg.v.get(f"{name}/damping")
         if damping is not None:
             usual = self.scene.body(actor).linear_damping
             course.out.append(AdjustProperties(actor, leg.start, linear_damping=damping))
-            lets_go = AdjustProperties(actor, leg.end, linear_damping=usual)
-            course.speed *= math.exp(-damping * lasts)
+            lets_go = AdjustProperties(actor, end, linear_damping=usual)
+            course.speed *= math.exp(-damping * (end - leg.start))
         else:
             braking = leg.v[f"{name}/braking"]
+            rate = braking + slows_by(self.doc, actor, course.speed)
+            if leg.phase.end.event is NodeEvent.STOP:
+                # It does not go on before it stands.
+                end = max(end, leg.start + course.speed / rate)
             course.out.append(AdjustProperties(actor, leg.start, braking=braking))
-            lets_go = AdjustProperties(actor, leg.end, braking=0.0)
-            lost = (braking + slows_by(self.doc, actor, course.speed)) * lasts
-            course.speed = max(course.speed - lost, 0.0)
-        course.clock = leg.end
+            lets_go = AdjustProperties(actor, end, braking=0.0)
+            course.speed = max(course.speed - rate * (end - leg.start), 0.0)
+        course.clock = end
         if not leg.last:
             course.out.append(lets_go)
 

@@ -107,6 +107,20 @@ def test_what_has_stopped_drives_on_from_rest() -> None:
     assert turn.speed == pytest.approx(gained, abs=1e-6)
 
 
+def test_what_has_stopped_does_not_go_on_before_it_stands() -> None:
+    """However fast the search has it come, and however soon it shall go on."""
+    plan = planned(cast("A bus stops at a bus stop for 2 seconds, then drives on and turns right."))
+    theta = plan.initial()
+    names = [v.name for v in plan.variables]
+    theta[names.index("bus_1_drive/speed")] = 16.0
+    brakes, lets_go, on = plan.compile(theta).primitives[1:4]
+    assert isinstance(brakes, AdjustProperties) and brakes.braking is not None
+    assert isinstance(lets_go, AdjustProperties) and lets_go.braking == 0.0
+    lasts = lets_go.time - brakes.time
+    assert isinstance(on, HoldVelocity) and on.speed == 0.0 and on.start == lets_go.time
+    assert 1.0 < lasts == pytest.approx(16.0 / (brakes.braking + 0.5 + 0.8), rel=0.1)
+
+
 def test_a_hit_after_a_start_from_rest_has_room_for_it() -> None:
     """Where the taxi sets off when the truck has hit, the way to it is v^2 / 2 a or more."""
     doc = cast("A van waits for 2 seconds, then drives off and knocks over a bollard.")
