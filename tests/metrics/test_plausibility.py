@@ -109,6 +109,16 @@ def test_braking_stays_under_friction(surface: str, rate: float, ok: bool) -> No
     assert found.measured == pytest.approx(rate, rel=0.02)
 
 
+@pytest.mark.parametrize(("said", "ok"), [("dry", True), ("wet", False)])
+def test_a_smooth_floor_that_nobody_calls_wet_grips_as_its_pair_does(said: str, ok: bool) -> None:
+    """0.45 on 0.5 are 0.475 for what slides on its soles."""
+    dog = body("dog_1", Shape("box", (0.4, 0.1, 0.3)), label="dog", friction=0.5, mass=20.0)
+    world = World().add(dog, x=changing(3.0, -4.6))
+    floor = replace(world.scene, ground_friction=0.45)
+    checks = assess(floor, world.program, world.rollout(), Told(surface=said)).checks
+    assert next(c for c in checks if c.name == "braking").ok is ok
+
+
 def test_icy_ground_grips_as_ice_whatever_the_prompt_says() -> None:
     world = World().add(car(), x=changing(10.0, -4.0))
     icy = replace(world.scene, ground_friction=0.05)

@@ -2,6 +2,7 @@
 
 What is under way when the scene begins has its speed from the start. What waits until something
 happens, or moves again after it has stopped or hit something, gains speed at a rate of its kind.
+What goes on more slowly, or waits, after nothing but a time or a turn brakes as its kind does.
 What is thrown, kicked or rolled by a hand has its speed from that hand.
 """
 
@@ -11,7 +12,7 @@ from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Ride
 from esg.dynamics.story.paces import pace
 from esg.dynamics.story.stagecraft import support_of
-from esg.dynamics.story.story import CRUISES, Phase, bounds
+from esg.dynamics.story.story import CRUISES, UNDISTURBED, Phase, bounds
 from esg.graph.models import NodeEvent
 
 SAME_MPS = 0.25
@@ -29,14 +30,23 @@ def ride_of(stage: Stage, actor: str, phase: Phase, speed: float) -> Ride:
     """
     begins = _begins(stage, actor, phase)
     name = phase.edge.id
-    if begins is None or begins > speed - SAME_MPS:
+    usual = pace(stage.doc, stage.member(actor))
+    slows = begins is not None and begins > speed + SAME_MPS and _undisturbed(stage, actor, phase)
+    if begins is None or (begins > speed - SAME_MPS and not slows):
         stage.nominal.pop(f"{name}/gains", None)
         return Ride.under_way(speed)
-    ride = Ride(begins, pace(stage.doc, stage.member(actor)).gains, speed)
+    ride = Ride(begins, -usual.brakes if slows else usual.gains, speed)
     stage.nominal[f"{name}/begins"] = ride.first
     stage.nominal[f"{name}/gains"] = ride.rate
     stage.nominal[f"{name}/reaches"] = ride.speed
     return ride
+
+
+def _undisturbed(stage: Stage, actor: str, phase: Phase) -> bool:
+    """Whether nothing has changed a speed since the segment before."""
+    phases = stage.story.phases[actor]
+    k = phases.index(phase)
+    return k > 0 and phases[k - 1].end.event in UNDISTURBED
 
 
 def gain_of(stage: Stage, actor: str, phase: Phase) -> float:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from esg.dynamics.choreography.flights import flown_to
 from esg.dynamics.choreography.handling import BETWEEN_JUMPS_S
+from esg.dynamics.choreography.setting_off import SAME_MPS
 from esg.dynamics.choreography.ways import arrives
 from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
@@ -346,7 +347,9 @@ class Composer:
         """It slows down to the speed with which it goes on, no sooner than the ground allows."""
         share = self.nominal[f"{leg.phase.edge.id}/leaves"]
         left = min(leg.v.get(f"{after.edge.id}/speed", share * course.speed), course.speed)
-        lasts = max(leg.end - leg.start, (course.speed - left) / grip(self.doc, course.actor), LEAST_S)
+        lasts = max(
+            leg.end - leg.start, (course.speed - left) / grip(self.doc, course.actor), LEAST_S
+        )
         soars = self.story.soars(course.actor)
         course.out.append(
             HoldVelocity(
@@ -427,9 +430,7 @@ class Composer:
             until_contact=until,
             climb=self.nominal.get(f"{edge.id}/slope", 0.0) * abs(speed) if soars else None,
         )
-        if not math.isinf(ride.rate):
-            hold = replace(hold, speed=ride.first, acceleration=ride.rate, max_speed=ride.speed)
-        course.out.append(hold)
+        course.out += _ridden(hold, ride)
         course.heading += rate * (end - start) if turns else 0.0
         lasted = min(end, leg.duration) - start
         course.speed = max(0.0, ride.left(lasted) + acceleration * lasted)
@@ -472,12 +473,15 @@ class Composer:
         """
         name, phases = leg.phase.edge.id, self.story.phases[leg.phase.edge.actor]
         rate = self.nominal.get(f"{name}/gains")
+        if not leg.first and phases[phases.index(leg.phase) - 1].end.event in UNDISTURBED:
+            usual, more = pace(self.doc, leg.phase.edge.actor), abs(speed) - abs(before)
+            gains = leg.phase.edge.event is EdgeEvent.ACCELERATED_MOTION
+            if gains or (rate is None and abs(more) < SAME_MPS):
+                return Ride.under_way(speed)
+            return Ride(abs(before), usual.gains if more >= 0.0 else -usual.brakes, abs(speed))
         if rate is None:
             return Ride.under_way(speed)
-        begins = self.nominal[f"{name}/begins"]
-        if not leg.first and phases[phases.index(leg.phase) - 1].end.event in UNDISTURBED:
-            begins = before
-        return Ride(min(begins, abs(speed)), rate, abs(speed))
+        return Ride(min(self.nominal[f"{name}/begins"], abs(speed)), rate, abs(speed))
 
     def _end_drive(self, course: _Course, leg: _Leg, end: float, pushes: bool) -> None:
         """What a driver does at the end of its part: it brakes, or hovers."""
@@ -520,7 +524,12 @@ class Composer:
         stops = phase.end.event is NodeEvent.STOP and phase.edge.params.spin == "roll"
         if not stops or body.roll_radius <= 0.0 or self.story.flies(actor) or end <= start:
             return []
-        damping = max(math.log(max(speed, STILL_MPS) / STILL_MPS) / (end - start), 0.1)
+        needed = math.log(max(speed, STILL_MPS) / STILL_MPS) / (end - start)
+        # Damping takes the most at the start: no more than what friction on its ground gives.
+        holds = grip(self.doc, actor)
+        damping = max(min(needed, holds / max(speed, STILL_MPS)), 0.1)
+        slow = holds / AT_REST_DAMPING
+        end = max(end, start + math.log(max(speed / slow, 1.0)) / damping)
         return [
             AdjustProperties(actor, start, linear_damping=damping, angular_damping=damping),
             AdjustProperties(
@@ -621,6 +630,20 @@ class Composer:
         if body.roll_radius > 0.0 and not self.story.flies(actor) and edge.params.spin != "slide":
             spin = _rolling(velocity, body.roll_radius)
         return SetVelocity(actor, time, _vec(velocity), spin)
+
+
+def _ridden(hold: HoldVelocity, ride: Ride) -> list[Primitive]:
+    """A hold whose speed is that of a ride; what slows down to a speed keeps it in a second one."""
+    if math.isinf(ride.rate):
+        return [hold]
+    if ride.rate > 0.0:
+        return [replace(hold, speed=ride.first, acceleration=ride.rate, max_speed=ride.speed)]
+    lasts = min(ride.gaining, hold.end - hold.start)
+    slower = replace(hold, end=hold.start + lasts, speed=ride.first, acceleration=ride.rate)
+    if lasts >= hold.end - hold.start:
+        return [slower]
+    heading = hold.heading + hold.turn_rate * lasts
+    return [slower, replace(hold, start=slower.end, speed=ride.left(lasts), heading=heading)]
 
 
 def _until(primitive: Primitive, time: float) -> Primitive:

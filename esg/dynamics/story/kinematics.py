@@ -16,12 +16,13 @@ from esg.units import GRAVITY_MPS2
 
 @dataclass(frozen=True)
 class Ride:
-    """Motion that gains speed evenly up to one that it keeps.
+    """Motion that gains or loses speed evenly down or up to one that it keeps.
 
     Args:
         first: Speed at the start [m/s].
-        rate: At which it gains speed [m/s^2]; infinite for what is under way.
-        speed: In the end, at least the first one [m/s].
+        rate: At which it gains speed [m/s^2], negative for what slows down; infinite for what is
+            under way.
+        speed: In the end [m/s].
     """
 
     first: float
@@ -35,7 +36,7 @@ class Ride:
 
     @property
     def gaining(self) -> float:
-        """How long it gains speed [s]."""
+        """How long it gains or loses speed [s]."""
         return (self.speed - self.first) / self.rate
 
     def left(self, duration: float) -> float:

@@ -14,7 +14,7 @@ from esg.metrics.plausibility.limits import Motion, limit, motion_of, surface_gr
 from esg.metrics.plausibility.told import Told
 from esg.metrics.replay import Floats, Replay
 from esg.metrics.support import lowest_curve, touching
-from esg.thresholds import CARRIED_M, HIT_GAP_S
+from esg.thresholds import BRAKING_ICY_G, CARRIED_M, HIT_GAP_S
 
 Bools = NDArray[np.bool_]
 
@@ -139,19 +139,32 @@ class Facts:
         return out
 
     def friction(self, body: int) -> float:
-        """Friction of a body on what carries it: its kind's grip, else the mean of materials."""
+        """Friction of a body on what carries it: its kind's grip, else the mean of materials.
+
+        Of ground that is slick by its material, though nobody called it wet, it finds what the
+        scene gives the pair, if that is more.
+        """
         motion, scene = self.motion(body), self.replay.scene
         grip = motion.grip
         if motion.flies:
             return grip
         if not math.isnan(grip):
-            return min(grip, surface_grip(self.told.surface, scene.ground_friction))
+            most = surface_grip(self.told.surface, scene.ground_friction)
+            if self.told.surface == "dry" and most > BRAKING_ICY_G:
+                most = max(most, self._pair(body))
+            return min(grip, most)
         c = self.replay.contacts
         mine = (c.a == body) | (c.b == body)
         other = np.unique(np.where(c.a[mine] == body, c.b[mine], c.a[mine]))
         tops = [scene.bodies[int(k)] for k in other if k >= 0]
         rough = [t.friction for t in tops if t.static]
         return 0.5 * (scene.bodies[body].friction + max([scene.ground_friction, *rough]))
+
+    def _pair(self, body: int) -> float:
+        """Friction that a scene gives a body on its ground: of its tyres, else of its material."""
+        b, scene = self.replay.scene.bodies[body], self.replay.scene
+        ground = scene.vehicle_ground_friction if b.wheeled else scene.ground_friction
+        return b.tyre_friction + 0.5 * (b.friction + ground)
 
     def clear(self, *barred: Bools) -> Bools:
         """Windows without any of the barred frames, by their first frame, shape [T - window]."""
