@@ -81,6 +81,18 @@ def test_what_is_hit_or_thrown_may_gain_speed_at_once() -> None:
     assert checked(hit.touch(0.5, "car_1", "car_2"))["acceleration"].ok
 
 
+@pytest.mark.parametrize(("falls_at", "ok"), [(4.0, True), (0.5, False)])
+def test_what_lands_gains_what_friction_gives_it(falls_at: float, ok: bool) -> None:
+    """A drone that has been let go tumbles along at 2 m/s after its fall: mu m g and the blow."""
+    drone = body("drone_1", label="drone")
+    world = World().add(
+        drone,
+        x=lambda t: 2.0 * np.maximum(t - 1.0, 0.0),
+        z=lambda t: 0.1 + falls_at * np.maximum(1.0 - t, 0.0),
+    )
+    assert checked(world)["acceleration"].ok is ok
+
+
 @pytest.mark.parametrize(("rate", "ok"), [(0.7, True), (0.9, False)])
 def test_a_turn_needs_grip(rate: float, ok: bool) -> None:
     """Round a circle at 8 m/s: 0.9 rad/s take 7.2 m/s^2, under 0.8 g; 1.2 take 9.6."""

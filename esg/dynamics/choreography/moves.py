@@ -10,18 +10,15 @@ from esg.dynamics.choreography.placing import comes_to_rest, gap_left, join
 from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, sliding_travel
-from esg.dynamics.story.paces import grip
+from esg.dynamics.story.paces import turns_at
 from esg.dynamics.story.stagecraft import coasting_drag, top_surface
 from esg.dynamics.story.story import CRUISES, Phase, bounds, rebounds, turn_of
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
-from esg.units import GRAVITY_MPS2
 
 TURNED_RAD = math.radians(10.0)
 """A turn counts as made this far before its end: between the end of its tolerance and of itself."""
 USUAL_S = 2.0
 """Time of a segment where nothing says how long it lasts."""
-STEADY_G = 0.6
-"""Sideways acceleration of a usual turn at most, over g."""
 SLIDES_ON = 0.4
 """Share of the time to rest after which something that slides is acted upon at the latest."""
 REBOUND_S = 0.15
@@ -62,9 +59,8 @@ def turned(stage: Stage, node: TimelineNode) -> None:
         ride = ride_of(stage, actor, phase, speed or stage.speed(actor, phase))
         stage.nominal[f"{phase.edge.id}/speed"] = ride.speed
         low, high, fixed = bounds(phase.edge.params.turn_rate_deg_s, (25.0, 70.0))
-        steady = math.degrees(STEADY_G * GRAVITY_MPS2 / max(ride.speed, 1.0))
-        holds = math.degrees(grip(stage.doc, stage.member(actor)) / max(ride.speed, 0.1))
-        usual = min(max(min(45.0, steady), low), high, holds)
+        steady = math.degrees(turns_at(stage.doc, stage.member(actor)) / max(ride.speed, 0.1))
+        usual = min(max(45.0, low), high, steady)
         rate = math.radians(low if fixed else usual)
         degrees, sign = turn_of(phase)
         stage.nominal[f"{phase.edge.id}/turn_rate"] = rate

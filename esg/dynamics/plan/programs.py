@@ -23,6 +23,7 @@ from esg.dynamics.story.paces import (
     pace,
     slows_by,
     stated_rate,
+    turns_at,
     usual_brake,
     usual_halt,
 )
@@ -220,6 +221,10 @@ class Composer:
             end = self.phase_end(phase, v, start, duration)
             if self.cast.coasts(phase):
                 continue
+            # What it would have done after slowing down, had nothing come first, it does not do.
+            course.out = [
+                p for p in course.out if not (isinstance(p, HoldVelocity) and p.start > start)
+            ]
             jumps = phase.end.event is NodeEvent.JUMP
             if self.story.tips(phase) or (k > 0 and (jumps or self.story.flies(actor))):
                 # Nothing may hold it upright or on its course any more.
@@ -461,7 +466,7 @@ class Composer:
         rate = leg.v[f"{edge.id}/turn_rate"]
         if bounds(edge.params.turn_rate_deg_s, (0.0, 0.0))[2]:
             return rate
-        return min(rate, grip(self.doc, edge.actor) / max(abs(speed), STILL_MPS))
+        return min(rate, turns_at(self.doc, edge.actor) / max(abs(speed), STILL_MPS))
 
     def _ride(self, leg: _Leg, speed: float, before: float) -> Ride:
         """How it comes to its speed: at once, or as the choreography has it gain speed.

@@ -19,7 +19,8 @@ from esg.units import quat_rotate
 def acceleration(f: Facts) -> Check:
     """Gains speed, or turns, faster than its kind can while nothing pushes it.
 
-    What has no power of its own gains as much as friction gives it, and may be launched.
+    What lands is pressed on the ground, and gains as much more as friction then gives it. What has
+    no power of its own gains as much as friction gives it, and may be launched.
     """
     worst = Worst()
     for i in f.dynamic:
@@ -30,9 +31,10 @@ def acceleration(f: Facts) -> Check:
         if not motion.own_power:
             free &= f.clear(f.launched(i))
         driven = ~f.clear(powered) | motion.own_power
-        _look(f, worst, i, gain, np.full(len(gain), motion.accelerate_mps2), free & driven)
         normal = np.maximum(f.gains(v[:, 2]) + f.g, 0.0)
         on_ground = ~f.clear(f.level(i))
+        lands = np.where(on_ground, f.pair(i) * np.maximum(normal - f.g, 0.0), 0.0)
+        _look(f, worst, i, gain, motion.accelerate_mps2 + lands, free & driven)
         given = np.where(on_ground, f.friction(i) * normal, 0.0) + limit("free flight")
         _look(f, worst, i, gain, given, free & ~driven & f.clear(f.touching(i) & ~f.level(i)))
         if motion.own_power:

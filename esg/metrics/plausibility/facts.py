@@ -151,7 +151,7 @@ class Facts:
         if not math.isnan(grip):
             most = surface_grip(self.told.surface, scene.ground_friction)
             if self.told.surface == "dry" and most > BRAKING_ICY_G:
-                most = max(most, self._pair(body))
+                most = max(most, self.pair(body))
             return min(grip, most)
         c = self.replay.contacts
         mine = (c.a == body) | (c.b == body)
@@ -160,7 +160,7 @@ class Facts:
         rough = [t.friction for t in tops if t.static]
         return 0.5 * (scene.bodies[body].friction + max([scene.ground_friction, *rough]))
 
-    def _pair(self, body: int) -> float:
+    def pair(self, body: int) -> float:
         """Friction that a scene gives a body on its ground: of its tyres, else of its material."""
         b, scene = self.replay.scene.bodies[body], self.replay.scene
         ground = scene.vehicle_ground_friction if b.wheeled else scene.ground_friction
