@@ -195,8 +195,8 @@ def test_who_has_crashed_brakes() -> None:
 def test_ice_stops_nothing_soon() -> None:
     """What is said to be on ice brakes at a tenth of g at most."""
     doc = cast("A puck slides over the ice at 4 m/s and hits a goalpost.")
-    assert grip(doc) == pytest.approx(0.1 * G)
-    assert grip(cast("A car hits a wall.")) == pytest.approx(0.8 * G)
+    assert grip(doc, "goalpost_1") == pytest.approx(0.1 * G)
+    assert grip(cast("A car hits a wall."), "car_1") == pytest.approx(0.8 * G)
 
 
 def test_a_stop_that_the_ground_does_not_allow_is_not_forced() -> None:
