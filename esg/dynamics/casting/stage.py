@@ -112,7 +112,7 @@ def _parts(doc: EsgDocument) -> dict[str, Mapping[str, Any]]:
 
 
 def _on_roads(played: EsgDocument, told: Choreography, reasons: Reasons) -> EsgDocument:
-    """The document with its street as long as what was told needs."""
+    """The document with its street and ground as long as what was told needs."""
     longer = with_assets(played, fit_roads(played, told))
     for place, what in _changes(played, longer).items():
         reasons[place] = (*reasons.get(place, ()), f"{what}: it is longer than the way")

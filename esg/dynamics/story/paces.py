@@ -16,10 +16,15 @@ from esg.dynamics.story.story import bounds
 from esg.graph.models import EsgDocument, TimelineEdge
 from esg.lexicon.hypernyms import hypernyms
 from esg.lexicon.kinds import kinds
+from esg.metrics.plausibility.limits import motion_of
 from esg.thresholds import BRAKING_DRY_G, BRAKING_ICY_G, BRAKING_WET_G
 from esg.units import GRAVITY_MPS2
 
 TABLE = Path(__file__).parent / "paces.csv"
+EVERYDAY = 0.7
+"""Share of its top speed that nothing exceeds without need."""
+SHORT_OF_TOP = 0.95
+"""Share of that speed that a search may go up to: engines are not exact."""
 SLOWEST_G, FASTEST_G = 0.1, 0.5
 """What anything gains at least and at most, over g."""
 WET = 0.5
@@ -104,6 +109,18 @@ def pace(doc: EsgDocument, name: str) -> Pace:
     """
     node = doc.spatial_relation_graph.nodes[name]
     return pace_of(node.label, doc.asset_configurations[node.asset_id].category)
+
+
+def top_speed(doc: EsgDocument, name: str) -> float:
+    """The speed [m/s] that a guess stays below: nearly the greatest of a node's kind.
+
+    Args:
+        doc: A document with assets.
+        name: A node.
+    """
+    node = doc.spatial_relation_graph.nodes[name]
+    category = doc.asset_configurations[node.asset_id].category
+    return SHORT_OF_TOP * motion_of(node.label, category).speed_mps
 
 
 def grip(doc: EsgDocument) -> float:
