@@ -346,7 +346,9 @@ class Composer:
         """It slows down to the speed with which it goes on, no sooner than the ground allows."""
         share = self.nominal[f"{leg.phase.edge.id}/leaves"]
         left = min(leg.v.get(f"{after.edge.id}/speed", share * course.speed), course.speed)
-        lasts = max(leg.end - leg.start, (course.speed - left) / grip(self.doc, course.actor), LEAST_S)
+        lasts = max(
+            leg.end - leg.start, (course.speed - left) / grip(self.doc, course.actor), LEAST_S
+        )
         soars = self.story.soars(course.actor)
         course.out.append(
             HoldVelocity(
