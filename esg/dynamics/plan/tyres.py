@@ -7,6 +7,7 @@ from dataclasses import replace
 from esg.dynamics.story.stagecraft import support_of
 from esg.engines.scene import Body, SimScene
 from esg.graph.models import EsgDocument
+from esg.metrics.plausibility.limits import motion_of
 
 _WONG = "Wong, Theory of Ground Vehicles, table 1.2 (peak and sliding friction of tyres)"
 GRIPS: tuple[tuple[float, float, str], ...] = (
@@ -18,8 +19,6 @@ GRIPS: tuple[tuple[float, float, str], ...] = (
 
 SINGLE_TRACK = frozenset({"bicycle", "motorcycle", "moped", "kick_scooter", "scooter", "unicycle"})
 """They have their wheels in a line and fall over when these are pushed aside under them."""
-CASTORS = frozenset({"shopping_cart", "cart", "robot_vacuum"})
-"""Wheels that turn the way they are pushed."""
 
 
 def with_tyres(doc: EsgDocument, scene: SimScene) -> SimScene:
@@ -43,7 +42,8 @@ def _shod(doc: EsgDocument, scene: SimScene, body: Body, grip: float) -> Body:
     nodes = doc.spatial_relation_graph.nodes
     config = doc.asset_configurations[nodes[body.name].asset_id]
     kinds = {config.category, config.asset_name.rsplit("/", 1)[-1]}
-    if not body.wheeled or body.static or kinds & CASTORS:
+    casters = motion_of(body.label, body.category).moves == "casters"
+    if not body.wheeled or body.static or casters:
         return body
     below = support_of(doc, body.name)
     if below is not None and not scene.body(below).static:
