@@ -411,6 +411,12 @@ def _adverbs(a: Account) -> Iterator[Gap]:
         over = {*a.d.text[w.start : w.end].lower().split()} if w.low == "indeed" else set[str]()
         if over & _BACK_AND_FORTH:
             yield Gap(w.start, w.end, NOTHING)
+        shown = _SHOWN_BY.get(w.low)
+        if shown is not None:
+            told = (_about(a.d, f) for f in a.frames if w.low in f.adverbs)
+            if not all(shown(a.d, about) for about in told if len(about) > 1):
+                yield Gap(w.start, w.end, NOTHING)
+            continue
         if (
             w.low in _PASSED_OVER
             or (w.start, w.end) in a.untold
@@ -433,6 +439,10 @@ def _says_how(a: Account, w: Word) -> bool:
     if f is None:
         return False
     about = _about(a.d, f)
+    if w.low == "from behind":
+        ways = [e for e in a.d.timeline.edges if e.actor in about and e.target in about]
+        ends = {(r.source, r.target) for r in a.d.scene.relations if r.kind == "behind"}
+        return any((e.actor, e.target) in ends for e in ways)
     if w.low == "late" and f.verb.sense == "brake":  # it hits something all the same
         hits = {n.id for n in a.d.timeline.nodes if n.event is NodeEvent.COLLISION}
         braked = (e for e in a.d.timeline.edges if e.event is EdgeEvent.BRAKE)
@@ -442,6 +452,34 @@ def _says_how(a: Account, w: Word) -> bool:
         for n in a.d.timeline.nodes
         if about & {*n.participants}
     )
+
+
+def _mutual(d: Discourse, about: set[str]) -> bool:
+    """Whether two of them meet, or one of them goes for the other, or they fell each other."""
+    met = (
+        n for n in d.timeline.nodes if measurable(n.event) and len(about & {*n.participants}) > 1
+    )
+    chain = any(entity_of(d, i).pattern in _CHAINS for i in about)
+    aims = (e for e in d.timeline.edges if e.actor in about and e.target in about)
+    faces = (i for i in about if d.scene.facing.get(i) in about)
+    relations = (r for r in d.scene.relations if {r.source, r.target} <= about)
+    return chain or any(any(found) for found in (met, aims, faces, relations))
+
+
+def _abreast(d: Discourse, about: set[str]) -> bool:
+    relations = (r for r in d.scene.relations if {r.source, r.target} <= about)
+    return any(entity_of(d, i).pattern == "row" for i in about) or any(relations)
+
+
+_SHOWN_BY: dict[str, Callable[[Discourse, set[str]], bool]] = {
+    "each other": _mutual,
+    "one another": _mutual,
+    "in a row": _in_line,
+    "in a line": _in_line,
+    "in rows": _in_line,
+    "side by side": _abreast,
+}
+"""What adverbs of several things ask of the scene."""
 
 
 def _qualities(a: Account) -> Iterator[Gap]:
