@@ -436,6 +436,8 @@ class Composer:
             climb=self.nominal.get(f"{edge.id}/slope", 0.0) * abs(speed) if soars else None,
         )
         course.out += _ridden(hold, ride)
+        if turns:
+            course.out += self._steered(actor, start, end)
         course.heading += rate * (end - start) if turns else 0.0
         lasted = min(end, leg.duration) - start
         course.speed = max(0.0, ride.left(lasted) + acceleration * lasted)
@@ -467,6 +469,20 @@ class Composer:
         if bounds(edge.params.turn_rate_deg_s, (0.0, 0.0))[2]:
             return rate
         return min(rate, turns_at(self.doc, edge.actor) / max(abs(speed), STILL_MPS))
+
+    def _steered(self, actor: str, start: float, end: float) -> list[Primitive]:
+        """Tyres roll round a turn: as feet that rub on the ground they would hold its body back.
+
+        A hold sets the rate of turn before every step, and friction takes its part within it: by
+        the end the body would point a degree beside its way, and slide on like that.
+        """
+        body = self.scene.body(actor)
+        if body.tyre_friction <= 0.0:
+            return []
+        return [
+            AdjustProperties(actor, start, friction=0.0),
+            AdjustProperties(actor, end, friction=body.friction),
+        ]
 
     def _ride(self, leg: _Leg, speed: float, before: float) -> Ride:
         """How it comes to its speed: at once, or as the choreography has it gain speed.

@@ -43,8 +43,8 @@ def _shod(doc: EsgDocument, scene: SimScene, body: Body, grip: float) -> Body:
     nodes = doc.spatial_relation_graph.nodes
     config = doc.asset_configurations[nodes[body.name].asset_id]
     kinds = {config.category, config.asset_name.rsplit("/", 1)[-1]}
-    swivels = motion_of(body.label, body.category).moves == "casters"
-    if not body.wheeled or body.static or swivels:
+    casters = motion_of(body.label, body.category).moves == "casters"
+    if not body.wheeled or body.static or casters:
         return body
     below = support_of(doc, body.name)
     if below is not None and not scene.body(below).static:

@@ -23,6 +23,10 @@ from esg.thresholds import BRAKING_DRY_G
 from esg.units import GRAVITY_MPS2
 
 TABLE = Path(__file__).parent / "paces.csv"
+EVERYDAY = 0.7
+"""Share of its top speed that nothing exceeds without need."""
+SHORT_OF_TOP = 0.95
+"""Share of that speed that a search may go up to: engines are not exact."""
 SLOWEST_G, FASTEST_G = 0.1, 0.5
 """What anything gains at least and at most, over g."""
 STEADY = 0.75
@@ -117,6 +121,16 @@ def pace(doc: EsgDocument, name: str) -> Pace:
 def _called(doc: EsgDocument, name: str) -> tuple[str, str]:
     node = doc.spatial_relation_graph.nodes[name]
     return node.label, doc.asset_configurations[node.asset_id].category
+
+
+def top_speed(doc: EsgDocument, name: str) -> float:
+    """The speed [m/s] that a guess stays below: nearly the greatest of a node's kind.
+
+    Args:
+        doc: A document with assets.
+        name: A node.
+    """
+    return SHORT_OF_TOP * motion_of(*_called(doc, name)).speed_mps
 
 
 def grip(doc: EsgDocument, name: str) -> float:

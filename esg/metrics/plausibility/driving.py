@@ -102,8 +102,7 @@ def side_slip(f: Facts) -> Check:
         for start, stop in runs(slips):
             way = float((across * pressed)[start:stop].sum() * f.replay.frame_s)
             lost = max(float(energy[start] - energy[min(stop, len(energy) - 1)]), 0.0)
-            mu = limit("least of grip") * f.friction(i)
-            most = lost / (mu * f.g) + limit("side slip tolerance")
+            most = lost / (f.friction(i) * f.g) + limit("side slip tolerance")
             worst.look(way, most, f.name(i), float(f.replay.time[start]))
     return worst.check("side_slip", "m")
 

@@ -326,3 +326,26 @@ def test_tyres_are_on_what_the_judge_holds_to_its_way() -> None:
             swivels = motion_of(b.label, b.category).moves == "casters"
             assert (b.tyre_friction == 0.0) is swivels, b.name
     assert {"casters", "pushed"} <= {motion_of(b.label, b.category).moves for b in scene.bodies}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "name"),
+    [
+        ("A bulldozer moves up to a brick wall and stops 1 m in front of it.", "bulldozer"),
+        (
+            "A bulldozer shoves a concrete block into a portable toilet and the toilet falls over.",
+            "bulldozer",
+        ),
+        ("A baby crawls up to a toy box and stops.", "baby"),
+    ],
+)
+def test_nothing_is_guessed_to_be_faster_than_its_kind(prompt: str, name: str) -> None:
+    plan = planned(cast(prompt))
+    speeds = [v for v in plan.variables if v.name.endswith("/speed")]
+    top = motion_of(name).speed_mps
+    assert speeds and all(v.initial <= v.upper < top for v in speeds)
+
+
+def test_a_stated_speed_is_kept_even_beyond_its_kind() -> None:
+    program = program_of(cast("A bulldozer drives at 8 m/s into a brick wall."))
+    assert any(isinstance(p, HoldVelocity) and p.speed == pytest.approx(8.0) for p in program)
