@@ -82,8 +82,7 @@ def bench(
         bar.show("ingesting")
         run_id = record_run(states, "bench", suite=loaded.suite, seeds=runs)
         result = results(loaded, states, runs, seed, strategy, engine)
-        result["missed"] = missed(states)
-        result["not_kept"] = not_kept(states)
+        result |= {"missed": missed(states), "not_kept": not_kept(states)}
         result["implausible"] = implausible(states)
         if close_loop:
             result["closed_loop"] = closed_loop(states)

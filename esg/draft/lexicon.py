@@ -100,7 +100,7 @@ def _noun(kind: Kind) -> Noun:
         mass_kg=kind.mass_kg,
         material=kind.material,
         shape=kind.shape,
-        traits=kind.traits | ({"rolls"} if kind.rolls else set()),
+        traits=kind.traits | (frozenset({"rolls"}) if kind.rolls else frozenset[str]()),
         description=kind.request,
         synonyms=kind.said_as,
     )

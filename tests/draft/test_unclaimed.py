@@ -114,3 +114,56 @@ def test_a_verb_of_more_than_its_sense_shows_is_owned_up_to(prompt: str, lost: s
 
 def test_each_of_several_like_words_is_missed() -> None:
     assert words("A ball lies on a table, oddly and quaintly.") == ["oddly", "quaintly"]
+
+
+@pytest.mark.parametrize(
+    ("shown", "not_shown", "lost"),
+    [
+        ("Two dogs sit in a row.", "Three balls roll in a line.", "in a line"),
+        ("Two boxes stand side by side.", "Two cars drive side by side.", "side by side"),
+        (
+            "Two trucks drive in a column. The leading truck brakes and the following truck "
+            "crashes into it.",
+            "Two dogs run in a column.",
+            "in a column",
+        ),
+        ("Two cars hit each other.", "Two dogs run straight at each other.", "each other"),
+        (
+            "A taxi follows a van at 10 m/s and hits it from behind.",
+            "A taxi hits a van from behind.",
+            "from behind",
+        ),
+        ("A car makes a U-turn and drives back.", "A car stops and drives back.", "back"),
+        ("A car brakes too late and hits a wall.", "A car brakes too late.", "late"),
+        (
+            "A ball rolls down a ramp and hits a cup at the bottom.",
+            "A ball rolls along a floor and hits a cup at the bottom.",
+            "at the bottom",
+        ),
+        ("A car hits a table by the street side.", "A car hits a bin beside the rink.",
+         "beside the rink"),
+        ("A bicycle stands in the middle of the road.", "A crate stands in the middle of the room.",
+         "in the middle of the room"),
+        ("A skater slides into the boards of the rink.", "A car hits a patch of ice.", "of ice"),
+        ("A drone hovers above the ground.", "A lamp stands above the ground.", "above the ground"),
+    ],
+)  # fmt: skip
+def test_it_is_owned_up_to_only_where_the_scene_lacks_it(
+    shown: str, not_shown: str, lost: str
+) -> None:
+    assert words(shown) == []
+    assert lost in words(not_shown)
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "It takes the tram 6 seconds to stop after it brakes.",
+        "The bus takes four seconds to stop.",
+        "A crate twice as heavy as a 5 kg barrel hits the barrel.",
+        "A car is parked near a tree.",
+        "A cart stops right in front of a gate.",
+    ],
+)
+def test_words_of_time_amount_and_rest_are_no_acts(prompt: str) -> None:
+    assert words(prompt) == []

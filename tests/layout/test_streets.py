@@ -194,3 +194,58 @@ def test_a_throw_starts_at_a_hand(prompt: str, who: str, what: str) -> None:
 def test_who_rides_keeps_the_lane_too() -> None:
     doc = laid("A cyclist rides along the street and hits a traffic cone lying on the road.")
     assert in_its_lane(doc, "street_1", "cyclist_1")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "driver"),
+    [
+        ("A car drives up to a traffic light and stops right before it.", "car_1"),
+        ("A truck approaches a playground and stops in front of the swing.", "truck_1"),
+    ],
+)
+def test_who_stops_before_what_stands_at_the_kerb_stops_on_the_road(
+    prompt: str, driver: str
+) -> None:
+    doc = laid(prompt)
+    assert doc.choreography is not None and doc.layout_result is not None
+    corridor = doc.choreography.constellations[0].corridors[0].points_cm
+    way = math.dist(corridor[0], corridor[-2])
+    pose = doc.layout_result.poses[driver]
+    yaw = math.radians(pose.yaw_deg)
+    x, y, z = pose.position_cm
+    end = pose.model_copy(
+        update={"position_cm": (x + way * math.cos(yaw), y + way * math.sin(yaw), z)}
+    )
+    poses = {**doc.layout_result.poses, driver: end}
+    result = doc.layout_result.model_copy(update={"poses": poses})
+    _, across, _, _ = on_street(doc.model_copy(update={"layout_result": result}), "road_1", driver)
+    assert abs(across) < half_width(doc, "road_1")
+
+
+def test_a_parked_vehicle_that_is_pushed_on_keeps_its_planned_heading() -> None:
+    """Turned along the street it would stand in what it is pushed into."""
+    doc = laid("A runaway trailer hits a parked truck, and the truck is pushed into a gate.")
+    assert doc.layout_result is not None
+    assert doc.layout_result.feasible and doc.layout_result.max_penetration_cm < 2.0
+    poses = doc.layout_result.poses
+    off = math.remainder(poses["truck_1"].yaw_deg - poses["trailer_1"].yaw_deg, 360.0)
+    assert abs(off) < 1.0
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A station wagon backs out of a parking space in front of the supermarket and hits a "
+        "shopping cart.",
+        "A hospital bed rolls along the corridor and bumps into a wheelchair after 2 seconds.",
+    ],
+)
+def test_the_ground_reaches_beyond_the_ways_as_far_as_things_roll_on(prompt: str) -> None:
+    doc = laid(prompt)
+    assert doc.choreography is not None
+    told = doc.choreography
+    key = doc.spatial_relation_graph.nodes["ground_1"].asset_id
+    side = min(doc.asset_configurations[key].dimensions_cm[:2])
+    points = [p for c in told.constellations for k in c.corridors for p in k.points_cm]
+    fastest = max(v for k, v in told.nominal.items() if k.endswith("/speed"))
+    assert side >= max(math.dist(points[0], p) for p in points) + 2.0 * 200.0 * fastest - 100.0

@@ -50,7 +50,7 @@ def place(
         if t == other or t not in d.world.entities or structural(d, t):
             continue
         if structural(d, other):
-            if kind in ("on", "inside_of"):
+            if kind in ("on", "inside_of", "center_of"):
                 d.scene.marked[t] = other
             d.scene.relations.append(Relation(t, other, "structural", text=prep))
             continue

@@ -57,8 +57,8 @@ def said(text: str, f: Frame) -> list[Said]:
     for word in adverbs_of(text, f):
         for row in _by_word().get(("adverb", word), ()):
             at = place_of(word, text, f) or verb
-            exactly = word == "right" and _INTENSE.match(text, at[1]) is not None
-            if not exactly and (word != "up" or _goes_up(f)):
+            how = word == "right" and exactly(text, at[1])
+            if not how and (word != "up" or _goes_up(f)):
                 out.append(Said(row, *at))
     for p in f.phrases:
         if p.mention is None:
@@ -75,6 +75,11 @@ def said(text: str, f: Frame) -> list[Said]:
         start = start_of(p, text)
         out += [Said(row, start, p.mention.end, p) for row in found]
     return out
+
+
+def exactly(text: str, end: int) -> bool:
+    """Whether a "right" that ends somewhere is followed by the place that it makes exact."""
+    return _INTENSE.match(text, end) is not None
 
 
 def adverbs_of(text: str, f: Frame) -> list[str]:

@@ -11,6 +11,7 @@ from collections.abc import Callable, Iterator
 import csv
 from dataclasses import dataclass, field, replace
 from functools import cache
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
@@ -18,11 +19,11 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.courses import measurable
-from esg.draft.events.stated import start_of
+from esg.draft.events.stated import exactly, start_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Element, Mention, Token, Word
 from esg.draft.verbphrases import verb_readings
-from esg.graph.models import NodeEvent, Predicate, Statement, TimelineEdge
+from esg.graph.models import EdgeEvent, NodeEvent, Predicate, Statement, TimelineEdge
 
 _PASSED_OVER = lex.word_set("passed over (unclaimed)")
 _QUALITIES = lex.word_set("unseen qualities")
@@ -57,7 +58,7 @@ _EACH = frozenset(
 _CHAINS = frozenset({"row", "pins", "rack"})
 """Patterns of which one member fells the next."""
 _STATES = frozenset(
-    {"be", "posture", "have", "weigh", "contain", "measure", "unknown", "lead", "noop"}
+    {"be", "posture", "have", "weigh", "contain", "measure", "unknown", "lead", "noop", "park"}
 )
 _ALONG = frozenset({"own", "tow", "carry"})
 """Senses of which who does it goes where the object goes."""
@@ -66,6 +67,10 @@ _SMALL = (
     lex.DETERMINERS | lex.PREPOSITIONS | lex.PRONOUNS | lex.MODALS | lex.word_set("be")
     | frozenset({"and", "or", "but", "to", "not", "who", "which"})
 )  # fmt: skip
+_FILES = frozenset({"row", "line", "column", "file", "queue", "convoy"})
+"""Arrangements one behind the other, or side by side."""
+_FEET = frozenset({"bottom", "foot"})
+HALF_TURN_DEG = 180.0
 NO_MANNER = "manner is not simulated"
 NO_EVENT = "nothing of the kind happens in the scene"
 NOTHING = "nothing in the scene stands for it"
@@ -214,6 +219,10 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
         return True
     if m.noun is not None and m.noun.kind == "region":  # "into the side pocket"
         return any(n.event is NodeEvent.ENTER_REGION for n in a.d.timeline.nodes)
+    if p.prep == "in" and m.head in _FILES and _in_line(a.d, about):
+        return True
+    if p.prep == "at" and m.head in _FEET and _below_a_slope(a, about):
+        return True
     falls = [n for n in a.d.timeline.nodes if n.event is NodeEvent.FALL]
     if p.prep in ("off", "over", "from") and any(about & {*n.participants} for n in falls):
         return True  # "falls off the edge"
@@ -224,11 +233,39 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
     return flies and m.head in _AIR
 
 
+def _in_line(d: Discourse, about: set[str]) -> bool:
+    """Whether some are laid out in a row, or one of them follows another into a hit."""
+    rows = any(entity_of(d, i).pattern in ("row", "queue") for i in about)
+    after = (e for e in d.timeline.edges if e.actor in about and e.target in about - {e.actor})
+    return rows or any(after)
+
+
+def _below_a_slope(a: Account, about: set[str]) -> bool:
+    """ "Slides down a chute and hits a box at the bottom": what is hit stands on the ground."""
+    d = a.d
+    falls = {
+        s.object[0] for s in a.kept if s.predicate is Predicate.MOVES and s.direction == "down"
+    }
+    for n in d.timeline.nodes:
+        who = {*n.participants} & about
+        met = who - falls
+        slid = who & falls
+        if n.event is NodeEvent.COLLISION and slid and met:
+            return not any(d.scene.supported_by.get(i) for i in met)
+    return False
+
+
 def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame | None) -> bool:
     """Whether something in the document is about both what a phrase names and who it is said of."""
     d, by = a.d, carriers().get(p.prep, _ANY)
     if any(structural(d, i) for i in others):
-        return p.prep in _WAYS or (p.prep == "into" and GROUND not in others)
+        return (
+            p.prep in _WAYS
+            or (p.prep == "into" and GROUND not in others)
+            or (p.prep == "of" and GROUND in others and _definite(p))  # "the boards of the rink"
+            or (p.prep in ("above", "over") and _aloft(a, about))
+            or _laid_out(d, about, others, p.prep)
+        )
     if p.prep == "with" and all(kind_of(d, i) in _COMPANIONS for i in others):
         by = replace(by, relations=by.relations | {"near"})
     part = p.mention.part if p.mention is not None else ""
@@ -247,6 +284,25 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
         or any(_happens(n, about, others, by, own) for n in d.timeline.nodes)
         or any(_aims(e, about, others, by.aims) for e in d.timeline.edges)
     )
+
+
+def _definite(p: Phrase) -> bool:
+    return p.mention is not None and p.mention.determiner == "the"
+
+
+def _aloft(a: Account, about: set[str]) -> bool:
+    """Whether something is said to be in the air, or how high it is."""
+    flies = any(s.predicate is Predicate.AIRBORNE and about & {*s.object} for s in a.kept)
+    return flies or bool(about & {*a.d.scene.heights})
+
+
+def _laid_out(d: Discourse, about: set[str], others: set[str], prep: str) -> bool:
+    """Whether the document has something on or beside what is laid ("by the side of the road")."""
+    others = others - {GROUND}
+    marked = any(i in about and road in others for i, road in d.scene.marked.items())
+    told = any(r.source in about and r.target in others and r.text == prep
+               for r in d.scene.relations)  # fmt: skip
+    return marked or (told and prep in carriers() and "near" in carriers()[prep].relations)
 
 
 def _aims(e: TimelineEdge, about: set[str], others: set[str], which: str) -> bool:
@@ -355,15 +411,75 @@ def _adverbs(a: Account) -> Iterator[Gap]:
         over = {*a.d.text[w.start : w.end].lower().split()} if w.low == "indeed" else set[str]()
         if over & _BACK_AND_FORTH:
             yield Gap(w.start, w.end, NOTHING)
+        shown = _SHOWN_BY.get(w.low)
+        if shown is not None:
+            told = (_about(a.d, f) for f in a.frames if w.low in f.adverbs)
+            if not all(shown(a.d, about) for about in told if len(about) > 1):
+                yield Gap(w.start, w.end, NOTHING)
+            continue
         if (
             w.low in _PASSED_OVER
             or (w.start, w.end) in a.untold
             or w.low in rebounds
             or (turned and w.low in _TURNS)
+            or _says_how(a, w)
         ):
             continue
         if not any(s.start <= w.start < s.end for s in a.said):
             yield Gap(w.start, w.end, NO_MANNER if w.low.endswith("ly") else NOTHING)
+
+
+def _says_how(a: Account, w: Word) -> bool:
+    """Whether an adverb tells how exactly, how much or why of what the scene has."""
+    if w.low == "right":
+        return exactly(a.d.text, w.end)
+    if w.low in ("twice", "half", "thrice"):  # "twice as fast as": a figure
+        return re.match(r"\s+as\s", a.d.text[w.end :]) is not None
+    f = next((f for f in a.frames if w.low in f.adverbs), None)
+    if f is None:
+        return False
+    about = _about(a.d, f)
+    if w.low == "from behind":
+        ways = [e for e in a.d.timeline.edges if e.actor in about and e.target in about]
+        ends = {(r.source, r.target) for r in a.d.scene.relations if r.kind == "behind"}
+        return any((e.actor, e.target) in ends for e in ways)
+    if w.low == "late" and f.verb.sense == "brake":  # it hits something all the same
+        hits = {n.id for n in a.d.timeline.nodes if n.event is NodeEvent.COLLISION}
+        braked = (e for e in a.d.timeline.edges if e.event is EdgeEvent.BRAKE)
+        return any(e.actor in about and e.to in hits for e in braked)
+    return w.low == "back" and any(
+        n.event is NodeEvent.HEADING_REACHED and n.extra.get("turn_degrees") == HALF_TURN_DEG
+        for n in a.d.timeline.nodes
+        if about & {*n.participants}
+    )
+
+
+def _mutual(d: Discourse, about: set[str]) -> bool:
+    """Whether two of them meet, or one of them goes for the other, or they fell each other."""
+    met = (
+        n for n in d.timeline.nodes if measurable(n.event) and len(about & {*n.participants}) > 1
+    )
+    chain = any(entity_of(d, i).pattern in _CHAINS for i in about)
+    aims = (e for e in d.timeline.edges if e.actor in about and e.target in about)
+    faces = (i for i in about if d.scene.facing.get(i) in about)
+    relations = (r for r in d.scene.relations if {r.source, r.target} <= about)
+    return chain or any(any(found) for found in (met, aims, faces, relations))
+
+
+def _abreast(d: Discourse, about: set[str]) -> bool:
+    relations = (r for r in d.scene.relations if {r.source, r.target} <= about)
+    return any(entity_of(d, i).pattern == "row" for i in about) or any(relations)
+
+
+_SHOWN_BY: dict[str, Callable[[Discourse, set[str]], bool]] = {
+    "each other": _mutual,
+    "one another": _mutual,
+    "in a row": _in_line,
+    "in a line": _in_line,
+    "in rows": _in_line,
+    "side by side": _abreast,
+}
+"""What adverbs of several things ask of the scene."""
 
 
 def _qualities(a: Account) -> Iterator[Gap]:

@@ -115,7 +115,7 @@ def dropped(d: Discourse, f: Frame) -> str:
     """Why a clause that no reading took up is missed in the scene; empty if it need not be."""
     span = (f.verb.start, f.verb.end)
     why = d.scene.ignored.get(span)
-    if why is None or span in d.scene.used or f.unreal or why in _NOT_TOLD:
+    if why is None or span in d.scene.used or f.unreal or f.times or why in _NOT_TOLD:
         return ""
     if f.verb.negated or f.verb.lemma in _NO_PICTURE or f.verb.auxiliary == f.verb.lemma:
         return ""

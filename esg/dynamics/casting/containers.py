@@ -19,6 +19,8 @@ from esg.graph.models import (
     NamedRegion,
     NodeEvent,
     ProxyKind,
+    RegionType,
+    RelationType,
     TimelineNode,
 )
 from esg.units import GRAVITY_MPS2
@@ -109,6 +111,31 @@ def fit_containers(doc: EsgDocument, story: Story) -> dict[str, AssetConfigurati
         if body.restitution + softest > pair + 1e-9:
             dull = max(pair, DULLEST * body.restitution)
             out[keys[0]] = body.model_copy(update={"restitution": round(dull, 3)})
+    return out
+
+
+def fit_holders(doc: EsgDocument) -> dict[str, AssetConfiguration]:
+    """Configurations of what holds things at the start, open where it is usually drawn closed."""
+    graph = doc.spatial_relation_graph
+    regions = graph.semantic_regions
+    edges = graph.edges.binary_relations
+    holds = {e.to for e in edges if e.relation_type is RelationType.INSIDE_OF}
+    for node in graph.nodes.values():
+        region = regions.get(node.semantic_region or "")
+        if region is not None and region.region_type is RegionType.STORAGE:
+            holds.add(region.parent_object)
+    out: dict[str, AssetConfiguration] = {}
+    for name in sorted(holds & graph.nodes.keys()):
+        key = graph.nodes[name].asset_id
+        config = doc.asset_configurations[key]
+        if config.regions or not config.proxies or graph.nodes[name].is_structural:
+            continue
+        box = doc.asset_requirement[key].model_copy(
+            update={"asset_category": "open box", "asset_description": "open box"}
+        )
+        found = resized(doc, key, config, 1.0, box, dimensions=config.dimensions_cm)
+        if any(r.kind == "inside" for r in found.regions):
+            out[key] = found
     return out
 
 

@@ -1,4 +1,4 @@
-"""Streets as long as what drives on them needs, and the pavements beside them."""
+"""Streets as long as what drives on them needs, with pavements, and ground that reaches as far."""
 
 from __future__ import annotations
 
@@ -17,10 +17,15 @@ STEP_CM = 1000.0
 """Streets grow in steps, so that scenes alike share one."""
 LONGEST_CM = 40000.0
 """Longest street that is drawn."""
+RUN_OUT_S = 2.0
+"""Ground reaches so far beyond all ways as the fastest goes on in this time [s]."""
 
 
 def fit_roads(doc: EsgDocument, told: Choreography) -> Configs:
-    """The street of a scene at a length that covers all planned ways, with pavements as long.
+    """Streets and ground large enough for what was told.
+
+    The street of a scene covers all planned ways, with pavements as long; the ground covers what
+    rolls on after them, too.
 
     Args:
         doc: A document with assets, its other choices made.
@@ -33,11 +38,11 @@ def fit_roads(doc: EsgDocument, told: Choreography) -> Configs:
         [*((p.x_cm, p.y_cm) for p in c.placements), *(p for k in c.corridors for p in k.points_cm)]
         for c in told.constellations
     ]
-    if not lengthened or not any(len(points) > 1 for points in ways):
+    if not any(len(points) > 1 for points in ways):
         return {}
     way = max(math.dist(p, q) for points in ways for p, q in itertools.product(points, points))
     length = min(STEP_CM * math.ceil((way + 2.0 * SIGHT_CM) / STEP_CM), LONGEST_CM)
-    out: Configs = {}
+    out = _wider_ground(doc, way, max(_speeds(told), default=0.0))
     for name in lengthened:
         key = nodes[name].asset_id
         config, wanted = doc.asset_configurations[key], doc.asset_requirement[key]
@@ -47,6 +52,33 @@ def fit_roads(doc: EsgDocument, told: Choreography) -> Configs:
             size = (length, length if crosses else width, height)
             out[key] = resized(doc, key, config, 1.0, dimensions=size)
     return out
+
+
+def _speeds(told: Choreography) -> list[float]:
+    """All speeds of a choreography [m/s]."""
+    return [value for name, value in told.nominal.items() if name.endswith("/speed")]
+
+
+def _wider_ground(doc: EsgDocument, way: float, speed: float) -> Configs:
+    """The ground of a scene so large that a way [cm] and a run-out at a speed [m/s] fit on it."""
+    nodes = doc.spatial_relation_graph.nodes
+    keys = {v.asset_id for v in nodes.values() if v.is_structural}
+    flat = [k for k in sorted(keys) if not doc.asset_configurations[k].proxies]
+    key = max(flat, key=lambda k: math.prod(_sides(doc, k)), default=None)
+    if key is None or doc.asset_requirement[key].dimensions_are_prescribed:
+        return {}
+    needed = STEP_CM * math.ceil((way + 200.0 * RUN_OUT_S * speed) / STEP_CM)
+    if min(_sides(doc, key)) >= needed:
+        return {}
+    config = doc.asset_configurations[key]
+    length, width, height = config.dimensions_cm
+    least = min(needed, LONGEST_CM)
+    size = (max(length, least), max(width, least), height)
+    return {key: resized(doc, key, config, 1.0, dimensions=size)}
+
+
+def _sides(doc: EsgDocument, key: str) -> tuple[float, float]:
+    return doc.asset_configurations[key].dimensions_cm[:2]
 
 
 def _follows(doc: EsgDocument, name: str, streets: list[str]) -> bool:

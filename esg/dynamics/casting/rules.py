@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from esg.dynamics.casting.bodies import fit_freed, fit_grown, fit_movable, fit_solid, fit_springy
 from esg.dynamics.casting.chains import fit_chains, fit_sliding
 from esg.dynamics.casting.changes import Configs, with_assets
-from esg.dynamics.casting.containers import fit_containers
+from esg.dynamics.casting.containers import fit_containers, fit_holders
 from esg.dynamics.casting.dominoes import fit_falling
 from esg.dynamics.casting.loads import fit_loads
 from esg.dynamics.casting.masses import fit_pushes, fit_transfer
@@ -56,10 +56,12 @@ def _upright(doc: EsgDocument, story: Story) -> EsgDocument:
 
 
 LOADS = _of_assets("what stands on it, side by side, has room", lambda doc, _: fit_loads(doc))
-"""The one rule for scenes without a timeline, too."""
+HOLDERS = _of_assets("there is something in it", lambda doc, _: fit_holders(doc))
+STANDING = (HOLDERS, LOADS)
+"""The rules for scenes without a timeline, too."""
 
 RULES = (
-    LOADS,
+    *STANDING,
     Rule("rolling it would not reach what it shall hit", fit_reach),
     Rule("it drifts on to the next thing", lambda doc, _: let_go_sideways(doc)),
     Rule("it is knocked over", fit_freed),

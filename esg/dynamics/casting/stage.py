@@ -14,7 +14,7 @@ from typing import Any
 
 from esg.dynamics.casting.changes import with_assets
 from esg.dynamics.casting.roads import fit_roads
-from esg.dynamics.casting.rules import LOADS, RULES
+from esg.dynamics.casting.rules import RULES, STANDING
 from esg.dynamics.choreography.record import record
 from esg.dynamics.story.story import read_story
 from esg.graph.models import AssetConfiguration, Casting, Choreography, EsgDocument, Provenance
@@ -74,7 +74,7 @@ def _choose(doc: EsgDocument) -> tuple[EsgDocument, Reasons]:
     """Applies the rules one after the other; each sees what the ones before it chose."""
     story = read_story(doc)
     reasons: Reasons = {}
-    for rule in RULES if doc.timeline_system is not None else (LOADS,):
+    for rule in RULES if doc.timeline_system is not None else STANDING:
         before, doc = doc, rule.choose(doc, story)
         for place, what in _changes(before, doc).items():
             reasons[place] = (*reasons.get(place, ()), f"{what}: {rule.why}")
@@ -112,7 +112,7 @@ def _parts(doc: EsgDocument) -> dict[str, Mapping[str, Any]]:
 
 
 def _on_roads(played: EsgDocument, told: Choreography, reasons: Reasons) -> EsgDocument:
-    """The document with its street as long as what was told needs."""
+    """The document with its street and ground as long as what was told needs."""
     longer = with_assets(played, fit_roads(played, told))
     for place, what in _changes(played, longer).items():
         reasons[place] = (*reasons.get(place, ()), f"{what}: it is longer than the way")

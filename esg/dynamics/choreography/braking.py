@@ -34,7 +34,7 @@ def brake(stage: Stage, actor: str, phase: Phase, duration: float | None) -> Non
     if _drives_on(stage, actor, phase):
         usual = stage.halt(actor, speed)
         lasts = (speed - left) / usual if duration is None else duration
-        lasts = max(lasts, (speed - left) / grip(stage.doc))
+        lasts = max(lasts, (speed - left) / grip(stage.doc, stage.member(actor)))
         stage.nominal[f"{phase.edge.id}/leaves"] = left / max(speed, 1e-6)
         track.straight(0.5 * (speed + left) * lasts, lasts, left)
         return
@@ -87,7 +87,7 @@ def slow_down(
     needed = 0.5 * sum(told) if told else (speed - left) / lasts
     if stage.held(actor):
         # Its soles would stop it in their own time: it slows down step by step instead.
-        rate = max(min(needed, grip(stage.doc)), 0.05)
+        rate = max(min(needed, grip(stage.doc, name)), 0.05)
         stage.nominal[f"{edge.id}/stopping"] = speed / rate
         way, left = braked(speed, rate, lasts)
         return way, lasts, left

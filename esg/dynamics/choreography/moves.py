@@ -10,6 +10,7 @@ from esg.dynamics.choreography.placing import comes_to_rest, gap_left, join
 from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, sliding_travel
+from esg.dynamics.story.paces import grip
 from esg.dynamics.story.stagecraft import coasting_drag, top_surface
 from esg.dynamics.story.story import CRUISES, Phase, bounds, rebounds, turn_of
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
@@ -62,7 +63,9 @@ def turned(stage: Stage, node: TimelineNode) -> None:
         stage.nominal[f"{phase.edge.id}/speed"] = ride.speed
         low, high, fixed = bounds(phase.edge.params.turn_rate_deg_s, (25.0, 70.0))
         steady = math.degrees(STEADY_G * GRAVITY_MPS2 / max(ride.speed, 1.0))
-        rate = math.radians(low if fixed else min(max(min(45.0, steady), low), high))
+        holds = math.degrees(grip(stage.doc, stage.member(actor)) / max(ride.speed, 0.1))
+        usual = min(max(min(45.0, steady), low), high, holds)
+        rate = math.radians(low if fixed else usual)
         degrees, sign = turn_of(phase)
         stage.nominal[f"{phase.edge.id}/turn_rate"] = rate
         track.arc(sign * math.radians(degrees), rate, ride)

@@ -10,7 +10,7 @@ import numpy as np
 
 from esg.dynamics.story.edges import edge_of
 from esg.dynamics.story.kinematics import Frame, Track, wrap_angle
-from esg.dynamics.story.paces import on_foot, usual_halt
+from esg.dynamics.story.paces import EVERYDAY, on_foot, top_speed, usual_halt
 from esg.dynamics.story.stagecraft import (
     Prop,
     climb_height,
@@ -278,7 +278,9 @@ class Stage:
 
         Guessed bounds give way to `needed`, without which an event cannot happen.
         """
-        preferred = max(self._cruises(actor, phase) or default_speed(self.prop(actor)), least)
+        top = top_speed(self.doc, self.member(actor))
+        usual = min(default_speed(self.prop(actor)), EVERYDAY * top)
+        preferred = min(max(self._cruises(actor, phase) or usual, least), top)
         if phase.edge.params.speed is None:
             return self.tracks[actor].speed or preferred
         low, high, fixed = bounds(phase.edge.params.speed, (100.0, 1000.0))
@@ -287,7 +289,7 @@ class Stage:
         inner = 0.1 * (high - low)
         speed = min(max(preferred, (low + inner) / 100.0), (high - inner) / 100.0)
         if not phase.edge.speed_is_prescribed:
-            speed = max(speed, min(needed, FASTEST_MPS))
+            speed = min(max(speed, min(needed, FASTEST_MPS)), top)
         return speed
 
     def _cruises(self, actor: str, phase: Phase) -> float | None:

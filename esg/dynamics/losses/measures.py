@@ -270,12 +270,14 @@ def topple(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -
     # Who lies already does not topple again.
     passes = np.zeros_like(over)
     passes[..., 1:] = over[..., 1:] & ~over[..., :-1]
-    time = rec.first((passes & late).any(axis=0))
+    time = rec.first(np.asarray((passes & late).any(axis=0), np.bool_))
     most = np.where(late, tilts.max(axis=0), 0.0).max(axis=1)
     add(f"{node.id}/weak", np.maximum(70.0 - most, 0.0) / 70.0 * 0.3)
     short = (SAFE_TOPPLED_DEG - np.minimum(most, SAFE_TOPPLED_DEG)) / TILT_SCALE_DEG
     known = (most > SAFE_TOPPLED_DEG) & np.isfinite(earliest)
-    lead = np.where(known, earliest, 0.0) - np.where(known, rec.first(passes.any(axis=0)), 0.0)
+    lead = np.where(known, earliest, 0.0) - np.where(
+        known, rec.first(np.asarray(passes.any(axis=0), np.bool_)), 0.0
+    )
     early = np.where(known, 0.5 + np.clip(lead / EARLY_SCALE_S, 0.0, MOST_EARLY), 0.0)
     before = rec.story.previous_outcome(node.id)
     if before is not None and rec.story.nodes[before].event is NodeEvent.COLLISION:

@@ -16,9 +16,17 @@ from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.plan.guides import Way
 from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
-from esg.dynamics.story.paces import grip, on_foot, pace, slows_by, usual_brake, usual_halt
+from esg.dynamics.story.paces import (
+    grip,
+    on_foot,
+    pace,
+    slows_by,
+    stated_rate,
+    usual_brake,
+    usual_halt,
+)
 from esg.dynamics.story.stagecraft import prop, stacked_with, support_of
-from esg.dynamics.story.story import UNDISTURBED, Phase, turn_of
+from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, turn_of
 from esg.engines.program import (
     AdjustProperties,
     GuideAlong,
@@ -314,6 +322,8 @@ class Composer:
     def _stop_in_time(self, course: _Course, leg: _Leg) -> None:
         """It slows down step by step, to rest."""
         actor, lasts = course.actor, leg.v[f"{leg.phase.edge.id}/stopping"]
+        if stated_rate(leg.phase.edge) is None:
+            lasts = max(lasts, abs(course.speed) / grip(self.doc, actor))
         soars = self.story.soars(actor)
         # What flies hovers where it stopped.
         hovers = soars and leg.last and not self.story.falls(actor)
@@ -336,7 +346,9 @@ class Composer:
         """It slows down to the speed with which it goes on, no sooner than the ground allows."""
         share = self.nominal[f"{leg.phase.edge.id}/leaves"]
         left = min(leg.v.get(f"{after.edge.id}/speed", share * course.speed), course.speed)
-        lasts = max(leg.end - leg.start, (course.speed - left) / grip(self.doc), LEAST_S)
+        lasts = max(
+            leg.end - leg.start, (course.speed - left) / grip(self.doc, course.actor), LEAST_S
+        )
         soars = self.story.soars(course.actor)
         course.out.append(
             HoldVelocity(
@@ -385,7 +397,7 @@ class Composer:
         rate, end, until = 0.0, leg.end, self.cast.contacts(phase)
         if turns:
             degrees, sign = turn_of(phase)
-            rate = sign * v[f"{edge.id}/turn_rate"]
+            rate = sign * self._turn_rate(leg, speed)
             end = start + math.radians(degrees) / abs(rate)
         ride = self._ride(leg, speed, before)
         acceleration = v.get(f"{edge.id}/acceleration", 0.0)
@@ -445,6 +457,14 @@ class Composer:
         course.clock = min(end, max(start, told))
         if leg.last:
             self._end_drive(course, leg, end, pushed is not None)
+
+    def _turn_rate(self, leg: _Leg, speed: float) -> float:
+        """How fast it turns [rad/s]: as theta says, where its grip bears that at a speed [m/s]."""
+        edge = leg.phase.edge
+        rate = leg.v[f"{edge.id}/turn_rate"]
+        if bounds(edge.params.turn_rate_deg_s, (0.0, 0.0))[2]:
+            return rate
+        return min(rate, grip(self.doc, edge.actor) / max(abs(speed), STILL_MPS))
 
     def _steered(self, actor: str, start: float, end: float) -> list[Primitive]:
         """Tyres roll round a turn: as feet that rub on the ground they would hold its body back.

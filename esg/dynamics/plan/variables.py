@@ -18,7 +18,7 @@ from esg.dynamics.choreography.handling import TURN_RATE_DEG_S
 from esg.dynamics.choreography.throws import opens_upwards
 from esg.dynamics.plan.aim import aim_point
 from esg.dynamics.plan.cast import Cast
-from esg.dynamics.story.paces import hardest_brake, slows_by, stated_rate, usual_brake
+from esg.dynamics.story.paces import hardest_brake, slows_by, stated_rate, top_speed, usual_brake
 from esg.dynamics.story.story import CRUISES, UNDISTURBED, Phase, bounds, middle
 from esg.dynamics.story.tipping import FLIES_AT
 from esg.engines.scene import Body, Region
@@ -299,6 +299,7 @@ class Declarations:
         if not (fixed or edge.speed_is_prescribed):
             # A guessed interval gives way to what the choreography needs.
             low, high = min(low, 60.0 * nominal), max(high, 160.0 * nominal)
+            high = max(min(high, 100.0 * top_speed(self.cast.doc, actor)), low)
         if self.story.tips(phase):
             low, high = 50.0 * nominal, 400.0 * nominal
         tie = self.same_speed_as(phase) or self.keeps_speed(phase)

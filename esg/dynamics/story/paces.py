@@ -9,21 +9,26 @@ from __future__ import annotations
 import csv
 from dataclasses import dataclass
 from functools import cache
+import math
 from pathlib import Path
 
-from esg.dynamics.story.stagecraft import SLICK, Prop, coasting_drag, ground_friction, prop
+from esg.dynamics.story.stagecraft import Prop, coasting_drag, ground_friction, prop
 from esg.dynamics.story.story import bounds
 from esg.graph.models import EsgDocument, TimelineEdge
 from esg.lexicon.hypernyms import hypernyms
 from esg.lexicon.kinds import kinds
-from esg.thresholds import BRAKING_DRY_G, BRAKING_ICY_G, BRAKING_WET_G
+from esg.metrics.plausibility.limits import motion_of, surface_grip
+from esg.metrics.plausibility.told import surface_of
+from esg.thresholds import BRAKING_DRY_G
 from esg.units import GRAVITY_MPS2
 
 TABLE = Path(__file__).parent / "paces.csv"
+EVERYDAY = 0.7
+"""Share of its top speed that nothing exceeds without need."""
+SHORT_OF_TOP = 0.95
+"""Share of that speed that a search may go up to: engines are not exact."""
 SLOWEST_G, FASTEST_G = 0.1, 0.5
 """What anything gains at least and at most, over g."""
-WET = 0.5
-"""Friction below which the ground counts as wet."""
 
 
 @dataclass(frozen=True)
@@ -102,16 +107,44 @@ def pace(doc: EsgDocument, name: str) -> Pace:
         doc: A document with assets.
         name: A node.
     """
+    names = _called(doc, name)
+    usual, most, holds = pace_of(*names), motion_of(*names), grip(doc, name)
+    return Pace(
+        min(usual.gains, most.accelerate_mps2, holds),
+        min(usual.brakes, holds),
+        min(usual.hardest, holds),
+    )
+
+
+def _called(doc: EsgDocument, name: str) -> tuple[str, str]:
     node = doc.spatial_relation_graph.nodes[name]
-    return pace_of(node.label, doc.asset_configurations[node.asset_id].category)
+    return node.label, doc.asset_configurations[node.asset_id].category
 
 
-def grip(doc: EsgDocument) -> float:
-    """The hardest braking [m/s^2] that a document's ground allows: dry, wet or icy."""
-    wording, friction = doc.scene_definition.wording, ground_friction(doc)
-    if (wording is not None and wording.surface == "ice") or friction < SLICK:
-        return BRAKING_ICY_G * GRAVITY_MPS2
-    return (BRAKING_WET_G if friction < WET else BRAKING_DRY_G) * GRAVITY_MPS2
+def top_speed(doc: EsgDocument, name: str) -> float:
+    """The speed [m/s] that a guess stays below: nearly the greatest of a node's kind.
+
+    Args:
+        doc: A document with assets.
+        name: A node.
+    """
+    return SHORT_OF_TOP * motion_of(*_called(doc, name)).speed_mps
+
+
+def grip(doc: EsgDocument, name: str) -> float:
+    """The hardest braking or turning [m/s^2] of a node that its ground, or the air, bears.
+
+    Its kind's grip and the surface's are those that a replay is held to.
+    """
+    motion = motion_of(*_called(doc, name))
+    ground = ground_friction(doc)
+    if motion.flies:
+        mu = motion.grip
+    elif math.isnan(motion.grip):
+        mu = 0.5 * (prop(doc, name).friction + ground)
+    else:
+        mu = min(motion.grip, surface_grip(surface_of(doc), ground))
+    return mu * GRAVITY_MPS2
 
 
 def stated_rate(edge: TimelineEdge) -> tuple[float, float] | None:
@@ -131,8 +164,8 @@ def slows_by(doc: EsgDocument, name: str, speed: float) -> float:
 
 def hardest_brake(doc: EsgDocument, name: str, speed: float) -> float:
     """The hardest braking [m/s^2] of a node on its ground, beside what slows it by itself."""
-    body, most = prop(doc, name), min(grip(doc), pace(doc, name).hardest)
-    return max(most - coasting_drag(body) - body.damping * speed, 0.05)
+    body = prop(doc, name)
+    return max(pace(doc, name).hardest - coasting_drag(body) - body.damping * speed, 0.05)
 
 
 def usual_brake(doc: EsgDocument, name: str, speed: float) -> float:
@@ -148,7 +181,7 @@ def usual_stop(doc: EsgDocument, name: str, speed: float) -> float:
 def usual_halt(doc: EsgDocument, name: str, speed: float, *, held: bool) -> float:
     """The rate [m/s^2] at which a node comes to rest: on its feet or wings, or by its brakes."""
     if held:
-        return min(pace(doc, name).brakes, grip(doc))
+        return pace(doc, name).brakes
     return usual_stop(doc, name, speed)
 
 

@@ -78,6 +78,118 @@ def _kept_up(
     return wp.spatial_vector(v, vector(table, world, k, Column.SPIN))
 
 
+@wp.func
+def _met(
+    world: int,
+    k: int,
+    b: int,
+    step: int,
+    until: wp.array3d(dtype=int),
+    touched: wp.array3d(dtype=int),
+) -> bool:
+    """Whether a body has touched in the last step what ends a primitive."""
+    found = bool(False)  # noqa: UP018  # a variable to Warp
+    for other in range(until.shape[2]):
+        if until[world, k, other] != 0 and touched[world, b, other] == step:
+            found = True
+    return found
+
+
+@wp.func
+def _adjust(
+    target: int,
+    to: wp.vec3,
+    brakes: wp.float64,
+    linear_damping: wp.array(dtype=float),
+    angular_damping: wp.array(dtype=float),
+    braking: wp.array(dtype=float),
+):
+    """Changes the dampings and the brakes of a body; NaN leaves one as it is."""
+    if not wp.isnan(to[0]):
+        linear_damping[target] = to[0]
+    if not wp.isnan(to[1]):
+        angular_damping[target] = to[1]
+    if not wp.isnan(brakes):
+        braking[target] = float(brakes)
+
+
+@wp.func
+def _feel(
+    world: int,
+    step: int,
+    pull: float,
+    dynamic: wp.array2d(dtype=int),
+    features: wp.array2d(dtype=float),
+    before: wp.array(dtype=wp.vec3),
+    driven: wp.array(dtype=int),
+    tips: wp.array(dtype=float),
+    body_qd: wp.array(dtype=wp.spatial_vector),
+):
+    """Which bodies nothing carries in this step, and which two-wheelers a blow unbalances."""
+    for b in range(dynamic.shape[1]):
+        target = dynamic[world, b]
+        if target >= 0:
+            u = wp.spatial_top(body_qd[target])
+            if falls(before[target][2], u[2], pull):
+                # It is left alone, as what is driven.
+                driven[target] = step + 1
+            if features[target, Feature.DROP] > 0.0 and struck(before[target], u):
+                tips[target] = TIPPING_S
+
+
+@wp.func
+def _stand(
+    world: int,
+    step: int,
+    pull: float,
+    dt: float,
+    scale: float,
+    dynamic: wp.array2d(dtype=int),
+    features: wp.array2d(dtype=float),
+    braking: wp.array(dtype=float),
+    driven: wp.array(dtype=int),
+    before: wp.array(dtype=wp.vec3),
+    tips: wp.array(dtype=float),
+    body_q: wp.array(dtype=wp.transform),
+    body_qd: wp.array(dtype=wp.spatial_vector),
+    joint_qd: wp.array(dtype=float),
+):
+    """Lets brakes and tyres act on what is not driven, and notes how fast all of it goes then."""
+    for b in range(dynamic.shape[1]):
+        target = dynamic[world, b]
+        if target >= 0:
+            acts = braking[target] > 0.0 or features[target, Feature.GRIP] > 0.0
+            if acts and driven[target] != step + 1:
+                turn = wp.transform_get_rotation(body_q[target])
+                loss = braking[target] * dt
+                _slow(target, features, loss, -pull * scale, dt, turn, tips, body_qd, joint_qd)
+            before[target] = wp.spatial_top(body_qd[target])
+
+
+@wp.func
+def _slow(
+    target: int,
+    features: wp.array2d(dtype=float),
+    loss: float,
+    weight: float,
+    dt: float,
+    turn: wp.quat,
+    tips: wp.array(dtype=float),
+    body_qd: wp.array(dtype=wp.spatial_vector),
+    joint_qd: wp.array(dtype=float),
+):
+    """What brakes and tyres do to a body in a step."""
+    v = wp.spatial_top(body_qd[target])
+    omega = wp.spatial_bottom(body_qd[target])
+    kept = grounded(features, target, loss, weight, v, omega, turn)
+    spun = wp.spatial_bottom(kept)
+    if tips[target] > 0.0:
+        tips[target] = tips[target] - dt
+        spun = tipped(spun, turn)
+    _set_linear(target, wp.spatial_top(kept), body_qd, joint_qd)
+    _set_angular(target, spun, body_qd, joint_qd)
+
+
 @wp.kernel(enable_backward=False)
 def run_programs(
     clock: wp.array(dtype=int),
@@ -113,18 +225,8 @@ def run_programs(
     step = clock[0]
     dt = grid[0]
     t = wp.float64(step) * dt
-    now = t + wp.float64(0.5) * dt
-    pull = gravity[world][2] * float(dt)
-    for b in range(dynamic.shape[1]):
-        target = dynamic[world, b]
-        if target < 0:
-            continue
-        # What nothing carries is left alone as what is driven.
-        u = wp.spatial_top(body_qd[target])
-        if falls(before[target][2], u[2], pull):
-            driven[target] = step + 1
-        if features[target, Feature.DROP] > 0.0 and struck(before[target], u):
-            tips[target] = TIPPING_S
+    now, pull = t + wp.float64(0.5) * dt, gravity[world][2] * float(dt)
+    _feel(world, step, pull, dynamic, features, before, driven, tips, body_qd)
     for k in range(primitives[world]):
         if done[world, k] != 0:
             continue
@@ -134,11 +236,8 @@ def run_programs(
             continue
         start = table[world, k, Column.START]
         if kind[world, k] >= Action.HOLD:
-            if active[world, k] != 0:
-                for other in range(until.shape[2]):
-                    if until[world, k, other] != 0 and touched[world, b, other] == step:
-                        done[world, k] = 1
-            if now > table[world, k, Column.END]:
+            met = active[world, k] != 0 and _met(world, k, b, step, until, touched)
+            if met or now > table[world, k, Column.END]:
                 done[world, k] = 1
             if done[world, k] == 0 and start <= now:
                 active[world, k] = 1
@@ -153,10 +252,9 @@ def run_programs(
         elif start <= now:
             done[world, k] = 1
             if kind[world, k] == Action.SET_VELOCITY:
-                v = vector(table, world, k, Column.LINEAR)
-                _set_linear(target, v, body_qd, joint_qd)
-                if not wp.isnan(table[world, k, Column.ANGULAR]):
-                    omega = vector(table, world, k, Column.ANGULAR)
+                _set_linear(target, vector(table, world, k, Column.LINEAR), body_qd, joint_qd)
+                omega = vector(table, world, k, Column.ANGULAR)
+                if not wp.isnan(omega[0]):
                     _set_angular(target, omega, body_qd, joint_qd)
             elif kind[world, k] == Action.APPLY_IMPULSE:
                 impulse = vector(table, world, k, Column.IMPULSE)
@@ -164,35 +262,15 @@ def run_programs(
                 _set_linear(target, v, body_qd, joint_qd)
             else:
                 to = vector(table, world, k, Column.LINEAR_DAMPING)
-                if target >= 0 and not wp.isnan(to[0]):
-                    linear_damping[target] = to[0]
-                if target >= 0 and not wp.isnan(to[1]):
-                    angular_damping[target] = to[1]
-                if target >= 0 and not wp.isnan(table[world, k, Column.BRAKING]):
-                    braking[target] = float(table[world, k, Column.BRAKING])
+                if target >= 0:
+                    _adjust(target, to, table[world, k, Column.BRAKING], linear_damping,
+                            angular_damping, braking)  # fmt: skip
                 if not wp.isnan(to[2]):
                     for shape in range(first_shape[world], first_shape[world + 1]):
                         if shape_body[shape] == b:
                             shape_mu[shape] = to[2] * friction_scale[world]
-    for b in range(dynamic.shape[1]):
-        target = dynamic[world, b]
-        if target >= 0:
-            v = wp.spatial_top(body_qd[target])
-            before[target] = v
-            acts = braking[target] > 0.0 or features[target, Feature.GRIP] > 0.0
-            if acts and driven[target] != step + 1:
-                omega = wp.spatial_bottom(body_qd[target])
-                turn = wp.transform_get_rotation(body_q[target])
-                loss = braking[target] * float(dt)
-                weight = -pull * friction_scale[world]
-                kept = grounded(features, target, loss, weight, v, omega, turn)
-                spun = wp.spatial_bottom(kept)
-                if tips[target] > 0.0:
-                    tips[target] = tips[target] - float(dt)
-                    spun = tipped(spun, turn)
-                before[target] = wp.spatial_top(kept)
-                _set_linear(target, wp.spatial_top(kept), body_qd, joint_qd)
-                _set_angular(target, spun, body_qd, joint_qd)
+    _stand(world, step, pull, float(dt), friction_scale[world], dynamic, features, braking, driven,
+           before, tips, body_q, body_qd, joint_qd)  # fmt: skip
 
 
 @wp.kernel(enable_backward=False)

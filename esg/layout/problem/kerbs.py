@@ -35,8 +35,13 @@ ROOM_CM = 60.0
 
 
 def line_up(street: Street, pose: Pose2, who: Users, unit: Unit) -> None:
-    """Turns waiting and parked vehicles that stand nearly along a street into its direction."""
+    """Turns waiting and parked vehicles that stand nearly along a street into its direction.
+
+    What is to be pushed on from where it waits keeps its heading: its way is planned with it.
+    """
     for name, body in {**who.waiting, **who.beside}.items():
+        if any(math.dist(c.points_cm[0], body.pose[:2]) < 1.0 for c in unit.corridors):
+            continue
         if name not in who.waiting and body.half[0] < 1.2 * body.half[1]:
             continue
         off = math.remainder(body.pose[2] - pose[2], math.pi)

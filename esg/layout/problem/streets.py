@@ -9,12 +9,12 @@ and two that meet head-on start each in a lane of its own.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 import math
 
 import numpy as np
 
-from esg.graph.models import EsgDocument, RelationType
+from esg.graph.models import EsgDocument, NodeEvent, RelationType
 from esg.layout.problem.poses import Pose2, compose, inverse
 from esg.layout.problem.supports import Shape, SupportMap
 from esg.layout.problem.units import Unit
@@ -108,12 +108,14 @@ class Users:
         waiting: Vehicles in the carriageway that do not.
         beside: What belongs beyond the kerb.
         on_it: What is said to be on the street.
+        stops: Drivers where straight ways end on which they run into nothing beside the street.
     """
 
     drivers: dict[str, Body]
     waiting: dict[str, Body]
     beside: dict[str, Body]
     on_it: dict[str, Body]
+    stops: dict[str, Body] = field(default_factory=dict[str, Body])
 
 
 def words_of(doc: EsgDocument, name: str) -> frozenset[str]:
@@ -205,6 +207,25 @@ def users(
             out.waiting[name] = body
         elif supports.of[name].parent == road:
             out.on_it[name] = body
+    out.stops.update(_stops(doc, unit, out))
+    return out
+
+
+def _stops(doc: EsgDocument, unit: Unit, who: Users) -> dict[str, Body]:
+    """Where drivers come to on straight ways, but for those who meet what stands at the kerb."""
+    timeline = doc.timeline_system
+    nodes = () if timeline is None else timeline.sequence_graph.nodes
+    met = [set(n.participants) for n in nodes if n.event is NodeEvent.COLLISION]
+    out: dict[str, Body] = {}
+    for name, body in who.drivers.items():
+        if any(name in pair and pair & set(who.beside) for pair in met):
+            continue
+        x, y, yaw = body.pose
+        own = [c.points_cm for c in unit.corridors if math.dist(c.points_cm[0], (x, y)) < 1.0]
+        for points in own[:1]:
+            *_, (u, v), _ = points
+            if all(abs(compose(inverse(body.pose), (*p, 0.0))[1]) < 1.0 for p in points):
+                out[name] = Body((u, v, yaw), body.half)
     return out
 
 
@@ -300,6 +321,9 @@ def _cost(street: Street, who: Users, pose: Pose2) -> float:
         total += OFF_ROAD * max(missing, 0.0) / 100.0 + 0.1 * max(far, 0.0) / 100.0
         if name not in who.drivers and body.at(pose)[1] * street.keeps < 0.0:
             total += 0.5  # the near side of the first driver rather than the far one
+    for body in who.stops.values():
+        over = abs(body.at(pose)[1]) + 0.5 * KERB_GAP_CM - street.half_width
+        total += OFF_ROAD * max(over, 0.0) / 100.0
     for body in (*who.on_it.values(), *who.waiting.values()):
         over = abs(body.at(pose)[1]) + min(body.half) - street.half_width
         total += OFF_ROAD * max(over, 0.0) / 100.0

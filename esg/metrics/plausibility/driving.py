@@ -74,8 +74,7 @@ def braking(f: Facts) -> Check:
         drag = f.replay.scene.bodies[i].linear_damping * level[: -f.window]
         most = f.friction(i) * normal * (1.0 + limit("brake tolerance")) + drag
         free = f.clear(f.struck(i), f.guided(i))
-        flies = motion.moves in ("air", "water")
-        free &= f.clear(~f.powered(i)) if flies else f.clear(~f.level(i))
+        free &= f.clear(~f.powered(i)) if motion.flies else f.clear(~f.level(i))
         _look(f, worst, i, -f.gains(level), most, free)
     return worst.check("braking", "m/s2")
 

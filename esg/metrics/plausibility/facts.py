@@ -140,7 +140,10 @@ class Facts:
 
     def friction(self, body: int) -> float:
         """Friction of a body on what carries it: its kind's grip, else the mean of materials."""
-        grip, scene = self.motion(body).grip, self.replay.scene
+        motion, scene = self.motion(body), self.replay.scene
+        grip = motion.grip
+        if motion.flies:
+            return grip
         if not math.isnan(grip):
             return min(grip, surface_grip(self.told.surface, scene.ground_friction))
         c = self.replay.contacts

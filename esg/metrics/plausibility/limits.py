@@ -42,6 +42,11 @@ class Motion:
         """Whether it moves by itself."""
         return self.moves in _OWN
 
+    @property
+    def flies(self) -> bool:
+        """Whether air or water carries it, so that the ground does not matter."""
+        return self.moves in ("air", "water")
+
 
 @cache
 def limit(name: str) -> float:

@@ -70,16 +70,21 @@ def told_of(doc: EsgDocument) -> Told:
             for c in node.constraints:
                 if c.quantity in ("speed_after", "speed_before"):
                     _raise(speeds, members([c.object]), c.value)
-    wording = definition.wording
-    ice = wording is not None and wording.surface == "ice"
-    wet = _WET.search(definition.original_description) is not None
     return Told(
         movers=frozenset(members(movers)),
         speeds_mps=speeds,
         slides=frozenset(members(slides)),
-        surface="ice" if ice else "wet" if wet else "dry",
+        surface=surface_of(doc),
         off_road=_OFF_ROAD.search(definition.original_description) is not None,
     )
+
+
+def surface_of(doc: EsgDocument) -> str:
+    """What a prompt says of the ground: dry, wet or ice."""
+    definition = doc.scene_definition
+    if definition.wording is not None and definition.wording.surface == "ice":
+        return "ice"
+    return "wet" if _WET.search(definition.original_description) else "dry"
 
 
 def _raise(speeds: dict[str, float], names: Iterable[str], value: Quantity) -> None:

@@ -214,3 +214,18 @@ def test_what_rolls_goes_on_rolling_at_another_size() -> None:
     assert small.rolls and large.rolls
     assert large.dimensions_cm == pytest.approx([2.0 * d for d in small.dimensions_cm])
     assert [p.kind for p in large.proxies] == [p.kind for p in small.proxies]
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A melon rolls off a market stall and lands on a crate of oranges.",
+        "Three apples are in a crate. A ball rolls past the crate.",
+    ],
+)
+def test_a_crate_with_something_in_it_is_open(prompt: str) -> None:
+    doc = staged(prompt)
+    assert any(r.kind == "inside" for r in config(doc, "crate_1").regions)
+    assert doc.layout_result is not None and doc.layout_result.max_penetration_cm < 1.0
+    empty = staged("A ball rolls into a crate and stops.")
+    assert not config(empty, "crate_1").regions

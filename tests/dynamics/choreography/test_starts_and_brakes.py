@@ -16,6 +16,7 @@ from esg.engines import get_engine
 from esg.engines.program import AdjustProperties, HoldVelocity, Primitive, batch_programs
 from esg.graph.models import EsgDocument
 from esg.layout import solve
+from esg.metrics.plausibility.limits import motion_of
 from esg.thresholds import BRAKING_DRY_G
 from esg.units import GRAVITY_MPS2
 from tests.dynamics.stories import cast
@@ -195,8 +196,8 @@ def test_who_has_crashed_brakes() -> None:
 def test_ice_stops_nothing_soon() -> None:
     """What is said to be on ice brakes at a tenth of g at most."""
     doc = cast("A puck slides over the ice at 4 m/s and hits a goalpost.")
-    assert grip(doc) == pytest.approx(0.1 * G)
-    assert grip(cast("A car hits a wall.")) == pytest.approx(0.8 * G)
+    assert grip(doc, "goalpost_1") == pytest.approx(0.1 * G)
+    assert grip(cast("A car hits a wall."), "car_1") == pytest.approx(0.8 * G)
 
 
 def test_a_stop_that_the_ground_does_not_allow_is_not_forced() -> None:
@@ -265,3 +266,26 @@ def test_what_slows_down_goes_on_with_the_speed_it_has_then() -> None:
     lasts = slower.end - slower.start
     assert slower.speed + slower.acceleration * lasts == pytest.approx(on.speed)
     assert 0.3 * G < -slower.acceleration < BRAKING_DRY_G * G
+
+
+@pytest.mark.parametrize(
+    ("prompt", "name"),
+    [
+        ("A bulldozer moves up to a brick wall and stops 1 m in front of it.", "bulldozer"),
+        (
+            "A bulldozer shoves a concrete block into a portable toilet and the toilet falls over.",
+            "bulldozer",
+        ),
+        ("A baby crawls up to a toy box and stops.", "baby"),
+    ],
+)
+def test_nothing_is_guessed_to_be_faster_than_its_kind(prompt: str, name: str) -> None:
+    plan = planned(cast(prompt))
+    speeds = [v for v in plan.variables if v.name.endswith("/speed")]
+    top = motion_of(name).speed_mps
+    assert speeds and all(v.initial <= v.upper < top for v in speeds)
+
+
+def test_a_stated_speed_is_kept_even_beyond_its_kind() -> None:
+    program = program_of(cast("A bulldozer drives at 8 m/s into a brick wall."))
+    assert any(isinstance(p, HoldVelocity) and p.speed == pytest.approx(8.0) for p in program)

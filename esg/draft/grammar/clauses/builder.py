@@ -133,5 +133,6 @@ def _takes_time(f: Frame, following: list[Frame]) -> None:
     for p in list(f.phrases):
         if p.amount is not None and p.amount.dimension in ("time", "length"):
             f.phrases.remove(p)
+            f.times = True
             p.prep = "after" if p.amount.dimension == "length" else p.prep
             last.phrases.append(p)  # "needs 14 m to stop"

@@ -37,6 +37,7 @@ class Frame:
         verb: The verb group.
         subject: Its grammatical subject; None for imperatives and passives without an agent.
         link: How it relates to the frame before it: then, cause, while, until, simultaneously.
+        times: It only says how long what follows takes ("takes 2 s to stop").
         reduced: A participle that modifies its subject ("a bicycle stopped in ...").
     """
 
@@ -49,6 +50,7 @@ class Frame:
     amounts: list[Amount] = field(default_factory=list[Amount])
     link: str = "then"
     reduced: bool = False
+    times: bool = False
     sentence: int = 0
     relative: bool = False
     resulting: bool = False
