@@ -9,6 +9,7 @@ from esg.dynamics.story.stagecraft import support_of
 from esg.engines.scene import Body, SimScene
 from esg.graph.models import EsgDocument
 from esg.metrics.plausibility.limits import motion_of
+from esg.thresholds import BRAKING_DRY_G
 from esg.units import GRAVITY_MPS2
 
 SINGLE_TRACK = frozenset({"bicycle", "motorcycle", "moped", "kick_scooter", "scooter", "unicycle"})
@@ -25,20 +26,21 @@ def with_tyres(doc: EsgDocument, scene: SimScene) -> SimScene:
         doc: The document that the scene was built from.
         scene: Without tyres.
     """
-    most = grip(doc) / GRAVITY_MPS2
-    return scene.with_bodies(tuple(_shod(doc, scene, b, most) for b in scene.bodies))
+    return scene.with_bodies(tuple(_shod(doc, scene, b) for b in scene.bodies))
 
 
-def _shod(doc: EsgDocument, scene: SimScene, body: Body, most: float) -> Body:
+def _shod(doc: EsgDocument, scene: SimScene, body: Body) -> Body:
     nodes = doc.spatial_relation_graph.nodes
     config = doc.asset_configurations[nodes[body.name].asset_id]
     kinds = {config.category, config.asset_name.rsplit("/", 1)[-1]}
-    casters = motion_of(body.label, body.category).moves == "casters"
-    if not body.wheeled or body.static or casters:
+    motion = motion_of(body.label, body.category)
+    if not body.wheeled or body.static or motion.moves == "casters":
         return body
     below = support_of(doc, body.name)
     if below is not None and not scene.body(below).static:
         return body
+    # The grip of what flies is its wings'.
+    most = BRAKING_DRY_G if motion.flies else grip(doc, body.name) / GRAVITY_MPS2
     rolling = 0.5 * (body.friction + scene.vehicle_ground_friction)
     drop = max(0.0, -body.origin_offset[2]) if kinds & SINGLE_TRACK else 0.0
     return replace(body, tyre_friction=max(0.0, most - rolling), tyre_drop=drop)
