@@ -36,6 +36,7 @@ SOURCES: dict[str, tuple[str, ...]] = {
         "engines/scene.py",
         "layout/problem",
         "assets",
+        "metrics/plausibility",
     ),
     "layout": ("layout", "assets"),
     "optimize": (
@@ -44,6 +45,7 @@ SOURCES: dict[str, tuple[str, ...]] = {
         "assets",
         "metrics/__init__.py",
         "metrics/geometry.py",
+        "metrics/plausibility",
         "metrics/replay.py",
     ),
     "compile": (

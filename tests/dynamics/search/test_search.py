@@ -148,5 +148,5 @@ def test_what_holds_under_every_perturbation_is_not_explored_any_further() -> No
     shown = panel.preview(found.theta[None])
     assert shown.good.all() and (shown.worst > GOOD_LOSS).all()
     far = found.theta.copy()
-    far[[v.name for v in plan.variables].index("brake/damping")] *= 1.5
+    far[[v.name for v in plan.variables].index("brake/braking")] *= 1.5
     assert not panel.preview(far[None]).good.any()
