@@ -44,7 +44,6 @@ def physx_scene(prim: Any, dt: float) -> None:
         {
             "timeStepsPerSecond": round(1.0 / dt),
             "solverType": SOLVER,
-            "collisionSystem": "SAT",
             "bounceThreshold": BOUNCE_THRESHOLD_MPS,
             "enableCCD": False,
             "enableEnhancedDeterminism": True,

@@ -117,8 +117,7 @@ def _configured(px: Any, scene: SimScene) -> Iterator[None]:
     config.bounce_threshold = BOUNCE_THRESHOLD_MPS
     config.enable_enhanced_determinism = True
     config.enable_tgs = False
-    # Kept manifolds lose what creeps on: a slow ball went 8 cm into a pin and was thrown out.
-    config.enable_pcm = False
+    config.enable_pcm = True
     config.enable_ccd = False
     body = px.PhysxBodyConfig()
     body.solver_position_iterations = POSITION_ITERATIONS
