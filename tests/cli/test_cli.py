@@ -147,6 +147,7 @@ def test_words_that_are_not_shown_cannot_be_overlooked() -> None:
         "metrics": {"events": [event], "constraints": [], "slr": True, "dt_s": 1 / 240},
         "proof": "class", "coverage": {"warnings": [], "not_understood": []}, "stages": [],
         "relations_not_met": [], "cached_stages": 0, "statements": rows, "not_kept": LOST,
+        "plausibility": {"plausible": False, "worst": "a: braking 20 m/s2, limit 7.8", "checks": []},
     }  # fmt: skip
     lines = describe(summary).splitlines()
     assert lines[:5] == [
@@ -158,6 +159,7 @@ def test_words_that_are_not_shown_cannot_be_overlooked() -> None:
     ]
     assert '  kept     "on it" (supported by): share 0.988' in lines
     assert '  BROKEN   "on it" (supported by)' in lines
+    assert "  implausible: a: braking 20 m/s2, limit 7.8" in lines
     assert block([], "draft") == []
 
 

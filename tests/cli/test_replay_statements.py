@@ -17,9 +17,10 @@ def test_statements_stand_below_the_events() -> None:
     result = {
         "scene": "x", "engine": "rapier", "dt": 1 / 240, "proof": "program",
         "judged_against": "timeline", "verdict": verdict,
+        "plausibility": {"plausible": True, "worst": None},
     }  # fmt: skip
     text = verdict_table(result)
-    assert "1 of 3 statements kept" in text
+    assert "1 of 3 statements kept" in text and text.endswith(", plausible")
     rows = [" ".join(line.split()) for line in text.splitlines()]
     assert "kept s1 supported_by words s1" in rows
     assert "BROKEN s2 supported_by words s2 in the air" in rows
