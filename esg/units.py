@@ -64,6 +64,11 @@ def quat_rotate(q: ArrayLike, v: ArrayLike) -> NDArray[np.float64]:
     return v + w * t + np.cross(u, t)
 
 
+def quat_inverse(q: ArrayLike) -> NDArray[np.float64]:
+    """Inverse of unit quaternions (x, y, z, w), shape [..., 4]."""
+    return np.asarray(q, float) * np.array([-1.0, -1.0, -1.0, 1.0])
+
+
 def yaw_from_quat(q: ArrayLike) -> NDArray[np.float64]:
     """Heading [rad] of the rotated +X axis projected on the ground, shape [...]."""
     x, y, z, w = np.moveaxis(np.asarray(q, float), -1, 0)
