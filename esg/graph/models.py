@@ -242,6 +242,16 @@ class Wheel(Model):
     radius_cm: float
 
 
+class Mount(Model):
+    """Where a joint takes hold of an asset, in its local frame."""
+
+    name: str
+    """Unique in the asset, e.g. `hinge`."""
+    position_cm: Vec3
+    axis: Vec3 = (0.0, 0.0, 1.0)
+    """Of any length but 0: a hinge turns about it, a slider moves along it."""
+
+
 class AssetConfiguration(Model):
     """What is used (stage 2): geometry, proxies and physics of one requirement."""
 
@@ -273,6 +283,8 @@ class AssetConfiguration(Model):
     """A round body that rolls about its centre (ball, wheel)."""
     wheels: tuple[Wheel, ...] | None = None
     """What turns as the asset travels (docs/assets.md); None if nothing does."""
+    mounts: tuple[Mount, ...] | None = None
+    """Where joints take hold of it (docs/joints.md); None if none can."""
     color_rgb: tuple[float, float, float] = (0.6, 0.6, 0.6)
     license: str = "Apache-2.0"
     attribution: str = ""
@@ -345,10 +357,59 @@ class RelationEdges(Model):
     multi_relations: tuple[MultiRelation, ...] = ()
 
 
+class JointMotor(Model):
+    """What drives a hinge or slider: towards a speed, or, if `position` is given, a position."""
+
+    speed: float = 0.0
+    """[deg/s or cm/s]; with a position, the greatest on the way there"""
+    position: float | None = None
+    """[deg or cm]"""
+    limit: float | None = None
+    """Greatest torque or force [N m or N]; None: as much as it takes"""
+
+
+class Joint(Model):
+    """A connection of two nodes, or of one and the world (docs/joints.md).
+
+    At position 0 the child stands as the parent does, turned the least so that the axes of their
+    mounts agree. A hinge turns about the axis, a slider moves along it, a ball joint turns every
+    way; a rope and a spring join the two mounts. Forces are in N, N m and N s.
+    """
+
+    id: str
+    kind: Literal["hinge", "slider", "ball", "fixed", "rope", "spring"]
+    child: str
+    child_mount: str
+    parent: str | None = None
+    """None: the world."""
+    parent_mount: str | None = None
+    """Puts the child where the two mounts meet. None: holds it where it is placed."""
+    lower: float | None = None
+    upper: float | None = None
+    """Limits of its position, hinge [deg], slider [cm]; of a ball joint the largest angle between
+    the axes [deg], of a rope its length [cm], of a spring its rest length [cm]."""
+    position: float = 0.0
+    """At the start: hinge [deg], slider [cm]; ball, rope and spring: the angle by which the child
+    is turned about the axis of the parent's mount [deg]"""
+    stiffness: float | None = None
+    """Of a spring [N/m]; of a hinge or slider that is drawn back to 0 [N m/rad, N/m]"""
+    damping: float | None = None
+    """Hinge and ball [N m s/rad], slider and spring [N s/m]"""
+    friction: float | None = None
+    """Torque or force that holds it at rest and brakes it [N m or N]"""
+    motor: JointMotor | None = None
+    break_impulse: float | None = None
+    """It is gone after a step in which it took more [N s]"""
+    collide: Literal[True] | None = None
+    """The two touch each other, too"""
+
+
 class SpatialRelationGraph(Model):
     semantic_regions: dict[str, SemanticRegion] = {}
     nodes: dict[str, Node] = {}
     edges: RelationEdges = RelationEdges()
+    joints: tuple[Joint, ...] | None = None
+    """What nodes are connected by; None where nothing is."""
 
 
 class Actor(Model):
