@@ -47,7 +47,8 @@ class Cast:
     def drives(self, actor: str) -> bool:
         """Under its own power on the ground: its body points where it goes."""
         first = self.story.phases[actor][0].edge.event
-        return first not in NOT_DRIVEN and self.scene.body(actor).roll_radius == 0.0
+        held = any(j.child == actor for j in self.scene.joints)
+        return first not in NOT_DRIVEN and not held and self.scene.body(actor).roll_radius == 0.0
 
     def target(self, phase: Phase) -> str | None:
         """The body a phase is directed at."""
