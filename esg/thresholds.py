@@ -139,6 +139,8 @@ JUMP_SHARE, JUMP_OWN_S = 0.1, 0.25
 """What jumps rises by this share of its height, and is set in motion no longer before."""
 OPEN_SHARE = 1.0 / 3.0
 """What slides open goes over this share of its way."""
+SHUT_SHARE = 1.0 / 6.0
+"""What is closed stands open by at most this share of what counts as open."""
 PIECES, PIECE_GAP_M = 3, 0.02
 """What is broken is in so many pieces so far apart."""
 

@@ -102,6 +102,9 @@ class NodeEvent(str, enum.Enum):
     BOUNCE = "Bounce"
     JUMP = "Jump"
     SPIN = "Spin"
+    OPEN = "Open"
+    CLOSE = "Close"
+    SWING = "Swing"
 
 
 class EdgeEvent(str, enum.Enum):
@@ -111,7 +114,8 @@ class EdgeEvent(str, enum.Enum):
     launch: a throw, kick, strike or roll that sets the velocity once and then leaves the body to
     physics; Brake slows down evenly; InertialConnector links a passive body's two collisions. Guide
     moves a body that something outside of the scene holds (GuideAlong), Spin keeps it turning about
-    its vertical where it is (HoldSpin).
+    its vertical where it is (HoldSpin). Drive moves a jointed body along its joint (DriveJoint),
+    Release holds one at its joint's start position until then and lets it go.
     """
 
     UNIFORM_MOTION = "UniformMotion"
@@ -122,6 +126,8 @@ class EdgeEvent(str, enum.Enum):
     INERTIAL_CONNECTOR = "InertialConnector"
     GUIDE = "Guide"
     SPIN = "Spin"
+    DRIVE = "Drive"
+    RELEASE = "Release"
 
 
 class CoordinateSystem(Model):
@@ -456,9 +462,9 @@ class TimelineNode(Model):
     turn_direction: Literal["left", "right"] | None = None
     turn_degrees: float | None = None
     """HeadingReached: change of heading; left is counter-clockwise seen from above. Spin: how far
-    it turns, 360 where it states nothing."""
+    it turns, 360 where it states nothing. Open, Close: how far, 30 where it states nothing."""
     times: int | None = None
-    """Bounce, Jump: how often; once where it states nothing."""
+    """Bounce, Jump, Swing: how often; once where it states nothing."""
     description: str = ""
 
 
@@ -490,6 +496,8 @@ class MotionParams(Model):
     """Guide: False holds the body on at the end; otherwise it is let go there"""
     height_cm: Quantity | None = None
     """Toward that ends in a Jump: how far the body rises [cm]"""
+    opening: Quantity | None = None
+    """Drive: the joint's position at its end, hinge [deg], slider [cm]"""
 
 
 class TimelineEdge(Model):

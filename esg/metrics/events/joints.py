@@ -25,14 +25,13 @@ from esg.thresholds import (
     PIECE_GAP_M,
     PIECES,
     SAMPLE_S,
+    SHUT_SHARE,
     STOPPED_MPS,
 )
 from esg.units import quat_rotate
 
 _STRAIGHT_DEG = 10.0
 """What slides turns by less."""
-_SHUT_SHARE = 1.0 / 6.0
-"""What is closed stands open by at most this share of what counts as open."""
 _DIP_M = 0.005
 """A lowest point is passed by at least so much on either side."""
 
@@ -92,8 +91,8 @@ def _jointed(replay: Replay, q: Query, j: Joined, begin: int, *, settled: bool) 
     open_by = np.where(j.intact, np.abs(j.position), 0.0)[begin:]
     unit, factor = ("degrees", np.degrees(1.0)) if hinge else ("cm", 100.0)
     if settled:
-        shut = (open_by <= _SHUT_SHARE * asked) & (replay.speed[begin:, j.child] < AT_REST_MPS)
-        done = shut & (np.maximum.accumulate(open_by) - open_by >= asked - _SHUT_SHARE * asked)
+        shut = (open_by <= SHUT_SHARE * asked) & (replay.speed[begin:, j.child] < AT_REST_MPS)
+        done = shut & (np.maximum.accumulate(open_by) - open_by >= asked - SHUT_SHARE * asked)
     else:
         done = open_by >= asked if open_by[0] < asked else open_by >= open_by[0] + asked
     measured = {"opened_deg" if hinge else "opened_m": float(open_by.max() * factor)}
