@@ -70,7 +70,10 @@ def _ends(ctx: Context, here: str, joint: Joint) -> None:
             f"{joint.child!r} cannot be moved by {joint.id!r}.",
             "Name what moves as the child, and what carries it as the parent.",
         )
-    mounts = (("child", joint.child, joint.child_mount), ("parent", joint.parent, joint.parent_mount))
+    mounts = (
+        ("child", joint.child, joint.child_mount),
+        ("parent", joint.parent, joint.parent_mount),
+    )
     for end, name, mount in mounts:
         node = ctx.nodes.get(name or "")
         asset = ctx.configurations.get(node.asset_id) if node is not None else None
