@@ -239,6 +239,7 @@ def hold_ropes(
     point_a: wp.array(dtype=wp.vec3),
     point_b: wp.array(dtype=wp.vec3),
     longest: wp.array(dtype=float),
+    strength: wp.array(dtype=float),
     broken: wp.array(dtype=int),
     body_q: wp.array(dtype=wp.transform),
     body_qd: wp.array(dtype=wp.spatial_vector),
@@ -280,6 +281,9 @@ def hold_ropes(
     if length > 1.0e-6:
         leaving += 0.5 * dt * dt * wp.dot(across, across) / length
     left = wp.max(longest[i] - length, -CLOSING_M) - leaving
+    if wp.isfinite(strength[i]) and left > 0.0 and dt * wp.dot(v, n) > left:
+        # What may break it is felt in one step, which ends a little before it is taut.
+        left = 0.0
     if left < 0.0:
         left = left / share
     contact_shape0[slot] = shape_a[i]

@@ -218,7 +218,7 @@ class Jointed:
         Returns:
             Coordinates of all bodies.
         """
-        frames = self.model.joint_X_p.numpy()
+        frames, steel = self.model.joint_X_p.numpy(), self.model.steel
         q = np.zeros(self.model.joint_coord_count, np.float32)
         for k, plan in enumerate(self.plans):
             linked = {link.child for link in plan.links}
@@ -234,6 +234,9 @@ class Jointed:
         self._load_points(self.ties, self.point_a, self.point_b, poses)
         self._load_points(self.springs, self.spring_point_a, self.spring_point_b, poses)
         self.broken.zero_()
+        # What is in a tree is damped as programs are heard; the solver would damp roots again.
+        for target in (steel.rigid_body_linear_damping, steel.rigid_body_angular_damping):
+            target.zero_()
         return q
 
     def _put(self, q: NDArray[np.float32], k: int, link: Link, poses: Poses) -> None:
@@ -349,10 +352,10 @@ class Jointed:
             inputs=[
                 self.solid, worlds.grid, self.model.gravity, BAUMGARTE, self.tie_world,
                 self.tie_a, self.tie_b, self.mark_a, self.mark_b, self.point_a, self.point_b,
-                self.longest, self.broken, state.body_q, state.body_qd, c.rigid_contact_count,
-                c.rigid_contact_shape0, c.rigid_contact_shape1, c.rigid_contact_point0,
-                c.rigid_contact_point1, c.rigid_contact_normal, c.rigid_contact_margin0,
-                c.rigid_contact_margin1,
+                self.longest, self.strength, self.broken, state.body_q, state.body_qd,
+                c.rigid_contact_count, c.rigid_contact_shape0, c.rigid_contact_shape1,
+                c.rigid_contact_point0, c.rigid_contact_point1, c.rigid_contact_normal,
+                c.rigid_contact_margin0, c.rigid_contact_margin1,
             ],
         )  # fmt: skip
 
