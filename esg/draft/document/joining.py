@@ -7,17 +7,18 @@ from __future__ import annotations
 
 from dataclasses import replace
 import math
-import re
 
 from esg.draft import lexicon as lex
+from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import Scene
 from esg.graph.models import Joint
-from esg.lexicon.articulations import Articulation, articulations
+from esg.lexicon.articulations import Articulation
 
-_OPEN = frozenset({"open", "opened", "wide-open"})
+_OPEN = {"open": 1.0, "opened": 1.0, "wide-open": 1.0, "half-open": 0.5, "ajar": 0.25}
+"""Share of how far a thing opens at which it starts, by what it is called."""
 
 
 def join_parts(scene: Scene) -> list[str]:
@@ -28,8 +29,8 @@ def join_parts(scene: Scene) -> list[str]:
     """
     reasons: list[str] = []
     for e in list(scene.world.entities.values()):
-        row = articulations().get(e.head.lower())
-        if row is None or e.id in scene.attached or _is_part(scene, e):
+        row = articulation_of(scene, scene.text, e)
+        if row is None:
             continue
         ratio = _become(e, row.becomes)
         added = _served(scene, row) or []
@@ -46,14 +47,8 @@ def join_parts(scene: Scene) -> list[str]:
             for places in (scene.supported_by, scene.inside_of, scene.marked):
                 if e.id in places:
                     places.setdefault(part.id, places[e.id])
-            scene.joints.append(_joint(row, e, part, n, ratio))
+            scene.joints.append(_joint(scene, row, e, part, n, ratio))
     return reasons
-
-
-def _is_part(scene: Scene, e: Entity) -> bool:
-    """Whether it is said to be of something: the door of a car, the drawer of a desk."""
-    told = rf"\b{re.escape(e.head)}s? (?:of|on) (?:an?|the|his|her|its|their|my)\b"
-    return re.search(told, scene.text, re.IGNORECASE) is not None
 
 
 def _become(e: Entity, name: str) -> list[float]:
@@ -84,10 +79,13 @@ def _served(scene: Scene, row: Articulation) -> list[Entity]:
     return []
 
 
-def _joint(row: Articulation, named: Entity, added: Entity, n: int, ratio: list[float]) -> Joint:
+def _joint(
+    scene: Scene, row: Articulation, named: Entity, added: Entity, n: int, ratio: list[float]
+) -> Joint:
     parent, child = (named, added) if row.carries == "becomes" else (added, named)
     long = math.prod(ratio) ** (1.0 / 3.0) if row.kind in ("slider", "rope", "spring") else 1.0
-    is_open = row.opened is not None and _OPEN & set(named.adjectives)
+    start = max((_OPEN.get(a, 0.0) for a in named.adjectives), default=0.0)
+    start = (row.opened or 0.0) * start or row.start
 
     def sized(value: float | None) -> float | None:
         return None if value is None else round(value * long, 3)
@@ -101,7 +99,7 @@ def _joint(row: Articulation, named: Entity, added: Entity, n: int, ratio: list[
         parent_mount=row.parent_mount.format(n=n),
         lower=sized(row.lower),
         upper=sized(row.upper),
-        position=sized(row.opened if is_open else row.start) or 0.0,
+        position=sized(scene.openings.get(named.id, start)) or 0.0,
         stiffness=row.stiffness,
         damping=row.damping,
         friction=row.friction,
