@@ -17,6 +17,9 @@ STIFF = wp.constant(STIFF_PHASE)
 CLOSING_M = wp.constant(5e-3)
 """A rope that is too long is shortened by no more than this in a step."""
 
+FAST_RAD = wp.constant(0.1)
+"""Turn of a ball joint in a step from which on it is braked, by the share of what is beyond."""
+
 
 @wp.struct
 class End:
@@ -213,7 +216,8 @@ def brake_balls(
             n = w / speed
             local = wp.quat_rotate_inv(wp.transform_get_rotation(body_q[b]), n)
             most = wp.dot(local, inertia[b] * local) * speed / dt
-            torque = wp.min(damping[i] * speed + friction[i], most) * n
+            fast = wp.max(speed * dt - FAST_RAD, 0.0)
+            torque = wp.min(damping[i] * speed + friction[i] + fast * most, most) * n
             body_f[b] = body_f[b] - wp.spatial_vector(wp.vec3(0.0, 0.0, 0.0), torque)
             if a >= 0:
                 body_f[a] = body_f[a] + wp.spatial_vector(wp.vec3(0.0, 0.0, 0.0), torque)

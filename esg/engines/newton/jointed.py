@@ -137,7 +137,6 @@ class Jointed:
             (k, link)
             for k, link in self._all_links()
             if link.record is not None and link.record.kind == "ball"
-            if link.record.damping > 0.0 or link.record.friction > 0.0
         ]
         pairs = [(self.numbers(k, n.parent), self.numbers(k, n.child), n.record) for k, n in found]
 
