@@ -69,6 +69,7 @@ _SMALL = (
 )  # fmt: skip
 _FILES = frozenset({"row", "line", "column", "file", "queue", "convoy"})
 """Arrangements one behind the other, or side by side."""
+_HITS = frozenset({"impact", "contact", "collision", "crash"})
 _FEET = frozenset({"bottom", "foot"})
 HALF_TURN_DEG = 180.0
 NO_MANNER = "manner is not simulated"
@@ -226,6 +227,9 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
     falls = [n for n in a.d.timeline.nodes if n.event is NodeEvent.FALL]
     if p.prep in ("off", "over", "from") and any(about & {*n.participants} for n in falls):
         return True  # "falls off the edge"
+    hits = [n for n in a.d.timeline.nodes if n.event is NodeEvent.COLLISION]
+    if m.head in _HITS and any(about & {*n.participants} for n in hits):
+        return True  # "breaks upon impact"
     start = start_of(p, a.d.text)
     if any(s.start < m.end and start < s.end for s in a.kept):
         return True
@@ -271,7 +275,7 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
     part = p.mention.part if p.mention is not None else ""
     if part in _SIDES:
         by = replace(by, relations=frozenset({_SIDES[part]}))
-    elif part and p.prep in _TO_A_PART:
+    elif part and part != "surface" and p.prep in _TO_A_PART:
         return any(about & {*s.object} and s.predicate.value in _ENDS for s in a.kept)
     open_ = any(kind_of(d, i) in _ENTERED for i in others)
     if f is not None and f.verb.sense in _OWN and (open_ or p.prep in ("on", "onto")):
@@ -425,7 +429,7 @@ def _adverbs(a: Account) -> Iterator[Gap]:
             or _says_how(a, w)
         ):
             continue
-        if not any(s.start <= w.start < s.end for s in a.said):
+        if not any(s.start < w.end and w.start < s.end for s in a.said):
             yield Gap(w.start, w.end, NO_MANNER if w.low.endswith("ly") else NOTHING)
 
 

@@ -246,7 +246,9 @@ def _goes_on(c: Clauses, s: State, o: _Opening) -> bool:
     previous, v = o.previous, o.frame.verb
     assert previous is not None
     o.frame.parent = previous
-    told = v.lemma in _LETTING or (v.sense in _HANDLING and (v.form == "base" or v.lemma in UNCHANGED))
+    told = v.lemma in _LETTING or (
+        v.sense in _HANDLING and (v.form == "base" or v.lemma in UNCHANGED)
+    )
     if told and v.form != "ing" and not v.passive and previous.subject is None:
         return True  # "Push the ball and let it roll", "open the box and put a ball in it"
     before = before_what_it_waits_for(c, before_what_it_lets(previous, v), s, v)

@@ -238,7 +238,7 @@ def names_no_thing(word: str, *, bare: bool = False) -> bool:
 
 
 def packed(c: Chunks, word: str, m: Mention) -> lex.Noun | None:
-    """ "Pick up the milk", "puts the butter on a plate": what the stuff that is taken is sold in."""
+    """ "Pick up the milk", "puts the butter on a plate": what such stuff is sold in."""
     verb, stuff = element_before(c), word in lex.SUBSTANCES | _FLUIDS
     taken = isinstance(verb, Verb) and verb.lemma in _TAKING and not verb.passive
     if not (taken and (stuff or no_things().get(word) == "substance")):
