@@ -23,7 +23,8 @@ from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.events.stated import adverbs_of, place_of, start_of
 from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Frame, Phrase
-from esg.draft.statements.unclaimed import Account, unclaimed
+from esg.draft.statements.account import Account
+from esg.draft.statements.unclaimed import unclaimed
 from esg.draft.statements.unkept import dropped, missing
 from esg.draft.statements.unseen import unseen
 from esg.draft.text.elements import Element, Token
