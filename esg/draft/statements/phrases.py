@@ -126,6 +126,9 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
         return any(n.event is NodeEvent.ENTER_REGION for n in a.d.timeline.nodes)
     if p.prep == "in" and m.head in FILES and in_line(a.d, about):
         return True
+    spins = [n for n in a.d.timeline.nodes if n.event is NodeEvent.SPIN]
+    if m.head in ("spot", "place") and any(about & {*n.participants} for n in spins):
+        return True  # "spins on the spot"
     if p.prep == "at" and m.head in _FEET and _below_a_slope(a, about):
         return True
     falls = [n for n in a.d.timeline.nodes if n.event is NodeEvent.FALL]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import kind_of, mark_used, movable, structural
@@ -24,6 +25,7 @@ _PUT_ON = ("on", "onto", "on top of", "upon", "atop")
 _PUT_IN = ("in", "into", "inside")
 _ELSEWHERE = frozenset({"in", "off", "on", "out", "down", "aboard", "aside", "away"})
 """Adverbs that lead a leap somewhere else than back to the ground it left."""
+_OFTEN = re.compile(r"\b(?:once|twice|thrice|(\w+)\s+times)\b", re.IGNORECASE)
 _JUMPERS = ("person", "animal", "robot")
 
 
@@ -226,12 +228,10 @@ def _ground(d: Discourse) -> str:
 
 def _so_often(d: Discourse, f: Frame, node: str) -> None:
     """ "Three times", "twice": how often it happens."""
-    after = d.text[f.verb.end : f.verb.end + 40].lower().split()
-    draft = d.timeline.node(node)
-    for k, word in enumerate(after):
-        n = {"once": 1, "twice": 2, "thrice": 3}.get(word.strip(".,;"))
-        if n is None and k + 1 < len(after) and after[k + 1].startswith("time"):
-            n = parse_number(word)
-        if isinstance(n, int | float) and draft is not None and 1 <= n <= 20:
-            draft.extra["times"] = int(n)
-            return
+    said, draft = _OFTEN.search(d.text, f.verb.end, f.verb.end + 40), d.timeline.node(node)
+    if said is None or draft is None:
+        return
+    n = {"once": 1, "twice": 2, "thrice": 3}.get(said[0].lower()) or parse_number(said[1] or "")
+    if isinstance(n, int | float) and 1 <= n <= 20:
+        draft.extra["times"] = int(n)
+        d.scene.used.setdefault(said.span(), node)
