@@ -623,11 +623,12 @@ class Statement(Model):
     target: tuple[str, ...] = ()
     """Node ids of the other participant (any of them)."""
     direction: Direction | None = None
-    quantity: Literal["speed", "distance", "height", "length", "width", "angle", "count"] | None = (
-        None
-    )
+    quantity: (
+        Literal["speed", "deceleration", "distance", "height", "length", "width", "angle", "count"]
+        | None
+    ) = None
     value: Quantity | None = None
-    """In the document's units [cm/s, cm, degrees, 1]."""
+    """In the document's units [cm/s, cm/s^2, cm, degrees, 1]."""
     noun: str | None = None
     """Of `absent` and `count`."""
     when: str = "throughout"

@@ -179,9 +179,10 @@ class SuiteStatement(_Frozen):
     a: str | None = None
     b: str | None = None
     direction: Direction | None = None
-    quantity: Literal["speed", "distance", "height", "length", "width", "angle", "count"] | None = (
-        None
-    )
+    quantity: (
+        Literal["speed", "deceleration", "distance", "height", "length", "width", "angle", "count"]
+        | None
+    ) = None
     value: float | None = None
     range: tuple[float, float] | None = None
     alike: str | None = None

@@ -224,8 +224,10 @@ class Declarations:
         low, high = min(SOFTEST_BRAKE_MPS2, 0.5 * start), hardest_brake(self.cast.doc, actor, speed)
         rate = stated_rate(edge)
         if rate is not None:
-            by_itself = slows_by(self.cast.doc, actor, speed)
+            by_itself, most = slows_by(self.cast.doc, actor, speed), high
             low, high = (max(r - by_itself, 0.0) for r in rate)
+            if low < high:  # "brakes hard": as hard as it can
+                low, high = min(low, 0.99 * most), min(high, most)
         self.add(f"{edge.id}/braking", low, high, start, max(usual, low), 0.12 * start, "m/s^2")
 
     def declare_jump(self, phase: Phase) -> None:
