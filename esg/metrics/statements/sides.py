@@ -34,17 +34,17 @@ _MEANT: dict[Side, tuple[str, ...]] = {
 def struck_on(replay: Replay, q: StatementQuery, body: int) -> Kept:
     """Its first touch by the target is on the stated side.
 
-    The contact point is nearest to that side of its bounding box, give or take `SIDE_SHARE` of the
-    smaller half of its width and length, and the surface there looks that way, within `SIDE_DEG`.
+    Measured in halves of its bounding box, the contact point is nearest to that side, give or take
+    `SIDE_SHARE`, and the surface there looks that way, within `SIDE_DEG`.
     """
     touch = first_touch(replay, q, body)
     side = q.statement.side
     if touch is None or side is None:
         return Kept(False, reason=f"is not touched by {q.goal}")
     point, normal = touch
-    half = np.array(replay.scene.bodies[body].half_extents)
-    apart = {name: float(np.abs(face) @ half - face @ point) for name, face in _faces().items()}
-    slack = min(apart.values()) + SIDE_SHARE * float(half[:2].min())
+    share = point / np.array(replay.scene.bodies[body].half_extents)
+    apart = {name: 1.0 - float(face @ share) for name, face in _faces().items()}
+    slack = min(apart.values()) + SIDE_SHARE
     looks = {name: _angle_deg(normal, face) for name, face in _faces().items()}
     best = min(_MEANT[side], key=lambda name: (apart[name] > slack, looks[name]))
     found = min(apart, key=lambda name: (apart[name] > slack, looks[name]))
