@@ -83,6 +83,10 @@ ABOVE_TOLERANCE = 0.10
 """A stated distance above something may be off by this share."""
 DIRECTION_DEG = 35.0
 """A displacement may be so far off its direction."""
+SIDE_SHARE, SIDE_DEG = 0.2, 60.0
+"""A contact point counts for a side if it is farther from it than from the nearest one by no more
+than this, in halves of the bounding box (engines log one corner of a contact patch, and bumpers are
+rounded), and if the surface there looks no farther off it than this."""
 ROLLING, ROLLING_SHARE = (0.85, 1.15), 0.7
 """What rolls has this spin over v/r in this share of the samples in which it moves on its
 support."""

@@ -569,6 +569,7 @@ class Predicate(str, enum.Enum):
     STAYS_STILL = "stays_still"
     TOUCHES = "touches"
     NEVER_TOUCHES = "never_touches"
+    STRUCK_ON = "struck_on"
     ENDS_ON = "ends_on"
     ENDS_IN = "ends_in"
     ENDS_NEAR = "ends_near"
@@ -606,6 +607,11 @@ Direction = Literal[
 start; from `toward` on a direction has a target."""
 
 
+Side = Literal["front", "rear", "left", "right", "side", "any_side"]
+"""Of a thing, by its own front axis: `side` is its left or right, `any_side` all but top and bottom
+(of a box nobody says which of its sides is its front)."""
+
+
 class Statement(Model):
     """One thing that the prompt states beyond its objects, relations, quantities and events.
 
@@ -623,6 +629,8 @@ class Statement(Model):
     target: tuple[str, ...] = ()
     """Node ids of the other participant (any of them)."""
     direction: Direction | None = None
+    side: Side | None = None
+    """Of `struck_on`: where the target first touches the object."""
     quantity: (
         Literal["speed", "deceleration", "distance", "height", "length", "width", "angle", "count"]
         | None

@@ -79,6 +79,11 @@ AMONG_ACTORS = (
         encounters.run_into_rear,
     ),
     Meeting(
+        "one runs into the side of the other one, which goes across its way",
+        encounters.drives_across,
+        encounters.meet_across,
+    ),
+    Meeting(
         "they run, or are thrown, at each other",
         encounters.head_on,
         encounters.meet_head_on,
