@@ -47,6 +47,8 @@ _SHIM = Path(__file__).parent / "shim"
 _KEY_LENGTH = 20
 _EXPORT = '__attribute__((visibility("default")))'
 _HASHES = "hashes.json"
+_LIMITED = ("sh", "-c", 'ulimit -t 120 && ulimit -v 4194304 && exec "$0" "$@"')
+"""Two minutes of processor time and 4 GiB, for what a stranger makes a compiler compute."""
 _UNIT = re.compile(r"unit-[0-9a-f]{20}\.so")
 
 
@@ -162,21 +164,25 @@ def class_key(files: ClassFiles, cxx: str) -> str:
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:_KEY_LENGTH]
 
 
-def compile_class(files: ClassFiles) -> Library:
+def compile_class(files: ClassFiles, *, limited: bool = False) -> Library:
     """Lints and compiles one class, or finds it in the cache.
+
+    Args:
+        files: The class.
+        limited: Whether the compiler's time and memory are limited, for a stranger's class.
 
     Raises:
         CompilerMissing: Without a compiler.
         ClassError: If lint or the compiler complains.
     """
-    result = compile_many([files], jobs=1)[0]
+    result = compile_many([files], jobs=1, limited=limited)[0]
     if isinstance(result, Exception):
         raise result
     return result
 
 
 def compile_many(
-    classes: Sequence[ClassFiles | str | Path], jobs: int | None = None
+    classes: Sequence[ClassFiles | str | Path], jobs: int | None = None, *, limited: bool = False
 ) -> list[Library | ClassError]:
     """Compiles many classes: several to a unit, units in parallel.
 
@@ -194,6 +200,7 @@ def compile_many(
         classes: Scene folders or classes, in any order; equal classes are compiled once.
         jobs: Parallel compilers; default the number of cores. Workers that share a machine should
             pass 1 each. Several processes may compile into one cache at a time.
+        limited: As of `compile_class`.
 
     Returns:
         One entry per class, in order: its library, or what is wrong with it. One bad class, or one
@@ -225,7 +232,7 @@ def compile_many(
         workers = jobs or os.cpu_count() or 1
         units = _units(todo, workers)
         with ThreadPoolExecutor(workers) as pool:
-            for part in pool.map(partial(_compile_unit, cxx, include), units):
+            for part in pool.map(partial(_compile_unit, cxx, include, limited), units):
                 results.update(part)
     return [results[key] for key in keys]
 
@@ -259,7 +266,7 @@ def _units(todo: dict[str, ClassFiles], jobs: int) -> list[list[tuple[str, Class
 
 
 def _compile_unit(
-    cxx: str, include: Path, unit: list[tuple[str, ClassFiles]]
+    cxx: str, include: Path, limited: bool, unit: list[tuple[str, ClassFiles]]
 ) -> dict[str, Library | ClassError]:
     start = time.perf_counter()
     root = cache_dir()
@@ -282,6 +289,7 @@ def _compile_unit(
         built = Path(work, "unit.so")
         command = [cxx, *FLAGS, "-shared", "-include", "UEShim.h", f"-I{include}", f"-I{work}",
                    str(unit_cpp), str(include / "runtime.o"), "-o", str(built)]  # fmt: skip
+        command = [*(_LIMITED if limited else ()), *command]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         if done.returncode == 0:
             digest = sha256_of(built)
@@ -292,12 +300,12 @@ def _compile_unit(
     if done.returncode != 0:
         if not _is_sound(include):
             # It was damaged under our hands: no fault of the class.
-            return _compile_unit(cxx, _include_dir(cxx), unit)
+            return _compile_unit(cxx, _include_dir(cxx), limited, unit)
         if len(unit) > 1:
             # One bad class must not fail its neighbours: find it by compiling each alone.
             out: dict[str, Library | ClassError] = {}
             for item in unit:
-                out.update(_compile_unit(cxx, include, [item]))
+                out.update(_compile_unit(cxx, include, limited, [item]))
             return out
         key, files = unit[0]
         message = _error_first(done.stderr.strip().replace(f"{work}/", ""))
