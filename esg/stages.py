@@ -208,7 +208,9 @@ def _replay(state: SceneState, folder: Path) -> None:
     if proof == "class":
         from esg.compile import replay_class
 
-        replay = replay_class(state.artifact("compile"), dt=1.0 / REPLAY_RATE_HZ)
+        replay = replay_class(
+            state.artifact("compile"), dt=1.0 / REPLAY_RATE_HZ, document=load_doc(state)
+        )
         rollout, log = replay.rollout, replay.log
     else:
         rollout = _replay_program(state)

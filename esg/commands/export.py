@@ -98,7 +98,7 @@ def _mcap(folder: Path, target: Path) -> list[Path]:
     # A stored trajectory may be thinned, which the judge must not see: only a replay is judged.
     verdict = None
     if rollout is None:
-        rollout, _ = replay_scene(folder, manifest, "physx", manifest.dt)
+        rollout, _ = replay_scene(folder, manifest, "physx", manifest.dt, trust="nothing")
         expected = expectations_from_timeline(doc)
         verdict = judge(manifest.scene, manifest.program, rollout, expected)
     target.mkdir(parents=True, exist_ok=True)

@@ -122,7 +122,7 @@ def write_class(emitted: EmittedClass, folder: Path) -> list[str]:
         temporary = target / f".{name}.{os.getpid()}.tmp"
         temporary.write_text(text, "utf-8", newline="\n")
         os.replace(temporary, target / name)
-    remember(emitted)
+    remember(emitted.name, emitted.header, emitted.source, emitted.imports_json)
     return [f"unreal/{name}" for name in texts]
 
 

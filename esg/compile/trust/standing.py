@@ -37,9 +37,9 @@ def _key(name: str, header: str, source: str, imports: str) -> str:
     return hashlib.sha256("\0".join((name, header, source, imports)).encode()).hexdigest()
 
 
-def remember(emitted: EmittedClass) -> None:
-    """Notes that this process has written a class."""
-    _remembered[_key(emitted.name, emitted.header, emitted.source, emitted.imports_json)] = None
+def remember(name: str, header: str, source: str, imports: str) -> None:
+    """Notes that this process has written a class, given its name and its texts."""
+    _remembered[_key(name, header, source, imports)] = None
     if len(_remembered) > _MOST_REMEMBERED:
         del _remembered[next(iter(_remembered))]
 
