@@ -263,7 +263,9 @@ def _not_run(note: str) -> str:
     """That the class was not run, and how it would be; nothing without a reason."""
     if not note:
         return ""
-    return f"\nthe class was not run: {note}; its program was. --trust runs it if you know its maker"
+    return (
+        f"\nthe class was not run: {note}; its program was. --trust runs it if you know its maker"
+    )
 
 
 def _event(event: dict[str, Any]) -> str:

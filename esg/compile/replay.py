@@ -8,6 +8,7 @@ Unreal's API, not Unreal: Chaos, its solver and its asset import are not exercis
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 import json
 from pathlib import Path
@@ -68,7 +69,7 @@ class ForeignClass(UserError):
     def __init__(self, folder: Path, why: str) -> None:
         self.why = why
         super().__init__(
-            f"{folder}/unreal: {why}; it is not run unless you trust who made it (--trust)"
+            f"{folder}/unreal: {why}; it is not used unless you trust who made it (--trust)"
         )
 
 
@@ -80,7 +81,7 @@ def replay_class(
     record_every: int = 1,
     ground_contacts: bool = False,
     engine: Literal["physx", "rapier"] = "physx",
-    document: EsgDocument | None = None,
+    document: Callable[[], EsgDocument] | None = None,
     trust: bool = False,
 ) -> ClassReplay:
     """Compiles (or finds) the class of a scene folder and runs it in PhysX.
@@ -95,7 +96,8 @@ def replay_class(
         record_every: Steps per recorded frame.
         ground_contacts: Whether the contact log includes the ground.
         engine: Which physics runs under the shim.
-        document: The caller's own document of the scene, which then counts instead of `esg.json`.
+        document: Gives the caller's own document of the scene, which then counts instead of
+            `esg.json`.
         trust: Whether to run what is neither, in a child that shares nothing with this process.
 
     Raises:
@@ -106,11 +108,7 @@ def replay_class(
         UserError: If the folder holds no class or a broken import manifest.
     """
     folder = Path(folder)
-    try:
-        files = build.ClassFiles.read(folder)
-    except OSError as error:
-        raise UserError(f"{folder}: no compiled scene: {error}") from None
-    text = read_imports(folder / "unreal" / "imports.json")
+    files, text = _read(folder)
     standing, why = standing_of(files, text, document or folder / "esg.json")
     if standing is Standing.FOREIGN and not trust:
         build.compiler()  # without one there is nothing to ask for
@@ -129,6 +127,27 @@ def replay_class(
     )
     played = play(job) if standing is Standing.OWN else play_confined(job, fresh=foreign)
     return ClassReplay(played.rollout, played.log, library.seconds, played.scene)
+
+
+def require_ours(folder: Path) -> None:
+    """Makes sure that the class of a scene folder is what this version emits.
+
+    Raises:
+        ForeignClass: If not.
+        UserError: If the folder holds no class.
+    """
+    standing, why = standing_of(*_read(folder), folder / "esg.json")
+    if standing is Standing.FOREIGN:
+        raise ForeignClass(folder, why)
+
+
+def _read(folder: Path) -> tuple[build.ClassFiles, str]:
+    """A class and the text of its import manifest."""
+    try:
+        files = build.ClassFiles.read(folder)
+    except OSError as error:
+        raise UserError(f"{folder}: no compiled scene: {error}") from None
+    return files, read_imports(folder / "unreal" / "imports.json")
 
 
 def load_imports(path: Path) -> dict[str, Any]:

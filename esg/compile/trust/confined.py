@@ -62,7 +62,7 @@ def play_confined(job: Job, *, fresh: bool) -> Played:
         ReplayError: If the class does what Unreal would refuse.
         ClassStopped: If it had to be stopped, or crashed.
     """
-    if job.frames.n_frames * max(1, job.bodies) > MOST_STATES:
+    if job.duration / job.dt / job.record_every * max(1, job.bodies) > MOST_STATES:
         raise ClassStopped(f"the class asks for {job.duration:g} s of play, more than is recorded")
     limit = time_limit(job)
     if fresh or threading.active_count() > 1 or not hasattr(os, "fork"):
@@ -193,7 +193,9 @@ def _told(job: Job, data: bytes, said: bytes, status: int | None, limit: float) 
     if answer.kind == "memory" or b"bad_alloc" in said:
         raise _too_large()
     words = "".join(c if c.isprintable() else " " for c in answer.message)
-    raise ReplayError(words) if answer.kind == "refused" else ClassStopped(f"replay failed: {words}")
+    raise (
+        ReplayError(words) if answer.kind == "refused" else ClassStopped(f"replay failed: {words}")
+    )
 
 
 def _too_large() -> ClassStopped:

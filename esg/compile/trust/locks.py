@@ -98,7 +98,11 @@ def available() -> tuple[str, ...]:
 
 def calls_can_be_filtered() -> bool:
     """Whether the filter of system calls is written for this machine."""
-    return os.uname().sysname == "Linux" and platform.machine() == "x86_64" and C.sizeof(C.c_void_p) == 8
+    return (
+        os.uname().sysname == "Linux"
+        and platform.machine() == "x86_64"
+        and C.sizeof(C.c_void_p) == 8
+    )
 
 
 def _limit(memory_bytes: int, seconds: int) -> bool:

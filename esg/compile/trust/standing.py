@@ -6,6 +6,7 @@ scene's document gives now. The document is data: names in it reach the class on
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from enum import StrEnum
 import hashlib
 from pathlib import Path
@@ -50,14 +51,14 @@ def is_remembered(files: ClassFiles, imports: str) -> bool:
 
 
 def standing_of(
-    files: ClassFiles, imports: str, document: EsgDocument | Path
+    files: ClassFiles, imports: str, document: Callable[[], EsgDocument] | Path
 ) -> tuple[Standing, str]:
     """Whose a class is, and for a foreign one why.
 
     Args:
         files: The class.
         imports: Text of its import manifest.
-        document: What it should come from: the caller's own, or the file beside the class.
+        document: What it should come from: gives the caller's own, or the file beside the class.
     """
     if is_remembered(files, imports):
         return Standing.OWN, ""
@@ -80,10 +81,9 @@ def standing_of(
     return (Standing.EQUAL if isinstance(document, Path) else Standing.OWN), ""
 
 
-def _emitted(document: EsgDocument | Path) -> EmittedClass:
+def _emitted(document: Callable[[], EsgDocument] | Path) -> EmittedClass:
     from esg.compile.scene import emit_document
     from esg.graph import load_document
 
-    if isinstance(document, Path):
-        document = load_document(document)
-    return emit_document(document).emitted
+    found = load_document(document) if isinstance(document, Path) else document()
+    return emit_document(found).emitted
