@@ -291,6 +291,7 @@ def _compile_unit(
                    str(unit_cpp), str(include / "runtime.o"), "-o", str(built)]  # fmt: skip
         command = [*(_LIMITED if limited else ()), *command]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
+        digest = ""
         if done.returncode == 0:
             digest = sha256_of(built)
             sync_file(built)

@@ -15,7 +15,7 @@ from esg.compile.trust.playing import Job, play
 
 
 def warm(engine: str) -> None:
-    """Imports an engine: nothing can be imported any more by a process that has locked itself in."""
+    """Imports an engine, which a process that has locked itself in cannot do."""
     from esg.engines import executor, physx_engine, rapier_engine, worlds
 
     assert executor and rapier_engine and worlds
@@ -62,5 +62,6 @@ def main(arguments: Sequence[str]) -> None:
     silence = os.open(os.devnull, os.O_WRONLY)
     os.dup2(silence, 1)
     job = json.load(sys.stdin)
-    answer(Job(**job), *(int(a) for a in arguments), out)
+    memory_bytes, seconds = (int(argument) for argument in arguments)
+    answer(Job(**job), memory_bytes, seconds, out)
     os._exit(0)

@@ -193,9 +193,9 @@ def _told(job: Job, data: bytes, said: bytes, status: int | None, limit: float) 
     if answer.kind == "memory" or b"bad_alloc" in said:
         raise _too_large()
     words = "".join(c if c.isprintable() else " " for c in answer.message)
-    raise (
-        ReplayError(words) if answer.kind == "refused" else ClassStopped(f"replay failed: {words}")
-    )
+    if answer.kind == "refused":
+        raise ReplayError(words)
+    raise ClassStopped(f"the replay of the class failed: {words}")
 
 
 def _too_large() -> ClassStopped:

@@ -3,12 +3,12 @@
 Three locks, each used where the system has it and none of which needs privileges:
 
 - limits (POSIX): memory, processor time, no files written, few open, no core dump;
-- files (Linux 5.13 and later, landlock): nothing is read but code, nothing written, no TCP, no signals to
-  others;
+- files (Linux 5.13 and later, landlock): nothing is read but code, nothing written, no TCP, no
+  signals to others;
 - calls (Linux on x86-64, seccomp): a short list of system calls; no network, no new processes or
   programs, no file opened for writing.
 
-Where there is no filter of calls, Linux's network namespaces cut the network off if they may be had.
+Where there is no filter of calls, a namespace of its own cuts the network off if it may be had.
 """
 
 from __future__ import annotations
@@ -37,16 +37,16 @@ _SCOPES, _SCOPE_ABI = 0b11, 6
 
 _X86_64 = 0xC000003E
 _ALLOWED = {
-    "read": 0, "write": 1, "close": 3, "fstat": 5, "lseek": 8, "mmap": 9, "mprotect": 10, "munmap": 11,
-    "brk": 12, "rt_sigaction": 13, "rt_sigprocmask": 14, "rt_sigreturn": 15, "pread64": 17,
+    "read": 0, "write": 1, "close": 3, "fstat": 5, "lseek": 8, "mmap": 9, "mprotect": 10,
+    "munmap": 11, "brk": 12, "rt_sigaction": 13, "rt_sigprocmask": 14, "rt_sigreturn": 15, "pread64": 17,
     "writev": 20, "access": 21, "sched_yield": 24, "mremap": 25, "madvise": 28, "nanosleep": 35,
     "getpid": 39, "exit": 60, "uname": 63, "getcwd": 79, "readlink": 89, "gettimeofday": 96,
     "getrusage": 98, "sysinfo": 99, "times": 100, "getuid": 102, "getgid": 104, "geteuid": 107,
-    "getegid": 108, "getppid": 110, "sigaltstack": 131, "arch_prctl": 158, "gettid": 186, "time": 201,
-    "futex": 202, "sched_getaffinity": 204, "getdents64": 217, "restart_syscall": 219,
+    "getegid": 108, "getppid": 110, "sigaltstack": 131, "arch_prctl": 158, "gettid": 186,
+    "time": 201, "futex": 202, "sched_getaffinity": 204, "getdents64": 217, "restart_syscall": 219,
     "clock_gettime": 228, "clock_getres": 229, "clock_nanosleep": 230, "exit_group": 231,
-    "newfstatat": 262, "readlinkat": 267, "faccessat": 269, "set_robust_list": 273, "getrandom": 318,
-    "membarrier": 324, "statx": 332, "rseq": 334, "faccessat2": 439,
+    "newfstatat": 262, "readlinkat": 267, "faccessat": 269, "set_robust_list": 273,
+    "getrandom": 318, "membarrier": 324, "statx": 332, "rseq": 334, "faccessat2": 439,
 }  # fmt: skip
 """System calls of x86-64 (arch/x86/entry/syscalls/syscall_64.tbl) that a replay may make."""
 _OPENAT, _CLONE, _CLONE3, _TGKILL = 257, 56, 435, 234
@@ -71,7 +71,7 @@ def lock(memory_bytes: int, seconds: int, readable: Sequence[Path]) -> tuple[str
         The locks that hold here.
     """
     held = [LIMITS] if _limit(memory_bytes, seconds) else []
-    if not os.uname().sysname == "Linux":
+    if os.uname().sysname != "Linux":
         return tuple(held)
     libc = C.CDLL(None, use_errno=True)
     libc.prctl(_PR_SET_PDEATHSIG, signal.SIGKILL, 0, 0, 0)
