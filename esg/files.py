@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 import contextlib
 import errno
+import hashlib
 import json
 import os
 from pathlib import Path
@@ -134,6 +135,33 @@ def sync_file(path: Path) -> None:
         os.fsync(handle)
     finally:
         os.close(handle)
+
+
+def sha256_of(path: Path) -> str:
+    """The SHA-256 of a file's content, in hexadecimal."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+_intact: dict[Path, tuple[tuple[int, ...], str]] = {}
+
+
+def is_intact(path: Path, digest: str) -> bool:
+    """Whether a file is there and has the content of a digest; it is read again once it changes.
+
+    Args:
+        path: Of the file.
+        digest: As `sha256_of` gives it.
+    """
+    try:
+        facts = path.stat()
+        signature = (facts.st_ino, facts.st_size, facts.st_mtime_ns, facts.st_ctime_ns)
+        known = _intact.get(path)
+        if known is None or known[0] != signature:
+            known = _intact[path] = signature, sha256_of(path)
+    except OSError:
+        return False
+    return known[1] == digest
 
 
 def sync_folder(path: Path) -> None:
