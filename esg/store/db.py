@@ -11,6 +11,7 @@ from collections.abc import Generator
 import contextlib
 from dataclasses import dataclass
 import errno
+import glob
 import os
 from pathlib import Path
 import shutil
@@ -19,7 +20,7 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any
 
-from esg.files import explained, final_names, sync_file, sync_folder, temporary_name
+from esg.files import TEMPORARY, explained, final_names, sync_file, sync_folder, temporary_name
 from esg.outcomes import UserError
 
 if TYPE_CHECKING:
@@ -113,6 +114,7 @@ def writing(db: Path, *, fresh: bool = False) -> Generator[DuckDBPyConnection]:
     try:
         db.parent.mkdir(parents=True, exist_ok=True)
         with _lock(db.with_name(db.name + ".lock"), db):
+            _sweep(db)
             if db.exists() and not fresh:
                 _settle(db)
                 shutil.copyfile(db, work)
@@ -133,9 +135,18 @@ def writing(db: Path, *, fresh: bool = False) -> Generator[DuckDBPyConnection]:
         if os.strerror(errno.ENOSPC) in str(error):  # the copy; the database itself is whole
             raise _refused(db, error) from None
         raise broken(db, error) from None
+    except duckdb.Error as error:  # a catalogue or rows that no longer fit together
+        raise broken(db, error) from None
     finally:
         for leftover in (work, work.with_name(work.name + ".wal")):
             leftover.unlink(missing_ok=True)
+
+
+def _sweep(db: Path) -> None:
+    """Deletes the copies that killed writers left: who holds the lock is the only writer."""
+    for ending in (TEMPORARY, TEMPORARY + ".wal"):
+        for path in db.parent.glob(f".{glob.escape(db.name)}.*{ending}"):
+            path.unlink(missing_ok=True)
 
 
 def _refused(db: Path, error: BaseException) -> UserError:

@@ -466,7 +466,9 @@ def test_a_killed_ingest_leaves_the_old_database(db, parts):
     worker.join(180)
     assert worker.exitcode == -9
     assert db.read_bytes() == before
+    assert [p for p in db.parent.iterdir() if p.suffix == ".tmp"]
     assert ingest(db, [parts], force=True).files == len(TABLES)
+    assert not [p for p in db.parent.iterdir() if p.name.startswith(".")]
 
 
 def test_snapshot_is_a_database(db, tmp_path):
