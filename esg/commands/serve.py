@@ -167,7 +167,12 @@ def _serve(cron: str, options: dict[str, Any]) -> int:
         while datetime.datetime.now(datetime.UTC) < following:
             time.sleep(min(20.0, _seconds_until(following)))
         # A process a night: nothing of the last one is left in memory.
-        code = subprocess.run(command, check=False).returncode
+        with subprocess.Popen(command) as night:
+            try:
+                code = night.wait()
+            except KeyboardInterrupt:
+                night.terminate()  # SIGTERM reaches only this process
+                raise
         print(f"ended with exit code {code}", flush=True)
 
 

@@ -28,6 +28,7 @@ from esg.pipeline import (
     scratch_store,
     stage_key,
 )
+from esg.workers import OUT_OF_TIME
 
 if TYPE_CHECKING:
     from esg.dataset.job import BatchJob
@@ -235,7 +236,7 @@ def _limited(job: BatchJob, stage: str, index: int | None, scenes: int = 1) -> G
         if index is not None:
             with contextlib.suppress(OSError):
                 _write_dead(job, {**dead_scenes(job), index: (stage, reason)})
-        os._exit(70)
+        os._exit(OUT_OF_TIME)
 
     timer = threading.Timer(job.stage_limit_s * scenes, end)
     timer.daemon = True
