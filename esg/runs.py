@@ -46,10 +46,10 @@ def record_run(
 
     from esg import __version__
     from esg.codeversion import code_version
+    from esg.files import safe_name
     from esg.notices import warn
     from esg.outcomes import UserError
     from esg.pipeline import STAGES
-    from esg.scenefolder import safe_name
     from esg.stages import REPLAY_RATE_HZ
     from esg.store import RunInfo, ingest, record_of, write_tables
 

@@ -131,7 +131,7 @@ def _tell(result: dict[str, Any]) -> None:
 
 
 def _folder(suite: str, strategy: str, engine: str, close_loop: bool, collision: str) -> str:
-    from esg.scenefolder import safe_name
+    from esg.files import safe_name
 
     name = f"bench-{safe_name(suite) or 'suite'}-{strategy}-{engine}" + (
         "-closed" if close_loop else ""
