@@ -77,6 +77,29 @@ def final_names(text: str) -> str:
     return re.sub(rf"\.([^/\"']+)\.\d+-[0-9a-f]{{8}}{re.escape(TEMPORARY)}", r"\1", text)
 
 
+def safe_name(text: str) -> str:
+    """A text as the name of a file or folder: one level, only characters safe everywhere."""
+    return re.sub(r"[^A-Za-z0-9._-]+", "_", text).strip("._")[:120]
+
+
+def read_limited(path: Path, limit: int) -> bytes:
+    """The bytes of a file that somebody else made.
+
+    Args:
+        path: The file.
+        limit: Largest size [bytes].
+
+    Raises:
+        UserError: If it is larger.
+        OSError: If it cannot be read.
+    """
+    with path.open("rb") as file:
+        data = file.read(limit + 1)
+    if len(data) > limit:
+        raise UserError(f"{path} has more than {limit / 2**20:g} MiB; give a smaller file")
+    return data
+
+
 @contextlib.contextmanager
 def atomic_file(path: Path) -> Generator[IO[bytes]]:
     """Opens a temporary file that becomes `path` when the block ends, or vanishes if it fails.
