@@ -23,13 +23,15 @@ _OPEN = frozenset({"open", "opened", "wide-open"})
 def join_parts(scene: Scene) -> list[str]:
     """Makes jointed things of a scene's doors, pendulums, drawers; one reason per part added.
 
-    What hangs on something that the prompt names, and what is a part of it ("the door of a car"),
-    stays as it is.
+    What hangs on something that the prompt names, what is a part of it ("the door of a car") and
+    what something else enters stays as it is.
     """
     reasons: list[str] = []
+    entered = {n.extra.get("region") for n in scene.timeline.nodes}
     for e in list(scene.world.entities.values()):
-        row = articulations().get(e.head.lower())
-        if row is None or e.id in scene.attached or _is_part(scene, e):
+        row = articulations().get(_head(e))
+        kept = e.id in scene.attached or f"{e.id}/inside" in entered or _is_part(scene, e)
+        if row is None or kept:
             continue
         ratio = _become(e, row.becomes)
         added = _served(scene, row) or []
@@ -44,15 +46,22 @@ def join_parts(scene: Scene) -> list[str]:
             ]
             part.implied = not part.mentioned
             for places in (scene.supported_by, scene.inside_of, scene.marked):
-                if e.id in places:
+                if places.get(e.id) == part.id:
+                    del places[e.id]  # "a pendulum on a stand" hangs there
+                elif e.id in places:
                     places.setdefault(part.id, places[e.id])
             scene.joints.append(_joint(row, e, part, n, ratio))
     return reasons
 
 
+def _head(e: Entity) -> str:
+    """The noun as the table has it: tokens part a possessive ("newton 's cradle")."""
+    return e.head.lower().replace(" 's", "'s")
+
+
 def _is_part(scene: Scene, e: Entity) -> bool:
-    """Whether it is said to be of something: the door of a car, the drawer of a desk."""
-    told = rf"\b{re.escape(e.head)}s? (?:of|on) (?:an?|the|his|her|its|their|my)\b"
+    """Whether it is said to be of something: the door of a car, the drawers of a desk."""
+    told = rf"\b{re.escape(e.head)}s? of (?:an?|the|his|her|its|their|my)\b"
     return re.search(told, scene.text, re.IGNORECASE) is not None
 
 
@@ -78,7 +87,7 @@ def _served(scene: Scene, row: Articulation) -> list[Entity]:
     """A thing of the prompt that is what another hangs on, made that part; empty if there is none."""
     taken = {name for j in scene.joints for name in (j.child, j.parent)}
     for e in scene.world.entities.values():
-        if e.head.lower() in row.serves and e.id not in taken and row.count == 1:
+        if _head(e) in row.serves and e.id not in taken and row.count == 1:
             _become(e, row.with_part)
             return [e]
     return []
@@ -87,7 +96,7 @@ def _served(scene: Scene, row: Articulation) -> list[Entity]:
 def _joint(row: Articulation, named: Entity, added: Entity, n: int, ratio: list[float]) -> Joint:
     parent, child = (named, added) if row.carries == "becomes" else (added, named)
     long = math.prod(ratio) ** (1.0 / 3.0) if row.kind in ("slider", "rope", "spring") else 1.0
-    is_open = row.opened is not None and _OPEN & set(named.adjectives)
+    is_open = row.opened is not None and _OPEN & {*named.adjectives, *_head(named).split()}
 
     def sized(value: float | None) -> float | None:
         return None if value is None else round(value * long, 3)
