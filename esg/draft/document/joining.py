@@ -24,13 +24,14 @@ _OPEN = {"open": 1.0, "opened": 1.0, "wide-open": 1.0, "half-open": 0.5, "ajar":
 def join_parts(scene: Scene) -> list[str]:
     """Makes jointed things of a scene's doors, pendulums, drawers; one reason per part added.
 
-    What hangs on something that the prompt names, and what is a part of it ("the door of a car"),
-    stays as it is.
+    What hangs on something that the prompt names, what is a part of it ("the door of a car") and
+    what something else enters stays as it is.
     """
     reasons: list[str] = []
+    entered = {n.extra.get("region") for n in scene.timeline.nodes}
     for e in list(scene.world.entities.values()):
         row = articulation_of(scene, scene.text, e)
-        if row is None:
+        if row is None or f"{e.id}/inside" in entered:
             continue
         ratio = _become(e, row.becomes)
         added = _served(scene, row) or []
@@ -45,7 +46,9 @@ def join_parts(scene: Scene) -> list[str]:
             ]
             part.implied = not part.mentioned
             for places in (scene.supported_by, scene.inside_of, scene.marked):
-                if e.id in places:
+                if places.get(e.id) == part.id:
+                    del places[e.id]  # "a pendulum on a stand" hangs there
+                elif e.id in places:
                     places.setdefault(part.id, places[e.id])
             scene.joints.append(_joint(scene, row, e, part, n, ratio))
     return reasons
@@ -70,10 +73,10 @@ def _become(e: Entity, name: str) -> list[float]:
 
 
 def _served(scene: Scene, row: Articulation) -> list[Entity]:
-    """A thing of the prompt that is what another hangs on, made that part; empty if there is none."""
+    """A thing of the prompt that another hangs on, made that part; empty if there is none."""
     taken = {name for j in scene.joints for name in (j.child, j.parent)}
     for e in scene.world.entities.values():
-        if e.head.lower() in row.serves and e.id not in taken and row.count == 1:
+        if _head(e) in row.serves and e.id not in taken and row.count == 1:
             _become(e, row.with_part)
             return [e]
     return []
@@ -84,7 +87,8 @@ def _joint(
 ) -> Joint:
     parent, child = (named, added) if row.carries == "becomes" else (added, named)
     long = math.prod(ratio) ** (1.0 / 3.0) if row.kind in ("slider", "rope", "spring") else 1.0
-    start = max((_OPEN.get(a, 0.0) for a in named.adjectives), default=0.0)
+    words = (*named.adjectives, *named.head.lower().split())
+    start = max((_OPEN.get(a, 0.0) for a in words), default=0.0)
     start = (row.opened or 0.0) * start or row.start
 
     def sized(value: float | None) -> float | None:

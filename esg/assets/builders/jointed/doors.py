@@ -1,6 +1,7 @@
 """Doors, gates and drawers: what opens, and what it opens in.
 
 A leaf hangs on its right edge (-Y) and opens backwards (-X), away from who comes from the front.
+What it hangs in is drawn in proportion to its own extents, so that both fit at any size.
 """
 
 from __future__ import annotations
@@ -9,15 +10,14 @@ from esg.assets.builders import builder
 from esg.assets.builders.common import shade
 from esg.assets.geometry.sketch import CHROME, DARK, STEEL, Color, Sketch
 
-_JAMB = 6.0
-"""Width of a door frame's jambs and lintel [cm]."""
-_GAP = 0.5
-"""Air between a leaf and what it hangs in [cm]."""
-_SILL = 0.8
-"""Air below a door's leaf [cm]."""
-_POST = 10.0
-_LIFT = 8.0
-"""Air below a gate's leaf [cm]."""
+_JAMB, _GAP = 6.0 / 93.0, 0.5 / 93.0
+"""Jambs of a door frame and the air beside a leaf, over the frame's width."""
+_LINTEL, _SILL = 6.0 / 206.0, 0.8 / 206.0
+"""Lintel of a door frame and the air below a leaf, over the frame's height."""
+_POST, _AIR = 10.0 / 174.0, 2.0 / 174.0
+"""Posts of a gate and the air beside its leaf, over its width."""
+_LIFT = 8.0 / 130.0
+"""Air below a gate's leaf over the height of its posts."""
 
 
 @builder("door_leaf", "free")
@@ -39,12 +39,13 @@ def door_leaf(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("door_frame", "free")
 def door_frame(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Two jambs and a lintel; the leaf closes flush with their back."""
-    for y in ((-W / 2, -W / 2 + _JAMB), (W / 2 - _JAMB, W / 2)):
+    jamb, top = _JAMB * W, H - _LINTEL * H
+    inner = (-W / 2 + jamb, W / 2 - jamb)
+    for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
         s.slab((-L / 2, L / 2), y, (0, H), c, solid=1)
-    s.slab((-L / 2, L / 2), (-W / 2 + _JAMB, W / 2 - _JAMB), (H - _JAMB, H), c, solid=1)
-    inner = (-W / 2 + _JAMB, W / 2 - _JAMB)
-    s.region("inside", (-L / 2, L / 2), inner, (0, H - _JAMB), "area")
-    s.mount("hinge", (-L / 2, -W / 2 + _JAMB + _GAP, _SILL))
+    s.slab((-L / 2, L / 2), inner, (top, H), c, solid=1)
+    s.region("inside", (-L / 2, L / 2), inner, (0, top), "area")
+    s.mount("hinge", (-L / 2, inner[0] + _GAP * W, _SILL * H))
 
 
 @builder("gate_leaf", "free")
@@ -64,16 +65,16 @@ def gate_leaf(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("gate_posts", "free")
 def gate_posts(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Two posts with a gap between them, a hinge on the right one."""
-    post = min(L, _POST)
-    for y in ((-W / 2, -W / 2 + post), (W / 2 - post, W / 2)):
-        s.slab((-post / 2, post / 2), y, (0, H - 3), c, solid=1)
-        s.slab((-L / 2, L / 2), y, (H - 3, H), shade(c, 0.8))
-    for z in (0.2, 0.8):
-        y = -W / 2 + post
-        s.rod(1.2, (0, y, H * z), (0, y + 4 * _GAP, H * z), STEEL, metal=0.6, sections=12)
+    post, cap, air = _POST * W, 0.98 * H, _AIR * W
     inner = (-W / 2 + post, W / 2 - post)
+    for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
+        s.slab((-0.36 * L, 0.36 * L), y, (0, cap), c, solid=1)
+        s.slab((-L / 2, L / 2), y, (cap, H), shade(c, 0.8))
+    for z in (0.2, 0.8):
+        ends = ((0, inner[0], H * z), (0, inner[0] + air, H * z))
+        s.rod(0.1 * L, *ends, STEEL, metal=0.6, sections=12)
     s.region("inside", (-L / 2, L / 2), inner, (0, H), "area")
-    s.mount("hinge", (0.0, -W / 2 + post + 4 * _GAP, _LIFT))
+    s.mount("hinge", (0.0, inner[0] + air, _LIFT * H))
 
 
 @builder("sliding_drawer", "free")
@@ -96,15 +97,15 @@ def sliding_drawer(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
 @builder("drawer_chest", "free")
 def drawer_chest(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Chest with a bay for one drawer below its top, and a closed front under it."""
+    """Chest with a bay for one drawer at the bottom, and a closed front above it."""
     t = 0.045 * W
-    bay = (0.62 * H, 0.95 * H)
+    bay = (0.02 * H, 0.36 * H)
+    inner = (-W / 2 + t, W / 2 - t)
     s.slab((-L / 2, L / 2), (-W / 2, W / 2), (bay[1], H), c, solid=1)
-    s.slab((-L / 2, L / 2 - t), (-W / 2 + t, W / 2 - t), (0, bay[0] - t), shade(c, 0.9), solid=0.4)
-    s.slab((-L / 2, L / 2 - t), (-W / 2 + t, W / 2 - t), (bay[0] - t, bay[0]), DARK, solid=1)
+    s.slab((L / 2 - 0.1, L / 2 + 0.1), inner, (bay[1] + t, H - t), shade(c, 1.06))
     for y in ((-W / 2, -W / 2 + t), (W / 2 - t, W / 2)):
         s.slab((-L / 2, L / 2), y, (0, bay[1]), c, solid=1)
-    s.slab((-L / 2, -L / 2 + t), (-W / 2 + t, W / 2 - t), bay, c, solid=1)
-    s.slab((L / 2 - t, L / 2), (-W / 2 + t, W / 2 - t), (0.06 * H, bay[0] - t), shade(c, 1.06))
+    s.slab((-L / 2, -L / 2 + t), inner, (0, bay[1]), c, solid=1)
+    s.slab((-L / 2 + t, L / 2), inner, (0, bay[0]), DARK, solid=1)
     s.surface("top", H, (L / 2, W / 2))
     s.mount("runner", (L / 2, 0.0, bay[0] + 0.3), (1.0, 0.0, 0.0))

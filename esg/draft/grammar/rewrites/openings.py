@@ -19,8 +19,9 @@ def join_results(elements: list[Element], text: str) -> list[Element]:
     for e in elements:
         led = _leading(out) if isinstance(e, Verb) else None
         if led is not None and text[e.start : e.end].lower() in _RESULTS:
-            led.sense = "open"
-            led.extra = {**led.extra, "result": text[e.start : e.end].lower()}
+            result = text[e.start : e.end].lower()
+            led.sense, led.extra = "open", {**led.extra, "result": result}
+            out.append(Word(e.start, e.end, "adv", result))
         else:
             out.append(e)
     return out
