@@ -15,7 +15,7 @@ def articulation_of(scene: Scene, text: str, e: Entity) -> Articulation | None:
 
     "The door of a car" and "the drawer of a desk" stay as they are.
     """
-    row = articulations().get(_head(e))
+    row = articulations().get(head_of(e))
     return None if row is None or e.id in scene.attached or _is_part(text, e) else row
 
 
@@ -27,7 +27,7 @@ def loosen(scene: Scene, text: str) -> None:
             e.noun = replace(e.noun, traits=e.noun.traits - {"fixed", "structural"})
 
 
-def _head(e: Entity) -> str:
+def head_of(e: Entity) -> str:
     """The noun as the table has it: tokens part a possessive ("newton 's cradle")."""
     return e.head.lower().replace(" 's", "'s")
 

@@ -9,7 +9,7 @@ from dataclasses import replace
 import math
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.jointed import articulation_of
+from esg.draft.discourse.jointed import articulation_of, head_of
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.referents.sizes import dimensions_of
@@ -76,7 +76,7 @@ def _served(scene: Scene, row: Articulation) -> list[Entity]:
     """A thing of the prompt that another hangs on, made that part; empty if there is none."""
     taken = {name for j in scene.joints for name in (j.child, j.parent)}
     for e in scene.world.entities.values():
-        if _head(e) in row.serves and e.id not in taken and row.count == 1:
+        if head_of(e) in row.serves and e.id not in taken and row.count == 1:
             _become(e, row.with_part)
             return [e]
     return []
