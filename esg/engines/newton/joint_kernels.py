@@ -155,13 +155,9 @@ def pull_springs(
             if fade > 0.0:
                 force += rate * (1.0 - wp.exp(-fade)) / (light * dt)
             if a >= 0:
-                body_f[a] = body_f[a] + wp.spatial_vector(
-                    force * n, wp.cross(one.arm, force * n)
-                )
+                body_f[a] = body_f[a] + wp.spatial_vector(force * n, wp.cross(one.arm, force * n))
             if b >= 0:
-                body_f[b] = body_f[b] - wp.spatial_vector(
-                    force * n, wp.cross(two.arm, force * n)
-                )
+                body_f[b] = body_f[b] - wp.spatial_vector(force * n, wp.cross(two.arm, force * n))
 
 
 @wp.kernel(enable_backward=False)
@@ -313,6 +309,7 @@ def break_ropes(
     """One thread per rope lets it go after a step in which it took too much."""
     i = wp.tid()
     slot = solid[0] + i
-    if slot < force.shape[0]:
-        if wp.length(wp.spatial_top(force[slot])) * float(grid[0]) > strength[i]:
-            broken[i] = 1
+    if slot >= force.shape[0]:
+        return
+    if wp.length(wp.spatial_top(force[slot])) * float(grid[0]) > strength[i]:
+        broken[i] = 1
