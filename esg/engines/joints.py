@@ -37,7 +37,7 @@ class Motor:
     """What drives a hinge or slider: towards a speed, or, if `position` is given, a position.
 
     Args:
-        speed: [rad/s or m/s]; with a position, the greatest on the way there.
+        speed: [rad/s or m/s]; with a position, the greatest on the way there, 0 for any.
         position: [rad or m].
         limit: Greatest torque or force [N m or N].
     """
@@ -66,8 +66,10 @@ class Joint:
         damping: Against its speed: hinge and ball [N m s/rad], slider and spring [N s/m].
         friction: Torque or force that holds it at rest and brakes it [N m or N].
         motor: What drives it; None: nothing.
-        break_impulse: It is gone after a step in which it took more [N s]; None: never.
-        collide: Whether the two bodies touch each other.
+        break_impulse: It is gone once it took more within `BREAK_WINDOW_S`
+            (`esg.engines.joint_rules`) [N s]; None: never.
+        collide: Whether the two bodies touch each other; of two that move, only the ends of a rope
+            or spring can.
     """
 
     name: str
@@ -231,6 +233,12 @@ def _problems(place: str, joint: Joint, bodies: dict[str, Body]) -> list[str]:
         out.append(f"{place}/lower: {lower:g} is above upper, {upper:g}; swap them")
     if joint.motor is not None and joint.kind not in ("hinge", "slider"):
         out.append(f"{place}/motor: a {joint.kind} has none; leave it out")
+    for end, limit in (("lower", lower), ("upper", upper)):
+        if joint.kind == "hinge" and limit is not None and abs(limit) > math.pi:
+            out.append(f"{place}/{end}: a hinge turns by pi at most either way, got {limit:g} rad")
+    moves = joint.parent != WORLD and not bodies[joint.parent].static
+    if joint.collide and moves and not joint.flexible:
+        out.append(f"{place}/collide: two moving bodies cannot, joined so; leave it out")
     where = _pose(child)
     state = joint_state(
         joint, where, None if joint.parent == WORLD else _pose(bodies[joint.parent])

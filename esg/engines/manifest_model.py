@@ -111,9 +111,9 @@ JOINTS_CONVENTION = (
     "rope keeps the anchors within upper [m], a spring pulls along their line with stiffness "
     "(distance - upper) + damping times its rate; stiffness and damping of a hinge or slider act "
     "towards 0 and against its rate, friction is the torque or force that holds it; a motor drives "
-    "it to speed, or with a position there, by no more than limit (null: none); after a step in "
-    "which it took more than break_impulse [N s] a joint is gone; the two bodies touch each other "
-    "only if collide is true"
+    "it to speed, or with a position there, by no more than limit (null: none), and no friction "
+    "acts meanwhile; a joint that took more than break_impulse [N s] within 1/60 s is gone; the "
+    "two bodies touch each other only if collide is true"
 )
 """Stands under `joints` of the conventions of a manifest that has them."""
 
