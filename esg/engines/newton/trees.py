@@ -260,23 +260,17 @@ def coordinates(link: Link, poses: Poses) -> Floats:
     rotation = turned(poses, link.child, np.array(record.child_rotation))
     back = quat_inverse(frame[:, 3:])
     off = quat_rotate(back, end - frame[:, :3])
-    return _COORDINATES[record.kind](record, off, quat_multiply(back, rotation))
+    return _COORDINATES[record.kind](off, quat_multiply(back, rotation))
 
 
-def _angle(record: Joint, _: Floats, q: Floats) -> Floats:
-    angle = 2.0 * np.arctan2(q[:, 0], q[:, 3])
-    angle = (angle + np.pi) % (2.0 * np.pi) - np.pi
-    # A limit beyond half a turn tells which turn is meant.
-    if record.lower is not None:
-        angle = np.where(angle < record.lower - 1e-3, angle + 2.0 * np.pi, angle)
-    if record.upper is not None:
-        angle = np.where(angle > record.upper + 1e-3, angle - 2.0 * np.pi, angle)
-    return angle[:, None]
+def _angle(q: Floats) -> Floats:
+    angle = 2.0 * np.arctan2(q[:, :1], q[:, 3:])
+    return (angle + np.pi) % (2.0 * np.pi) - np.pi
 
 
-_COORDINATES: dict[str, Callable[[Joint, Floats, Floats], Floats]] = {
-    "hinge": _angle,
-    "slider": lambda _, off, q: off[:, :1],
-    "ball": lambda _, off, q: q,
-    "fixed": lambda _, off, q: q[:, :0],
+_COORDINATES: dict[str, Callable[[Floats, Floats], Floats]] = {
+    "hinge": lambda _, q: _angle(q),
+    "slider": lambda off, _: off[:, :1],
+    "ball": lambda _, q: q,
+    "fixed": lambda _, q: q[:, :0],
 }
