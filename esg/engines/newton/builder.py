@@ -170,18 +170,13 @@ def _add_joint(wp: Any, world: Any, link: Link, number: dict[int, int]) -> int:
         friction=0.0,
         target_ke=0.0,
         target_kd=DRIVE_GAIN if drives(record) else 0.0,
-        effort_limit=_effort(record),
+        effort_limit=_effort(record) if drives(record) else 0.0,
     )
 
 
 def _effort(joint: Joint) -> float:
-    """What keeps an axis at its speed, at most [N m or N]; the solver takes 0 for no limit.
-
-    What rubs takes from what a motor has to give.
-    """
-    if joint.motor is None:
-        return joint.friction
-    return max(joint.motor.limit - joint.friction, 1e-9)
+    """What keeps an axis at its speed, at most [N m or N]; the solver takes 0 for no limit."""
+    return max(joint.friction if joint.motor is None else joint.motor.limit, 1e-9)
 
 
 def _add_shape(

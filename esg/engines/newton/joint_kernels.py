@@ -11,9 +11,6 @@ from __future__ import annotations
 # pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 import warp as wp
 
-from esg.engines.newton.setup import STIFF_PHASE
-
-STIFF = wp.constant(STIFF_PHASE)
 CLOSING_M = wp.constant(5e-3)
 """A rope that is too long is shortened by no more than this in a step."""
 
@@ -65,6 +62,22 @@ def _lightness(
         return 0.0
     turn = wp.quat_rotate_inv(wp.transform_get_rotation(body_q[body]), wp.cross(arm, n))
     return inverse_mass[body] + wp.dot(turn, inverse_inertia[body] * turn)
+
+
+@wp.func
+def _kick(stiffness: float, damping: float, inertia: float, x: float, v: float, dt: float) -> float:
+    """Impulse of what draws back and damps (`esg.engines.joint_rules.kick`) [N s or N m s]."""
+    keep = wp.exp(-damping * dt / inertia)
+    half = 0.5 * damping / inertia
+    square = wp.min(stiffness / inertia, 1.0 / (dt * dt)) - half * half
+    # 1 + keep - 2 sqrt(keep) cos(phase) without the loss of digits of a small phase.
+    root = wp.sqrt(keep)
+    if square >= 0.0:
+        turn = wp.sin(0.5 * dt * wp.sqrt(square))
+    else:
+        turn = wp.sinh(0.5 * dt * wp.sqrt(-square))
+    swing = 4.0 * root * turn * turn * wp.sign(square) + (1.0 - root) * (1.0 - root)
+    return -inertia * (swing / dt * x + (1.0 - keep) * v)
 
 
 @wp.kernel(enable_backward=False)
@@ -127,11 +140,7 @@ def pull_springs(
     body_qd: wp.array(dtype=wp.spatial_vector),
     body_f: wp.array(dtype=wp.spatial_vector),
 ):
-    """One thread per world lets its springs pull.
-
-    A soft spring pulls by how long it is, which keeps its energy; a stiff one by how long it will
-    be, which is stable. What damps it acts on the rate as it fades.
-    """
+    """One thread per world lets its springs pull."""
     world = wp.tid()
     dt = float(grid[0])
     none = wp.vec3(0.0, 0.0, 0.0)
@@ -147,21 +156,12 @@ def pull_springs(
             rate = wp.dot(n, two.v - one.v)
             light = _lightness(a, one.arm, n, body_q, inverse_mass, inverse_inertia)
             light += _lightness(b, two.arm, n, body_q, inverse_mass, inverse_inertia)
-            force = stiffness[i] * (length - rest[i])
-            phase = light * stiffness[i] * dt * dt
-            if phase > STIFF:
-                force = (force + stiffness[i] * dt * rate) / (1.0 + phase)
-            fade = light * damping[i] * dt
-            if fade > 0.0:
-                force += rate * (1.0 - wp.exp(-fade)) / (light * dt)
+            x = length - rest[i]
+            force = -_kick(stiffness[i], damping[i], 1.0 / light, x, rate, dt) / dt
             if a >= 0:
-                body_f[a] = body_f[a] + wp.spatial_vector(
-                    force * n, wp.cross(one.arm, force * n)
-                )
+                body_f[a] = body_f[a] + wp.spatial_vector(force * n, wp.cross(one.arm, force * n))
             if b >= 0:
-                body_f[b] = body_f[b] - wp.spatial_vector(
-                    force * n, wp.cross(two.arm, force * n)
-                )
+                body_f[b] = body_f[b] - wp.spatial_vector(force * n, wp.cross(two.arm, force * n))
 
 
 @wp.kernel(enable_backward=False)
@@ -171,7 +171,7 @@ def drive_axes(
     dof: wp.array(dtype=int),
     stiffness: wp.array(dtype=float),
     damping: wp.array(dtype=float),
-    ahead: wp.array(dtype=float),
+    inertia: wp.array(dtype=float),
     speed: wp.array(dtype=float),
     place: wp.array(dtype=float),
     rate: float,
@@ -180,14 +180,20 @@ def drive_axes(
     joint_f: wp.array(dtype=float),
     target: wp.array(dtype=float),
 ):
-    """One thread per hinge or slider: what draws it back, what damps it, where its motor goes."""
+    """One thread per hinge or slider: what draws it back, what damps it, where its motor goes.
+
+    As `esg.engines.joint_rules` has it (`drive_of`).
+    """
     i = wp.tid()
+    dt = float(grid[0])
     q = joint_q[coordinate[i]]
     qd = joint_qd[dof[i]]
-    joint_f[dof[i]] = -stiffness[i] * (q + ahead[i] * qd) - damping[i] * qd
+    joint_f[dof[i]] = _kick(stiffness[i], damping[i], inertia[i], q, qd, dt) / dt
     goal = speed[i]
     if not wp.isnan(place[i]):
-        goal = wp.clamp(rate * (place[i] - q), -wp.abs(goal), wp.abs(goal))
+        goal = wp.min(rate, 1.0 / dt) * (place[i] - q)
+        if speed[i] != 0.0:
+            goal = wp.clamp(goal, -wp.abs(speed[i]), wp.abs(speed[i]))
     target[dof[i]] = goal
 
 
@@ -243,7 +249,6 @@ def hold_ropes(
     point_a: wp.array(dtype=wp.vec3),
     point_b: wp.array(dtype=wp.vec3),
     longest: wp.array(dtype=float),
-    strength: wp.array(dtype=float),
     broken: wp.array(dtype=int),
     body_q: wp.array(dtype=wp.transform),
     body_qd: wp.array(dtype=wp.spatial_vector),
@@ -285,9 +290,6 @@ def hold_ropes(
     if length > 1.0e-6:
         leaving += 0.5 * dt * dt * wp.dot(across, across) / length
     left = wp.max(longest[i] - length, -CLOSING_M) - leaving
-    if wp.isfinite(strength[i]) and left > 0.0 and dt * wp.dot(v, n) > left:
-        # What may break it is felt in one step, which ends a little before it is taut.
-        left = 0.0
     if left < 0.0:
         left = left / share
     contact_shape0[slot] = shape_a[i]
@@ -304,15 +306,25 @@ def hold_ropes(
 
 @wp.kernel(enable_backward=False)
 def break_ropes(
+    clock: wp.array(dtype=int),
     solid: wp.array(dtype=int),
     grid: wp.array(dtype=wp.float64),
+    window: float,
     strength: wp.array(dtype=float),
     force: wp.array(dtype=wp.spatial_vector),
+    taken: wp.array2d(dtype=float),
     broken: wp.array(dtype=int),
 ):
-    """One thread per rope lets it go after a step in which it took too much."""
+    """One thread per rope lets it go once it has taken too much within a window [s]."""
     i = wp.tid()
     slot = solid[0] + i
-    if slot < force.shape[0]:
-        if wp.length(wp.spatial_top(force[slot])) * float(grid[0]) > strength[i]:
-            broken[i] = 1
+    if slot >= force.shape[0]:
+        return
+    dt = float(grid[0])
+    steps = wp.clamp(int(wp.rint(window / dt)), 1, taken.shape[1])
+    taken[i, clock[0] % steps] = wp.length(wp.spatial_top(force[slot])) * dt
+    total = float(0.0)  # noqa: UP018  # a variable to Warp, not a constant
+    for k in range(steps):
+        total += taken[i, k]
+    if total > strength[i]:
+        broken[i] = 1

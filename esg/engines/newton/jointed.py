@@ -5,15 +5,15 @@ A model whose scenes have no joints has none of this. Bodies are numbered throug
 
 from __future__ import annotations
 
-from collections.abc import Iterable
 import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.joint_rules import APPROACH_RATE, BREAK_WINDOW_S
 from esg.engines.joints import Joint
-from esg.engines.newton.setup import BAUMGARTE, STIFF_PHASE, quiet_warp
+from esg.engines.newton.setup import BAUMGARTE, quiet_warp
 from esg.engines.newton.trees import (
     AXES,
     Floats,
@@ -24,14 +24,18 @@ from esg.engines.newton.trees import (
     anchored,
     coordinates,
     in_world,
+    turned_around,
 )
-from esg.engines.program import GUIDE_RATE
 
 if TYPE_CHECKING:
     from esg.engines.newton.worlds import NewtonWorlds
 
 Ints = NDArray[np.int32]
 Numbers = NDArray[np.int64]
+
+
+BREAK_STEPS = 64
+"""Room for the steps of the window in which what breaks a rope adds up."""
 
 
 class Jointed:
@@ -79,14 +83,6 @@ class Jointed:
         own = self.local[k][body] if body >= 0 else -1
         return self.first_body[rows] + own if own >= 0 else np.full(len(rows), -1)
 
-    def _each(self, chosen: Iterable[tuple[int, Link]]) -> list[tuple[Joint, int, Numbers]]:
-        """Joints of links with one degree of freedom: the record, its scene, its bodies."""
-        return [
-            (link.record, k, self.numbers(k, link.child))
-            for k, link in chosen
-            if link.record is not None
-        ]
-
     def _all_links(self) -> list[tuple[int, Link]]:
         return [(k, link) for k, plan in enumerate(self.plans) for link in plan.links]
 
@@ -108,14 +104,14 @@ class Jointed:
     def _axes(self) -> None:
         wp = self.wp
         found = [
-            (record, k, bodies)
-            for record, k, bodies in self._each(self._all_links())
-            if record.kind in AXES
+            (link.record, self.numbers(k, link.child), self.numbers(k, link.parent))
+            for k, link in self._all_links()
+            if link.record is not None and link.record.kind in AXES
         ]
-        joint = np.concatenate([self._joint_of[b] for _, _, b in found] or [np.zeros(0, int)])
+        joint = np.concatenate([self._joint_of[b] for _, b, _ in found] or [np.zeros(0, int)])
 
         def spread(values: list[float]) -> Any:
-            each = [np.full(len(b), v) for v, (_, _, b) in zip(values, found, strict=True)]
+            each = [np.full(len(b), v) for v, (_, b, _) in zip(values, found, strict=True)]
             return wp.array(np.concatenate([*each, np.zeros(0)]).astype(np.float32), dtype=float)
 
         self.axes = found
@@ -125,7 +121,7 @@ class Jointed:
         motors = [r.motor for r in records]
         self.stiffness = spread([r.stiffness for r in records])
         self.damping = spread([r.damping for r in records])
-        self.ahead = wp.zeros(len(joint), dtype=float)
+        self.axis_inertia = wp.ones(len(joint), dtype=float)
         self.speed = spread([0.0 if m is None else m.speed for m in motors])
         self.place = spread(
             [math.nan if m is None or m.position is None else m.position for m in motors]
@@ -187,6 +183,7 @@ class Jointed:
         self.strength = wp.array(strength, dtype=float)
         self.breaks = bool(np.isfinite(strength).any())
         self.broken = wp.zeros(len(found), dtype=int)
+        self.taken = wp.zeros((len(found), BREAK_STEPS), dtype=float)
         self.point_a = wp.zeros(len(found), dtype=wp.vec3)
         self.point_b = wp.zeros(len(found), dtype=wp.vec3)
         self.solid = wp.zeros(1, dtype=int)
@@ -207,12 +204,11 @@ class Jointed:
 
     # -- before a rollout --------------------------------------------------------------------------
 
-    def load(self, poses: list[Poses], dt: float) -> NDArray[np.float32]:
-        """Writes where joints are on what does not move, and how they are integrated.
+    def load(self, poses: list[Poses]) -> NDArray[np.float32]:
+        """Writes where joints are on what does not move, and mends what was broken.
 
         Args:
             poses: Of all bodies of each scene.
-            dt: Step [s].
 
         Returns:
             Coordinates of all bodies.
@@ -229,10 +225,11 @@ class Jointed:
                 if link.parent < 0 and link.record is not None:
                     frames[self._joint_of[self.numbers(k, link.child)]] = anchored(link, poses[k])
         self.model.joint_X_p.assign(frames)
-        self._load_axes(dt)
+        self._load_axes()
         self._load_points(self.ties, self.point_a, self.point_b, poses)
         self._load_points(self.springs, self.spring_point_a, self.spring_point_b, poses)
         self.broken.zero_()
+        self.taken.zero_()
         # What is in a tree is damped as programs are heard; the solver would damp roots again.
         for target in (steel.rigid_body_linear_damping, steel.rigid_body_angular_damping):
             target.zero_()
@@ -243,24 +240,17 @@ class Jointed:
         start = self._q_start[self._joint_of[self.numbers(k, link.child)]]
         q[start[:, None] + np.arange(values.shape[1])] = values
 
-    def _load_axes(self, dt: float) -> None:
-        """What draws an axis back and damps it is taken half-way through the step, or at its end.
-
-        Newton adds what is not taken at the step's beginning to the inertia of the axis.
-        """
-        armature = self.model.joint_armature.numpy()
-        ahead: list[Floats] = []
+    def _load_axes(self) -> None:
+        """Writes what axes have to move at least: their child, and their parent if it moves."""
         mass, inertia = self.model.body_mass.numpy(), self.model.body_inertia.numpy()
-        for record, _, bodies in self.axes:
-            own = np.array([_inertia(record, mass[b], inertia[b]) for b in bodies])
-            fade = record.damping * dt / own
-            share = np.where(fade < 1.0, 0.5, 1.0)
-            stiff = record.stiffness * dt * dt / own > STIFF_PHASE
-            more = np.where(stiff, record.stiffness * dt * dt, 0.0)
-            armature[self._qd_start[self._joint_of[bodies]]] = share * record.damping * dt + more
-            ahead.append(np.where(stiff, dt, 0.0))
-        self.model.joint_armature.assign(armature)
-        self.ahead.assign(np.concatenate([*ahead, np.zeros(0)]).astype(np.float32))
+        found: list[float] = []
+        for record, bodies, parents in self.axes:
+            back = turned_around(record)
+            for b, p in zip(bodies, parents, strict=True):
+                ease = 1.0 / _inertia(record, mass[b], inertia[b])
+                ease += 1.0 / _inertia(back, mass[p], inertia[p]) if p >= 0 else 0.0
+                found.append(1.0 / ease)
+        self.axis_inertia.assign(np.array(found, np.float32))
 
     def _load_points(
         self, found: list[tuple[int, Tie]], a: Any, b: Any, poses: list[Poses]
@@ -332,7 +322,7 @@ class Jointed:
                 dim=len(self.dof),
                 inputs=[
                     worlds.grid, self.coordinate, self.dof, self.stiffness, self.damping,
-                    self.ahead, self.speed, self.place, GUIDE_RATE, state.joint_q,
+                    self.axis_inertia, self.speed, self.place, APPROACH_RATE, state.joint_q,
                     state.joint_qd, control.joint_f, control.joint_target_qd,
                 ],
             )  # fmt: skip
@@ -351,7 +341,7 @@ class Jointed:
             inputs=[
                 self.solid, worlds.grid, self.model.gravity, BAUMGARTE, self.tie_world,
                 self.tie_a, self.tie_b, self.mark_a, self.mark_b, self.point_a, self.point_b,
-                self.longest, self.strength, self.broken, state.body_q, state.body_qd,
+                self.longest, self.broken, state.body_q, state.body_qd,
                 c.rigid_contact_count, c.rigid_contact_shape0, c.rigid_contact_shape1,
                 c.rigid_contact_point0, c.rigid_contact_point1, c.rigid_contact_normal,
                 c.rigid_contact_margin0, c.rigid_contact_margin1,
@@ -366,8 +356,10 @@ class Jointed:
             self.wp.launch(
                 kernels.break_ropes,
                 dim=len(self.ties),
-                inputs=[self.solid, worlds.grid, self.strength, worlds.observables.contact_f,
-                        self.broken],
+                inputs=[
+                    worlds.clock, self.solid, worlds.grid, BREAK_WINDOW_S, self.strength,
+                    worlds.observables.contact_f, self.taken, self.broken,
+                ],
             )  # fmt: skip
 
 

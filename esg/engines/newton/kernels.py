@@ -168,7 +168,9 @@ def _stand(
             if acts and driven[target] != step + 1:
                 turn = wp.transform_get_rotation(body_q[target])
                 loss = braking[target] * dt
-                _slow(target, features, loss, -pull * scale, dt, turn, tips, body_qd, joint_qd, first)
+                _slow(
+                    target, features, loss, -pull * scale, dt, turn, tips, body_qd, joint_qd, first
+                )
             before[target] = wp.spatial_top(body_qd[target])
 
 
@@ -260,7 +262,9 @@ def run_programs(
         elif start <= now:
             done[world, k] = 1
             if kind[world, k] == Action.SET_VELOCITY:
-                _set_linear(target, vector(table, world, k, Column.LINEAR), body_qd, joint_qd, first)
+                _set_linear(
+                    target, vector(table, world, k, Column.LINEAR), body_qd, joint_qd, first
+                )
                 omega = vector(table, world, k, Column.ANGULAR)
                 if not wp.isnan(omega[0]):
                     _set_angular(target, omega, body_qd, joint_qd, first)

@@ -231,8 +231,7 @@ class NewtonModel(NewtonWorlds):
             np.concatenate([j.position[:, d], j.quaternion[:, d]], axis=-1).reshape(-1, 7)
             for j, d in pairs
         ]), None if self.jointed is None else self.jointed.load(
-            [(j.position.astype(float), j.quaternion.astype(float)) for j in jobs],
-            jobs[0].frames.dt,
+            [(j.position.astype(float), j.quaternion.astype(float)) for j in jobs]
         ))  # fmt: skip
         self._load_batches(jobs)
         self._choose_pairs(jobs)

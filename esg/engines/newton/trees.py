@@ -137,19 +137,19 @@ def _grow(
 ) -> tuple[tuple[Link, ...], ...]:
     """Trees of stiff joints: those that hang on what does not move, then those that float."""
     around: dict[int, list[int]] = {}
-    for k, (parent, child) in enumerate(ends):
-        if not joints[k].flexible:
-            held = parent >= 0 and dynamic[parent]
-            for end in (parent if held else -1, child):
+    nodes = [tuple(b if b >= 0 and dynamic[b] else -1 for b in pair) for pair in ends]
+    for k, pair in enumerate(nodes):
+        if not joints[k].flexible and pair != (-1, -1):
+            for end in pair:
                 around.setdefault(end, []).append(k)
     used: set[int] = set()
     seen = {-1}
 
     def link(k: int, at: int) -> Link:
         used.add(k)
-        parent, child = ends[k]
-        along = at != child
-        there = child if along else (parent if parent >= 0 and dynamic[parent] else -1)
+        parent, child = nodes[k]
+        along = at == parent
+        there = child if along else parent
         if there in seen:
             raise ValueError(
                 f"Newton cannot close the ring that {joints[k].name!r} makes with other joints of "
@@ -157,7 +157,7 @@ def _grow(
             )
         seen.add(there)
         record = joints[k] if along else turned_around(joints[k])
-        return Link(there, at, parent if along else child, k, record)
+        return Link(there, at, ends[k][0 if along else 1], k, record)
 
     def grown(root: Link) -> tuple[Link, ...]:
         links = [root]
@@ -169,7 +169,7 @@ def _grow(
     for k in around.get(-1, ()):
         if k not in used:
             trees.append(grown(link(k, -1)))
-    children = {ends[k][1] for ks in around.values() for k in ks}
+    children = {nodes[k][1] for ks in around.values() for k in ks}
     for body in sorted(around, key=lambda b: (b in children, b)):
         if body not in seen:
             seen.add(body)
@@ -260,23 +260,17 @@ def coordinates(link: Link, poses: Poses) -> Floats:
     rotation = turned(poses, link.child, np.array(record.child_rotation))
     back = quat_inverse(frame[:, 3:])
     off = quat_rotate(back, end - frame[:, :3])
-    return _COORDINATES[record.kind](record, off, quat_multiply(back, rotation))
+    return _COORDINATES[record.kind](off, quat_multiply(back, rotation))
 
 
-def _angle(record: Joint, _: Floats, q: Floats) -> Floats:
-    angle = 2.0 * np.arctan2(q[:, 0], q[:, 3])
-    angle = (angle + np.pi) % (2.0 * np.pi) - np.pi
-    # A limit beyond half a turn tells which turn is meant.
-    if record.lower is not None:
-        angle = np.where(angle < record.lower - 1e-3, angle + 2.0 * np.pi, angle)
-    if record.upper is not None:
-        angle = np.where(angle > record.upper + 1e-3, angle - 2.0 * np.pi, angle)
-    return angle[:, None]
+def _angle(q: Floats) -> Floats:
+    angle = 2.0 * np.arctan2(q[:, :1], q[:, 3:])
+    return (angle + np.pi) % (2.0 * np.pi) - np.pi
 
 
-_COORDINATES: dict[str, Callable[[Joint, Floats, Floats], Floats]] = {
-    "hinge": _angle,
-    "slider": lambda _, off, q: off[:, :1],
-    "ball": lambda _, off, q: q,
-    "fixed": lambda _, off, q: q[:, :0],
+_COORDINATES: dict[str, Callable[[Floats, Floats], Floats]] = {
+    "hinge": lambda _, q: _angle(q),
+    "slider": lambda off, _: off[:, :1],
+    "ball": lambda _, q: q,
+    "fixed": lambda _, q: q[:, :0],
 }
