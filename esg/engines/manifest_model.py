@@ -16,6 +16,7 @@ from pydantic import (
     model_serializer,
 )
 
+from esg.engines.joints import JointKind
 from esg.engines.program import GUIDE_RATE, MAX_KNOTS
 from esg.engines.scene import GROUND, ShapeKind
 from esg.engines.traction import BLOW_MPS, LEAST_LEAN_RAD_S, TIPPING_RAD_S
@@ -107,6 +108,20 @@ TYRES_CONVENTION = (
 )
 """Stand under `braking` and `tyres` of the conventions of manifests with brakes and tyres."""
 
+JOINTS_CONVENTION = (
+    "a joint has a frame in its parent (the world if parent is empty) and one in its child: anchor "
+    "[m] and rotation, of which X is the axis; its position is 0 where the frames coincide and "
+    "grows as the child turns by the right hand about X (hinge, [rad]) or shifts along X (slider, "
+    "[m]); lower and upper limit it, of a ball joint upper limits the angle between the X axes; a "
+    "rope keeps the anchors within upper [m], a spring pulls along their line with stiffness "
+    "(distance - upper) + damping times its rate; stiffness and damping of a hinge or slider act "
+    "towards 0 and against its rate, friction is the torque or force that holds it; a motor drives "
+    "it to speed, or with a position there, by no more than limit (null: none), and no friction "
+    "acts meanwhile; a joint that took more than break_impulse [N s] within 1/60 s is gone; the "
+    "two bodies touch each other only if collide is true"
+)
+"""Stands under `joints` of the conventions of a manifest that has them."""
+
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
 NonNegative = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
@@ -193,6 +208,35 @@ class RegionModel(_Model):
     center: Vec
     half_extents: Vec
     kind: str = "area"
+
+
+class MotorModel(_Model):
+    """Drives a hinge or slider to a speed or, if given, a position; a null limit is infinite."""
+
+    speed: Number = 0.0
+    position: Number | None = None
+    limit: NonNegative | None = None
+
+
+class JointModel(_Model):
+    """What holds two bodies together; see `joints` of the conventions."""
+
+    name: Name
+    kind: JointKind
+    child: Name
+    parent: str = Field("", description="Empty: the world")
+    parent_anchor: Vec = (0.0, 0.0, 0.0)
+    child_anchor: Vec = (0.0, 0.0, 0.0)
+    parent_rotation: Quat = (0.0, 0.0, 0.0, 1.0)
+    child_rotation: Quat = (0.0, 0.0, 0.0, 1.0)
+    lower: Number | None = None
+    upper: Number | None = None
+    stiffness: NonNegative = 0.0
+    damping: NonNegative = 0.0
+    friction: NonNegative = 0.0
+    motor: MotorModel | None = None
+    break_impulse: Positive | None = None
+    collide: bool = False
 
 
 class SetVelocityModel(_Model):
@@ -336,10 +380,19 @@ class ManifestModel(_Model):
     ground: GroundModel
     bodies: tuple[BodyModel, ...]
     regions: tuple[RegionModel, ...]
+    joints: tuple[JointModel, ...] = Field((), description="Absent where there are none")
     program: ProgramModel
     watch: tuple[tuple[Name, Name], ...] = Field(description="Pairs whose contacts matter")
     effective_pairs: tuple[PairModel, ...]
     extra: dict[str, Any] = {}
+
+    @model_serializer(mode="wrap")
+    def _without_what_it_lacks(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        # Scenes without joints read as they always did.
+        data = handler(self)
+        if not data["joints"]:
+            del data["joints"]
+        return data
 
 
 def manifest_schema() -> dict[str, Any]:

@@ -18,6 +18,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.joints import Joint
+
 ShapeKind = Literal["sphere", "box", "capsule", "cylinder", "convex"]
 Floats = NDArray[np.float64]
 
@@ -161,6 +163,7 @@ class SimScene:
         ground_friction: Friction coefficient of the ground.
         ground_restitution: Coefficient of restitution of the ground.
         vehicle_ground_friction: Friction of the second ground that wheeled bodies touch.
+        joints: What holds bodies together (`esg.engines.joints`).
     """
 
     scene_id: str
@@ -170,6 +173,7 @@ class SimScene:
     ground_friction: float = 0.7
     ground_restitution: float = 0.3
     vehicle_ground_friction: float = 0.0
+    joints: tuple[Joint, ...] = ()
 
     def index(self, name: str) -> int:
         """Index of the body called `name`; raises KeyError with the known names."""

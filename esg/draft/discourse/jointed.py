@@ -1,0 +1,23 @@
+"""Which of the things that a prompt names turn or slide on a joint (`articulations.csv`)."""
+
+from __future__ import annotations
+
+import re
+
+from esg.draft.discourse.referents.entities import Entity
+from esg.draft.discourse.scene import Scene
+from esg.lexicon.articulations import Articulation, articulations
+
+
+def articulation_of(scene: Scene, text: str, e: Entity) -> Articulation | None:
+    """The row of a thing; None for what hangs on something that the prompt names, or is its part.
+
+    "The door of a car" and "the drawer of a desk" stay as they are.
+    """
+    row = articulations().get(e.head.lower())
+    return None if row is None or e.id in scene.attached or _is_part(text, e) else row
+
+
+def _is_part(text: str, e: Entity) -> bool:
+    told = rf"\b{re.escape(e.head)}s? (?:of|on) (?:an?|the|his|her|its|their|my)\b"
+    return re.search(told, text, re.IGNORECASE) is not None
