@@ -165,6 +165,10 @@ RULES: dict[str, str] = {
     "EDGE_PARAM_RANGE": "A segment's parameters are plausible.",
     "UNIT_SPEED": "Speeds lie in 0 to 150 m/s; an open interval reaches 0.2 m/s.",
     "GUIDE_END": "A Guide ends where something is picked up, placed, let go or in a region.",
+    "EVENT_NO_JOINT": "Open, Close and Swing are of what a joint holds, or of what jointed parts "
+    "hang on.",
+    "EDGE_NO_JOINT": "Drive moves the child of a hinge or slider, Release lets go the child of a "
+    "hinge, ball joint or rope.",
     "EVENT_NOT_LED_TO": "A Guide leads to PickedUp and Placed, a Toward to a Jump.",
     "EDGE_FORCE_DIRECTION": "A segment agrees with its actor's force direction.",
     "CONNECTOR_ACTIVE": "Inertial connectors belong to passive actors.",
