@@ -70,11 +70,13 @@ RULES: dict[str, str] = {
     # Files and JSON.
     "FILE_UNREADABLE": "The file exists, is a regular file and can be read.",
     "FILE_TOO_LARGE": "The file is at most 64 MiB.",
+    "DOCUMENT_TOO_LARGE": "A document has at most 200,000 values and 1,000 nodes.",
     "FILE_NOT_TEXT": "The file is UTF-8 text.",
     "FILE_NOT_JSON": "The file is one complete JSON value.",
     "FILE_NOT_OBJECT": "The JSON value is an object.",
     "JSON_DUPLICATE_KEY": "No key occurs twice in one JSON object.",
     "JSON_NOT_FINITE": "Every number is finite.",
+    "JSON_NUMBER_RANGE": "Every number is smaller than 10^18.",
     # Schema.
     "SCHEMA_VERSION": "`schema_version` is a version this software knows.",
     "SCHEMA_MISSING": "Every required field is present.",
@@ -215,6 +217,7 @@ class Findings:
 
     items: list[Violation] = field(default_factory=list[Violation])
     _seen: set[tuple[str, str, str]] = field(default_factory=set[tuple[str, str, str]])
+    _codes: dict[str, set[str]] = field(default_factory=dict[str, set[str]])
 
     def add(self, code: str, where: str, value: Any, message: str, remedy: str) -> None:
         """Records a violation.
@@ -226,7 +229,12 @@ class Findings:
         key = (code, where, message)
         if key not in self._seen:
             self._seen.add(key)
+            self._codes.setdefault(where, set()).add(code)
             self.items.append(Violation(code, where, clip(value), remedy, message))
+
+    def codes_at(self, where: str) -> set[str]:
+        """Codes of the violations at a pointer."""
+        return self._codes.get(where, set())
 
 
 def listing(names: Iterable[str], limit: int = 8) -> str:
