@@ -20,10 +20,10 @@ def articulation_of(scene: Scene, text: str, e: Entity) -> Articulation | None:
 
 
 def loosen(scene: Scene, text: str) -> None:
-    """What moves on a joint is not fixed: a door, a swing, though their frames are."""
+    """What hangs is not fixed, though what it hangs on is: a swing, a bell."""
     for e in scene.world.entities.values():
         row = articulation_of(scene, text, e)
-        if row is not None and row.carries == "with":
+        if row is not None and row.drawn is not None and row.carries == "with":
             e.noun = replace(e.noun, traits=e.noun.traits - {"fixed", "structural"})
 
 
