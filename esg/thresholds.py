@@ -143,6 +143,8 @@ JUMP_SHARE, JUMP_OWN_S = 0.1, 0.25
 """What jumps rises by this share of its height, and is set in motion no longer before."""
 OPEN_SHARE = 1.0 / 3.0
 """What slides open goes over this share of its way."""
+SHUT_SHARE = 1.0 / 6.0
+"""What is closed stands open by at most this share of what counts as open."""
 PIECES, PIECE_GAP_M = 3, 0.02
 """What is broken is in so many pieces so far apart."""
 
@@ -162,6 +164,9 @@ SAFE_BRAKED_TO = 0.45
 """Share of its speed that a braked body may keep (`BRAKED_TO`)."""
 SAFE_TURN_DEG = 15.0
 """By how much a turn may miss its angle (`TURN_TOLERANCE_DEG`)."""
+HARD_BRAKING_MPS2, GENTLE_BRAKING_MPS2 = 3.4, 1.7
+"""What "brakes hard" means at least, "brakes gently" at most: most drivers are at ease up to
+3.4 m/s^2, and brake harder when surprised (AASHTO Green Book, stopping sight distance); half."""
 BRAKING_DRY_G, BRAKING_WET_G, BRAKING_ICY_G = 0.8, 0.3, 0.1
 """The hardest braking on dry, wet and icy ground, over g: what good tyres pass on to asphalt (0.7
 to 0.9), to wet cobbles or packed snow (0.2 to 0.4) and to ice (0.1)."""

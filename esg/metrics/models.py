@@ -180,9 +180,10 @@ class SuiteStatement(_Frozen):
     b: str | None = None
     direction: Direction | None = None
     side: Side | None = None
-    quantity: Literal["speed", "distance", "height", "length", "width", "angle", "count"] | None = (
-        None
-    )
+    quantity: (
+        Literal["speed", "deceleration", "distance", "height", "length", "width", "angle", "count"]
+        | None
+    ) = None
     value: float | None = None
     range: tuple[float, float] | None = None
     alike: str | None = None

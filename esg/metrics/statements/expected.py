@@ -10,7 +10,7 @@ from esg.metrics.models import OF_EVENTS, SuiteStatement
 from esg.units import m_from_cm
 
 _SPEEDS = frozenset({Predicate.SLOWER_THAN, Predicate.FASTER_THAN})
-_IN_CM = frozenset({"speed", "distance", "height", "length", "width"})
+_IN_CM = frozenset({"speed", "deceleration", "distance", "height", "length", "width"})
 
 
 @dataclass(frozen=True)

@@ -28,6 +28,7 @@ from esg.draft.grammar.phrases.noun_questions import (
     noun_then_verb,
     numbers,
     one_does,
+    packed,
     part_alone,
     piled,
     plain_noun,
@@ -267,13 +268,14 @@ def _unknown_after(c: Chunks, j: int, m: Mention) -> int:
         return j
     single, several = lex.singular(token.low)
     nothing = (names_no_thing(token.low) and not _weighs(c, j, j, m)) or wisp(c, j)
-    if single in lex.ATTRIBUTES or nothing:
+    pack = packed(c, single, m)
+    if (single in lex.ATTRIBUTES or nothing) and pack is None:
         m.attribute, m.head, m.noun = True, single, None
     elif single in lex.PARTS:
         m.part = single
     elif single not in ("other", "one"):
         m.adjectives.append(m.head)
-        m.head, m.noun, m.plural, m.known = single, None, several, False
+        m.head, m.noun, m.plural, m.known = single, pack, several, pack is not None
     else:
         return j
     return j + 1
@@ -482,6 +484,7 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
     bare = not m.determiner and m.count is None
     titled = titled and m.head in lex.ATTRIBUTES
     nothing = m.head in lex.ATTRIBUTES or names_no_thing(low_at(c, k), bare=bare)
+    m.noun = m.noun or packed(c, m.head, m)
     nothing = nothing and m.noun is None and not _weighs(c, p.first, k, m)
     m.attribute = nothing and not titled  # "Night has fallen."
     m.known = m.attribute or m.noun is not None
