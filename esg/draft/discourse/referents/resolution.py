@@ -104,7 +104,12 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
     found = existing(world, m, avoid)
     another = OTHER & {*m.adjectives} or owner is not None
     told = ONE_OF_THESE in m.adjectives
-    if found and not told and set(found) <= {*avoid} and (another or world.entities[found[0]].head != m.head):
+    if (
+        found
+        and not told
+        and set(found) <= {*avoid}
+        and (another or world.entities[found[0]].head != m.head)
+    ):
         found = []  # "a curling stone hits the guard stone": not itself
     enrich(world, m, found)
     return found or create(world, m)
