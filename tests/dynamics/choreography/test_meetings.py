@@ -21,6 +21,7 @@ PROMPTS = {
     "who overtook before": "A motorbike overtakes a bus, cuts in front of it and brakes; the bus "
     "hits the motorbike.",
     "one runs into the back": "The red car rear-ends the blue car after the blue car brakes.",
+    "one runs into the side": "A car drives along, and a truck hits its side.",
     "they run, or are thrown": "Two trams collide in a depot.",
     "a was set in motion": "Ball A hits ball B. B hits ball C.",
     "a left its support": "A pumpkin rolls off a hay bale and hits a milk can.",
