@@ -54,6 +54,20 @@ FLIGHT = """\
 \t}"""
 """Vertical velocity of a hold, in classes with powered flight."""
 
+APPROACH = """\
+\tif (Command.bTakesTime)
+\t{
+\t\tconst FVector Before = Body->GetPhysicsLinearVelocity();
+\t\tconst FVector Missing(Velocity.X - Before.X, Velocity.Y - Before.Y, 0.0);
+\t\tconst bool bSlower = Speed < FVector(Before.X, Before.Y, 0.0).Size();
+\t\tconst double Rate = bSlower ? Command.Loses : Command.Gains;
+\t\tconst double Most = Rate * (Due - SceneTime) / @CLASS@Detail::HalfStep;
+\t\tconst double Share = FMath::Min(1.0, Most / FMath::Max(Missing.Size(), 1e-10));
+\t\tVelocity = Velocity - Missing * (1.0 - Share);
+\t}
+"""
+"""How a hold comes to its velocity, in classes in which one takes its time."""
+
 SET_BRAKING = """\
 	if (Command.bSetBraking)
 	{
@@ -198,6 +212,7 @@ void A@CLASS@::CollectWheels()
 def _run(plan: ScenePlan, kind: str) -> str:
     """What executes primitives of a kind."""
     text = _template(f"Run{kind}")
+    text = text.replace("@APPROACH@\n", APPROACH if plan.takes_time else "")
     text = text.replace("@SET_BRAKING@\n", SET_BRAKING if plan.brakes else "")
     return text.replace("@ON_GROUND@", IN_FLIGHT if plan.flies else "").replace(
         "@RISE@", FLIGHT if plan.flies else KEPT_RISE

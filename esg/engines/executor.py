@@ -121,7 +121,7 @@ class Executor:
                 if self._is_active(k, now, hits):
                     pull = self._gravity_z * dt
                     if self._kind[k] is Action.HOLD:
-                        driven[body] = _hold(row, body, t, world, pull)
+                        driven[body] = _hold(row, body, t, dt, world, pull)
                     elif self._kind[k] is Action.GUIDE:
                         driven[body] = _guide(row, body, t, dt, world, pull)
                     else:
@@ -271,7 +271,9 @@ def _guide(
     return v[2] - pull
 
 
-def _hold(row: list[float], body: int, t: float, world: BodyAccess, pull: float) -> float:
+def _hold(
+    row: list[float], body: int, t: float, dt: float, world: BodyAccess, pull: float
+) -> float:
     """Drives a body; `pull` is what gravity adds to its vertical velocity in the step [m/s].
 
     Returns:
@@ -283,6 +285,11 @@ def _hold(row: list[float], body: int, t: float, world: BodyAccess, pull: float)
         speed = min(speed, row[Column.MAX_SPEED])
     heading = row[Column.HEADING] + row[Column.TURN_RATE] * s
     vx, vy = speed * math.cos(heading), speed * math.sin(heading)
+    if not math.isnan(row[Column.GAINS]):
+        x, y, _ = world.linear(body)
+        rate = row[Column.LOSES if speed < math.hypot(x, y) else Column.GAINS]
+        share = min(1.0, rate * dt / max(math.hypot(vx - x, vy - y), 1e-12))
+        vx, vy = x + share * (vx - x), y + share * (vy - y)
     radius, climb = row[Column.ROLL_RADIUS], row[Column.CLIMB]
     flies = not math.isnan(climb)
     rise = climb - pull if flies else world.linear(body)[2]

@@ -21,6 +21,7 @@ from esg.engines.joints import Joint, Motor, joint_problems
 from esg.engines.manifest_model import (
     BRAKING_CONVENTION,
     CLIMB_CONVENTION,
+    GAINS_CONVENTION,
     CONVENTIONS,
     GUIDE_CONVENTION,
     JOINTS_CONVENTION,
@@ -133,6 +134,8 @@ def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
     for p in program.primitives:
         if isinstance(p, HoldVelocity) and p.climb is not None:
             out["climb"] = CLIMB_CONVENTION
+        if isinstance(p, HoldVelocity) and p.gains is not None:
+            out["gains"] = GAINS_CONVENTION
         elif isinstance(p, GuideAlong):
             out["guide"] = GUIDE_CONVENTION
         elif isinstance(p, HoldSpin):

@@ -54,6 +54,12 @@ CLIMB_CONVENTION = (
     "vertical velocity is kept"
 )
 """Stands under `climb` of the conventions of a manifest whose program has one."""
+GAINS_CONVENTION = (
+    "a HoldVelocity with gains and loses [m/s^2] does not set its horizontal velocity u at once: "
+    "the body's v becomes v + d min(1, r dt / |d|), with d = u - v and r = loses if |u| < |v|, "
+    "gains otherwise; what is set by v follows that one"
+)
+"""Stands under `gains` of the conventions of a manifest whose program has them."""
 
 GUIDE_CONVENTION = (
     "a GuideAlong is active as a HoldVelocity is, until start + its last time; its path P is the "
@@ -297,13 +303,20 @@ class HoldVelocityModel(_Model):
     climb: Number | None = Field(
         None, description="Vertical velocity held against gravity [m/s]; absent: it is kept"
     )
+    gains: NonNegative | None = Field(
+        None, description="How fast it comes to a greater speed [m/s^2]; absent: at once"
+    )
+    loses: NonNegative | None = Field(
+        None, description="How fast it comes to a lesser speed [m/s^2]; absent: at once"
+    )
 
     @model_serializer(mode="wrap")
     def _without_none(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        # Programs without powered flight read as they always did.
+        # Programs without powered flight, and without what takes its time, read as they always did.
         data = handler(self)
-        if data["climb"] is None:
-            del data["climb"]
+        for name in ("climb", "gains", "loses"):
+            if data[name] is None:
+                del data[name]
         return data
 
 

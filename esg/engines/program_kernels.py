@@ -33,12 +33,34 @@ def vector(table: wp.array3d(dtype=wp.float64), w: int, k: int, column: int) -> 
 
 
 @wp.func
+def approached(
+    table: wp.array3d(dtype=wp.float64), w: int, k: int, asked: wp.vec3, v: wp.vec3, dt: float
+) -> wp.vec3:
+    """Velocity that a hold gives a body that moves at `v`: nearer to what is `asked` for."""
+    level = wp.vec3(asked[0] - v[0], asked[1] - v[1], 0.0)
+    rate = table[w, k, Column.GAINS]
+    if asked[0] * asked[0] + asked[1] * asked[1] < v[0] * v[0] + v[1] * v[1]:
+        rate = table[w, k, Column.LOSES]
+    most = float(rate) * dt
+    far = wp.length(level)
+    if far <= most:
+        return asked
+    return asked - level * (1.0 - most / far)
+
+
+@wp.func
 def held_velocity(
-    table: wp.array3d(dtype=wp.float64), w: int, k: int, t: wp.float64, vertical: float, pull: float
+    table: wp.array3d(dtype=wp.float64),
+    w: int,
+    k: int,
+    t: wp.float64,
+    dt: wp.float64,
+    v: wp.vec3,
+    pull: float,
 ) -> wp.vec3:
     """Velocity that a hold asks for before the step from time `t`.
 
-    `vertical` is what the body has, and `pull` what gravity adds to it in the step.
+    `v` is what the body has, and `pull` what gravity adds to it in the step.
     """
     s = t - table[w, k, Column.START]
     acceleration = table[w, k, Column.ACCELERATION]
@@ -46,10 +68,13 @@ def held_velocity(
     if acceleration > wp.float64(0.0):
         speed = wp.min(speed, table[w, k, Column.MAX_SPEED])
     heading = table[w, k, Column.HEADING] + table[w, k, Column.TURN_RATE] * s
-    up = float(vertical)
+    up = float(v[2])
     if not wp.isnan(table[w, k, Column.CLIMB]):
         up = float(table[w, k, Column.CLIMB]) - pull
-    return wp.vec3(float(speed * wp.cos(heading)), float(speed * wp.sin(heading)), up)
+    asked = wp.vec3(float(speed * wp.cos(heading)), float(speed * wp.sin(heading)), up)
+    if not wp.isnan(table[w, k, Column.GAINS]):
+        asked = approached(table, w, k, asked, v, float(dt))
+    return asked
 
 
 @wp.func

@@ -295,7 +295,7 @@ def _program(ctx: Context, program: dict[str, Any]) -> None:
 _VECTORS = ("linear", "angular", "impulse", "axis")
 _PATHS = ("points", "velocities")
 _ADJUSTED = ("linear_damping", "angular_damping", "friction", "braking")
-_MAY_BE_NULL = ("end", "angular", *_ADJUSTED, "climb")
+_MAY_BE_NULL = ("end", "angular", *_ADJUSTED, "climb", "gains", "loses")
 
 
 def _program_types(program: dict[str, Any]) -> None:

@@ -275,6 +275,28 @@ def test_the_class_of_powered_flight_flies_as_its_program(tmp_path: Path, dt: fl
     assert float(hit["t"]) == pytest.approx(1.8, abs=0.05)
 
 
+def test_the_class_of_a_hold_that_takes_its_time_plays_as_its_program(tmp_path: Path) -> None:
+    """A sledge hits a post, slides back, and goes round it at its own pace."""
+    scene = SimScene(
+        "sledge",
+        (
+            box("sledge_1", (0.0, 0.0, 0.1), (0.2, 0.2, 0.1), 5.0, friction=0.0),
+            box("post_1", (2.0, 0.0, 0.5), (0.1, 0.1, 0.5), 0.0, static=True),
+        ),
+        ground_friction=0.0,
+    )
+    drive = HoldVelocity("sledge_1", 0.0, 99.0, 3.0, 0.0, until_contact=("post_1",))
+    again = HoldVelocity("sledge_1", 1.0, 2.5, 2.0, 1.2, gains=2.5, loses=4.0)
+    replayed, rollout = both(tmp_path, scene, Program((drive, again), 3.0))
+    assert_same(replayed.rollout, rollout)
+    v = replayed.rollout.linear_velocity[0, :, 0]
+    gains = np.diff(np.hypot(v[:, 0], v[:, 1]))[round(0.9 * 240) :] * 240
+    assert gains.max() == pytest.approx(2.5, rel=0.02)
+    np.testing.assert_allclose(v[-1, :2], (2.0 * math.cos(1.2), 2.0 * math.sin(1.2)), atol=0.01)
+    emitted = emit_class(scene, Program((drive,), 3.0))
+    assert "bTakesTime" not in emitted.header + emitted.source
+
+
 def test_only_classes_with_flight_speak_of_it() -> None:
     scene, program, _ = drone()
     flying = emit_class(scene, program)

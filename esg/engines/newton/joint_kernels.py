@@ -155,13 +155,9 @@ def pull_springs(
             if fade > 0.0:
                 force += rate * (1.0 - wp.exp(-fade)) / (light * dt)
             if a >= 0:
-                body_f[a] = body_f[a] + wp.spatial_vector(
-                    force * n, wp.cross(one.arm, force * n)
-                )
+                body_f[a] = body_f[a] + wp.spatial_vector(force * n, wp.cross(one.arm, force * n))
             if b >= 0:
-                body_f[b] = body_f[b] - wp.spatial_vector(
-                    force * n, wp.cross(two.arm, force * n)
-                )
+                body_f[b] = body_f[b] - wp.spatial_vector(force * n, wp.cross(two.arm, force * n))
 
 
 @wp.kernel(enable_backward=False)

@@ -75,7 +75,7 @@ def _kept_up(
 ) -> wp.spatial_vector:
     """Linear and angular velocity that a primitive that lasts gives a body at x that moves at v."""
     if kind == Action.HOLD:
-        held = held_velocity(table, world, k, t, v[2], pull)
+        held = held_velocity(table, world, k, t, dt, v, pull)
         return wp.spatial_vector(held, held_spin(table, world, k, held))
     if kind == Action.GUIDE:
         turn = wp.vec3(0.0, 0.0, float(table[world, k, Column.GUIDE_TURN_RATE]))
@@ -258,7 +258,9 @@ def run_programs(
         elif start <= now:
             done[world, k] = 1
             if kind[world, k] == Action.SET_VELOCITY:
-                _set_linear(target, vector(table, world, k, Column.LINEAR), body_qd, joint_qd, first)
+                _set_linear(
+                    target, vector(table, world, k, Column.LINEAR), body_qd, joint_qd, first
+                )
                 omega = vector(table, world, k, Column.ANGULAR)
                 if not wp.isnan(omega[0]):
                     _set_angular(target, omega, body_qd, joint_qd, first)
