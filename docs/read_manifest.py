@@ -49,10 +49,11 @@ def drive(p, body, s, dt, pull):
     heading, r = p["heading"] + p["turn_rate"] * s, 0.0 if "climb" in p else p["roll_radius"]
     vx, vy = speed * math.cos(heading), speed * math.sin(heading)
     if "gains" in p:
-        x, y, _ = tuple(body.linvel)
-        rate = p["loses"] if speed < math.hypot(x, y) else p["gains"]
-        share = min(1.0, rate * dt / max(math.hypot(vx - x, vy - y), 1e-12))
-        vx, vy = x + share * (vx - x), y + share * (vy - y)
+        (x, y, _), (c, n) = tuple(body.linvel), (math.cos(heading), math.sin(heading))
+        gains, loses, along, across = p["gains"] * dt, p["loses"] * dt, c * x + n * y, c * y - n * x
+        along += max(-loses, min(gains, speed - along))
+        across -= max(-loses, min(loses, across))
+        vx, vy = c * along - n * across, n * along + c * across
     body.linvel = (vx, vy, p["climb"] - pull if "climb" in p else tuple(body.linvel)[2])
     body.angvel = (-vy / r, vx / r, 0.0) if r else (0.0, 0.0, p["turn_rate"])
 

@@ -57,13 +57,16 @@ FLIGHT = """\
 APPROACH = """\
 \tif (Command.bTakesTime)
 \t{
-\t\tconst FVector Before = Body->GetPhysicsLinearVelocity();
-\t\tconst FVector Missing(Velocity.X - Before.X, Velocity.Y - Before.Y, 0.0);
-\t\tconst bool bSlower = Speed < FVector(Before.X, Before.Y, 0.0).Size();
-\t\tconst double Rate = bSlower ? Command.Loses : Command.Gains;
-\t\tconst double Most = Rate * (Due - SceneTime) / @CLASS@Detail::HalfStep;
-\t\tconst double Share = FMath::Min(1.0, Most / FMath::Max(Missing.Size(), 1e-10));
-\t\tVelocity = Velocity - Missing * (1.0 - Share);
+\t\tconst double Step = (Due - SceneTime) / @CLASS@Detail::HalfStep;
+\t\tconst double Gains = Command.Gains * Step;
+\t\tconst double Loses = Command.Loses * Step;
+\t\tconst FVector Ahead(FMath::Cos(Heading), FMath::Sin(Heading), 0.0);
+\t\tconst FVector Aside(-Ahead.Y, Ahead.X, 0.0);
+\t\tdouble Along = FVector::DotProduct(Ahead, Body->GetPhysicsLinearVelocity());
+\t\tdouble Across = FVector::DotProduct(Aside, Body->GetPhysicsLinearVelocity());
+\t\tAlong += FMath::Clamp(Speed - Along, -Loses, Gains);
+\t\tAcross -= FMath::Clamp(Across, -Loses, Loses);
+\t\tVelocity = Ahead * Along + Aside * Across;
 \t}
 """
 """How a hold comes to its velocity, in classes in which one takes its time."""

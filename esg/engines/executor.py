@@ -287,9 +287,12 @@ def _hold(
     vx, vy = speed * math.cos(heading), speed * math.sin(heading)
     if not math.isnan(row[Column.GAINS]):
         x, y, _ = world.linear(body)
-        rate = row[Column.LOSES if speed < math.hypot(x, y) else Column.GAINS]
-        share = min(1.0, rate * dt / max(math.hypot(vx - x, vy - y), 1e-12))
-        vx, vy = x + share * (vx - x), y + share * (vy - y)
+        ahead, aside = math.cos(heading), math.sin(heading)
+        gains, loses = row[Column.GAINS] * dt, row[Column.LOSES] * dt
+        along, across = ahead * x + aside * y, ahead * y - aside * x
+        along += max(-loses, min(gains, speed - along))
+        across -= max(-loses, min(loses, across))
+        vx, vy = ahead * along - aside * across, aside * along + ahead * across
     radius, climb = row[Column.ROLL_RADIUS], row[Column.CLIMB]
     flies = not math.isnan(climb)
     rise = climb - pull if flies else world.linear(body)[2]

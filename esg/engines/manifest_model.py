@@ -55,9 +55,10 @@ CLIMB_CONVENTION = (
 )
 """Stands under `climb` of the conventions of a manifest whose program has one."""
 GAINS_CONVENTION = (
-    "a HoldVelocity with gains and loses [m/s^2] does not set its horizontal velocity u at once: "
-    "the body's v becomes v + d min(1, r dt / |d|), with d = u - v and r = loses if |u| < |v|, "
-    "gains otherwise; what is set by v follows that one"
+    "a HoldVelocity with gains and loses [m/s^2] does not set its horizontal velocity at once: the "
+    "part of the body's own along the heading changes towards speed by at most gains dt upwards and "
+    "loses dt downwards, the part across it towards 0 by at most loses dt; the angular velocity of "
+    "what rolls follows that"
 )
 """Stands under `gains` of the conventions of a manifest whose program has them."""
 

@@ -14,8 +14,9 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   otherwise that of rolling without slipping, (-vy, vx, 0) / roll_radius.
   With a `climb` (powered flight) the vertical velocity becomes climb - g_z dt, which the gravity
   of the step turns into `climb`; the body does not roll, whatever its roll_radius.
-  With `gains` and `loses` the horizontal velocity comes to that one in steps of at most gains dt,
-  or loses dt if that one is slower: what a hit has slowed down takes its time to go on.
+  With `gains` and `loses` the horizontal velocity comes to that one by and by, from what the body
+  has: along the heading by at most gains dt a step, or loses dt where it is too fast, and across
+  it by loses dt. So what a hit has slowed down takes its time to go on.
 * A `GuideAlong` is active as a hold is, with end = start + times[-1]. Its path P(s) is the cubic
   Hermite curve through `points` with `velocities` at `times`, and straight on with the first or
   last velocity outside of them. While active it sets, with s = t - start and x the centre of mass,
@@ -125,8 +126,8 @@ class HoldVelocity:
         until_contact: Names of bodies whose touch ends the hold.
         climb: Vertical velocity held against gravity [m/s], 0 in level flight; None keeps the
             vertical velocity the body has.
-        gains, loses: How fast its velocity comes to that one, at most, where that is faster, or
-            slower [m/s^2]; None for at once. Both or none.
+        gains, loses: How fast it comes to that speed, at most, where that is faster, or slower or
+            another way [m/s^2]; None for at once. Both or none.
     """
 
     kind: ClassVar[str] = "HoldVelocity"

@@ -34,18 +34,24 @@ def vector(table: wp.array3d(dtype=wp.float64), w: int, k: int, column: int) -> 
 
 @wp.func
 def approached(
-    table: wp.array3d(dtype=wp.float64), w: int, k: int, asked: wp.vec3, v: wp.vec3, dt: float
+    table: wp.array3d(dtype=wp.float64),
+    w: int,
+    k: int,
+    speed: float,
+    heading: float,
+    v: wp.vec3,
+    dt: float,
 ) -> wp.vec3:
-    """Velocity that a hold gives a body that moves at `v`: nearer to what is `asked` for."""
-    level = wp.vec3(asked[0] - v[0], asked[1] - v[1], 0.0)
-    rate = table[w, k, Column.GAINS]
-    if asked[0] * asked[0] + asked[1] * asked[1] < v[0] * v[0] + v[1] * v[1]:
-        rate = table[w, k, Column.LOSES]
-    most = float(rate) * dt
-    far = wp.length(level)
-    if far <= most:
-        return asked
-    return asked - level * (1.0 - most / far)
+    """Horizontal velocity that a hold gives what moves at `v`, nearer to what it asks for."""
+    gains = float(table[w, k, Column.GAINS]) * dt
+    loses = float(table[w, k, Column.LOSES]) * dt
+    ahead = wp.vec3(wp.cos(heading), wp.sin(heading), 0.0)
+    aside = wp.vec3(-ahead[1], ahead[0], 0.0)
+    along = wp.dot(ahead, v)
+    across = wp.dot(aside, v)
+    along = along + wp.clamp(speed - along, -loses, gains)
+    across = across - wp.clamp(across, -loses, loses)
+    return ahead * along + aside * across
 
 
 @wp.func
@@ -71,10 +77,10 @@ def held_velocity(
     up = float(v[2])
     if not wp.isnan(table[w, k, Column.CLIMB]):
         up = float(table[w, k, Column.CLIMB]) - pull
-    asked = wp.vec3(float(speed * wp.cos(heading)), float(speed * wp.sin(heading)), up)
     if not wp.isnan(table[w, k, Column.GAINS]):
-        asked = approached(table, w, k, asked, v, float(dt))
-    return asked
+        near = approached(table, w, k, float(speed), float(heading), v, float(dt))
+        return wp.vec3(near[0], near[1], up)
+    return wp.vec3(float(speed * wp.cos(heading)), float(speed * wp.sin(heading)), up)
 
 
 @wp.func

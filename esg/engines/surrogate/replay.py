@@ -96,7 +96,7 @@ def _act(
         vy = float(speed * wp.sin(heading))
         radius = float(table[w, k, Column.ROLL_RADIUS])
         if not wp.isnan(frozen[w, k, Column.GAINS]):
-            near = approached(table, w, k, wp.vec3(vx, vy, 0.0), v, float(dt))
+            near = approached(table, w, k, float(speed), float(heading), v, float(dt))
             vx = near[0]
             vy = near[1]
         flies = not wp.isnan(frozen[w, k, Column.CLIMB])
