@@ -50,7 +50,9 @@ def drive(p, body, s, dt, pull):
     vx, vy = speed * math.cos(heading), speed * math.sin(heading)
     if "gains" in p:
         (x, y, _), (c, n) = tuple(body.linvel), (math.cos(heading), math.sin(heading))
-        gains, loses, along, across = p["gains"] * dt, p["loses"] * dt, c * x + n * y, c * y - n * x
+        gains, loses, was = p["gains"] * dt, p["loses"] * dt, heading - p["turn_rate"] * dt
+        along = math.cos(was) * x + math.sin(was) * y
+        across = math.cos(was) * y - math.sin(was) * x
         along += max(-loses, min(gains, speed - along))
         across -= max(-loses, min(loses, across))
         vx, vy = c * along - n * across, n * along + c * across

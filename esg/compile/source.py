@@ -62,8 +62,10 @@ APPROACH = """\
 \t\tconst double Loses = Command.Loses * Step;
 \t\tconst FVector Ahead(FMath::Cos(Heading), FMath::Sin(Heading), 0.0);
 \t\tconst FVector Aside(-Ahead.Y, Ahead.X, 0.0);
-\t\tdouble Along = FVector::DotProduct(Ahead, Body->GetPhysicsLinearVelocity());
-\t\tdouble Across = FVector::DotProduct(Aside, Body->GetPhysicsLinearVelocity());
+\t\tconst double Turned = Heading - FMath::DegreesToRadians(Command.TurnRate) * Step;
+\t\tconst FVector Had = Body->GetPhysicsLinearVelocity();
+\t\tdouble Along = FMath::Cos(Turned) * Had.X + FMath::Sin(Turned) * Had.Y;
+\t\tdouble Across = FMath::Cos(Turned) * Had.Y - FMath::Sin(Turned) * Had.X;
 \t\tAlong += FMath::Clamp(Speed - Along, -Loses, Gains);
 \t\tAcross -= FMath::Clamp(Across, -Loses, Loses);
 \t\tVelocity = Ahead * Along + Aside * Across;

@@ -287,12 +287,14 @@ def _hold(
     vx, vy = speed * math.cos(heading), speed * math.sin(heading)
     if not math.isnan(row[Column.GAINS]):
         x, y, _ = world.linear(body)
-        ahead, aside = math.cos(heading), math.sin(heading)
+        before = heading - row[Column.TURN_RATE] * dt
         gains, loses = row[Column.GAINS] * dt, row[Column.LOSES] * dt
-        along, across = ahead * x + aside * y, ahead * y - aside * x
+        along = math.cos(before) * x + math.sin(before) * y
+        across = math.cos(before) * y - math.sin(before) * x
         along += max(-loses, min(gains, speed - along))
         across -= max(-loses, min(loses, across))
-        vx, vy = ahead * along - aside * across, aside * along + ahead * across
+        vx = math.cos(heading) * along - math.sin(heading) * across
+        vy = math.sin(heading) * along + math.cos(heading) * across
     radius, climb = row[Column.ROLL_RADIUS], row[Column.CLIMB]
     flies = not math.isnan(climb)
     rise = climb - pull if flies else world.linear(body)[2]

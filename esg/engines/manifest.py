@@ -21,8 +21,8 @@ from esg.engines.joints import Joint, Motor, joint_problems
 from esg.engines.manifest_model import (
     BRAKING_CONVENTION,
     CLIMB_CONVENTION,
-    GAINS_CONVENTION,
     CONVENTIONS,
+    GAINS_CONVENTION,
     GUIDE_CONVENTION,
     JOINTS_CONVENTION,
     MANIFEST_FORMAT,

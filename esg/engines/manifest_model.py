@@ -56,9 +56,9 @@ CLIMB_CONVENTION = (
 """Stands under `climb` of the conventions of a manifest whose program has one."""
 GAINS_CONVENTION = (
     "a HoldVelocity with gains and loses [m/s^2] does not set its horizontal velocity at once: the "
-    "part of the body's own along the heading changes towards speed by at most gains dt upwards and "
-    "loses dt downwards, the part across it towards 0 by at most loses dt; the angular velocity of "
-    "what rolls follows that"
+    "body's own is turned by turn_rate dt, its part along the heading changes towards speed by at "
+    "most gains dt upwards and loses dt downwards, the part across it towards 0 by at most loses "
+    "dt; the angular velocity of what rolls follows that"
 )
 """Stands under `gains` of the conventions of a manifest whose program has them."""
 
@@ -101,7 +101,7 @@ TYRES_CONVENTION = (
     "clipped to [-limit, limit]; a = (front + rear) / 2, b = (front - rear) / 2; v loses a s, w "
     "loses q a f + b / k z. If tyre_drop > 0 and the horizontal velocity has changed by more than "
     f"{BLOW_MPS:g} m/s in the last step (from after all this to before the program acts again), it "
-    "tips over in the next step in which the tyres act, unless it is driven before: |w.f| is raised "
+    "tips over in the next step in which the tyres act, unless driven before: |w.f| is raised "
     f"to the square root of {TIPPING_RAD_S**2:g} + 2 m {GRAVITY_MPS2:g} (r - c) / (Ixx + m r^2) "
     "[rad/s], c = tyre_drop, d = tyre_foot and r = |(c, d)|, keeping its sign, or if |w.f| <= "
     f"{LEAST_LEAN_RAD_S:g} with the sign that tilts it further (positive up to a tilt of 0.001 "

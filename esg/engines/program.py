@@ -15,8 +15,8 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   With a `climb` (powered flight) the vertical velocity becomes climb - g_z dt, which the gravity
   of the step turns into `climb`; the body does not roll, whatever its roll_radius.
   With `gains` and `loses` the horizontal velocity comes to that one by and by, from what the body
-  has: along the heading by at most gains dt a step, or loses dt where it is too fast, and across
-  it by loses dt. So what a hit has slowed down takes its time to go on.
+  has: turned by turn_rate dt, along the heading by at most gains dt a step, or loses dt where it
+  is too fast, and across it by loses dt. So what a hit has slowed down takes its time to go on.
 * A `GuideAlong` is active as a hold is, with end = start + times[-1]. Its path P(s) is the cubic
   Hermite curve through `points` with `velocities` at `times`, and straight on with the first or
   last velocity outside of them. While active it sets, with s = t - start and x the centre of mass,

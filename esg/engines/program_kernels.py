@@ -47,8 +47,9 @@ def approached(
     loses = float(table[w, k, Column.LOSES]) * dt
     ahead = wp.vec3(wp.cos(heading), wp.sin(heading), 0.0)
     aside = wp.vec3(-ahead[1], ahead[0], 0.0)
-    along = wp.dot(ahead, v)
-    across = wp.dot(aside, v)
+    before = heading - float(table[w, k, Column.TURN_RATE]) * dt
+    along = wp.cos(before) * v[0] + wp.sin(before) * v[1]
+    across = wp.cos(before) * v[1] - wp.sin(before) * v[0]
     along = along + wp.clamp(speed - along, -loses, gains)
     across = across - wp.clamp(across, -loses, loses)
     return ahead * along + aside * across
