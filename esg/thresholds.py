@@ -83,6 +83,10 @@ ABOVE_TOLERANCE = 0.10
 """A stated distance above something may be off by this share."""
 DIRECTION_DEG = 35.0
 """A displacement may be so far off its direction."""
+SIDE_SHARE, SIDE_DEG = 0.2, 60.0
+"""A contact point counts for a side if it is farther from it than from the nearest one by no more
+than this, in halves of the bounding box (engines log one corner of a contact patch, and bumpers are
+rounded), and if the surface there looks no farther off it than this."""
 ROLLING, ROLLING_SHARE = (0.85, 1.15), 0.7
 """What rolls has this spin over v/r in this share of the samples in which it moves on its
 support."""
@@ -139,6 +143,8 @@ JUMP_SHARE, JUMP_OWN_S = 0.1, 0.25
 """What jumps rises by this share of its height, and is set in motion no longer before."""
 OPEN_SHARE = 1.0 / 3.0
 """What slides open goes over this share of its way."""
+SHUT_SHARE = 1.0 / 6.0
+"""What is closed stands open by at most this share of what counts as open."""
 PIECES, PIECE_GAP_M = 3, 0.02
 """What is broken is in so many pieces so far apart."""
 

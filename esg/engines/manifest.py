@@ -17,11 +17,14 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
+from esg.engines.joints import Joint, Motor, joint_problems
 from esg.engines.manifest_model import (
     BRAKING_CONVENTION,
     CLIMB_CONVENTION,
     CONVENTIONS,
+    DRIVE_CONVENTION,
     GUIDE_CONVENTION,
+    JOINTS_CONVENTION,
     MANIFEST_FORMAT,
     MANIFEST_VERSION,
     SPIN_CONVENTION,
@@ -29,6 +32,7 @@ from esg.engines.manifest_model import (
     WHEELS_CONVENTION,
     BodyModel,
     HoldVelocityModel,
+    JointModel,
     ManifestModel,
     complaints,
     dangling,
@@ -36,6 +40,7 @@ from esg.engines.manifest_model import (
 from esg.engines.program import (
     PROGRAM_VERSION,
     AdjustProperties,
+    DriveJoint,
     GuideAlong,
     HoldSpin,
     HoldVelocity,
@@ -101,6 +106,7 @@ def manifest_to_json(
         },
         "bodies": [_plain(b) for b in scene.bodies],
         "regions": [_plain(r) for r in scene.regions],
+        "joints": [_joint_json(j) for j in scene.joints],
         "program": program_to_json(program),
         "watch": [list(p) for p in pairs],
         "effective_pairs": _effective_pairs(scene, pairs),
@@ -111,7 +117,7 @@ def manifest_to_json(
         data = ManifestModel.model_validate(data).model_dump(mode="json")
     except ValidationError as error:
         raise ValueError("; ".join(complaints(error))) from None
-    problems = dangling(data)
+    problems = dangling(data) + joint_problems(scene)
     if problems:
         raise ValueError("; ".join(problems))
     return data
@@ -124,6 +130,8 @@ def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
         out["tyres"] = TYRES_CONVENTION
     if any(b.wheels for b in scene.bodies):
         out["wheels"] = WHEELS_CONVENTION
+    if scene.joints:
+        out["joints"] = JOINTS_CONVENTION
     for p in program.primitives:
         if isinstance(p, HoldVelocity) and p.climb is not None:
             out["climb"] = CLIMB_CONVENTION
@@ -131,6 +139,8 @@ def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
             out["guide"] = GUIDE_CONVENTION
         elif isinstance(p, HoldSpin):
             out["spin"] = SPIN_CONVENTION
+        elif isinstance(p, DriveJoint):
+            out["drive"] = DRIVE_CONVENTION
         elif isinstance(p, AdjustProperties) and p.braking is not None:
             out["braking"] = BRAKING_CONVENTION
     return out
@@ -163,7 +173,10 @@ def manifest_from_json(data: Any) -> Manifest:
         ground_friction=model.ground.friction,
         ground_restitution=model.ground.restitution,
         vehicle_ground_friction=model.ground.vehicle_friction,
+        joints=tuple(_joint(j) for j in model.joints),
     )
+    if problems := joint_problems(scene):
+        raise UserError("not a valid manifest:\n" + "\n".join(problems))
     primitives = []
     for p in model.program.primitives:
         item = _fields(p)
@@ -231,6 +244,23 @@ def _body(model: BodyModel) -> Body:
     values["shapes"] = tuple(Shape(**_fields(s)) for s in model.shapes)
     values["wheels"] = tuple(Wheel(**_fields(w)) for w in model.wheels)
     return Body(**values)
+
+
+def _joint(model: JointModel) -> Joint:
+    values = _fields(model)
+    if model.motor is not None:
+        motor = _fields(model.motor)
+        if motor["limit"] is None:
+            motor["limit"] = math.inf
+        values["motor"] = Motor(**motor)
+    return Joint(**values)
+
+
+def _joint_json(joint: Joint) -> dict[str, Any]:
+    data = _plain(joint)
+    if data["motor"] and math.isinf(data["motor"]["limit"]):
+        data["motor"]["limit"] = None
+    return data
 
 
 def _fields(model: BaseModel) -> dict[str, Any]:

@@ -10,13 +10,19 @@ import numpy as np
 
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.executor import Touch, Vec, play_all
+from esg.engines.joint_rules import Masses
+from esg.engines.joints import Motor
 from esg.engines.program import ProgramBatch
+from esg.engines.rapier_joints import RapierJoints
 from esg.engines.scene import Rollout, Shape, SimScene, Variation
 from esg.engines.worlds import Principal, Start, Values, moving, principal_axes
 from esg.units import quat_multiply
 
 PREDICTION_M = 0.25
 """Fast bodies are seen as far ahead as they move in a step, up to this distance [m]."""
+JOINT_ITERATIONS = 16
+"""Of the solver in scenes with joints: with the usual 4 a rod that swings by 120 degrees loses 7%
+of its amplitude in 10 s, with 16 it loses 2%."""
 
 _GROUND, _VEHICLE_GROUND, _BODY, _WHEELED = 1, 2, 4, 8
 _Y_TO_Z = (0.5**0.5, 0.0, 0.0, 0.5**0.5)
@@ -130,6 +136,11 @@ class RapierWorld:
             self._handles.append(handle)
             self._colliders.append(own)
         self._bodies = world.rigid_bodies
+        self.joints: RapierJoints | None = None
+        if scene.joints:
+            world.integration_parameters.num_solver_iterations = JOINT_ITERATIONS
+            masses = Masses.of(scene, values, w, principal)
+            self.joints = RapierJoints(r, _pose, world, scene, self._handles, masses, dt)
 
     def _own(self, collider: Any, body: int) -> None:
         self._owner[collider.index] = body
@@ -171,6 +182,10 @@ class RapierWorld:
         for collider in self._colliders[body]:
             self._world.colliders[collider].friction = friction * self._scale
 
+    def set_motor(self, joint: int, motor: Motor | None) -> None:
+        if self.joints:
+            self.joints.motors[joint] = motor
+
     def step(self) -> None:
         for i in self.moving:
             linear, angular = self._damping[i]
@@ -182,10 +197,14 @@ class RapierWorld:
                 x, y, z = self._body(i).angvel
                 k = max(0.0, 1.0 - angular * self._dt)
                 self.set_angular(i, (x * k, y * k, z * k))
+        if self.joints:
+            self.joints.before_step(self)
         self._world.step()
         for i in self._flying:
             self._body(i).gravity_scale = 1.0
         self._flying.clear()
+        if self.joints:
+            self.joints.after_step(self, self.contacts(ground=True))
 
     def read(self, body: int) -> tuple[Any, Any, Any, Any]:
         b = self._body(body)

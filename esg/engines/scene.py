@@ -18,6 +18,8 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.joints import Joint
+
 ShapeKind = Literal["sphere", "box", "capsule", "cylinder", "convex"]
 Floats = NDArray[np.float64]
 
@@ -81,6 +83,8 @@ class Body:
             contacts; 0 lets it slide sideways as easily as it rolls (`esg.engines.program`).
         tyre_drop: How far below the centre of mass they push [m]: 0 for what stands on a wide
             track, else it leans and may fall over.
+        tyre_foot: How far its shapes reach to the side where they stand [m]: the edge that what
+            leans falls over.
         roll_radius: Radius [m] of a round body that rolls, 0 for others.
         origin_offset: From the centre of mass to the asset's local origin, body axes [m].
         half_extents: Of the asset's bounding box [m]; `height` is twice the last.
@@ -109,6 +113,7 @@ class Body:
     wheeled: bool = False
     tyre_friction: float = 0.0
     tyre_drop: float = 0.0
+    tyre_foot: float = 0.0
     roll_radius: float = 0.0
     origin_offset: tuple[float, float, float] = (0.0, 0.0, 0.0)
     half_extents: tuple[float, float, float] = (0.5, 0.5, 0.5)
@@ -158,6 +163,7 @@ class SimScene:
         ground_friction: Friction coefficient of the ground.
         ground_restitution: Coefficient of restitution of the ground.
         vehicle_ground_friction: Friction of the second ground that wheeled bodies touch.
+        joints: What holds bodies together (`esg.engines.joints`).
     """
 
     scene_id: str
@@ -167,6 +173,7 @@ class SimScene:
     ground_friction: float = 0.7
     ground_restitution: float = 0.3
     vehicle_ground_friction: float = 0.0
+    joints: tuple[Joint, ...] = ()
 
     def index(self, name: str) -> int:
         """Index of the body called `name`; raises KeyError with the known names."""

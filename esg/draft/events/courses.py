@@ -78,6 +78,8 @@ def follow(d: Discourse, f: Frame, was: Before, subject: list[str], objects: lis
     moved = [i for i in objects if i in new] if f.verb.sense in _TRANSITIVE else []
     moved = moved or [i for i in (*subject, *objects) if i in new]
     moved = moved or [i for i in subject if i in tracks and tracks[i].under_way]
+    if f.verb.sense == "hit":  # "reverses into a van": the van does not
+        moved = [i for i in moved if tracks[i].motion is not None] or moved
     moved = [i for i in dict.fromkeys(moved) if i in d.world.entities and movable(d, i)]
     clause = Clause(
         f,

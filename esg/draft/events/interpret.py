@@ -14,6 +14,7 @@ from esg.draft.discourse.concurrence import one_time_each
 from esg.draft.discourse.core import aimable, amounts_of, entity_of, facts_of, kind_of, mark_used
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
+from esg.draft.discourse.jointed import loosen
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, refer_all
@@ -96,6 +97,7 @@ def interpret(
     # references are resolved in the order of the text, events in the order of time
     d.told, d.attached = frames, attachments
     refer_all(d, frames)
+    loosen(d.scene, d.text)
     dodge(frames, d.text)
     goals = {id(p.mention) for f in frames if _tells_of_hands(f) for p in f.phrases}
     for m, p in attachments:

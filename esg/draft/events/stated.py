@@ -66,6 +66,8 @@ def said(text: str, f: Frame) -> list[Said]:
             continue
         if p.mention.attribute and p.prep in ("to", "toward", "towards"):
             found = _by_word().get(("side", p.mention.head), ())
+        elif p.mention.attribute and p.prep == "from":
+            found = _by_word().get(("from", p.mention.head), ())
         else:
             agent = p.prep == "by" and (f.verb.passive or f.reduced)
             solid = not p.mention.attribute and not agent

@@ -176,7 +176,9 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
     if part in _SIDES:
         by = replace(by, relations=frozenset({_SIDES[part]}))
     elif part and part != "surface" and p.prep in _TO_A_PART:
-        return any(about & {*s.object} and s.predicate.value in _ENDS for s in a.kept)
+        return any(about & {*s.object} and s.predicate.value in _ENDS for s in a.kept) or any(
+            others & {*s.object} and s.predicate is Predicate.STRUCK_ON for s in a.kept
+        )
     open_ = any(kind_of(d, i) in _ENTERED for i in others)
     if f is not None and f.verb.sense in _OWN and (open_ or p.prep in ("on", "onto")):
         by = replace(by, events=by.events - {"Collision"})  # "jumps onto a box" is no bump

@@ -24,6 +24,7 @@ from esg.draft.events.stated import adverbs_of, place_of, start_of
 from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.account import Account
+from esg.draft.statements.struck import struck
 from esg.draft.statements.unclaimed import unclaimed
 from esg.draft.statements.unkept import dropped, missing
 from esg.draft.statements.unseen import unseen
@@ -111,6 +112,13 @@ def state(
             _unkept(book, f, why)
     for start, end, why in unseen(d, frames):
         book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
+    for hit in struck(d, frames):
+        if hit.side is None:
+            book.add(Predicate.NOT_REPRESENTED, hit.start, hit.end, object=(hit.struck,),
+                     note=hit.note)  # fmt: skip
+        else:
+            book.add(Predicate.STRUCK_ON, hit.start, hit.end, object=(hit.struck,),
+                     target=(hit.by,), side=hit.side, when=hit.event)  # fmt: skip
     _own_up(book, frames, elements, tokens)
     for actor, at in d.moves.still.items():
         if actor in d.world.entities:

@@ -19,7 +19,7 @@ from esg.dynamics.choreography.throws import opens_upwards
 from esg.dynamics.plan.aim import aim_point
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.story.paces import hardest_brake, slows_by, stated_rate, top_speed, usual_brake
-from esg.dynamics.story.story import CRUISES, UNDISTURBED, Phase, bounds, middle
+from esg.dynamics.story.story import CRUISES, ON_THE_SPOT, UNDISTURBED, Phase, bounds, middle
 from esg.dynamics.story.tipping import FLIES_AT
 from esg.engines.scene import Body, Region
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineEdge, TimelineNode
@@ -113,7 +113,7 @@ class Declarations:
     def declare(self, actor: str, phases: tuple[Phase, ...]) -> None:
         body = self.scene.body(actor)
         first = phases[0]
-        if first.edge.event in (EdgeEvent.GUIDE, EdgeEvent.SPIN):
+        if first.edge.event in ON_THE_SPOT:
             for phase in phases:
                 self.declare_phase(actor, body, phase)
             return
@@ -154,7 +154,7 @@ class Declarations:
             return
         if phase.end.event is NodeEvent.JUMP:
             self.declare_jump(phase)
-        elif edge.event is EdgeEvent.GUIDE:
+        elif edge.event in (EdgeEvent.GUIDE, EdgeEvent.DRIVE):
             self.declare_way(phase)
         elif edge.event is EdgeEvent.TOWARD and self.story.flies(actor):
             self.declare_throw(actor, body, phase)

@@ -59,6 +59,7 @@ def _statement(s: Statement, moments: Moments) -> SuiteStatement:
             "says": s.predicate,
             "words": s.text,
             "direction": s.direction,
+            "side": s.side,
             "quantity": s.quantity,
             "value": value,
             "range": span,

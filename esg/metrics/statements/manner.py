@@ -7,7 +7,7 @@ import numpy as np
 from esg.engines.scene import Body
 from esg.metrics.binding import Binding
 from esg.metrics.events import names, pairs
-from esg.metrics.events_space import is_over
+from esg.metrics.events.space import is_over
 from esg.metrics.replay import GROUND_INDEX, Floats, Replay
 from esg.metrics.statements.place import mostly
 from esg.metrics.statements.query import Kept, StatementQuery

@@ -162,7 +162,7 @@ def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             d.timeline.trigger(actor, f"{actor} takes off")
             d.timeline.track(actor).motion = jump
         node = add_event(d, NodeEvent.JUMP, (actor, *over), f, time_of(d, f))
-        _so_often(d, f, node)
+        so_often(d, f, node)
         d.timeline.track(actor).motion = None
     mark_used(d, f, "jump")
 
@@ -187,7 +187,7 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             continue
         d.timeline.move(body, Motion("spin"), ForceDirection.HORIZONTAL_PLANE)
         node = add_event(d, NodeEvent.SPIN, (body,), f, time_of(d, f))
-        _so_often(d, f, node)
+        so_often(d, f, node)
         draft = d.timeline.node(node)
         if draft is not None and "times" in draft.extra:
             draft.extra["turn_degrees"] = 360.0 * draft.extra.pop("times")
@@ -213,7 +213,7 @@ def bounces_on_ground(d: Discourse, f: Frame, s: list[str], met: list[str]) -> b
             drop.target = target
             d.timeline.move(body, drop, ForceDirection.ANY_3D)
         node = add_event(d, NodeEvent.BOUNCE, (body, target), f, time_of(d, f))
-        _so_often(d, f, node)
+        so_often(d, f, node)
     if free:
         mark_used(d, f, "bounce")
     return bool(free)
@@ -226,7 +226,7 @@ def _ground(d: Discourse) -> str:
     return d.world.entities.setdefault(GROUND, ground).id
 
 
-def _so_often(d: Discourse, f: Frame, node: str) -> None:
+def so_often(d: Discourse, f: Frame, node: str) -> None:
     """ "Three times", "twice": how often it happens."""
     said, draft = _OFTEN.search(d.text, f.verb.end, f.verb.end + 40), d.timeline.node(node)
     if said is None or draft is None:

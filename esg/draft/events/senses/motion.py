@@ -308,8 +308,8 @@ def read_end(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             add_hit(d, f, [actor], [end], time_of(d, f))
 
 
-@sense("swing")
-def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+@sense("swing_round")
+def read_swing_round(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     into = filling(f, "obstacle")
     target = hit_targets(f, s, o)
     if o and into:

@@ -59,6 +59,7 @@ _VESSELS = lex.word_set("vessels (noun heads)")
 _THEM = ("it", "him", "her", "them")
 _STACKS = ("stack", "pile", "tower", "heap")
 _OWN = ("his", "her", "its", "their")
+_HANDS = frozenset({"left", "left-hand", "right", "right-hand"})
 _NO_NOUNS = lex.ADVERBS | lex.PREPOSITIONS | lex.DETERMINERS | lex.SUBORDINATORS
 
 
@@ -169,6 +170,8 @@ def _compound(c: Chunks, j: int, noun: NounMatch, m: Mention) -> tuple[int, bool
             break
         if heap_of(c, k, entry) or wisp(c, k):
             break  # "a domino chain", "a lighthouse beam"
+        if entry.kind == "vehicle" and lex.singular(low_at(c, k))[0] in lex.PARTS:
+            break  # "a car roof"
         m.adjectives.extend(" ".join(t.low for t in c.tokens[first:k]).split())
         entry, n, plural, phrase = following
         first, k = k, k + n
@@ -322,7 +325,8 @@ def _part(c: Chunks, p: Place, m: Mention) -> Head | None:
     told = m.determiner or m.adjectives or low_at(c, j + 1) == "of"
     if not low or not {low, part} & lex.PARTS or not told or part_alone(c, j, m):
         return OTHER
-    if match_noun(c, j + 1) is not None and not verb_readings(low_at(c, j + 1)):
+    sided = low in _HANDS and {low_at(c, j + 1)} & lex.PARTS  # "the left side of a car"
+    if sided or (match_noun(c, j + 1) is not None and not verb_readings(low_at(c, j + 1))):
         return _modifies(c, p, m)  # "the head pin"
     m.part = m.head = part
     m.attribute = True
