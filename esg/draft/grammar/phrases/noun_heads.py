@@ -31,6 +31,7 @@ from esg.draft.grammar.phrases.noun_questions import (
     one_does,
     packed,
     part_alone,
+    people_here,
     piled,
     plain_noun,
     pronoun_here,
@@ -290,6 +291,22 @@ def _unknown_after(c: Chunks, j: int, m: Mention) -> int:
     return j + 1
 
 
+def _people(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "A couple", "the crowd", "rival gangs": persons, as many as the word means."""
+    word, several = lex.singular(p.low)
+    if not people_here(c, p.at):
+        return OTHER
+    told = m.determiner not in ("", "the") or m.count is not None
+    those = m.determiner == "the" and word in lex.GROUP_WORDS  # "the group": who was named
+    verb = several and m.determiner in ("a", "an")  # "an engine couples onto five wagons"
+    if m.group_word or those or verb or not (told or m.determiner or (several and m.adjectives)):
+        return OTHER
+    m.noun, m.head, m.plural, m.group_word = lex.nouns()["person"], "person", True, word
+    m.pattern = lex.GROUP_WORDS.get(word) or "scatter"
+    m.count = (m.count or 1) * lex.VAGUE_COUNTS[word] if word in lex.VAGUE_COUNTS else None
+    return Head(p.at + 1)
+
+
 def _rest(c: Chunks, p: Place, m: Mention) -> Head | None:
     """ "the rest"."""
     if p.low != "rest" or m.determiner != "the" or m.adjectives:
@@ -534,6 +551,7 @@ def _verb_form(c: Chunks, p: Place, m: Mention) -> Head | None:
 
 HEADS: tuple[HeadReader, ...] = (
     _body_part,
+    _people,
     _wisp,
     _known,
     _rest,
