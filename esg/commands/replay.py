@@ -216,7 +216,7 @@ def verdict_table(result: dict[str, Any]) -> str:
         f"{result['scene']}: {result['engine']} at {1 / result['dt']:.0f} Hz, "
         f"proof: {result['proof']}, judged against {_source(result)}"
     )
-    head += _not_run(result["proof_note"])
+    head += _not_run(result.get("proof_note", ""))
     tail = f"layout {'valid' if verdict['slr'] else 'INVALID'}, "
     tail += f"{verdict['completed']} of {verdict['n_events']} events"
     if verdict["statements"]:
