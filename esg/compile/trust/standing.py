@@ -32,14 +32,15 @@ class Standing(StrEnum):
 
 
 def standing_of(
-    files: ClassFiles, imports: str, document: Callable[[], EsgDocument] | Path
+    files: ClassFiles, imports: str, document: Callable[[], EsgDocument] | EsgDocument | Path
 ) -> tuple[Standing, str]:
     """Whose a class is, and for a foreign one why.
 
     Args:
         files: The class.
         imports: Text of its import manifest.
-        document: What it should come from: gives the caller's own, or the file beside the class.
+        document: What it should come from: a function gives the caller's own; a document or its
+            file came with the class.
     """
     if is_remembered(files.name, files.header, files.source, imports):
         return Standing.OWN, ""
@@ -59,12 +60,13 @@ def standing_of(
     other = [name for name, (found, right) in texts.items() if found != right]
     if other:
         return Standing.FOREIGN, f"{other[0]} is not what this version emits from esg.json"
-    return (Standing.EQUAL if isinstance(document, Path) else Standing.OWN), ""
+    return (Standing.OWN if callable(document) else Standing.EQUAL), ""
 
 
-def _emitted(document: Callable[[], EsgDocument] | Path) -> EmittedClass:
+def _emitted(document: Callable[[], EsgDocument] | EsgDocument | Path) -> EmittedClass:
     from esg.compile.scene import emit_document
     from esg.graph import load_document
 
-    found = load_document(document) if isinstance(document, Path) else document()
-    return emit_document(found).emitted
+    if isinstance(document, Path):
+        document = load_document(document)
+    return emit_document(document() if callable(document) else document).emitted
