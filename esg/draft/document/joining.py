@@ -84,7 +84,7 @@ def _become(e: Entity, name: str) -> list[float]:
 
 
 def _served(scene: Scene, row: Articulation) -> list[Entity]:
-    """A thing of the prompt that is what another hangs on, made that part; empty if there is none."""
+    """A thing of the prompt that serves as the other part, made that; empty if there is none."""
     taken = {name for j in scene.joints for name in (j.child, j.parent)}
     for e in scene.world.entities.values():
         if _head(e) in row.serves and e.id not in taken and row.count == 1:
