@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -208,7 +209,9 @@ def _replay(state: SceneState, folder: Path) -> None:
     if proof == "class":
         from esg.compile import replay_class
 
-        replay = replay_class(state.artifact("compile"), dt=1.0 / REPLAY_RATE_HZ)
+        replay = replay_class(
+            state.artifact("compile"), dt=1.0 / REPLAY_RATE_HZ, document=partial(load_doc, state)
+        )
         rollout, log = replay.rollout, replay.log
     else:
         rollout = _replay_program(state)
@@ -290,6 +293,9 @@ def _outcome(doc: EsgDocument, own: SceneVerdict, lost: Sequence[Row] = ()) -> t
     result = doc.dynamics_result
     claimed = Outcome(result.outcome) if result is not None else Outcome.SOLVED
     reason = result.reason if result is not None else ""
+    layout = doc.layout_result
+    if layout is not None and not layout.feasible and own.layout.faults:
+        return Outcome.NOT_CONVERGED, "no layout was found: " + "; ".join(own.layout.faults)
     if claimed in (Outcome.SOLVED, Outcome.NEAREST_FEASIBLE) and failures:
         return Outcome.NOT_CONVERGED, "the replay disagrees: " + "; ".join(failures)
     unread = [w for w in doc.coverage.warnings if w.startswith(NOTHING_HAPPENS)]

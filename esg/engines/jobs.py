@@ -14,6 +14,7 @@ from typing import Any, TypeVar
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.base import SURROGATE
 from esg.engines.program import Action, Column, ProgramBatch
 from esg.engines.rest import starts_at_rest
 from esg.engines.scene import ContactLog, Rollout, SimScene, Variation
@@ -201,7 +202,13 @@ def job_of(
         start: What the rollout starts from.
         shapes: The scene, if the one that simulates does not have it.
         ground_contacts: Whether the log includes contacts with the ground.
+
+    Raises:
+        ValueError: If the surrogate is asked for a scene with joints.
     """
+    if engine == SURROGATE and start.scene.joints:
+        names = [j.name for j in start.scene.joints]
+        raise ValueError(f"the surrogate knows no joints and the scene has {names}; ask newton")
     v, batch, bodies, single = start.values, start.batch, start.scene.bodies, np.float32
     inertia = np.zeros((0,), single)
     asleep = np.zeros(v.mass.shape, bool)

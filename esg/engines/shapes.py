@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.joints import WORLD, Joint
 from esg.engines.scene import Floats, Shape, SimScene
 from esg.engines.worlds import moving
 from esg.units import quat_rotate
@@ -37,6 +38,8 @@ class SceneShapes:
         dynamic: Bodies that move, shape [B]; so `static`, `collides` and `wheeled`.
         inertia: Body axes [kg m^2], shape [B, 3, 3]; the unit tensor for what does not move.
         mass: [kg], 1 where the scene gives none, shape [B].
+        joints: Of the scene.
+        ends: Body of each joint's parent, -1 for the world, and of its child.
     """
 
     gravity: tuple[float, float, float]
@@ -56,6 +59,8 @@ class SceneShapes:
     wheeled: NDArray[np.bool_]
     inertia: Floats
     mass: Floats
+    joints: tuple[Joint, ...] = ()
+    ends: tuple[tuple[int, int], ...] = ()
 
     @staticmethod
     def of(scene: SimScene) -> SceneShapes:
@@ -96,6 +101,11 @@ class SceneShapes:
             wheeled=np.array([b.wheeled for b in bodies], bool),
             inertia=np.array(inertia, float).reshape(-1, 3, 3),
             mass=np.array([b.mass if b.mass > 0.0 else 1.0 for b in bodies]),
+            joints=scene.joints,
+            ends=tuple(
+                (-1 if j.parent == WORLD else scene.index(j.parent), scene.index(j.child))
+                for j in scene.joints
+            ),
         )
 
     @property

@@ -102,6 +102,9 @@ class NodeEvent(str, enum.Enum):
     BOUNCE = "Bounce"
     JUMP = "Jump"
     SPIN = "Spin"
+    OPEN = "Open"
+    CLOSE = "Close"
+    SWING = "Swing"
 
 
 class EdgeEvent(str, enum.Enum):
@@ -111,7 +114,8 @@ class EdgeEvent(str, enum.Enum):
     launch: a throw, kick, strike or roll that sets the velocity once and then leaves the body to
     physics; Brake slows down evenly; InertialConnector links a passive body's two collisions. Guide
     moves a body that something outside of the scene holds (GuideAlong), Spin keeps it turning about
-    its vertical where it is (HoldSpin).
+    its vertical where it is (HoldSpin). Drive moves a jointed body along its joint (DriveJoint),
+    Release holds one at its joint's start position until then and lets it go.
     """
 
     UNIFORM_MOTION = "UniformMotion"
@@ -122,6 +126,8 @@ class EdgeEvent(str, enum.Enum):
     INERTIAL_CONNECTOR = "InertialConnector"
     GUIDE = "Guide"
     SPIN = "Spin"
+    DRIVE = "Drive"
+    RELEASE = "Release"
 
 
 class CoordinateSystem(Model):
@@ -456,9 +462,9 @@ class TimelineNode(Model):
     turn_direction: Literal["left", "right"] | None = None
     turn_degrees: float | None = None
     """HeadingReached: change of heading; left is counter-clockwise seen from above. Spin: how far
-    it turns, 360 where it states nothing."""
+    it turns, 360 where it states nothing. Open, Close: how far, 30 where it states nothing."""
     times: int | None = None
-    """Bounce, Jump: how often; once where it states nothing."""
+    """Bounce, Jump, Swing: how often; once where it states nothing."""
     description: str = ""
 
 
@@ -490,6 +496,8 @@ class MotionParams(Model):
     """Guide: False holds the body on at the end; otherwise it is let go there"""
     height_cm: Quantity | None = None
     """Toward that ends in a Jump: how far the body rises [cm]"""
+    opening: Quantity | None = None
+    """Drive: the joint's position at its end, hinge [deg], slider [cm]"""
 
 
 class TimelineEdge(Model):
@@ -561,6 +569,7 @@ class Predicate(str, enum.Enum):
     STAYS_STILL = "stays_still"
     TOUCHES = "touches"
     NEVER_TOUCHES = "never_touches"
+    STRUCK_ON = "struck_on"
     ENDS_ON = "ends_on"
     ENDS_IN = "ends_in"
     ENDS_NEAR = "ends_near"
@@ -598,6 +607,11 @@ Direction = Literal[
 start; from `toward` on a direction has a target."""
 
 
+Side = Literal["front", "rear", "left", "right", "side", "any_side"]
+"""Of a thing, by its own front axis: `side` is its left or right, `any_side` all but top and bottom
+(of a box nobody says which of its sides is its front)."""
+
+
 class Statement(Model):
     """One thing that the prompt states beyond its objects, relations, quantities and events.
 
@@ -615,11 +629,14 @@ class Statement(Model):
     target: tuple[str, ...] = ()
     """Node ids of the other participant (any of them)."""
     direction: Direction | None = None
-    quantity: Literal["speed", "distance", "height", "length", "width", "angle", "count"] | None = (
-        None
-    )
+    side: Side | None = None
+    """Of `struck_on`: where the target first touches the object."""
+    quantity: (
+        Literal["speed", "deceleration", "distance", "height", "length", "width", "angle", "count"]
+        | None
+    ) = None
     value: Quantity | None = None
-    """In the document's units [cm/s, cm, degrees, 1]."""
+    """In the document's units [cm/s, cm/s^2, cm, degrees, 1]."""
     noun: str | None = None
     """Of `absent` and `count`."""
     when: str = "throughout"

@@ -33,6 +33,7 @@ class Articulation:
         lower, upper: Limits of the joint [deg or cm]; the length of a rope, at the usual size.
         start: Position at the start [deg or cm].
         opened: The same where the words say that it is open; None if nothing opens.
+        drawn: The same where it is drawn back and let go; None if it does not hang.
         stiffness, damping, friction: As in the document (docs/joints.md).
         source: Where the figures come from.
     """
@@ -50,6 +51,7 @@ class Articulation:
     upper: float | None
     start: float
     opened: float | None
+    drawn: float | None
     stiffness: float | None
     damping: float | None
     friction: float | None
@@ -85,6 +87,7 @@ def _row(line: dict[str, str]) -> Articulation:
         upper=number("upper"),
         start=number("start") or 0.0,
         opened=number("open"),
+        drawn=number("drawn"),
         stiffness=number("stiffness"),
         damping=number("damping"),
         friction=number("friction"),

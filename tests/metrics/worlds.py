@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from esg.engines.joints import Joint, JointKind, joint_between
 from esg.engines.program import Primitive, Program
 from esg.engines.scene import Body, ContactLog, Region, Rollout, Shape, SimScene
 from esg.metrics import (
@@ -59,6 +60,7 @@ class World:
         self.contacts: list[tuple[float, str, str, float, float]] = []
         self.primitives: list[Primitive] = []
         self.regions: list[Region] = []
+        self.joints: list[Joint] = []
 
     def add(
         self,
@@ -69,6 +71,7 @@ class World:
         yaw_deg: float | Path = 0.0,
         pitch_deg: float | Path = 0.0,
         rolling: float = 0.0,
+        roll_deg: float | Path = 0.0,
     ) -> World:
         """Adds a body on a path; numbers are constant, functions take the time array.
 
@@ -77,10 +80,8 @@ class World:
         z = item.position[2] if z is None else z
         columns = [self._curve(v) for v in (x, y, z)]
         path = np.stack(columns, axis=1)
-        yaw, pitch = self._curve(yaw_deg), self._curve(pitch_deg)
-        self.turns.append(
-            np.array([quat_from_euler_deg(a, b) for a, b in zip(yaw, pitch, strict=True)])
-        )
+        angles = [self._curve(v) for v in (yaw_deg, pitch_deg, roll_deg)]
+        self.turns.append(np.array([quat_from_euler_deg(*a) for a in zip(*angles, strict=True)]))
         self.paths.append(path)
         spin = _spin(self.turns[-1], self.dt)
         if rolling:
@@ -88,7 +89,8 @@ class World:
             about = np.stack([-velocity[:, 1], velocity[:, 0], 0.0 * velocity[:, 2]], axis=1)
             spin = rolling * about / item.roll_radius
         self.spins.append(spin)
-        self.bodies.append(replace(item, position=tuple(path[0].tolist())))
+        start = {"position": path[0], "quaternion": self.turns[-1][0]}
+        self.bodies.append(replace(item, **{k: tuple(v.tolist()) for k, v in start.items()}))
         return self
 
     def _curve(self, value: float | Path) -> np.ndarray:
@@ -109,9 +111,19 @@ class World:
         self.regions += regions
         return self
 
+    def join(self, kind: JointKind, child: str, parent: str = "", **more: object) -> World:
+        """Joins bodies as they stand; `limits`, and what else a joint has beside its place."""
+        bodies = {b.name: b for b in self.bodies}
+        place = {k: more.pop(k) for k in ("at", "axis", "parent_at", "position") if k in more}
+        place.setdefault("at", bodies[child].position)
+        name = f"joint_{len(self.joints) + 1}"
+        joint = joint_between(name, kind, bodies[child], bodies.get(parent), **place)  # type: ignore[arg-type]
+        self.joints.append(replace(joint, **more))  # type: ignore[arg-type]
+        return self
+
     @property
     def scene(self) -> SimScene:
-        return SimScene("test", tuple(self.bodies), tuple(self.regions))
+        return SimScene("test", tuple(self.bodies), tuple(self.regions), joints=tuple(self.joints))
 
     @property
     def program(self) -> Program:

@@ -44,6 +44,8 @@ class Scene:
     travel: dict[str, Amount] = field(default_factory=dict[str, Amount])
     """Stated distance of a motion, by actor."""
     joints: list[Joint] = field(default_factory=list[Joint])
+    openings: dict[str, float] = field(default_factory=dict[str, float])
+    """Where the joint of a node starts, as events ask for it [deg or cm]."""
     used: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])
     """Spans that became something: (start, end) -> pointer or note."""
     ignored: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])

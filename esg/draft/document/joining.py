@@ -7,17 +7,18 @@ from __future__ import annotations
 
 from dataclasses import replace
 import math
-import re
 
 from esg.draft import lexicon as lex
+from esg.draft.discourse.jointed import articulation_of, head_of
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import Scene
 from esg.graph.models import Joint
-from esg.lexicon.articulations import Articulation, articulations
+from esg.lexicon.articulations import Articulation
 
-_OPEN = frozenset({"open", "opened", "wide-open"})
+_OPEN = {"open": 1.0, "opened": 1.0, "wide-open": 1.0, "half-open": 0.5, "ajar": 0.25}
+"""Share of how far a thing opens at which it starts, by what it is called."""
 
 
 def join_parts(scene: Scene) -> list[str]:
@@ -29,9 +30,8 @@ def join_parts(scene: Scene) -> list[str]:
     reasons: list[str] = []
     entered = {n.extra.get("region") for n in scene.timeline.nodes}
     for e in list(scene.world.entities.values()):
-        row = articulations().get(_head(e))
-        kept = e.id in scene.attached or f"{e.id}/inside" in entered or _is_part(scene, e)
-        if row is None or kept:
+        row = articulation_of(scene, scene.text, e)
+        if row is None or f"{e.id}/inside" in entered:
             continue
         ratio = _become(e, row.becomes)
         added = _served(scene, row) or []
@@ -50,19 +50,8 @@ def join_parts(scene: Scene) -> list[str]:
                     del places[e.id]  # "a pendulum on a stand" hangs there
                 elif e.id in places:
                     places.setdefault(part.id, places[e.id])
-            scene.joints.append(_joint(row, e, part, n, ratio))
+            scene.joints.append(_joint(scene, row, e, part, n, ratio))
     return reasons
-
-
-def _head(e: Entity) -> str:
-    """The noun as the table has it: tokens part a possessive ("newton 's cradle")."""
-    return e.head.lower().replace(" 's", "'s")
-
-
-def _is_part(scene: Scene, e: Entity) -> bool:
-    """Whether it is said to be of something: the door of a car, the drawers of a desk."""
-    told = rf"\b{re.escape(e.head)}s? of (?:an?|the|his|her|its|their|my)\b"
-    return re.search(told, scene.text, re.IGNORECASE) is not None
 
 
 def _become(e: Entity, name: str) -> list[float]:
@@ -87,16 +76,20 @@ def _served(scene: Scene, row: Articulation) -> list[Entity]:
     """A thing of the prompt that serves as the other part, made that; empty if there is none."""
     taken = {name for j in scene.joints for name in (j.child, j.parent)}
     for e in scene.world.entities.values():
-        if _head(e) in row.serves and e.id not in taken and row.count == 1:
+        if head_of(e) in row.serves and e.id not in taken and row.count == 1:
             _become(e, row.with_part)
             return [e]
     return []
 
 
-def _joint(row: Articulation, named: Entity, added: Entity, n: int, ratio: list[float]) -> Joint:
+def _joint(
+    scene: Scene, row: Articulation, named: Entity, added: Entity, n: int, ratio: list[float]
+) -> Joint:
     parent, child = (named, added) if row.carries == "becomes" else (added, named)
     long = math.prod(ratio) ** (1.0 / 3.0) if row.kind in ("slider", "rope", "spring") else 1.0
-    is_open = row.opened is not None and _OPEN & {*named.adjectives, *_head(named).split()}
+    words = (*named.adjectives, *named.head.lower().split())
+    start = max((_OPEN.get(a, 0.0) for a in words), default=0.0)
+    start = (row.opened or 0.0) * start or row.start
 
     def sized(value: float | None) -> float | None:
         return None if value is None else round(value * long, 3)
@@ -110,7 +103,7 @@ def _joint(row: Articulation, named: Entity, added: Entity, n: int, ratio: list[
         parent_mount=row.parent_mount.format(n=n),
         lower=sized(row.lower),
         upper=sized(row.upper),
-        position=sized(row.opened if is_open else row.start) or 0.0,
+        position=sized(scene.openings.get(named.id, start)) or 0.0,
         stiffness=row.stiffness,
         damping=row.damping,
         friction=row.friction,

@@ -118,7 +118,8 @@ class FleetNewton:
         """
         most = MAX_WORLDS["cpu" if self.device == "cpu" else "cuda"]
         many = sum(jobs[k].n_worlds for k in pending) > ENOUGH_WORLDS
-        size = {k: _crowd(shapes[k]) if many else 0 for k in pending}
+        # Worlds without joints share no pass with others, which would take them longer.
+        size = {k: (bool(shapes[k].joints), _crowd(shapes[k]) if many else 0) for k in pending}
         order = sorted(
             pending, key=lambda k: (jobs[k].frames.dt, size[k], jobs[k].frames.n_steps, k)
         )

@@ -3,18 +3,25 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from itertools import product
+import math
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.newton.setup import CONTACT_GAP_M, quiet_warp
+from esg.engines.joints import Joint
+from esg.engines.newton.setup import CONTACT_GAP_M, DRIVE_GAIN, quiet_warp
+from esg.engines.newton.trees import Link, drives, plan_trees
 from esg.engines.shapes import Hull, SceneShapes
 
 Wanted = tuple[tuple[int, int, int], ...]
 """Per scene of a model: its key, the number of its worlds and the factor on room for contacts."""
 
 _GROUNDS = (-1, -2)
+MARK = -3
+"""Owner of a shape that touches nothing: ropes hold bodies by it."""
+MARK_M = 1e-3
 
 
 @dataclass
@@ -87,8 +94,13 @@ def _add_scene(
 ) -> NDArray[np.int32]:
     """Adds two grounds, bodies and shapes; returns the body of every shape.
 
-    Wheeled bodies touch the second ground, all others the first.
+    Wheeled bodies touch the second ground, all others the first. Bodies of trees get their joints
+    once all bodies are there, and those with ties a mark that touches nothing.
     """
+    plan = plan_trees(s.joints, s.ends, s.dynamic)
+    linked = {link.child for link in plan.links}
+    number: dict[int, int] = {}
+    shapes: dict[int, list[int]] = {}
     grounds = [world.add_ground_plane(cfg=config) for _ in range(2)]
     touches = {False: grounds[1], True: grounds[0]}
     owners: list[int] = list(_GROUNDS)
@@ -97,7 +109,8 @@ def _add_scene(
             continue
         owner = -1
         if not s.static[b]:
-            owner = world.add_body(
+            add = world.add_link if b in linked else world.add_body
+            owner = number[b] = add(
                 xform=wp.transform_identity(),
                 mass=float(s.mass[b]),
                 inertia=wp.mat33(s.inertia[b].astype(np.float32).flatten()),
@@ -109,8 +122,61 @@ def _add_scene(
                 world, owner, s.kind[i], size, origin, turn, s.hulls[i], config, meshes
             )
             owners.append(b)
+            shapes.setdefault(b, []).append(shape)
             world.add_shape_collision_filter_pair(shape, touches[bool(s.wheeled[b])])
+    for a, b in plan.apart:
+        for pair in product(shapes.get(a, ()), shapes.get(b, ())):
+            world.add_shape_collision_filter_pair(*pair)
+    for tree in plan.trees:
+        world.add_articulation([_add_joint(wp, world, link, number) for link in tree])
+    for b in plan.tied:
+        if b in number:
+            world.add_shape_sphere(number[b], radius=MARK_M, cfg=_mark())
+            owners.append(MARK)
     return np.array(owners, np.int32)
+
+
+def _mark() -> Any:
+    import newton
+
+    return newton.ModelBuilder.ShapeConfig(
+        density=0.0, mu=0.0, restitution=0.0, has_shape_collision=False
+    )
+
+
+def _add_joint(wp: Any, world: Any, link: Link, number: dict[int, int]) -> int:
+    """Adds the joint of a link; where it hangs on what does not move is written by each job."""
+    child, record = number[link.child], link.record
+    if record is None:
+        return world.add_joint_free(child)
+    ends = {
+        "parent": -1 if link.parent < 0 else number[link.parent],
+        "child": child,
+        "parent_xform": wp.transform(record.parent_anchor, record.parent_rotation),
+        "child_xform": wp.transform(record.child_anchor, record.child_rotation),
+        "collision_filter_parent": False,
+    }
+    if record.kind in ("ball", "fixed"):
+        add = {"ball": world.add_joint_ball, "fixed": world.add_joint_fixed}[record.kind]
+        return add(**ends)
+    add = {"hinge": world.add_joint_revolute, "slider": world.add_joint_prismatic}[record.kind]
+    return add(
+        **ends,
+        axis=(1.0, 0.0, 0.0),
+        limit_lower=-math.inf if record.lower is None else record.lower,
+        limit_upper=math.inf if record.upper is None else record.upper,
+        damping=0.0,
+        armature=0.0,
+        friction=0.0,
+        target_ke=0.0,
+        target_kd=DRIVE_GAIN if drives(record) else 0.0,
+        effort_limit=_effort(record) if drives(record) else 0.0,
+    )
+
+
+def _effort(joint: Joint) -> float:
+    """What keeps an axis at its speed, at most [N m or N]; the solver takes 0 for no limit."""
+    return max(joint.friction if joint.motor is None else joint.motor.limit, 1e-9)
 
 
 def _add_shape(

@@ -154,7 +154,8 @@ class _Play:
 def structure_key(scene: SimScene) -> tuple[object, ...]:
     """What a compiled model depends on; scenes with equal keys share one."""
     bodies = tuple((b.static, b.wheeled, b.shapes) for b in scene.bodies)
-    return bodies, tuple(scene.gravity)
+    joints = (scene.joints, scene.names) if scene.joints else ()
+    return bodies, tuple(scene.gravity), joints
 
 
 def _model(scene: SimScene, n_worlds: int, device: str, part: int, growth: int) -> NewtonModel:

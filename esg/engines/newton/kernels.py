@@ -27,7 +27,7 @@ from esg.engines.program_kernels import (
     tipped,
     vector,
 )
-from esg.engines.traction import TIPPING_S, Feature
+from esg.engines.traction import Feature
 
 
 @wp.func
@@ -36,11 +36,14 @@ def _set_linear(
     v: wp.vec3,
     body_qd: wp.array(dtype=wp.spatial_vector),
     joint_qd: wp.array(dtype=float),
+    first: wp.array(dtype=int),
 ):
+    """Sets a velocity; what is linked to others has none of its own (first -1), only asks."""
     w = wp.spatial_bottom(body_qd[body])
     body_qd[body] = wp.spatial_vector(v, w)
-    for k in range(3):
-        joint_qd[6 * body + k] = v[k]
+    if first[body] >= 0:
+        for k in range(3):
+            joint_qd[first[body] + k] = v[k]
 
 
 @wp.func
@@ -49,11 +52,13 @@ def _set_angular(
     w: wp.vec3,
     body_qd: wp.array(dtype=wp.spatial_vector),
     joint_qd: wp.array(dtype=float),
+    first: wp.array(dtype=int),
 ):
     v = wp.spatial_top(body_qd[body])
     body_qd[body] = wp.spatial_vector(v, w)
-    for k in range(3):
-        joint_qd[6 * body + 3 + k] = w[k]
+    if first[body] >= 0:
+        for k in range(3):
+            joint_qd[first[body] + 3 + k] = w[k]
 
 
 @wp.func
@@ -122,7 +127,7 @@ def _feel(
     features: wp.array2d(dtype=float),
     before: wp.array(dtype=wp.vec3),
     driven: wp.array(dtype=int),
-    tips: wp.array(dtype=float),
+    tips: wp.array(dtype=int),
     body_qd: wp.array(dtype=wp.spatial_vector),
 ):
     """Which bodies nothing carries in this step, and which two-wheelers a blow unbalances."""
@@ -134,7 +139,7 @@ def _feel(
                 # It is left alone, as what is driven.
                 driven[target] = step + 1
             if features[target, Feature.DROP] > 0.0 and struck(before[target], u):
-                tips[target] = TIPPING_S
+                tips[target] = 1
 
 
 @wp.func
@@ -149,10 +154,11 @@ def _stand(
     braking: wp.array(dtype=float),
     driven: wp.array(dtype=int),
     before: wp.array(dtype=wp.vec3),
-    tips: wp.array(dtype=float),
+    tips: wp.array(dtype=int),
     body_q: wp.array(dtype=wp.transform),
     body_qd: wp.array(dtype=wp.spatial_vector),
     joint_qd: wp.array(dtype=float),
+    first: wp.array(dtype=int),
 ):
     """Lets brakes and tyres act on what is not driven, and notes how fast all of it goes then."""
     for b in range(dynamic.shape[1]):
@@ -162,7 +168,7 @@ def _stand(
             if acts and driven[target] != step + 1:
                 turn = wp.transform_get_rotation(body_q[target])
                 loss = braking[target] * dt
-                _slow(target, features, loss, -pull * scale, dt, turn, tips, body_qd, joint_qd)
+                _slow(target, features, loss, -pull * scale, turn, tips, body_qd, joint_qd, first)
             before[target] = wp.spatial_top(body_qd[target])
 
 
@@ -172,22 +178,21 @@ def _slow(
     features: wp.array2d(dtype=float),
     loss: float,
     weight: float,
-    dt: float,
     turn: wp.quat,
-    tips: wp.array(dtype=float),
+    tips: wp.array(dtype=int),
     body_qd: wp.array(dtype=wp.spatial_vector),
     joint_qd: wp.array(dtype=float),
+    first: wp.array(dtype=int),
 ):
     """What brakes and tyres do to a body in a step."""
     v = wp.spatial_top(body_qd[target])
     omega = wp.spatial_bottom(body_qd[target])
     kept = grounded(features, target, loss, weight, v, omega, turn)
-    spun = wp.spatial_bottom(kept)
-    if tips[target] > 0.0:
-        tips[target] = tips[target] - dt
-        spun = tipped(spun, turn)
-    _set_linear(target, wp.spatial_top(kept), body_qd, joint_qd)
-    _set_angular(target, spun, body_qd, joint_qd)
+    if tips[target] != 0:
+        tips[target] = 0
+        kept = tipped(features, target, wp.spatial_top(kept), wp.spatial_bottom(kept), turn)
+    _set_linear(target, wp.spatial_top(kept), body_qd, joint_qd, first)
+    _set_angular(target, wp.spatial_bottom(kept), body_qd, joint_qd, first)
 
 
 @wp.kernel(enable_backward=False)
@@ -214,11 +219,12 @@ def run_programs(
     body_q: wp.array(dtype=wp.transform),
     body_qd: wp.array(dtype=wp.spatial_vector),
     joint_qd: wp.array(dtype=float),
+    first: wp.array(dtype=int),
     features: wp.array2d(dtype=float),
     braking: wp.array(dtype=float),
     driven: wp.array(dtype=int),
     before: wp.array(dtype=wp.vec3),
-    tips: wp.array(dtype=float),
+    tips: wp.array(dtype=int),
 ):
     """One thread per world executes its program before a step (`esg.engines.program`)."""
     world = wp.tid()
@@ -228,7 +234,7 @@ def run_programs(
     now, pull = t + wp.float64(0.5) * dt, gravity[world][2] * float(dt)
     _feel(world, step, pull, dynamic, features, before, driven, tips, body_qd)
     for k in range(primitives[world]):
-        if done[world, k] != 0:
+        if done[world, k] != 0 or kind[world, k] == Action.DRIVE:
             continue
         b = body[world, k]
         target = dynamic[world, b]
@@ -244,22 +250,24 @@ def run_programs(
                 v = wp.spatial_top(body_qd[target])
                 x = wp.transform_get_translation(body_q[target])
                 kept = _kept_up(table, kind[world, k], world, k, t, dt, x, v, pull)
-                _set_linear(target, wp.spatial_top(kept), body_qd, joint_qd)
-                _set_angular(target, wp.spatial_bottom(kept), body_qd, joint_qd)
+                _set_linear(target, wp.spatial_top(kept), body_qd, joint_qd, first)
+                _set_angular(target, wp.spatial_bottom(kept), body_qd, joint_qd, first)
                 if kind[world, k] != Action.SPIN:
                     driven[target] = step + 1
-                    tips[target] = 0.0
+                    tips[target] = 0
         elif start <= now:
             done[world, k] = 1
             if kind[world, k] == Action.SET_VELOCITY:
-                _set_linear(target, vector(table, world, k, Column.LINEAR), body_qd, joint_qd)
+                _set_linear(
+                    target, vector(table, world, k, Column.LINEAR), body_qd, joint_qd, first
+                )
                 omega = vector(table, world, k, Column.ANGULAR)
                 if not wp.isnan(omega[0]):
-                    _set_angular(target, omega, body_qd, joint_qd)
+                    _set_angular(target, omega, body_qd, joint_qd, first)
             elif kind[world, k] == Action.APPLY_IMPULSE:
                 impulse = vector(table, world, k, Column.IMPULSE)
                 v = wp.spatial_top(body_qd[target]) + impulse / body_mass[target]
-                _set_linear(target, v, body_qd, joint_qd)
+                _set_linear(target, v, body_qd, joint_qd, first)
             else:
                 to = vector(table, world, k, Column.LINEAR_DAMPING)
                 if target >= 0:
@@ -270,7 +278,7 @@ def run_programs(
                         if shape_body[shape] == b:
                             shape_mu[shape] = to[2] * friction_scale[world]
     _stand(world, step, pull, float(dt), friction_scale[world], dynamic, features, braking, driven,
-           before, tips, body_q, body_qd, joint_qd)  # fmt: skip
+           before, tips, body_q, body_qd, joint_qd, first)  # fmt: skip
 
 
 @wp.kernel(enable_backward=False)

@@ -16,9 +16,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.jobs import Buffer, Job, Pieces, Played
-from esg.engines.newton.builder import Blueprint, Wanted
+from esg.engines.newton.builder import MARK, Blueprint, Wanted
+from esg.engines.newton.jointed import Jointed
 from esg.engines.newton.setup import FIXED_POINT
-from esg.engines.newton.worlds import NewtonWorlds, Singles
+from esg.engines.newton.trees import AXES, drives, plan_trees
+from esg.engines.newton.worlds import AxisRows, NewtonWorlds, Singles
 from esg.engines.program import FIELDS, Action, Column
 from esg.engines.scene import ContactLog
 from esg.engines.shapes import SceneShapes
@@ -88,10 +90,39 @@ class NewtonModel(NewtonWorlds):
         with self.wp.ScopedDevice(device):
             self._build(blueprint, points)
             self._make_arrays(ground)
+            self.jointed = self._join()
+
+    def _join(self) -> Jointed | None:
+        """The joints of all scenes."""
+        if not any(s.joints for s in self.shapes):
+            return None
+        local = [np.where(s.dynamic, np.cumsum(s.dynamic) - 1, -1) for s in self.shapes]
+        marks: list[dict[int, int]] = []
+        for w, k in enumerate(self.scene_of):
+            first = self.first_shapes[w] + np.nonzero(self.owners[k] == MARK)[0]
+            tied = [b for b in self.plans[k].tied if local[k][b] >= 0]
+            marks.append(dict(zip(tied, first.tolist(), strict=True)))
+        return Jointed(self, self.plans, self.scene_of, self.first_body, local, marks)
+
+    def _axis_rows(self) -> AxisRows | None:
+        if not any(s.joints for s in self.shapes):
+            return None
+        axes = [
+            [n.record for n in plan.links if n.record is not None and n.record.kind in AXES]
+            for plan in self.plans
+        ]
+        limited = [r.lower is not None or r.upper is not None for of in axes for r in of]
+        return AxisRows(
+            axes=3 * max(len(of) for of in axes),
+            limits=any(limited),
+            drives=any(drives(r) for of in axes for r in of),
+        )
 
     def _build(self, blueprint: Blueprint, room: Points) -> None:
+        self.plans = [plan_trees(s.joints, s.ends, s.dynamic) for s in self.shapes]
         points = [
-            growth * room.of(s) for (_, _, growth), s in zip(self.wanted, self.shapes, strict=True)
+            growth * room.of(s) + len(plan.ties)
+            for (_, _, growth), s, plan in zip(self.wanted, self.shapes, self.plans, strict=True)
         ]
         most = max(points)
         n_shapes = np.array([len(o) for o in self.owners])[self.scene_of]
@@ -104,6 +135,7 @@ class NewtonModel(NewtonWorlds):
             int(self.first_body[-1]),
             int((np.array(points) * self.copies).sum()),
             _rounded(most) if room.rounded else most,
+            self._axis_rows(),
         )
 
     def _make_arrays(self, ground: bool) -> None:
@@ -198,7 +230,9 @@ class NewtonModel(NewtonWorlds):
         self._load_states(bodies([
             np.concatenate([j.position[:, d], j.quaternion[:, d]], axis=-1).reshape(-1, 7)
             for j, d in pairs
-        ]))  # fmt: skip
+        ]), None if self.jointed is None else self.jointed.load(
+            [(j.position.astype(float), j.quaternion.astype(float)) for j in jobs]
+        ))  # fmt: skip
         self._load_batches(jobs)
         self._choose_pairs(jobs)
         if frames > self.frames:
@@ -231,13 +265,17 @@ class NewtonModel(NewtonWorlds):
             span = slice(self.first_shapes[world], self.first_shapes[world + w])
             m = np.empty((w, len(own)), np.float32)
             r = np.empty_like(m)
-            m[:, 2:], r[:, 2:] = job.friction[:, own[2:]], job.restitution[:, own[2:]]
+            solid = own[own >= 0]
+            of = slice(2, 2 + len(solid))
+            m[:, of], r[:, of] = job.friction[:, solid], job.restitution[:, solid]
             m[:, :2], r[:, :2] = job.ground[:, :2], job.ground[:, 2:]
+            # Marks are all that is left.
+            m[:, of.stop :] = r[:, of.stop :] = 0.0
             mu[span], restitution[span] = m.reshape(-1), r.reshape(-1)
-            still = np.nonzero(s.static[own[2:]])[0]
+            still = np.nonzero(s.static[solid])[0]
             if len(still):
                 rows = pose[span].reshape(w, len(own), 7)
-                body, shape = own[2:][still], _shape_numbers(s)[still]
+                body, shape = solid[still], _shape_numbers(s)[still]
                 q = job.quaternion[:, body].astype(float)
                 local = np.broadcast_to(s.origin[shape], (w, len(still), 3))
                 rows[:, 2 + still, :3] = job.position[:, body] + quat_rotate(q, local)

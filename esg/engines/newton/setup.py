@@ -17,6 +17,10 @@ RESTITUTION_THRESHOLD_MPS = 0.2
 FIXED_POINT = 1.0e9
 """Units per N s (and N s m) of the integer sums; integers make atomic sums independent of order."""
 CONTACT_GAP_M = 0.005
+BAUMGARTE = 0.2
+"""Share of an overlap that the solver makes up for in a step."""
+DRIVE_GAIN = 1e9
+"""Damping towards the speed of a motor or of what rubs [N m s or N s/m]: as good as rigid."""
 SPECULATIVE_GAP_M = 0.25
 """Fast bodies are seen as far ahead as they move in a step, up to this distance [m]."""
 

@@ -2,13 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.newton.setup import (
+    BAUMGARTE,
     ITERATIONS,
     RESTITUTION_THRESHOLD_MPS,
     SPECULATIVE_GAP_M,
@@ -20,8 +22,25 @@ from esg.engines.newton.sharing import share_kernels, sort_few_contacts
 from esg.engines.program import FIELDS
 from esg.engines.traction import FEATURES
 
+if TYPE_CHECKING:
+    from esg.engines.newton.jointed import Jointed
+
 Ints = NDArray[np.int32]
 Singles = NDArray[np.float32]
+
+
+@dataclass(frozen=True)
+class AxisRows:
+    """What joints take of the solver beside what touches.
+
+    Args:
+        axes: Rows of the axes of a world, at most.
+        limits, drives: Whether an axis has limits, a motor or friction.
+    """
+
+    axes: int
+    limits: bool
+    drives: bool
 
 
 class NewtonWorlds:
@@ -37,6 +56,7 @@ class NewtonWorlds:
 
     out_q: Any
     out_qd: Any
+    jointed: Jointed | None
 
     def __init__(self, device: str, n_worlds: int, n_bodies: int) -> None:
         self.wp = quiet_warp()
@@ -47,6 +67,7 @@ class NewtonWorlds:
         self._graphs: dict[object, Any] = {}
         self._primitives = 0
         self.dt, self.has_friction_change = 0.0, False
+        self.jointed = None
 
     def _finalize(
         self,
@@ -55,6 +76,7 @@ class NewtonWorlds:
         n_moving: int,
         points: int,
         points_per_world: int,
+        rows: AxisRows | None = None,
     ) -> None:
         """Puts the model on the device and makes its collision pipeline and solver.
 
@@ -64,6 +86,7 @@ class NewtonWorlds:
             n_moving: Bodies that move in all worlds.
             points: Room for contact points in all worlds.
             points_per_world: In the most crowded one.
+            rows: What joints take of the solver; None without joints.
 
         Raises:
             RuntimeError: If Newton laid shapes or bodies out in another order than the kernels of
@@ -97,7 +120,10 @@ class NewtonWorlds:
             restitution_velocity_threshold=RESTITUTION_THRESHOLD_MPS,
             # One row along the normal and two for friction.
             free_body_constraint_max=3 * points_per_world,
-            articulation_constraint_max=1,
+            articulation_constraint_max=1 if rows is None else rows.axes + 3 * points_per_world,
+            enable_joint_limits=rows is not None and rows.limits,
+            drive_mode="rows" if rows is not None and rows.drives else "augmented",
+            baumgarte=BAUMGARTE,
             warn_constraint_overflow=False,
             deterministic=mode.RUN_TO_RUN if cuda else mode.NOT_GUARANTEED,
         )
@@ -142,7 +168,8 @@ class NewtonWorlds:
         self.primitive_counts = wp.zeros(w, dtype=int)
         n = max(1, self.model.body_count)
         self.features = wp.zeros((n, FEATURES), dtype=float)
-        self.braking, self.tips = wp.zeros(n, dtype=float), wp.zeros(n, dtype=float)
+        self.braking, self.tips = wp.zeros(n, dtype=float), wp.zeros(n, dtype=int)
+        self.start = wp.array(6 * np.arange(n, dtype=np.int32), dtype=int)
         self.before = wp.zeros(n, dtype=wp.vec3)
         self.driven = wp.zeros(n, dtype=int)
 
@@ -164,8 +191,8 @@ class NewtonWorlds:
         model.body_inv_mass.assign(1.0 / mass)
         model.body_inertia.assign(inertia)
         model.body_inv_inertia.assign(np.linalg.inv(inertia.astype(float)))
-        model.steel.rigid_body_linear_damping.assign(damping[:, 0].copy())
-        model.steel.rigid_body_angular_damping.assign(damping[:, 1].copy())
+        for target, values in zip(self._dampings(), damping.T, strict=True):
+            target.assign(values.copy())
         self.features.assign(features)
 
     def _load_shapes(self, mu: Singles, restitution: Singles, pose: Singles) -> None:
@@ -178,13 +205,32 @@ class NewtonWorlds:
         model.shape_transform.assign(pose)
         self.solver.notify_model_changed(flags.BODY_INERTIAL_PROPERTIES | flags.SHAPE_PROPERTIES)
 
-    def _load_states(self, pose: Singles) -> None:
-        """Puts moving bodies at rest where they start, shape [D, 7]."""
+    def _dampings(self) -> tuple[Any, Any]:
+        """Linear and angular damping of all moving bodies, which programs may change."""
+        of = self.model.steel
+        if self.jointed is None:
+            return of.rigid_body_linear_damping, of.rigid_body_angular_damping
+        return self.jointed.linear_damping, self.jointed.angular_damping
+
+    def _load_states(self, pose: Singles, coordinates: Singles | None = None) -> None:
+        """Puts moving bodies at rest where they start.
+
+        Args:
+            pose: Of each, shape [D, 7].
+            coordinates: Of their joints; None where each body is free.
+        """
+        import newton
+
+        model = self.model
         for state in (self.state, self.other) if len(pose) else ():
             state.body_q.assign(pose)
             state.body_qd.zero_()
-            state.joint_q.assign(pose.reshape(-1))
+            state.joint_q.assign(pose.reshape(-1) if coordinates is None else coordinates)
             state.joint_qd.zero_()
+            if coordinates is not None:
+                # A variation moves bodies, and joints leave what they leave of it.
+                newton.eval_fk(model, state.joint_q, state.joint_qd, state)
+                self.solver.notify_model_changed(newton.ModelFlags.JOINT_PROPERTIES)
         self.solver.reset(self.state)
 
     def _load_programs(
@@ -260,7 +306,7 @@ class NewtonWorlds:
                 self.clock, self.touched, self.done, self.active, self.impulse, self.first,
                 self.depth, self.moments, self.model.shape_material_mu,
                 steel.rigid_body_linear_damping, steel.rigid_body_angular_damping, self.braking,
-                self.before, self.tips, self.driven,
+                self.before, self.tips, self.driven, *self._joint_states(),
             )
         ]  # fmt: skip
         self._step()
@@ -270,13 +316,19 @@ class NewtonWorlds:
         self.solver.reset(self.state)
         self.solver.notify_model_changed(newton.ModelFlags.SHAPE_PROPERTIES)
 
+    def _joint_states(self) -> list[Any]:
+        joints = self.jointed
+        return [] if joints is None else [*self._dampings(), joints.broken]
+
     def _step(self) -> None:
         import newton
 
         from esg.engines.newton import kernels
 
         wp, model, c = self.wp, self.model, self.contacts
-        s = self.state
+        s, joints = self.state, self.jointed
+        if joints is not None:
+            joints.begin(s)
         wp.launch(
             kernels.run_programs,
             dim=self.n_worlds,
@@ -284,21 +336,25 @@ class NewtonWorlds:
                 self.clock, self.grid, self.primitive_counts, self.kind, self.body, self.until,
                 self.table, self.dynamic, self.first_shape, self.shape_body,
                 self.friction_scale, self.touched, self.done, self.active, model.body_mass,
-                model.steel.rigid_body_linear_damping, model.steel.rigid_body_angular_damping,
-                model.shape_material_mu, model.gravity, s.body_q, s.body_qd, s.joint_qd,
-                self.features, self.braking, self.driven, self.before,
-                self.tips,
+                *self._dampings(), model.shape_material_mu, model.gravity, s.body_q, s.body_qd,
+                s.joint_qd, self.start if joints is None else joints.start, self.features,
+                self.braking, self.driven, self.before, self.tips,
             ],
         )  # fmt: skip
         if self.has_friction_change:
             self.solver.notify_model_changed(newton.ModelFlags.SHAPE_PROPERTIES)
         s.clear_forces()
+        if joints is not None:
+            joints.push(self, s)
         self.pipeline.collide(s, c, dt=self.dt)
+        count = c.rigid_contact_count if joints is None else joints.solid
+        if joints is not None:
+            joints.hold(self, s)
         wp.launch(
             kernels.touch_movers,
             dim=c.rigid_contact_max,
             inputs=[
-                c.rigid_contact_count, c.rigid_contact_shape0, c.rigid_contact_shape1,
+                count, c.rigid_contact_shape0, c.rigid_contact_shape1,
                 c.rigid_contact_normal, c.rigid_contact_margin0, c.rigid_contact_margin1,
                 model.shape_body, s.body_q, c.rigid_contact_point0, c.rigid_contact_point1,
             ],
@@ -308,7 +364,7 @@ class NewtonWorlds:
             kernels.accumulate_contacts,
             dim=c.rigid_contact_max,
             inputs=[
-                self.clock, self.grid, c.rigid_contact_count, c.rigid_contact_shape0,
+                self.clock, self.grid, count, c.rigid_contact_shape0,
                 c.rigid_contact_shape1, c.rigid_contact_point0, c.rigid_contact_point1,
                 c.rigid_contact_normal, c.rigid_contact_margin0, c.rigid_contact_margin1,
                 self.observables.contact_f, model.shape_body, s.body_q, model.shape_world,
@@ -316,6 +372,8 @@ class NewtonWorlds:
                 self.first, self.depth, self.moments,
             ],
         )  # fmt: skip
+        if joints is not None:
+            joints.end(self)
         self.state, self.other = self.other, self.state
         wp.launch(
             kernels.record_frames,
