@@ -14,9 +14,6 @@ GC_THRESHOLD = 100_000
 that stay: Python's 700 cost a fifth of it."""
 
 
-INTERRUPTED = "interrupted; finished stages are kept, run the same command again to go on"
-
-
 EXTRAS = {
     "cma": "baselines", "coacd": "convex", "dask": "dask", "distributed": "dask",
     "open_clip": "clip", "openai": "llm", "prefect_dask": "dask", "prefect_ray": "ray",
@@ -74,18 +71,20 @@ def main() -> None:
     """Runs one command and exits with its code: 0 good, 1 error, 2 usage, 3 some scenes failed."""
     from esg.commands.console import fail, flush, quiet_native_output, silence
     from esg.commands.parsing import parse
+    from esg.commands.stopping import answer_signals, stopped
 
     gc.set_threshold(GC_THRESHOLD, 20, 20)
     quiet_native_output()
     arguments = sys.argv[1:]
     as_json = "--json" in arguments
+    answer_signals(as_json)
     try:
         code = parse(build_app(), arguments)()
         flush()
     except UserError as error:
         code = fail(str(error), error.exit_code, as_json)
     except KeyboardInterrupt:
-        code = fail(INTERRUPTED, 130, as_json)
+        code = stopped(as_json)
     except BrokenPipeError:
         silence()  # the reader (head, less) has closed: nothing more to tell it
         code = 1
@@ -98,7 +97,7 @@ def main() -> None:
         code = fail(told, 1, as_json and error.filename is not None)
     except Exception as error:
         if interrupted(error):
-            sys.exit(fail(INTERRUPTED, 130, as_json))
+            sys.exit(stopped(as_json))
         if os.environ.get("ESG_DEBUG"):
             raise
         if isinstance(error, ModuleNotFoundError) and (told := missing(error.name or "")):

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 import contextlib
 import errno
+import hashlib
 import json
 import os
 from pathlib import Path
@@ -76,6 +77,29 @@ def final_names(text: str) -> str:
     return re.sub(rf"\.([^/\"']+)\.\d+-[0-9a-f]{{8}}{re.escape(TEMPORARY)}", r"\1", text)
 
 
+def safe_name(text: str) -> str:
+    """A text as the name of a file or folder: one level, only characters safe everywhere."""
+    return re.sub(r"[^A-Za-z0-9._-]+", "_", text).strip("._")[:120]
+
+
+def read_limited(path: Path, limit: int) -> bytes:
+    """The bytes of a file that somebody else made.
+
+    Args:
+        path: The file.
+        limit: Largest size [bytes].
+
+    Raises:
+        UserError: If it is larger.
+        OSError: If it cannot be read.
+    """
+    with path.open("rb") as file:
+        data = file.read(limit + 1)
+    if len(data) > limit:
+        raise UserError(f"{path} has more than {limit / 2**20:g} MiB; give a smaller file")
+    return data
+
+
 @contextlib.contextmanager
 def atomic_file(path: Path) -> Generator[IO[bytes]]:
     """Opens a temporary file that becomes `path` when the block ends, or vanishes if it fails.
@@ -134,6 +158,33 @@ def sync_file(path: Path) -> None:
         os.fsync(handle)
     finally:
         os.close(handle)
+
+
+def sha256_of(path: Path) -> str:
+    """The SHA-256 of a file's content, in hexadecimal."""
+    with path.open("rb") as file:
+        return hashlib.file_digest(file, "sha256").hexdigest()
+
+
+_intact: dict[Path, tuple[tuple[int, ...], str]] = {}
+
+
+def is_intact(path: Path, digest: str) -> bool:
+    """Whether a file is there and has the content of a digest; it is read again once it changes.
+
+    Args:
+        path: Of the file.
+        digest: As `sha256_of` gives it.
+    """
+    try:
+        facts = path.stat()
+        signature = (facts.st_ino, facts.st_size, facts.st_mtime_ns, facts.st_ctime_ns)
+        known = _intact.get(path)
+        if known is None or known[0] != signature:
+            known = _intact[path] = signature, sha256_of(path)
+    except OSError:
+        return False
+    return known[1] == digest
 
 
 def sync_folder(path: Path) -> None:

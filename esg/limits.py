@@ -1,23 +1,37 @@
-"""Limits on how many scenes may be in one stage at a time, on this machine.
+"""Limits of stages: how many scenes may be in one at a time on this machine, and how long.
 
 `ESG_STAGE_LIMITS="optimize=1,replay=4"`: whatever the number of workers and commands, at most one
 search runs at a time (one GPU), and four replays. A place in a stage is a locked file, so that it
-is free again the moment its process ends, however it ends.
+is free again the moment its process ends, however it ends. `ESG_STAGE_SECONDS=900` is what one
+stage of one scene may take.
 """
 
 from __future__ import annotations
 
 from collections.abc import Generator, Mapping
 import contextlib
+import ctypes
+import faulthandler
+import multiprocessing
 import os
+import threading
 import time
 
+from esg.notices import warn
 from esg.outcomes import UserError
 from esg.paths import cache_dir
 from esg.pipeline import STAGES
+from esg.settings import STAGE_S
+from esg.workers import OUT_OF_TIME
 
 VARIABLE = "ESG_STAGE_LIMITS"
 _WAIT_S = 0.05
+_INTERRUPTS = 10
+"""So many times, once a second, a stage that ran out of time is asked to end."""
+
+
+class StageTimeout(BaseException):
+    """A stage ran longer than it may. Not an `Exception`: no handler of a stage may swallow it."""
 
 
 def stage_limits(text: str | None = None) -> Mapping[str, int]:
@@ -66,3 +80,58 @@ def place_in(stage: str) -> Generator[None]:
                 yield
                 return
         time.sleep(_WAIT_S)
+
+
+@contextlib.contextmanager
+def limited(stage: str, seconds: float | None = None) -> Generator[None]:
+    """Ends the body once it takes too long.
+
+    The body is interrupted wherever Python runs next, so that its scene ends and the others go on.
+    Native code that never comes back ends the process: a worker with `OUT_OF_TIME`, the command
+    with 1 and a message. Code that also keeps Python's lock is ended without one, a minute later.
+
+    Args:
+        stage: What runs, for messages.
+        seconds: Limit [s]; default `ESG_STAGE_SECONDS`, 0: none.
+
+    Raises:
+        StageTimeout: In the body.
+    """
+    limit = STAGE_S.value if seconds is None else seconds
+    if limit <= 0.0:
+        yield
+        return
+    told = f"{stage} ran longer than its limit of {limit:g} s (ESG_STAGE_SECONDS)"
+    thread, ended, lock = threading.get_ident(), threading.Event(), threading.Lock()
+
+    def watch() -> None:
+        wait = limit
+        for _ in range(_INTERRUPTS):
+            if ended.wait(wait):
+                return
+            with lock:
+                if not ended.is_set():
+                    _raise_in(thread, StageTimeout)
+            wait = 1.0
+        if not ended.wait(wait):
+            warn([told])
+            os._exit(1 if multiprocessing.parent_process() is None else OUT_OF_TIME)
+
+    with open(os.devnull, "w") as nowhere:
+        faulthandler.dump_traceback_later(limit + 60.0, exit=True, file=nowhere)
+        threading.Thread(target=watch, daemon=True).start()
+        try:
+            yield
+        except StageTimeout:
+            raise StageTimeout(told) from None
+        finally:
+            with lock:
+                ended.set()
+                _raise_in(thread, None)  # one that has not been raised yet must not be later
+            faulthandler.cancel_dump_traceback_later()
+
+
+def _raise_in(thread: int, error: type[BaseException] | None) -> None:
+    """Raises an exception in a thread at its next step of Python, or takes it back."""
+    what = None if error is None else ctypes.py_object(error)
+    ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread), what)

@@ -76,11 +76,11 @@ def conclude_suite(
         UserError: If the folder cannot be written.
     """
     from esg.failures import report_failures
-    from esg.files import write_json
+    from esg.files import safe_name, write_json
     from esg.metrics import load_suite
     from esg.report.run import RUN_FILE
     from esg.runs import database_path, record_run, results
-    from esg.scenefolder import publish, safe_name
+    from esg.scenefolder import publish
 
     loaded = load_suite(suite)
     request = states[0].request

@@ -326,11 +326,20 @@ def failures(states: Sequence[SceneState], *, strict: bool = False) -> list[dict
             "seed": s.request.seed,
             "outcome": s.outcome.value if s.outcome else "unfinished",
             "reason": s.reason or (f"implausible: {implausible(s)}" if implausible(s) else ""),
-            "stage": s.log[-1]["stage"] if s.log else "",
+            "stage": failed_stage(s),
         }
         for s in states
         if not good(s, strict=strict)
     ]
+
+
+def failed_stage(state: SceneState) -> str:
+    """The stage that decided how a scene ended: later ones only carry its outcome on."""
+    ended = state.outcome.value if state.outcome else None
+    for entry in state.log:
+        if ended is not None and entry.get("outcome") == ended:
+            return str(entry["stage"])
+    return str(state.log[-1]["stage"]) if state.log else ""
 
 
 def good(state: SceneState, *, strict: bool = False) -> bool:

@@ -26,8 +26,9 @@ def record_run(
 ) -> str | None:
     """Writes the Parquet part of a run and ingests it.
 
-    A database that cannot be written is no reason to fail a run whose scenes are finished: the
-    reason is told on stderr and the Parquet part, if it was written, can be ingested later.
+    The scenes are finished and stay whatever becomes of the database: the reason is told on stderr,
+    and the Parquet part, if it was written, can be ingested later. A command whose run is not
+    recorded ends with 1 (`exit_code`), or nobody would notice a night without a row.
 
     Args:
         states: Finished scenes of one run.
@@ -45,10 +46,10 @@ def record_run(
 
     from esg import __version__
     from esg.codeversion import code_version
+    from esg.files import safe_name
     from esg.notices import warn
     from esg.outcomes import UserError
     from esg.pipeline import STAGES
-    from esg.scenefolder import safe_name
     from esg.stages import REPLAY_RATE_HZ
     from esg.store import RunInfo, ingest, record_of, write_tables
 
@@ -79,6 +80,21 @@ def record_run(
         warn([f"the run is not in the database {db}: {why}"])
         return None
     return run.run_id
+
+
+def exit_code(states: list[SceneState], recorded: bool, *, strict: bool = False) -> int:
+    """Of a command that made scenes: 1 if the run is not recorded, 3 if a scene failed, else 0.
+
+    Args:
+        states: Its scenes, ended.
+        recorded: Whether their rows are in the run database.
+        strict: Whether what is `partial` or not plausible counts as a failure.
+    """
+    from esg.pipeline import failures
+
+    if not recorded:
+        return 1
+    return 3 if failures(states, strict=strict) else 0
 
 
 def results(

@@ -7,12 +7,11 @@ import errno
 import json
 import os
 from pathlib import Path
-import re
 import shutil
 import tempfile
 import time
 
-from esg.files import explained, refused
+from esg.files import explained, refused, safe_name
 from esg.outcomes import UserError
 from esg.pipeline import STAGES, SceneState
 from esg.stages import DOCUMENT, ROLLOUT
@@ -102,11 +101,6 @@ def folder_name(state: SceneState) -> str:
         document = json.loads((state.artifact("draft") / DOCUMENT).read_bytes())
         name = document["scene_definition"]["scene_id"]
     return safe_name(name) or "scene"
-
-
-def safe_name(text: str) -> str:
-    """A text as the name of a file or folder: one level, only characters safe everywhere."""
-    return re.sub(r"[^A-Za-z0-9._-]+", "_", text).strip("._")[:120]
 
 
 def _fill(state: SceneState, folder: Path) -> None:

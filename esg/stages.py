@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -208,7 +209,9 @@ def _replay(state: SceneState, folder: Path) -> None:
     if proof == "class":
         from esg.compile import replay_class
 
-        replay = replay_class(state.artifact("compile"), dt=1.0 / REPLAY_RATE_HZ)
+        replay = replay_class(
+            state.artifact("compile"), dt=1.0 / REPLAY_RATE_HZ, document=partial(load_doc, state)
+        )
         rollout, log = replay.rollout, replay.log
     else:
         rollout = _replay_program(state)

@@ -83,6 +83,10 @@ ABOVE_TOLERANCE = 0.10
 """A stated distance above something may be off by this share."""
 DIRECTION_DEG = 35.0
 """A displacement may be so far off its direction."""
+SIDE_SHARE, SIDE_DEG = 0.2, 60.0
+"""A contact point counts for a side if it is farther from it than from the nearest one by no more
+than this, in halves of the bounding box (engines log one corner of a contact patch, and bumpers are
+rounded), and if the surface there looks no farther off it than this."""
 ROLLING, ROLLING_SHARE = (0.85, 1.15), 0.7
 """What rolls has this spin over v/r in this share of the samples in which it moves on its
 support."""
@@ -139,6 +143,8 @@ JUMP_SHARE, JUMP_OWN_S = 0.1, 0.25
 """What jumps rises by this share of its height, and is set in motion no longer before."""
 OPEN_SHARE = 1.0 / 3.0
 """What slides open goes over this share of its way."""
+SHUT_SHARE = 1.0 / 6.0
+"""What is closed stands open by at most this share of what counts as open."""
 PIECES, PIECE_GAP_M = 3, 0.02
 """What is broken is in so many pieces so far apart."""
 
@@ -158,6 +164,9 @@ SAFE_BRAKED_TO = 0.45
 """Share of its speed that a braked body may keep (`BRAKED_TO`)."""
 SAFE_TURN_DEG = 15.0
 """By how much a turn may miss its angle (`TURN_TOLERANCE_DEG`)."""
+HARD_BRAKING_MPS2, GENTLE_BRAKING_MPS2 = 3.4, 1.7
+"""What "brakes hard" means at least, "brakes gently" at most: most drivers are at ease up to
+3.4 m/s^2, and brake harder when surprised (AASHTO Green Book, stopping sight distance); half."""
 BRAKING_DRY_G, BRAKING_WET_G, BRAKING_ICY_G = 0.8, 0.3, 0.1
 """The hardest braking on dry, wet and icy ground, over g: what good tyres pass on to asphalt (0.7
 to 0.9), to wet cobbles or packed snow (0.2 to 0.4) and to ice (0.1)."""

@@ -40,6 +40,22 @@ def quat_from_euler_deg(yaw: float, pitch: float = 0.0, roll: float = 0.0) -> ND
     )
 
 
+def euler_deg_from_quat(q: ArrayLike) -> tuple[float, float, float]:
+    """Yaw, pitch and roll [deg] of R = Rz(yaw) Ry(pitch) Rx(roll); no roll at a pitch of 90.
+
+    Args:
+        q: Unit quaternion (x, y, z, w), shape [4].
+    """
+    x, y, z, w = (float(v) for v in np.asarray(q, float))
+    sine = min(max(2.0 * (w * y - z * x), -1.0), 1.0)
+    if abs(sine) > 1.0 - 1e-12:
+        yaw = math.copysign(2.0, sine) * math.atan2(-x, w)
+        return math.degrees(math.remainder(yaw, 2.0 * math.pi)), math.copysign(90.0, sine), 0.0
+    yaw = math.atan2(2.0 * (w * z + x * y), 1.0 - 2.0 * (y * y + z * z))
+    roll = math.atan2(2.0 * (w * x + y * z), 1.0 - 2.0 * (x * x + y * y))
+    return math.degrees(yaw), math.degrees(math.asin(sine)), math.degrees(roll)
+
+
 def quat_multiply(a: ArrayLike, b: ArrayLike) -> NDArray[np.float64]:
     """Hamilton product of quaternions (x, y, z, w), shapes broadcast over [..., 4]."""
     a, b = np.asarray(a, float), np.asarray(b, float)

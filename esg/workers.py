@@ -15,12 +15,14 @@ import multiprocessing
 import os
 from pathlib import Path
 import queue
+import resource
 import signal
 import threading
 import time
 from typing import Any, TypeVar
 
 from esg.progress import forward_to, relay
+from esg.settings import WORKER_GIB
 
 T = TypeVar("T")
 
@@ -35,8 +37,19 @@ STOP_AFTER_S = 3.0
 """From asking a worker to stop to killing it."""
 
 
+OUT_OF_TIME = 70
+"""Exit code of a worker that ended itself because its call took longer than it may."""
+
+LEAST_MEMORY_BYTES = 4 * 2**30
+"""What a worker may allocate at least, however small its share of the machine is."""
+
+
 class WorkerDied(RuntimeError):
     """The process that ran a call ended without an answer, twice."""
+
+
+class OutOfTime(WorkerDied):
+    """The process that ran a call ended because the call took too long: it is not tried again."""
 
 
 class WorkerPool:
@@ -58,7 +71,8 @@ class WorkerPool:
         self._recycle_after = recycle_after
         self._slots: queue.SimpleQueue[_Slot] = queue.SimpleQueue()
         # Processes share the cores: one engine thread each, unless there is but one process.
-        self._all = [_Slot(max_memory_bytes, processes > 1) for _ in range(processes)]
+        bound = memory_bound(processes)
+        self._all = [_Slot(max_memory_bytes, bound, processes > 1) for _ in range(processes)]
         self._local = threading.Lock()
         self._stopped = threading.Event()
         for slot in self._all:
@@ -114,8 +128,9 @@ class WorkerPool:
 
 
 class _Slot:
-    def __init__(self, max_memory_bytes: int, sharing: bool) -> None:
+    def __init__(self, max_memory_bytes: int, bound_bytes: int, sharing: bool) -> None:
         self._sharing = sharing
+        self._bound = bound_bytes
         self._executor: ProcessPoolExecutor | None = None
         self._calls = 0
         self._max_memory = max_memory_bytes
@@ -131,7 +146,7 @@ class _Slot:
                 1,
                 mp_context=context,
                 initializer=_begin,
-                initargs=(os.getpid(), tell, self._sharing),
+                initargs=(os.getpid(), tell, self._sharing, self._bound),
             )
             self._calls = 0
             future = self._executor.submit(function, *args)
@@ -151,16 +166,20 @@ class _Slot:
         if self._calls >= recycle_after or self._memory() > self._max_memory:
             self.close()
         for _ in range(2):
+            processes: tuple[Any, ...] = ()
             try:
                 future = self.submit(function, args)
                 self._calls += 1
+                processes = tuple((getattr(self._executor, "_processes", None) or {}).values())
                 return future.result()
             except BrokenProcessPool:
                 self.close()
                 go_on()
+                if any(process.exitcode == OUT_OF_TIME for process in processes):
+                    raise OutOfTime("it ran longer than its limit (ESG_STAGE_SECONDS)") from None
         raise WorkerDied(
-            f"the worker process ended twice during {function.__name__}; "
-            "a crash in native code or not enough memory"
+            f"the worker process ended twice during {function.__name__}; a crash in native code, "
+            f"or more memory than its limit of {self._bound / 2**30:.1f} GiB (ESG_WORKER_GIB)"
         )
 
     def _memory(self) -> int:
@@ -188,9 +207,33 @@ class _Slot:
             self._executor = None
 
 
-def _begin(parent: int, tell: Any, sharing: bool) -> None:
+def memory_bound(processes: int) -> int:
+    """What each of so many workers may allocate [bytes]: the setting, else a share of the machine.
+
+    Args:
+        processes: Number of workers.
+    """
+    if WORKER_GIB.value:
+        return int(WORKER_GIB.value * 2**30)
+    return max(LEAST_MEMORY_BYTES, machine_memory() // max(1, processes))
+
+
+def machine_memory() -> int:
+    """Memory that this process can have [bytes]: the machine's, or its control group's."""
+    total = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
+    with contextlib.suppress(OSError, ValueError):
+        total = min(total, int(Path("/sys/fs/cgroup/memory.max").read_text()))
+    return total
+
+
+def _begin(parent: int, tell: Any, sharing: bool, bound_bytes: int) -> None:
     if sharing:
         os.environ.setdefault("ESG_THREADS", "1")
+    # What a process allocates, without what it only reserves, as CUDA does by the terabyte.
+    _, most = resource.getrlimit(resource.RLIMIT_DATA)
+    bound = bound_bytes if most == resource.RLIM_INFINITY else min(bound_bytes, most)
+    with contextlib.suppress(OSError, ValueError):
+        resource.setrlimit(resource.RLIMIT_DATA, (bound, most))
     # A terminal's Ctrl-C reaches workers too: the command decides what becomes of them, and lets
     # them leave no temporary folder behind.
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -21,7 +21,7 @@ from tasks.context import current, run_context
 
 
 class Regression(RuntimeError):
-    """A suite got worse; the flow run is shown as failed."""
+    """A suite got worse, or nobody can tell; the flow run is shown as failed."""
 
 
 @flow(name="nightly", task_runner=task_runner(), validate_parameters=False)
@@ -52,13 +52,14 @@ def nightly(
         workers: Worker processes; -1: one a core.
         cached: Whether finished stages of earlier runs count; a night usually makes everything
             anew, because that is what it is to prove.
-        raise_on_regression: Whether a regression ends the flow as failed.
+        raise_on_regression: Whether a regression, or a run that is not in the database, ends the
+            flow as failed.
 
     Returns:
         One `NightlyResult` a suite, as a dictionary.
 
     Raises:
-        Regression: If a suite got worse, after all suites have been run.
+        Regression: If a suite got worse or was not recorded, after all suites have been run.
     """
     results: list[NightlyResult] = []
     for suite in suites:
@@ -72,8 +73,11 @@ def nightly(
         results.append(found)
         _show(found, states)
     bad = [r.suite for r in results if r.regressed]
+    lost = [r.suite for r in results if not r.run_id]
     if bad and raise_on_regression:
         raise Regression(f"worse than the last good run: {', '.join(bad)}")
+    if lost and raise_on_regression:
+        raise Regression(f"not recorded, so not compared: {', '.join(lost)}")
     return [r.to_json() for r in results]
 
 

@@ -11,6 +11,7 @@ import threading
 from typing import Any, TypeVar
 
 from esg.limits import stage_limits
+from esg.settings import check_limits
 from esg.workers import WorkerPool
 from flows.embedded import prefect_api
 from tasks.context import Watcher, run_context
@@ -33,6 +34,7 @@ def session(processes: int, watch: Watcher | None = None) -> Generator[Callable[
         A function that calls a flow once the API answers: `call(flow, *args, **kwargs)`.
     """
     stage_limits()  # a mistake in them is told before anything starts
+    check_limits()
     with (
         prefect_api() as api,
         WorkerPool(processes) as pool,
@@ -66,25 +68,28 @@ def session(processes: int, watch: Watcher | None = None) -> Generator[Callable[
 
 @contextlib.contextmanager
 def stopping(pool: WorkerPool) -> Generator[None]:
-    """Lets Ctrl-C stop the workers in the body: Prefect would wait for all batches to end.
+    """Lets Ctrl-C and SIGTERM stop the workers in the body: Prefect would wait for all batches.
 
     Args:
         pool: Of the workers.
     """
-    before = signal.getsignal(signal.SIGINT)
-    if threading.current_thread() is not threading.main_thread() or not callable(before):
+    before = {n: signal.getsignal(n) for n in (signal.SIGINT, signal.SIGTERM)}
+    answered = {n: handler for n, handler in before.items() if callable(handler)}
+    if threading.current_thread() is not threading.main_thread():
         yield
         return
 
     def stop(number: int, frame: Any) -> None:
         pool.stop()
-        before(number, frame)
+        answered[signal.Signals(number)](number, frame)
 
-    signal.signal(signal.SIGINT, stop)
+    for number in answered:
+        signal.signal(number, stop)
     try:
         yield
     finally:
-        signal.signal(signal.SIGINT, before)
+        for number in answered:
+            signal.signal(number, before[number])
 
 
 def load_usd() -> None:

@@ -15,9 +15,9 @@ from prefect.states import Completed
 from prefect.tasks import Task, exponential_backoff
 
 from esg.files import unwritable
-from esg.limits import place_in
+from esg.limits import StageTimeout, limited, place_in
 from esg.pipeline import SceneState, crashed, may_pass, run_stage, scratch_store
-from esg.workers import WorkerDied
+from esg.workers import OutOfTime, WorkerDied
 from tasks.context import current
 
 RETRIES = 2
@@ -63,7 +63,11 @@ def make_stage_task(stage: str) -> Callable[[list[SceneState]], list[SceneState]
 def _run(store: Path | None, stage: str, state: SceneState) -> SceneState:
     """One stage of one scene, wherever the pool runs it."""
     with place_in(stage), scratch_store(store) if store else contextlib.nullcontext():
-        return run_stage(stage, state)
+        try:
+            with limited(stage):
+                return run_stage(stage, state)
+        except StageTimeout as error:
+            return crashed(state, TimeoutError(str(error)), stage)
 
 
 def run_batch(stage: str, states: list[SceneState], last_attempt: bool) -> list[SceneState]:
@@ -84,6 +88,8 @@ def run_batch(stage: str, states: list[SceneState], last_attempt: bool) -> list[
     for state in states:
         try:
             done = context.pool.run(_run, context.store, stage, state)
+        except OutOfTime as error:
+            done = crashed(state, TimeoutError(f"{stage}: {error}"), stage)
         except WorkerDied as error:
             done = crashed(state, error, stage)
         except OSError as error:

@@ -65,6 +65,7 @@ def finish(
         is_wheeled=wheeled,
         rolls=rolls,
         wheels=wheels_of(sketch),
+        mounts=tuple(sketch.mounts) or None,
         color_rgb=color,
         license=entry.license,
         attribution=entry.attribution,

@@ -40,6 +40,13 @@ _ROWS = (
         "USBC lane inspection: friction below 0.39, oiled 0.04-0.2",
     ),
     ("steel", 7850, 0.40, 0.45, f"{_TOOLBOX}: steel on steel 0.42-0.57 dry sliding"),
+    (
+        "steel_hardened",
+        7850,
+        0.20,
+        0.95,
+        "Goldsmith, Impact (1960): hardened steel balls 0.9-0.95 at low speeds; polished",
+    ),
     ("cast_iron", 7200, 0.40, 0.40, f"{_TOOLBOX}: cast iron 0.15-1.1, 6800-7800 kg/m3"),
     ("aluminium", 2700, 0.40, 0.45, f"{_TOOLBOX}: aluminium on steel 0.47"),
     ("brass", 8500, 0.38, 0.45, f"{_TOOLBOX}: brass on steel 0.35-0.51"),

@@ -47,14 +47,13 @@ def bench(
         workers: Worker processes; default one a core.
     """
     from esg.commands import inputs
-    from esg.commands.generate import exit_code
     from esg.commands.live import live
     from esg.failures import report_failures
     from esg.files import write_json
     from esg.metrics import load_suite
     from esg.pipeline import STAGES
     from esg.report.run import RUN_FILE
-    from esg.runs import record_run, results
+    from esg.runs import exit_code, record_run, results
     from esg.scenefolder import check_writable, publish
     from esg.workers import default_processes
 
@@ -93,7 +92,7 @@ def bench(
     _tell(result)
     cached = sum(s.cached_stages for s in states)
     print(f"{cached} of {total * len(STAGES)} stages from cache; scenes in {out}")
-    return exit_code(states, strict=strict)
+    return exit_code(states, run_id is not None, strict=strict)
 
 
 def _states(total: int, processes: int, arguments: tuple[Any, ...]) -> list[SceneState]:
@@ -132,7 +131,7 @@ def _tell(result: dict[str, Any]) -> None:
 
 
 def _folder(suite: str, strategy: str, engine: str, close_loop: bool, collision: str) -> str:
-    from esg.scenefolder import safe_name
+    from esg.files import safe_name
 
     name = f"bench-{safe_name(suite) or 'suite'}-{strategy}-{engine}" + (
         "-closed" if close_loop else ""

@@ -16,9 +16,6 @@ if TYPE_CHECKING:
     from esg.dataset.plan import DatasetSpec, Prompt
     from esg.dataset.remote import Remote
 
-STAGE_LIMIT_S = 900.0
-"""A stage that takes longer than this hangs."""
-
 
 def dataset(
     *,
@@ -246,6 +243,7 @@ def _jobs(
 ) -> list[BatchJob]:
     from esg.dataset.job import BatchJob, batch_name
     from esg.dataset.plan import plan_scenes
+    from esg.settings import STAGE_S
 
     scenes = plan_scenes(spec, texts)
     size, out = spec.batch_size, folder.path.resolve()
@@ -257,7 +255,7 @@ def _jobs(
             scenes=tuple(scenes[n * size : (n + 1) * size]),
             out=out,
             work=out / "work" / batch_name(n),
-            stage_limit_s=STAGE_LIMIT_S,
+            stage_limit_s=STAGE_S.value,
             url=remote.url if remote else "",
         )
         for n in left

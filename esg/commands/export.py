@@ -17,6 +17,7 @@ def export(
     *,
     to: Literal["unreal", "usd", "mjcf", "glb", "mcap"],
     out: Path | None = None,
+    trust: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Write a scene folder for another program.
@@ -26,6 +27,7 @@ def export(
         to: unreal a plugin folder; usd physics and baked animation; mjcf MuJoCo XML; glb animated
             glTF; mcap a log for Foxglove.
         out: Folder to write into; default the scene folder. Needed for scenes of the database.
+        trust: Export the class of an unreal plugin whatever it is: you vouch for who made it.
         json: Print one JSON document: the files written.
     """
     from esg.commands.console import emit
@@ -45,7 +47,7 @@ def export(
         target = folder if out is None else out
         check_writable(target)
         with refused(target):
-            files = _mcap(folder, target) if to == "mcap" else _export(folder, to, target)
+            files = _mcap(folder, target) if to == "mcap" else _export(folder, to, target, trust)
     if json:
         emit({"scene": scene, "to": to, "files": [str(f) for f in files]})
     else:
@@ -54,9 +56,14 @@ def export(
     return 0
 
 
-def _export(folder: Path, to: Literal["unreal", "usd", "mjcf", "glb"], target: Path) -> list[Path]:
+def _export(
+    folder: Path, to: Literal["unreal", "usd", "mjcf", "glb"], target: Path, trust: bool
+) -> list[Path]:
     from esg.compile.export import export as run
+    from esg.compile.replay import require_ours
 
+    if to == "unreal" and not trust:
+        require_ours(folder)  # whoever gets the plugin compiles it
     return run(folder, to, target)
 
 
@@ -98,7 +105,7 @@ def _mcap(folder: Path, target: Path) -> list[Path]:
     # A stored trajectory may be thinned, which the judge must not see: only a replay is judged.
     verdict = None
     if rollout is None:
-        rollout, _ = replay_scene(folder, manifest, "physx", manifest.dt)
+        rollout, _ = replay_scene(folder, manifest, "physx", manifest.dt, trust="nothing")
         expected = expectations_from_timeline(doc)
         verdict = judge(manifest.scene, manifest.program, rollout, expected)
     target.mkdir(parents=True, exist_ok=True)

@@ -58,7 +58,7 @@ def generate(
     from esg.outcomes import UserError
     from esg.pipeline import recall
     from esg.requests import generate_requests
-    from esg.runs import record_run
+    from esg.runs import exit_code, record_run
     from esg.scenefolder import check_writable, publish
 
     prompt, _, device, seed, pictures, _ = checked(
@@ -88,7 +88,7 @@ def generate(
         folder = publish(state, out)
         report_failures([state], [folder], out, adding=True, strict=strict)
         bar.show("ingesting")
-        record_run([state], "generate")
+        recorded = record_run([state], "generate") is not None
     summary = summarize(state, folder)
     if pictures is not None and summary["metrics"] is not None:
         summary["render"] = _rendered(folder, pictures, device, seed)
@@ -96,7 +96,7 @@ def generate(
         emit(summary)
     else:
         print(describe(summary))
-    return exit_code([state], strict=strict)
+    return exit_code([state], recorded, strict=strict)
 
 
 def _pictures(channels: str) -> Settings:
@@ -111,13 +111,6 @@ def _rendered(folder: Path, pictures: Settings, device: str, seed: int) -> dict[
     from esg.commands.render import run
 
     return run(folder, folder / "render", replace(pictures, device=device, seed=seed))
-
-
-def exit_code(states: list[SceneState], *, strict: bool = False) -> int:
-    """3 if any scene did not end well, else 0; `strict` counts `partial` as a failure."""
-    from esg.pipeline import failures
-
-    return 3 if failures(states, strict=strict) else 0
 
 
 def summarize(state: SceneState, folder: Path) -> dict[str, Any]:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 
 if TYPE_CHECKING:
-    from esg.compile.transfer import TransferRun
+    from esg.compile.transfer import TransferRun, Trust
     from esg.metrics.models import Suite, SuiteScene
 
 MIN_RATE_HZ, MAX_RATE_HZ = 30, 4000
@@ -24,9 +24,13 @@ def replay(
     dt: float | None = None,
     compare: Annotated[bool, Parameter(negative="")] = False,
     suite: Path | None = None,
+    trust: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Replay a stored scene and judge it.
+
+    The class of the scene runs in a child process, and only if it is what this version emits from
+    the scene's esg.json; otherwise its control program is replayed and the result says so.
 
     Args:
         scene: Scene folder, id of one below ./runs, or key of a scene in the run database.
@@ -36,6 +40,7 @@ def replay(
         compare: Replay in every engine at 120, 240 and 480 Hz and compare with PhysX at 240 Hz.
         suite: Suite file to judge against, its scene found by prompt; default the scene's own
             timeline.
+        trust: Run the class whatever it is: you vouch for who made it.
         json: Print one JSON document: the verdict, or the matrix.
     """
     from esg.commands.console import emit
@@ -46,6 +51,7 @@ def replay(
 
     if compare and not (engine is None and hz is None and dt is None):
         raise UserError("--compare runs every engine and step: leave out --engine, --hz and --dt")
+    vouched: Trust = "anything" if trust else "equal"
     with contextlib.ExitStack() as stack:
         step, loaded, folder = checked(
             lambda: step_of(hz, dt),
@@ -54,9 +60,10 @@ def replay(
         )
         expected, against = expectation(folder, loaded)
         if compare:
-            result = matrix(folder, expected, against) | {"scene": scene}
+            result = matrix(folder, expected, against, vouched) | {"scene": scene}
         else:
-            result = run(folder, engine or "physx", step, expected, against) | {"scene": scene}
+            result = run(folder, engine or "physx", step, expected, against, vouched)
+            result |= {"scene": scene}
     if json:
         emit(result)
     elif compare:
@@ -115,7 +122,14 @@ def expectation(folder: Path, suite: Suite | None) -> tuple[SuiteScene, str]:
     )
 
 
-def run(folder: Path, engine: str, dt: float, expected: SuiteScene, against: str) -> dict[str, Any]:
+def run(
+    folder: Path,
+    engine: str,
+    dt: float,
+    expected: SuiteScene,
+    against: str,
+    trust: Trust = "equal",
+) -> dict[str, Any]:
     """Replays and judges one scene folder.
 
     Args:
@@ -124,6 +138,7 @@ def run(folder: Path, engine: str, dt: float, expected: SuiteScene, against: str
         dt: Physics step [s].
         expected: What must happen.
         against: Where that is written.
+        trust: Which classes are run.
 
     Raises:
         UserError: If the folder holds no compiled scene.
@@ -136,13 +151,14 @@ def run(folder: Path, engine: str, dt: float, expected: SuiteScene, against: str
 
     manifest = load_manifest(folder / "manifest.json")
     told = told_of(load_document(folder / "esg.json"))
-    rollout, proof = replay_scene(folder, manifest, engine, dt)
+    rollout, proof = replay_scene(folder, manifest, engine, dt, trust=trust)
     verdict = judge(manifest.scene, manifest.program, rollout, expected)
     return {
         "scene": str(folder),
         "engine": engine,
         "dt": dt,
         "proof": proof,
+        "proof_note": rollout.extra.get("note", ""),
         "judged_against": against,
         "verified": verdict.verified,
         "verdict": verdict.to_json(),
@@ -150,17 +166,20 @@ def run(folder: Path, engine: str, dt: float, expected: SuiteScene, against: str
     }
 
 
-def matrix(folder: Path, expected: SuiteScene, against: str) -> dict[str, Any]:
+def matrix(
+    folder: Path, expected: SuiteScene, against: str, trust: Trust = "equal"
+) -> dict[str, Any]:
     """The engine x step matrix of one scene folder (`--compare --json`).
 
     Args:
         folder: Scene folder.
         expected: What must happen.
         against: Where that is written.
+        trust: Which classes are run.
     """
     from esg.compile.transfer import REFERENCE, transfer_matrix
 
-    runs: list[TransferRun] = transfer_matrix(folder, expected)
+    runs: list[TransferRun] = transfer_matrix(folder, expected, trust=trust)
     return {
         "scene": str(folder),
         "judged_against": against,
@@ -197,6 +216,7 @@ def verdict_table(result: dict[str, Any]) -> str:
         f"{result['scene']}: {result['engine']} at {1 / result['dt']:.0f} Hz, "
         f"proof: {result['proof']}, judged against {_source(result)}"
     )
+    head += _not_run(result["proof_note"])
     tail = f"layout {'valid' if verdict['slr'] else 'INVALID'}, "
     tail += f"{verdict['completed']} of {verdict['n_events']} events"
     if verdict["statements"]:
@@ -235,7 +255,17 @@ def matrix_table(result: dict[str, Any]) -> str:
         f"{result['scene']}: judged against {_source(result)}; differences to "
         f"{reference['engine']} at {reference['hz']} Hz"
     )
+    title += _not_run(next((r["proof_note"] for r in result["runs"] if r["proof_note"]), ""))
     return table(columns, rows, title)
+
+
+def _not_run(note: str) -> str:
+    """That the class was not run, and how it would be; nothing without a reason."""
+    if not note:
+        return ""
+    return (
+        f"\nthe class was not run: {note}; its program was. --trust runs it if you know its maker"
+    )
 
 
 def _event(event: dict[str, Any]) -> str:

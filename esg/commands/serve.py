@@ -38,8 +38,8 @@ def serve(
 ) -> int:
     """Run suites on a schedule or once: ingest, compare with the last good run, write reports.
 
-    With --once the exit code is 3 if a suite is worse than its last good run. With --cron the
-    command serves the schedule until it is interrupted.
+    With --once the exit code is 3 if a suite is worse than its last good run, and 1 if a run could
+    not be recorded. With --cron the command serves the schedule until it is interrupted.
 
     Args:
         cron: When, e.g. "0 3 * * *" (minute, hour, day of month, month, day of week).
@@ -94,6 +94,8 @@ def serve(
         emit({"suites": nights, "regressed": [n["suite"] for n in nights if n["regressed"]]})
     else:
         print(describe(nights))
+    if not all(n["run_id"] for n in nights):
+        return 1
     return 3 if any(n["regressed"] for n in nights) else 0
 
 
@@ -165,7 +167,12 @@ def _serve(cron: str, options: dict[str, Any]) -> int:
         while datetime.datetime.now(datetime.UTC) < following:
             time.sleep(min(20.0, _seconds_until(following)))
         # A process a night: nothing of the last one is left in memory.
-        code = subprocess.run(command, check=False).returncode
+        with subprocess.Popen(command) as night:
+            try:
+                code = night.wait()
+            except KeyboardInterrupt:
+                night.terminate()  # SIGTERM reaches only this process
+                raise
         print(f"ended with exit code {code}", flush=True)
 
 

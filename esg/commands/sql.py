@@ -17,6 +17,8 @@ def sql(
 ) -> int:
     """Query the results of all runs, read-only.
 
+    ESG_SQL_SECONDS (30) and ESG_SQL_GIB (2) limit its time and memory; 0 sets no limit.
+
     Args:
         query: One SQL statement (DuckDB).
         db: The run database; default $ESG_DB or runs/esg.duckdb.
@@ -24,9 +26,15 @@ def sql(
     """
     from esg.commands.console import emit, table
     from esg.runs import database_path
+    from esg.settings import SQL_GIB, SQL_S
     from esg.store import query as run
 
-    result = run(database_path() if db is None else db, query)
+    result = run(
+        database_path() if db is None else db,
+        query,
+        timeout_s=SQL_S.value,
+        memory_gib=SQL_GIB.value,
+    )
     if json:
         rows = [[_plain(v) for v in row] for row in result.rows]
         emit({"columns": list(result.columns), "rows": rows, "truncated": result.truncated})

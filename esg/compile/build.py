@@ -3,6 +3,9 @@
 A library's key is the hash of the class's two files, the shim and the compiler's version, so that
 an unchanged class is never compiled twice. Several classes share a translation unit and all units
 share a precompiled header: that is what makes batches fast.
+
+Whatever the cache holds is loaded or linked only if it has the hash that was noted when it was
+written; what a crash or a failing disk left damaged is compiled again.
 """
 
 from __future__ import annotations
@@ -13,6 +16,7 @@ from dataclasses import dataclass
 import errno
 from functools import cache, partial
 import hashlib
+import json
 import os
 from pathlib import Path
 import re
@@ -20,8 +24,10 @@ import shutil
 import subprocess
 import tempfile
 import time
+import uuid
 
 from esg.compile.lint import ENGINE_HEADERS, generated_header, lint
+from esg.files import is_intact, sha256_of, sync_file, sync_folder
 from esg.outcomes import UserError
 
 FLAGS = (
@@ -40,6 +46,10 @@ CLASSES_PER_UNIT = 16
 _SHIM = Path(__file__).parent / "shim"
 _KEY_LENGTH = 20
 _EXPORT = '__attribute__((visibility("default")))'
+_HASHES = "hashes.json"
+_LIMITED = ("sh", "-c", 'ulimit -t 120 && ulimit -v 4194304 && exec "$0" "$@"')
+"""Two minutes of processor time and 4 GiB, for what a stranger makes a compiler compute."""
+_UNIT = re.compile(r"unit-[0-9a-f]{20}\.so")
 
 
 class CompilerMissing(RuntimeError):
@@ -154,21 +164,25 @@ def class_key(files: ClassFiles, cxx: str) -> str:
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:_KEY_LENGTH]
 
 
-def compile_class(files: ClassFiles) -> Library:
+def compile_class(files: ClassFiles, *, limited: bool = False) -> Library:
     """Lints and compiles one class, or finds it in the cache.
+
+    Args:
+        files: The class.
+        limited: Whether the compiler's time and memory are limited, for a stranger's class.
 
     Raises:
         CompilerMissing: Without a compiler.
         ClassError: If lint or the compiler complains.
     """
-    result = compile_many([files], jobs=1)[0]
+    result = compile_many([files], jobs=1, limited=limited)[0]
     if isinstance(result, Exception):
         raise result
     return result
 
 
 def compile_many(
-    classes: Sequence[ClassFiles | str | Path], jobs: int | None = None
+    classes: Sequence[ClassFiles | str | Path], jobs: int | None = None, *, limited: bool = False
 ) -> list[Library | ClassError]:
     """Compiles many classes: several to a unit, units in parallel.
 
@@ -186,6 +200,7 @@ def compile_many(
         classes: Scene folders or classes, in any order; equal classes are compiled once.
         jobs: Parallel compilers; default the number of cores. Workers that share a machine should
             pass 1 each. Several processes may compile into one cache at a time.
+        limited: As of `compile_class`.
 
     Returns:
         One entry per class, in order: its library, or what is wrong with it. One bad class, or one
@@ -217,7 +232,7 @@ def compile_many(
         workers = jobs or os.cpu_count() or 1
         units = _units(todo, workers)
         with ThreadPoolExecutor(workers) as pool:
-            for part in pool.map(partial(_compile_unit, cxx, include), units):
+            for part in pool.map(partial(_compile_unit, cxx, include, limited), units):
                 results.update(part)
     return [results[key] for key in keys]
 
@@ -234,10 +249,13 @@ def _read(item: ClassFiles | str | Path) -> ClassFiles | ClassError:
 def _cached(key: str) -> Library | None:
     reference = cache_dir() / f"{key}.ref"
     try:
-        path = cache_dir() / reference.read_text("utf-8").strip()
-    except OSError:
+        name, digest = reference.read_text("ascii").split()
+    except (OSError, ValueError):
         return None
-    return Library(path, _entry(key), 0.0) if path.is_file() else None
+    path = cache_dir() / name
+    if not _UNIT.fullmatch(name) or not is_intact(path, digest):
+        return None
+    return Library(path, _entry(key), 0.0)
 
 
 def _units(todo: dict[str, ClassFiles], jobs: int) -> list[list[tuple[str, ClassFiles]]]:
@@ -248,7 +266,7 @@ def _units(todo: dict[str, ClassFiles], jobs: int) -> list[list[tuple[str, Class
 
 
 def _compile_unit(
-    cxx: str, include: Path, unit: list[tuple[str, ClassFiles]]
+    cxx: str, include: Path, limited: bool, unit: list[tuple[str, ClassFiles]]
 ) -> dict[str, Library | ClassError]:
     start = time.perf_counter()
     root = cache_dir()
@@ -271,23 +289,31 @@ def _compile_unit(
         built = Path(work, "unit.so")
         command = [cxx, *FLAGS, "-shared", "-include", "UEShim.h", f"-I{include}", f"-I{work}",
                    str(unit_cpp), str(include / "runtime.o"), "-o", str(built)]  # fmt: skip
+        command = [*(_LIMITED if limited else ()), *command]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
+        digest = ""
         if done.returncode == 0:
+            digest = sha256_of(built)
+            sync_file(built)
             os.replace(built, target)
+            sync_folder(root)
     _check_room(done.stderr, root)
     if done.returncode != 0:
+        if not _is_sound(include):
+            # It was damaged under our hands: no fault of the class.
+            return _compile_unit(cxx, _include_dir(cxx), limited, unit)
         if len(unit) > 1:
             # One bad class must not fail its neighbours: find it by compiling each alone.
             out: dict[str, Library | ClassError] = {}
             for item in unit:
-                out.update(_compile_unit(cxx, include, [item]))
+                out.update(_compile_unit(cxx, include, limited, [item]))
             return out
         key, files = unit[0]
         message = _error_first(done.stderr.strip().replace(f"{work}/", ""))
         return {key: ClassError(f"{files.folder}/unreal/{files.name}.cpp", [message])}
     seconds = (time.perf_counter() - start) / len(unit)
     for key, _ in unit:
-        _write(root / f"{key}.ref", target.name)
+        _write(root / f"{key}.ref", f"{target.name} {digest}")
     return {key: Library(target, _entry(key), seconds) for key, _ in unit}
 
 
@@ -345,7 +371,7 @@ def _include_dir(cxx: str) -> Path:
     root = cache_dir()
     root.mkdir(parents=True, exist_ok=True)
     folder = root / f"include-{_environment_key(cxx)}"
-    if (folder / "runtime.o").is_file():
+    if _is_sound(folder):
         return folder
     with tempfile.TemporaryDirectory(dir=root, prefix="include-build-") as work:
         build = Path(work, "include")
@@ -366,13 +392,35 @@ def _include_dir(cxx: str) -> Path:
             _check_room(done.stderr, folder.parent)
             if done.returncode != 0:
                 raise RuntimeError(f"{cxx} cannot compile the shim: {done.stderr.strip()}")
+        hashes = {name: sha256_of(build / name) for name in _include_files()}
+        (build / _HASHES).write_text(json.dumps(hashes), "ascii")
+        for name in (*hashes, _HASHES):
+            sync_file(build / name)
         try:
             os.rename(build, folder)
         except OSError:
-            # Another process finished first; its folder has the same content.
-            if not (folder / "runtime.o").is_file():
-                raise
+            # Another process finished first, or what is there is damaged.
+            if _is_sound(folder):
+                return folder
+            os.rename(folder, Path(work, f"damaged-{uuid.uuid4().hex}"))
+            os.rename(build, folder)
+        sync_folder(root)
     return folder
+
+
+def _include_files() -> list[str]:
+    return [*sorted(ENGINE_HEADERS), "UEShim.h", "UEShim.h.gch", "runtime.cpp", "runtime.o"]
+
+
+def _is_sound(folder: Path) -> bool:
+    """Whether the shim's folder is complete and every file in it as it was written."""
+    try:
+        hashes = json.loads((folder / _HASHES).read_bytes())
+        return sorted(hashes) == sorted(_include_files()) and all(
+            is_intact(folder / name, digest) for name, digest in hashes.items()
+        )
+    except (OSError, ValueError, TypeError):
+        return False
 
 
 def read_classes(folders: Iterable[Path]) -> list[ClassFiles]:

@@ -13,6 +13,7 @@ from esg.engines.registry import get_engine
 from esg.engines.scene import Rollout
 from esg.files import TEMPORARY
 from esg.outcomes import UserError
+from esg.scenereading import absent, read_rollout
 
 Target = Literal["unreal", "usd", "mjcf", "glb"]
 FRAMES_PER_SECOND = 60
@@ -34,7 +35,7 @@ def export(
             `glb` animated glTF.
         out: Folder to write into, default `folder`.
         rollout: Replay to show in animations (its first world, at most 60 frames a second);
-            default the class is replayed in PhysX.
+            default the recorded one, else the program is replayed in PhysX.
 
     Returns:
         The files written, sorted.
@@ -88,18 +89,16 @@ def _write(
 
 
 def animation(folder: Path, manifest: Manifest) -> Rollout:
-    """The replay in PhysX at animation rate: of the class, or of the program without g++."""
-    from esg.compile.build import CompilerMissing
-    from esg.compile.replay import replay_class
+    """The motion to show: as it was recorded, else the program replayed in PhysX.
 
+    No class is run for it: to look at a scene must not run code that came with it.
+    """
+    recorded = folder / "rollout.npz"
+    if not absent(recorded):
+        return thinned(read_rollout(recorded, len(manifest.scene.bodies)))
     every = max(1, round(1.0 / (FRAMES_PER_SECOND * manifest.dt)))
-    try:
-        return replay_class(folder, dt=manifest.dt, record_every=every).rollout
-    except CompilerMissing:
-        batch = batch_programs([manifest.program], manifest.scene.names)
-        return get_engine("physx").rollout(
-            manifest.scene, batch, dt=manifest.dt, record_every=every
-        )
+    batch = batch_programs([manifest.program], manifest.scene.names)
+    return get_engine("physx").rollout(manifest.scene, batch, dt=manifest.dt, record_every=every)
 
 
 def thinned(rollout: Rollout) -> Rollout:

@@ -8,24 +8,25 @@ Unreal's API, not Unreal: Chaos, its solver and its asset import are not exercis
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 import json
 from pathlib import Path
 import re
-import threading
-from typing import Any, Literal
+from typing import TYPE_CHECKING, Any, Literal
 
 from esg.compile import build
-from esg.compile.class_run import ClassRun
 from esg.compile.emit import IMPORTS_FORMAT, IMPORTS_VERSION
 from esg.compile.records import ReplayError
+from esg.compile.trust.confined import play_confined
+from esg.compile.trust.playing import Job, play
+from esg.compile.trust.standing import Standing, standing_of
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.scene import Rollout, SimScene
-from esg.engines.worlds import Frames
 from esg.outcomes import UserError
 
-_ONE_AT_A_TIME = threading.Lock()
-"""Classes of one library share the shim's state, and PhysX's configuration is the process's."""
+if TYPE_CHECKING:
+    from esg.graph.models import EsgDocument
 
 
 @dataclass(frozen=True)
@@ -36,14 +37,14 @@ class ClassReplay:
         rollout: Same structure as an engine's, bodies in the order of the scene.
         log: What the class wrote with UE_LOG, `Verbosity: text`.
         compile_seconds: Time spent compiling, 0 from the cache.
-        scene: The physical scene the class described.
+        scene: The physical scene the class described; None if it ran in a child.
         proof: Always `class`: the emitted class was executed.
     """
 
     rollout: Rollout
     log: list[str]
     compile_seconds: float
-    scene: SimScene
+    scene: SimScene | None
     proof: Literal["class"] = "class"
 
     def events(self) -> list[dict[str, str]]:
@@ -57,6 +58,21 @@ class ClassReplay:
         return out
 
 
+class ForeignClass(UserError):
+    """A class that this version does not emit from its scene's document, and nobody vouched for.
+
+    Args:
+        folder: Its scene folder.
+        why: What tells it from ours.
+    """
+
+    def __init__(self, folder: Path, why: str) -> None:
+        self.why = why
+        super().__init__(
+            f"{folder}/unreal: {why}; it is not used unless you trust who made it (--trust)"
+        )
+
+
 def replay_class(
     folder: str | Path,
     *,
@@ -65,8 +81,13 @@ def replay_class(
     record_every: int = 1,
     ground_contacts: bool = False,
     engine: Literal["physx", "rapier"] = "physx",
+    document: Callable[[], EsgDocument] | None = None,
+    trust: bool = False,
 ) -> ClassReplay:
     """Compiles (or finds) the class of a scene folder and runs it in PhysX.
+
+    A class that this process has written runs in it; one that equals what this version emits from
+    the folder's `esg.json` runs in a child; any other is not even compiled (docs/trust.md).
 
     Args:
         folder: Scene folder with `unreal/` in it.
@@ -75,30 +96,58 @@ def replay_class(
         record_every: Steps per recorded frame.
         ground_contacts: Whether the contact log includes the ground.
         engine: Which physics runs under the shim.
+        document: Gives the caller's own document of the scene, which then counts instead of
+            `esg.json`.
+        trust: Whether to run what is neither, in a child that shares nothing with this process.
 
     Raises:
+        ForeignClass: For a class that is not ours, without `trust`.
         CompilerMissing: Without g++: replay the program instead.
         ClassError: If the class breaks a rule or does not compile.
-        ReplayError: If the running class does what Unreal would refuse.
+        ReplayError: If the running class does what Unreal would refuse, or had to be stopped.
         UserError: If the folder holds no class or a broken import manifest.
     """
     folder = Path(folder)
+    files, text = _read(folder)
+    standing, why = standing_of(files, text, document or folder / "esg.json")
+    if standing is Standing.FOREIGN and not trust:
+        build.compiler()  # without one there is nothing to ask for
+        raise ForeignClass(folder, why)
+    foreign = standing is Standing.FOREIGN
+    library = build.compile_class(files, limited=foreign)
+    job = Job(
+        library=str(library.path),
+        create=library.create,
+        imports=parse_imports(folder / "unreal" / "imports.json", text),
+        duration=scene_duration(files.header) if duration is None else duration,
+        dt=dt,
+        record_every=record_every,
+        ground_contacts=ground_contacts,
+        engine=engine,
+    )
+    played = play(job) if standing is Standing.OWN else play_confined(job, fresh=foreign)
+    return ClassReplay(played.rollout, played.log, library.seconds, played.scene)
+
+
+def require_ours(folder: Path) -> None:
+    """Makes sure that the class of a scene folder is what this version emits.
+
+    Raises:
+        ForeignClass: If not.
+        UserError: If the folder holds no class.
+    """
+    standing, why = standing_of(*_read(folder), folder / "esg.json")
+    if standing is Standing.FOREIGN:
+        raise ForeignClass(folder, why)
+
+
+def _read(folder: Path) -> tuple[build.ClassFiles, str]:
+    """A class and the text of its import manifest."""
     try:
         files = build.ClassFiles.read(folder)
     except OSError as error:
         raise UserError(f"{folder}: no compiled scene: {error}") from None
-    library = build.compile_class(files)
-    imports = load_imports(folder / "unreal" / "imports.json")
-    if duration is None:
-        duration = scene_duration(files.header)
-    grid = Frames.of(duration, dt, record_every)
-    with _ONE_AT_A_TIME:
-        run = ClassRun(library, imports)
-        try:
-            rollout = run.play(engine, grid, ground_contacts)
-        finally:
-            run.close()
-    return ClassReplay(rollout, run.log, library.seconds, run.scene)
+    return files, read_imports(folder / "unreal" / "imports.json")
 
 
 def load_imports(path: Path) -> dict[str, Any]:
@@ -107,9 +156,34 @@ def load_imports(path: Path) -> dict[str, Any]:
     Raises:
         UserError: If it is missing, no JSON or of another format.
     """
+    return parse_imports(path, read_imports(path))
+
+
+def read_imports(path: Path) -> str:
+    """The text of an import manifest.
+
+    Raises:
+        UserError: If it cannot be read.
+    """
     try:
-        data = json.loads(path.read_text("utf-8"))
-    except (OSError, ValueError, RecursionError) as error:
+        return path.read_text("utf-8")
+    except (OSError, ValueError) as error:
+        raise UserError(f"{path}: cannot read the import manifest: {error}") from None
+
+
+def parse_imports(path: Path, text: str) -> dict[str, Any]:
+    """The import manifest that a text is.
+
+    Args:
+        path: Where it stands, for messages.
+        text: The text.
+
+    Raises:
+        UserError: If it is no JSON or of another format.
+    """
+    try:
+        data = json.loads(text)
+    except (ValueError, RecursionError) as error:
         raise UserError(f"{path}: cannot read the import manifest: {error}") from None
     if not isinstance(data, dict):
         raise UserError(f"{path}: cannot read the import manifest: it is no JSON object")
@@ -129,4 +203,11 @@ def scene_duration(header: str) -> float:
     return float(found.group(1))
 
 
-__all__ = ["ClassReplay", "ReplayError", "load_imports", "replay_class", "scene_duration"]
+__all__ = [
+    "ClassReplay",
+    "ForeignClass",
+    "ReplayError",
+    "load_imports",
+    "replay_class",
+    "scene_duration",
+]

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from esg.compile.emit import EmittedClass, emit_class
 from esg.compile.model import WatchedEvent
+from esg.compile.trust.standing import remember
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.manifest import manifest_bytes, manifest_to_json
 from esg.engines.program import Program, program_from_json
@@ -17,6 +18,23 @@ from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
 
 STATIC_DURATION_S = 2.0
 """How long a scene without a timeline plays: long enough to see that nothing moves."""
+
+
+@dataclass(frozen=True)
+class EmittedScene:
+    """What a document says once it is compiled, before anything is written.
+
+    Args:
+        scene: The physical scene.
+        program: Its control program.
+        watch: The collisions that the class reports.
+        emitted: The class.
+    """
+
+    scene: SimScene
+    program: Program
+    watch: tuple[WatchedEvent, ...]
+    emitted: EmittedClass
 
 
 @dataclass(frozen=True)
@@ -55,6 +73,29 @@ def compile_scene(
     Raises:
         ValueError: For what the class or the manifest cannot say.
     """
+    made = emit_document(doc, scene=scene, program=program, dt=dt)
+    pairs = sorted({(a, b) for w in made.watch for a in w.a for b in w.b})
+    events = [{"id": w.id, "a": w.a, "b": w.b, "after": w.after} for w in made.watch]
+    manifest = manifest_to_json(
+        made.scene,
+        made.program,
+        watch=pairs,
+        dt=dt,
+        extra={"unreal_class": made.emitted.name, "events": events},
+    )
+    files = write_class(made.emitted, Path(folder))
+    (Path(folder) / "manifest.json").write_bytes(manifest_bytes(manifest))
+    return CompiledScene(made.emitted.name, tuple(sorted([*files, "manifest.json"])))
+
+
+def emit_document(
+    doc: EsgDocument,
+    *,
+    scene: SimScene | None = None,
+    program: Program | None = None,
+    dt: float = VERIFY_DT_S,
+) -> EmittedScene:
+    """The class of a document, as text; arguments and errors as of `compile_scene`."""
     if scene is None:
         from esg.dynamics import build_scene
 
@@ -62,19 +103,7 @@ def compile_scene(
     if program is None:
         program = document_program(doc)
     watch = watch_list(doc, scene)
-    emitted = emit_class(scene, program, watch=watch, dt=dt)
-    pairs = sorted({(a, b) for w in watch for a in w.a for b in w.b})
-    events = [{"id": w.id, "a": w.a, "b": w.b, "after": w.after} for w in watch]
-    manifest = manifest_to_json(
-        scene,
-        program,
-        watch=pairs,
-        dt=dt,
-        extra={"unreal_class": emitted.name, "events": events},
-    )
-    files = write_class(emitted, Path(folder))
-    (Path(folder) / "manifest.json").write_bytes(manifest_bytes(manifest))
-    return CompiledScene(emitted.name, tuple(sorted([*files, "manifest.json"])))
+    return EmittedScene(scene, program, watch, emit_class(scene, program, watch=watch, dt=dt))
 
 
 def write_class(emitted: EmittedClass, folder: Path) -> list[str]:
@@ -93,6 +122,7 @@ def write_class(emitted: EmittedClass, folder: Path) -> list[str]:
         temporary = target / f".{name}.{os.getpid()}.tmp"
         temporary.write_text(text, "utf-8", newline="\n")
         os.replace(temporary, target / name)
+    remember(emitted.name, emitted.header, emitted.source, emitted.imports_json)
     return [f"unreal/{name}" for name in texts]
 
 

@@ -7,7 +7,7 @@ change of solver or step says how much of the result is the scene and how much t
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -30,6 +30,8 @@ REFERENCE = ("physx", 240)
 """Engine and rate that a scene is verified with."""
 
 Proof = Literal["class", "program"]
+Trust = Literal["nothing", "equal", "anything"]
+"""Which classes are run: none, those that equal their document's emission, or any."""
 
 
 @dataclass(frozen=True)
@@ -44,6 +46,7 @@ class TransferRun:
         verdict: What the judge says.
         late_s: By event: its time minus that of the reference run [s]; None where either lacks it.
         apart_m: Largest distance of a body from where it ends in the reference run [m].
+        note: Why the program was replayed where the class could have been.
     """
 
     engine: str
@@ -53,6 +56,7 @@ class TransferRun:
     verdict: SceneVerdict
     late_s: dict[str, float | None]
     apart_m: float
+    note: str = ""
 
     def to_json(self) -> dict[str, Any]:
         """Plain JSON values."""
@@ -62,6 +66,7 @@ class TransferRun:
             "hz": self.rate_hz,
             "dt": 1.0 / self.rate_hz,
             "proof": self.proof,
+            "proof_note": self.note,
             "sound": self.sound,
             "slr": v.slr,
             "n_events": v.n_events,
@@ -83,31 +88,45 @@ class TransferRun:
         }
 
 
-def replay_scene(folder: Path, manifest: Manifest, engine: str, dt: float) -> tuple[Rollout, Proof]:
+def replay_scene(
+    folder: Path, manifest: Manifest, engine: str, dt: float, *, trust: Trust = "equal"
+) -> tuple[Rollout, Proof]:
     """One replay of a compiled scene: the class in PhysX, elsewhere its control program.
+
+    Where a class is not run because nobody vouched for it, `extra["note"]` of the rollout of its
+    program says why.
 
     Args:
         folder: Scene folder.
         manifest: Its manifest.
         engine: physx, rapier or newton.
         dt: Physics step [s].
+        trust: Which classes are run.
 
     Raises:
         UserError: If the folder holds no compiled scene or a damaged one, or for an unknown engine.
     """
-    if engine == "physx":
+    note = ""
+    if engine == "physx" and trust != "nothing":
         from esg.compile.build import ClassError, CompilerMissing
-        from esg.compile.replay import ReplayError, replay_class
+        from esg.compile.replay import ForeignClass, ReplayError, replay_class
+        from esg.compile.trust.confined import ClassStopped
 
         try:
-            return replay_class(folder, dt=dt).rollout, "class"
+            return replay_class(folder, dt=dt, trust=trust == "anything").rollout, "class"
         except CompilerMissing:
             pass
+        except ForeignClass as error:
+            note = error.why
+        except ClassStopped as error:
+            remedy = "leave out --trust, or replay its program in another engine (--engine rapier)"
+            raise UserError(f"{folder}/unreal: {error}; {remedy}") from None
         except (ClassError, ReplayError) as error:
             # It compiled and ran when it was written: the files are no longer what they were.
             raise damaged(folder / "unreal", first_line(error)) from None
     batch = batch_programs([manifest.program], manifest.scene.names)
-    return get_engine(engine).rollout(manifest.scene, batch, dt=dt), "program"
+    rollout = get_engine(engine).rollout(manifest.scene, batch, dt=dt)
+    return (replace(rollout, extra=rollout.extra | {"note": note}) if note else rollout), "program"
 
 
 def transfer_matrix(
@@ -116,6 +135,7 @@ def transfer_matrix(
     *,
     engines: Iterable[str] = MATRIX_ENGINES,
     rates_hz: Iterable[int] = MATRIX_RATES_HZ,
+    trust: Trust = "equal",
 ) -> list[TransferRun]:
     """Replays and judges a scene in every engine at every rate.
 
@@ -124,6 +144,7 @@ def transfer_matrix(
         expected: What must happen.
         engines: Engines, in the order of the result.
         rates_hz: Physics steps a second, in the order of the result.
+        trust: Which classes are run.
 
     Returns:
         One run per engine and rate. Differences are to PhysX at 240 Hz, or to the first run if
@@ -143,7 +164,7 @@ def transfer_matrix(
     reference = REFERENCE if REFERENCE in pairs else pairs[0]
     done: dict[tuple[str, int], tuple[Rollout, Proof, SceneVerdict]] = {}
     for pair in sorted(set(pairs), key=lambda p: (p != reference, pairs.index(p))):
-        rollout, proof = replay_scene(folder, manifest, pair[0], 1.0 / pair[1])
+        rollout, proof = replay_scene(folder, manifest, pair[0], 1.0 / pair[1], trust=trust)
         verdict = judge(manifest.scene, manifest.program, rollout, expected)
         done[pair] = rollout, proof, verdict
     first, _, truth = done[reference]
@@ -157,6 +178,7 @@ def transfer_matrix(
             verdict=verdict,
             late_s={e.id: _difference(e.time_s, when.get(e.id)) for e in verdict.events},
             apart_m=end_distance(rollout, first),
+            note=str(rollout.extra.get("note", "")),
         )
         for (engine, rate) in pairs
         for rollout, proof, verdict in [done[engine, rate]]

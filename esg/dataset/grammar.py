@@ -28,6 +28,7 @@ from esg.dataset.sentences import Rendered
 from esg.dataset.slots import Values
 from esg.metrics.models import SuiteScene
 from esg.outcomes import UserError
+from esg.yamlfile import read_yaml
 
 GRAMMAR_VERSION = 1
 LEVELS = ("single", "chain", "multi_phase")
@@ -108,15 +109,10 @@ def load_distribution(text: str, name: str = "distribution") -> Distribution:
     Raises:
         UserError: Listing every problem.
     """
-    import yaml
-
-    try:
-        data = yaml.safe_load(text)
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        place = f" at line {mark.line + 1}, column {mark.column + 1}" if mark else ""
-        why = getattr(error, "problem", None) or str(error).splitlines()[0]
-        raise UserError(f"{name} is not YAML{place}: {why}; fix the syntax there") from None
+    data, mistakes = read_yaml(text)
+    if mistakes:
+        lines = [f"  {m.place}: {m.what}; {m.remedy}" for m in mistakes]
+        raise UserError("\n".join([f"{name} cannot be read:", *lines]))
     if not isinstance(data, dict):
         raise UserError(f"{name} must hold a mapping: {', '.join(Distribution.model_fields)}")
     try:

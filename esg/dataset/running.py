@@ -28,6 +28,7 @@ from esg.pipeline import (
     scratch_store,
     stage_key,
 )
+from esg.workers import OUT_OF_TIME
 
 if TYPE_CHECKING:
     from esg.dataset.job import BatchJob
@@ -39,6 +40,8 @@ SCENE_STAGES = STAGES[: STAGES.index("record")]
 RETRIES = 2
 _BACKOFF_S = 0.5
 _DEAD = "dead.json"
+_REACHED = "reached"
+"""Names the stage that a scene alone has come to: whoever finds its worker dead reads it."""
 
 
 def run_scenes(job: BatchJob) -> tuple[list[SceneState], float]:
@@ -55,6 +58,9 @@ def run_scenes(job: BatchJob) -> tuple[list[SceneState], float]:
             stage, reason = dead[scene.index]
             states[i] = crashed(states[i], RuntimeError(reason), stage)
     for stage in SCENE_STAGES:
+        if len(job.scenes) == 1:
+            job.work.mkdir(parents=True, exist_ok=True)
+            (job.work / _REACHED).write_text(stage)
         shares: dict[int, float] = {}
         if stage == "optimize" and job.searches_together:
             shares = _search_together(job, states)
@@ -173,6 +179,7 @@ def _compile_together(states: Sequence[SceneState]) -> None:
 
 def try_scene(job: BatchJob, position: int) -> None:
     """Runs one scene of a batch alone; if it ends the process, it is the one (`mark_dead`)."""
+    (job.work / _REACHED).unlink(missing_ok=True)
     with scratch_store(job.work / "artifacts", durable=False):
         run_scenes(replace(job, scenes=(job.scenes[position],)))
 
@@ -181,8 +188,17 @@ def mark_dead(job: BatchJob, index: int, reason: str) -> None:
     """Remembers a scene that ends its worker; the batch will count it as crashed."""
     dead = dead_scenes(job)
     stage, known = dead.get(index, ("", ""))
-    dead[index] = (stage or "optimize", known or reason)
+    dead[index] = (stage or _reached(job), known or reason)
     _write_dead(job, dead)
+
+
+def _reached(job: BatchJob) -> str:
+    """The stage in which the scene that was tried last ended its worker."""
+    with contextlib.suppress(OSError, ValueError):
+        stage = (job.work / _REACHED).read_text("utf-8")
+        if stage in SCENE_STAGES:
+            return stage
+    return SCENE_STAGES[0]
 
 
 def dead_scenes(job: BatchJob) -> dict[int, tuple[str, str]]:
@@ -220,7 +236,7 @@ def _limited(job: BatchJob, stage: str, index: int | None, scenes: int = 1) -> G
         if index is not None:
             with contextlib.suppress(OSError):
                 _write_dead(job, {**dead_scenes(job), index: (stage, reason)})
-        os._exit(70)
+        os._exit(OUT_OF_TIME)
 
     timer = threading.Timer(job.stage_limit_s * scenes, end)
     timer.daemon = True

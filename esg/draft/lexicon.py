@@ -6,7 +6,7 @@ Nouns are read from `esg.lexicon`, the other words from `data/`; docs/drafting.m
 from __future__ import annotations
 
 import csv
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 from pathlib import Path
 
@@ -90,6 +90,19 @@ def nouns() -> dict[str, Noun]:
     for name in [n for n in table if "'s " in n]:
         table.setdefault(name.replace("'s ", " 's "), table[name])
     return table
+
+
+@cache
+def part(name: str) -> Noun:
+    """A part of a jointed thing, which no prompt is read with.
+
+    Raises:
+        KeyError: If no row of the table of kinds is a part of that name.
+    """
+    found = {kind.name: kind for kind in kinds() if "part" in kind.flags}[name]
+    noun = _noun(found)
+    fixed = frozenset({"fixed"}) if "fixed" in found.flags else frozenset[str]()
+    return replace(noun, kind="structure", description=found.description, traits=fixed)
 
 
 def _noun(kind: Kind) -> Noun:

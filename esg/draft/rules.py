@@ -20,6 +20,7 @@ from esg.draft.grammar.phrases.modifiers import join_modifiers
 from esg.draft.grammar.rewrites.headings import headings
 from esg.draft.grammar.rewrites.inversions import straighten
 from esg.draft.grammar.rewrites.ones import name_ones
+from esg.draft.grammar.rewrites.openings import join_results
 from esg.draft.grammar.rewrites.patterns import rewrite
 from esg.draft.grammar.rewrites.shares import count
 from esg.draft.statements import state
@@ -67,6 +68,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     elements = chunk(text, tokens)
     for _, put_plainly in _REWRITES:
         elements = put_plainly(elements)
+    elements = join_results(elements, text)
     clauses = build_clauses(elements)
     count(clauses.attachments)
     mark_unreal(clauses.frames, text)

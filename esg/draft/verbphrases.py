@@ -25,6 +25,7 @@ _SHORT = {
     "ADJ": r"(?:(?:[a-z-]+)\s+)?",
     "PUNCT": "[.,;!]",
     "DET": _DET,
+    "DEVICE": rf"(?:{'|'.join(sorted(lex.word_set('devices')))})",
     "OWN": r"(?:its|his|her|their|the)",
     "END": r"\s*(?:[.,;!]|$)",
     "SOLID": rf"(?=\s+(?:{_DET}\b|it\b|him\b|them\b|each\b|\w+\s*(?:[.,;!]|$)))",

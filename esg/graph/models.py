@@ -102,6 +102,9 @@ class NodeEvent(str, enum.Enum):
     BOUNCE = "Bounce"
     JUMP = "Jump"
     SPIN = "Spin"
+    OPEN = "Open"
+    CLOSE = "Close"
+    SWING = "Swing"
 
 
 class EdgeEvent(str, enum.Enum):
@@ -111,7 +114,8 @@ class EdgeEvent(str, enum.Enum):
     launch: a throw, kick, strike or roll that sets the velocity once and then leaves the body to
     physics; Brake slows down evenly; InertialConnector links a passive body's two collisions. Guide
     moves a body that something outside of the scene holds (GuideAlong), Spin keeps it turning about
-    its vertical where it is (HoldSpin).
+    its vertical where it is (HoldSpin). Drive moves a jointed body along its joint (DriveJoint),
+    Release holds one at its joint's start position until then and lets it go.
     """
 
     UNIFORM_MOTION = "UniformMotion"
@@ -122,6 +126,8 @@ class EdgeEvent(str, enum.Enum):
     INERTIAL_CONNECTOR = "InertialConnector"
     GUIDE = "Guide"
     SPIN = "Spin"
+    DRIVE = "Drive"
+    RELEASE = "Release"
 
 
 class CoordinateSystem(Model):
@@ -242,6 +248,16 @@ class Wheel(Model):
     radius_cm: float
 
 
+class Mount(Model):
+    """Where a joint takes hold of an asset, in its local frame."""
+
+    name: str
+    """Unique in the asset, e.g. `hinge`."""
+    position_cm: Vec3
+    axis: Vec3 = (0.0, 0.0, 1.0)
+    """Of any length but 0: a hinge turns about it, a slider moves along it."""
+
+
 class AssetConfiguration(Model):
     """What is used (stage 2): geometry, proxies and physics of one requirement."""
 
@@ -273,6 +289,8 @@ class AssetConfiguration(Model):
     """A round body that rolls about its centre (ball, wheel)."""
     wheels: tuple[Wheel, ...] | None = None
     """What turns as the asset travels (docs/assets.md); None if nothing does."""
+    mounts: tuple[Mount, ...] | None = None
+    """Where joints take hold of it (docs/joints.md); None if none can."""
     color_rgb: tuple[float, float, float] = (0.6, 0.6, 0.6)
     license: str = "Apache-2.0"
     attribution: str = ""
@@ -345,10 +363,59 @@ class RelationEdges(Model):
     multi_relations: tuple[MultiRelation, ...] = ()
 
 
+class JointMotor(Model):
+    """What drives a hinge or slider: towards a speed, or, if `position` is given, a position."""
+
+    speed: float = 0.0
+    """[deg/s or cm/s]; with a position, the greatest on the way there"""
+    position: float | None = None
+    """[deg or cm]"""
+    limit: float | None = None
+    """Greatest torque or force [N m or N]; None: as much as it takes"""
+
+
+class Joint(Model):
+    """A connection of two nodes, or of one and the world (docs/joints.md).
+
+    At position 0 the child stands as the parent does, turned the least so that the axes of their
+    mounts agree. A hinge turns about the axis, a slider moves along it, a ball joint turns every
+    way; a rope and a spring join the two mounts. Forces are in N, N m and N s.
+    """
+
+    id: str
+    kind: Literal["hinge", "slider", "ball", "fixed", "rope", "spring"]
+    child: str
+    child_mount: str
+    parent: str | None = None
+    """None: the world."""
+    parent_mount: str | None = None
+    """Puts the child where the two mounts meet. None: holds it where it is placed."""
+    lower: float | None = None
+    upper: float | None = None
+    """Limits of its position, hinge [deg], slider [cm]; of a ball joint the largest angle between
+    the axes [deg], of a rope its length [cm], of a spring its rest length [cm]."""
+    position: float = 0.0
+    """At the start: hinge [deg], slider [cm]; ball, rope and spring: the angle by which the child
+    is turned about the axis of the parent's mount [deg]"""
+    stiffness: float | None = None
+    """Of a spring [N/m]; of a hinge or slider that is drawn back to 0 [N m/rad, N/m]"""
+    damping: float | None = None
+    """Hinge and ball [N m s/rad], slider and spring [N s/m]"""
+    friction: float | None = None
+    """Torque or force that holds it at rest and brakes it [N m or N]"""
+    motor: JointMotor | None = None
+    break_impulse: float | None = None
+    """It is gone after a step in which it took more [N s]"""
+    collide: Literal[True] | None = None
+    """The two touch each other, too"""
+
+
 class SpatialRelationGraph(Model):
     semantic_regions: dict[str, SemanticRegion] = {}
     nodes: dict[str, Node] = {}
     edges: RelationEdges = RelationEdges()
+    joints: tuple[Joint, ...] | None = None
+    """What nodes are connected by; None where nothing is."""
 
 
 class Actor(Model):
@@ -395,9 +462,9 @@ class TimelineNode(Model):
     turn_direction: Literal["left", "right"] | None = None
     turn_degrees: float | None = None
     """HeadingReached: change of heading; left is counter-clockwise seen from above. Spin: how far
-    it turns, 360 where it states nothing."""
+    it turns, 360 where it states nothing. Open, Close: how far, 30 where it states nothing."""
     times: int | None = None
-    """Bounce, Jump: how often; once where it states nothing."""
+    """Bounce, Jump, Swing: how often; once where it states nothing."""
     description: str = ""
 
 
@@ -429,6 +496,8 @@ class MotionParams(Model):
     """Guide: False holds the body on at the end; otherwise it is let go there"""
     height_cm: Quantity | None = None
     """Toward that ends in a Jump: how far the body rises [cm]"""
+    opening: Quantity | None = None
+    """Drive: the joint's position at its end, hinge [deg], slider [cm]"""
 
 
 class TimelineEdge(Model):
@@ -500,6 +569,7 @@ class Predicate(str, enum.Enum):
     STAYS_STILL = "stays_still"
     TOUCHES = "touches"
     NEVER_TOUCHES = "never_touches"
+    STRUCK_ON = "struck_on"
     ENDS_ON = "ends_on"
     ENDS_IN = "ends_in"
     ENDS_NEAR = "ends_near"
@@ -537,6 +607,11 @@ Direction = Literal[
 start; from `toward` on a direction has a target."""
 
 
+Side = Literal["front", "rear", "left", "right", "side", "any_side"]
+"""Of a thing, by its own front axis: `side` is its left or right, `any_side` all but top and bottom
+(of a box nobody says which of its sides is its front)."""
+
+
 class Statement(Model):
     """One thing that the prompt states beyond its objects, relations, quantities and events.
 
@@ -554,11 +629,14 @@ class Statement(Model):
     target: tuple[str, ...] = ()
     """Node ids of the other participant (any of them)."""
     direction: Direction | None = None
-    quantity: Literal["speed", "distance", "height", "length", "width", "angle", "count"] | None = (
-        None
-    )
+    side: Side | None = None
+    """Of `struck_on`: where the target first touches the object."""
+    quantity: (
+        Literal["speed", "deceleration", "distance", "height", "length", "width", "angle", "count"]
+        | None
+    ) = None
     value: Quantity | None = None
-    """In the document's units [cm/s, cm, degrees, 1]."""
+    """In the document's units [cm/s, cm/s^2, cm, degrees, 1]."""
     noun: str | None = None
     """Of `absent` and `count`."""
     when: str = "throughout"

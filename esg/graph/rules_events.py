@@ -19,14 +19,16 @@ TIME_S = (0.0, 600.0)
 MAX_SPEED_CM_S = 15_000.0
 
 PAIRS = frozenset({E.COLLISION, E.REACH, E.MISS, E.PLACED, E.BOUNCE})
-SINGLES = frozenset({E.POSITION_AT, E.ENTER_REGION, E.HEADING_REACHED, E.PICKED_UP, E.SPIN})
+JOINTED = frozenset({E.OPEN, E.CLOSE, E.SWING})
+"""What happens to a joint."""
+SINGLES = JOINTED | {E.POSITION_AT, E.ENTER_REGION, E.HEADING_REACHED, E.PICKED_UP, E.SPIN}
 
 _OWN_FIELDS: dict[str, tuple[NodeEvent, ...]] = {
     "position_cm": (E.POSITION_AT,),
     "region": (E.ENTER_REGION,),
     "turn_direction": (E.HEADING_REACHED,),
-    "turn_degrees": (E.HEADING_REACHED, E.SPIN),
-    "times": (E.BOUNCE, E.JUMP),
+    "turn_degrees": (E.HEADING_REACHED, E.SPIN, E.OPEN, E.CLOSE),
+    "times": (E.BOUNCE, E.JUMP, E.SWING),
 }
 """Fields that only some events have."""
 _NEEDED: dict[str, NodeEvent] = {
@@ -140,6 +142,8 @@ def _participants(ctx: Context, timeline: TimelineSystem, where: str, node: Time
         )
     if node.event is E.COLLISION and count == 2:
         _mover(ctx, where, node)
+    if node.event in JOINTED:
+        _jointed(ctx, where, node)
     if node.event is E.TRIGGER:
         for k, name in enumerate(node.participants):
             actor = timeline.actors.get(name)
@@ -151,6 +155,21 @@ def _participants(ctx: Context, timeline: TimelineSystem, where: str, node: Time
                     f"Trigger {node.id!r} controls {name!r}, which is passive.",
                     "Make it active, or use an event that physics brings about.",
                 )
+
+
+def _jointed(ctx: Context, where: str, node: TimelineNode) -> None:
+    held = {name for j in ctx.graph.joints or () for name in (j.child, j.parent)}
+    if not ctx.parsed.intact("spatial_relation_graph"):
+        return
+    for k, name in enumerate(node.participants):
+        if name in ctx.node_names and name not in held:
+            ctx.add(
+                "EVENT_NO_JOINT",
+                f"{where}/participants/{k}",
+                name,
+                f"{node.event.value} {node.id!r} is of {name!r}, which no joint holds.",
+                "Add the joint to spatial_relation_graph.joints, or name what a joint holds.",
+            )
 
 
 def _mover(ctx: Context, where: str, node: TimelineNode) -> None:

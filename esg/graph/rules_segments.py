@@ -32,6 +32,7 @@ LIMITS: dict[str, tuple[float, float, str]] = {
     "lift_cm": (0.0, 5000.0, "cm"),
     "clearance_cm": (0.0, 5000.0, "cm"),
     "height_cm": (1.0, 1000.0, "cm"),
+    "opening": (-2e4, 2e4, "degrees or cm"),
 }
 _ONLY: dict[str, frozenset[EdgeEvent]] = {
     "damping": frozenset({M.BRAKE}),
@@ -43,6 +44,7 @@ _ONLY: dict[str, frozenset[EdgeEvent]] = {
     "clearance_cm": frozenset({M.GUIDE}),
     "release": frozenset({M.GUIDE}),
     "height_cm": frozenset({M.TOWARD}),
+    "opening": frozenset({M.DRIVE}),
 }
 """Parameters that only some segments have; all others fit every driven segment."""
 
@@ -75,6 +77,7 @@ def check(ctx: Context) -> None:
         _role(ctx, timeline, where, edge, events)
         check_parameters(ctx, timeline, where, edge, events)
         _guided_end(ctx, where, edge, events.get(edge.to))
+        _joint_of(ctx, where, edge)
     for i, node in enumerate(graph.nodes):
         _brought_about(ctx, timeline, pointer(*_NODES, i), node)
 
@@ -89,6 +92,28 @@ def _guided_end(ctx: Context, where: str, edge: TimelineEdge, end: TimelineNode 
         f"Guide {edge.id!r} leads to {edge.to!r}, which is a {end.event.value}.",
         f"Lead to one of {listing(e.value for e in GUIDED_TO)}; physics goes on from there.",
     )
+
+
+JOINTED: dict[EdgeEvent, tuple[str, ...]] = {
+    M.DRIVE: ("hinge", "slider"),
+    M.RELEASE: ("hinge", "ball", "rope"),
+}
+"""Segments along a joint, and the kinds of joint on which they can be."""
+
+
+def _joint_of(ctx: Context, where: str, edge: TimelineEdge) -> None:
+    kinds = JOINTED.get(edge.event)
+    if kinds is None or not ctx.parsed.intact(*_PLACES):
+        return
+    if not any(j.child == edge.actor and j.kind in kinds for j in ctx.graph.joints or ()):
+        ctx.add(
+            "EDGE_NO_JOINT",
+            where + "/actor",
+            edge.actor,
+            f"{edge.event.value} {edge.id!r} is of {edge.actor!r}, which hangs on no "
+            f"{listing(kinds)}.",
+            "Name the child of such a joint, or add it to spatial_relation_graph.joints.",
+        )
 
 
 def _brought_about(ctx: Context, timeline: TimelineSystem, where: str, node: TimelineNode) -> None:

@@ -25,6 +25,7 @@ _WITH_TARGET = frozenset(
         Predicate.CARRIED_BY,
         Predicate.TOUCHES,
         Predicate.NEVER_TOUCHES,
+        Predicate.STRUCK_ON,
         Predicate.ENDS_ON,
         Predicate.ENDS_IN,
         Predicate.ENDS_NEAR,
@@ -78,6 +79,7 @@ def _needs(ctx: Context, here: str, statement: Statement) -> None:
         "object": says not in _OF_NOUNS and says is not Predicate.NOT_REPRESENTED,
         "target": says in _WITH_TARGET or statement.direction in _TARGETED_DIRECTIONS,
         "direction": says is Predicate.MOVES,
+        "side": says is Predicate.STRUCK_ON,
         "value": says in (Predicate.SLOWER_THAN, Predicate.FASTER_THAN, Predicate.COUNT),
         "note": says is Predicate.NOT_REPRESENTED,
     }

@@ -12,6 +12,7 @@ from typing import Any
 from esg.graph import (
     rules_casting,
     rules_events,
+    rules_joints,
     rules_relations,
     rules_scene,
     rules_segments,
@@ -54,6 +55,7 @@ def verify(doc: EsgDocument | Mapping[str, Any]) -> tuple[Violation, ...]:
             rules_events,
             rules_segments,
             rules_statements,
+            rules_joints,
             rules_stages,
             rules_casting,
         ):

@@ -9,10 +9,11 @@ from typing import Any
 
 import numpy as np
 
+from esg.graph.joints import Frame, pose_of
 from esg.graph.models import EsgDocument, LayoutResult, Pose
 from esg.layout.clock import Clock
 from esg.layout.config import LayoutConfig
-from esg.layout.judge.check import intrusions, penetrations, relation_reports
+from esg.layout.judge.check import World, intrusions, penetrations, relation_reports
 from esg.layout.judge.resting import unsupported
 from esg.layout.judge.selection import HARD_RELATIONS, Found, choose_all
 from esg.layout.problem.hints import StartHints
@@ -20,6 +21,7 @@ from esg.layout.problem.join import join
 from esg.layout.problem.problem import build_problem
 from esg.layout.problem.record import LayoutProblem
 from esg.layout.search import EvaluateRequest, Request, SearchRequest, batches
+from esg.units import quat_from_euler_deg
 
 MAX_PENETRATION_CM = 2.0
 WORK = 40_000
@@ -191,6 +193,17 @@ def _reason(
     return "; ".join([*parts, *hard])
 
 
+def _pose(problem: LayoutProblem, world: World, name: str) -> Pose:
+    x, y, yaw = world.pose[name]
+    z = world.z[name]
+    tilt = problem.joined.tilt.get(name)
+    turned = math.degrees(math.remainder(yaw, 2 * math.pi))
+    if tilt is not None:
+        flat = Frame(np.array([x, y, z]), quat_from_euler_deg(turned))
+        return pose_of(flat.then(tilt))
+    return Pose(position_cm=(round(x, 4), round(y, 4), round(z, 4)), yaw_deg=round(turned, 4))
+
+
 def _result(doc: EsgDocument, problem: LayoutProblem, found: Found) -> LayoutResult:
     """What the document says about its layout."""
     world, result, k = found.world, found.result, found.start
@@ -217,17 +230,7 @@ def _result(doc: EsgDocument, problem: LayoutProblem, found: Found) -> LayoutRes
         if not (x0 <= x <= x1 and y0 <= y <= y1)
     ]
     notes = "; ".join([*problem.notes, *away])
-    poses = {
-        n: Pose(
-            position_cm=(
-                round(world.pose[n][0], 4),
-                round(world.pose[n][1], 4),
-                round(world.z[n], 4),
-            ),
-            yaw_deg=round(math.degrees(math.remainder(world.pose[n][2], 2 * math.pi)), 4),
-        )
-        for n in problem.names
-    }  # fmt: skip
+    poses = {n: _pose(problem, world, n) for n in problem.names}
     relation, collision, region = found.energy
     return LayoutResult(
         poses=poses,

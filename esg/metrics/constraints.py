@@ -12,7 +12,7 @@ from esg.metrics.binding import Binding
 from esg.metrics.detection import (
     Found,
 )
-from esg.metrics.events_space import surface_distance
+from esg.metrics.events.space import surface_distance
 from esg.metrics.models import ConstraintVerdict, SuiteConstraint, SuiteEvent
 from esg.metrics.quantities import BASE_UNIT, DIMENSION_OF, score
 from esg.metrics.replay import Replay

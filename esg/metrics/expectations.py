@@ -144,6 +144,9 @@ _FURTHER = {
     "PickedUp": "picked_up",
     "Jump": "jumps",
     "Spin": "spins",
+    "Open": "opens",
+    "Close": "closes",
+    "Swing": "swings",
 }
 """Types of events that are named alike, by the point event's value."""
 

@@ -7,6 +7,7 @@ import numpy as np
 from esg.engines.rest import at_rest
 from esg.metrics.binding import Binding
 from esg.metrics.geometry import Core, compound_distance
+from esg.metrics.joined import held, joined
 from esg.metrics.models import SuiteScene
 from esg.metrics.replay import Replay
 from esg.thresholds import HANGS_M, MEETS_M
@@ -29,11 +30,15 @@ def hanging(
     last = replay.frame_at(WATCH_S)
     sunk = replay.position[0, :, 2] - replay.position[: last + 1, :, 2].min(axis=0)
     rests = at_rest(replay.scene)
+    joints = joined(replay)
     out: list[str] = []
     for i, body in enumerate(replay.scene.bodies):
         if body.static or not body.collides or rests[i] or not sunk[i] > HANGS_M:
             continue
-        if any(c.time <= WATCH_S for c in replay.motions(i)):
+        if (
+            any(c.time <= WATCH_S for c in replay.motions(i))
+            or held(joints, i, len(replay.time))[0]
+        ):
             continue
         if _is_free_below(replay, i) and not _may_fall(replay, suite_scene, bindings, i):
             out.append(body.name)

@@ -16,6 +16,7 @@ from esg.metrics.constraints import Scored, measure, unmeasured
 from esg.metrics.detection import Found, Query
 from esg.metrics.events import detect, names
 from esg.metrics.hanging import hanging
+from esg.metrics.joined import apart_by_design
 from esg.metrics.models import (
     EventVerdict,
     LayoutVerdict,
@@ -126,14 +127,16 @@ def judge_layout(
 def initial_overlaps(replay: Replay) -> tuple[tuple[Overlap, ...], float]:
     """Pairs that overlap by more than 2 cm at frame 0, and the deepest overlap of any pair [m].
 
-    Dynamic bodies are also checked against the ground; what is fixed may be founded in it.
+    Dynamic bodies are also checked against the ground; what is fixed may be founded in it. What a
+    joint holds together does not touch.
     """
     bodies = replay.scene.bodies
+    barred = apart_by_design(replay)
     placed = [replay.placed(i, 0) for i in range(len(bodies))]
     out: list[Overlap] = []
     deepest = 0.0
     for i, j in itertools.combinations(range(len(bodies)), 2):
-        if not placed[i] or not placed[j]:
+        if not placed[i] or not placed[j] or (i, j) in barred:
             continue
         reach = replay.radii[i] + replay.radii[j]
         if math.dist(replay.position[0, i], replay.position[0, j]) >= reach:

@@ -6,7 +6,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from esg.graph.models import Direction, Predicate
+from esg.graph.models import Direction, Predicate, Side
 
 EventType = Literal[
     "collision",
@@ -179,9 +179,11 @@ class SuiteStatement(_Frozen):
     a: str | None = None
     b: str | None = None
     direction: Direction | None = None
-    quantity: Literal["speed", "distance", "height", "length", "width", "angle", "count"] | None = (
-        None
-    )
+    side: Side | None = None
+    quantity: (
+        Literal["speed", "deceleration", "distance", "height", "length", "width", "angle", "count"]
+        | None
+    ) = None
     value: float | None = None
     range: tuple[float, float] | None = None
     alike: str | None = None

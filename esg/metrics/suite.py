@@ -4,7 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 from typing import Any, get_args
+from unicodedata import category
 
+from esg.files import read_limited, safe_name
 from esg.metrics.models import (
     EVENT_DEGREES,
     EVENT_FIELDS,
@@ -28,7 +30,14 @@ from esg.metrics.suite_problems import (
 from esg.metrics.suite_statements import read_statements
 from esg.outcomes import UserError
 from esg.untyped import is_list, is_object
+from esg.yamlfile import MAX_CHARACTERS, read_yaml
 
+MAX_ITEMS = 200
+"""Events, constraints, statements and objects of one scene, each."""
+ENOUGH_LINES = 1000
+"""Mistakes after which the rest of a suite is not looked at."""
+MAX_TEXT = {"id": 100, "prompt": 8000}
+"""Characters: ids name folders, and longer prompts are not read as a scene."""
 _SCENE_FIELDS = ("id", "level", "prompt", "events", "constraints", "objects", "statements")
 _SUITE_FIELDS = ("suite", "source", "scenes")
 
@@ -41,7 +50,7 @@ def load_suite(path: str | Path) -> Suite:
     """
     file = Path(path)
     try:
-        text = file.read_text(encoding="utf-8")
+        text = read_limited(file, MAX_CHARACTERS).decode()
     except FileNotFoundError:
         raise UserError(f"suite {file} does not exist; check the path") from None
     except IsADirectoryError:
@@ -67,41 +76,15 @@ def parse_suite(text: str, *, name: str = "suite") -> Suite:
     data = _read_yaml(text, name, problems)
     suite = _suite(data, problems) if data is not None else None
     if problems.lines or suite is None:
-        n = len(problems.lines)
-        lines = "\n".join(f"  {line}" for line in problems.lines)
-        raise UserError(f"{name}: {n} problem{'s' if n != 1 else ''}\n{lines}")
+        raise UserError(problems.told(name))
     return suite
 
 
 def _read_yaml(text: str, name: str, problems: Problems) -> Any:
-    import yaml
-
-    class Loader(yaml.SafeLoader):
-        """Safe loader that notices repeated keys (YAML keeps only the last one)."""
-
-    def mapping(loader: Any, node: Any, deep: bool = False) -> Any:
-        seen: set[str] = set()
-        for key_node, _ in node.value:
-            key = str(key_node.value)
-            if key in seen:
-                line = key_node.start_mark.line + 1
-                problems.add(f"line {line}", f"key {key!r} is repeated", "keep one of them")
-            seen.add(key)
-        return yaml.SafeLoader.construct_mapping(loader, node, deep=deep)
-
-    Loader.add_constructor(
-        yaml.resolver.BaseResolver.DEFAULT_MAPPING_TAG, lambda ld, n: mapping(ld, n, deep=True)
-    )
-    try:
-        data = yaml.load(text, Loader=Loader)  # a SafeLoader subclass: no arbitrary objects
-    except yaml.YAMLError as error:
-        mark = getattr(error, "problem_mark", None)
-        place = f"line {mark.line + 1}, column {mark.column + 1}" if mark else "file"
-        problem = getattr(error, "problem", None) or str(error).splitlines()[0]
-        problems.add(place, f"not valid YAML ({problem})", "fix the syntax")
-        return None
-    except (RecursionError, ValueError, TypeError) as error:
-        problems.add("file", f"not readable YAML ({type(error).__name__})", "fix the syntax")
+    data, mistakes = read_yaml(text)
+    for mistake in mistakes:
+        problems.add(mistake.place, mistake.what, mistake.remedy)
+    if mistakes:
         return None
     if data is None:
         problems.add("file", "is empty", "write `suite: NAME` and a list of `scenes`")
@@ -127,7 +110,10 @@ def _suite(data: dict[str, Any], problems: Problems) -> Suite | None:
         return None
     out: list[SuiteScene] = []
     seen: dict[str, int] = {}
+    folders: dict[str, int] = {}
     for i, item in enumerate(scenes):
+        if len(problems.lines) > ENOUGH_LINES:
+            break
         scene = _scene(item, i, problems)
         if scene is None:
             continue
@@ -137,6 +123,14 @@ def _suite(data: dict[str, Any], problems: Problems) -> Suite | None:
                 f"id {scene.id!r} is already used by /scenes/{seen[scene.id]}",
                 "give every scene its own id",
             )
+        elif (folder := safe_name(f"{scene.id}-run0")) in folders:
+            problems.add(
+                f"scene {scene.id!r} (/scenes/{i}/id)",
+                f"its folder would be {folder!r}, as that of /scenes/{folders[folder]}",
+                "let ids differ in letters, digits, '.', '_' or '-'",
+            )
+        else:
+            folders[folder] = i
         seen.setdefault(scene.id, i)
         out.append(scene)
     if problems.lines:
@@ -154,6 +148,10 @@ def _scene(item: Any, index: int, problems: Problems) -> SuiteScene | None:
     where = f"scene {scene_id!r}" if scene_id else place
     prompt = _text(item, "prompt", where, problems)
     report_unknown(where, item, _SCENE_FIELDS, problems, strict=False)
+    for name in ("events", "constraints", "statements", "objects"):
+        if is_list(found := item.get(name)) and len(found) > MAX_ITEMS:
+            problems.add(f"{where} /{name}", f"has {len(found)}", f"list {MAX_ITEMS} at most")
+            item = {**item, name: None}
     events = _events(item.get("events"), where, problems)
     ids = [e.id for e in events]
     constraints = read_constraints(item.get("constraints"), where, ids, events, problems)
@@ -286,7 +284,15 @@ def _after(
 def _text(item: dict[str, Any], name: str, place: str, problems: Problems) -> str:
     value = item.get(name)
     if isinstance(value, str | int) and not isinstance(value, bool) and str(value).strip():
-        return str(value).strip()
+        text = str(value).strip()
+        if len(text) > MAX_TEXT[name]:
+            what = f"has {len(text)} characters"
+            problems.add(f"{place}/{name}", what, f"write {MAX_TEXT[name]} at most")
+            return ""
+        if any(category(c) in ("Cc", "Cs") and c not in "\t\n\r" for c in text):
+            problems.add(f"{place}/{name}", "holds a control character", "write plain text")
+            return ""
+        return text
     what = f"is {show(value)}" if name in item else "is missing"
     problems.add(f"{place} /{name}" if place.startswith("scene") else f"{place}/{name}", what,
                  f"give a non-empty {name}")  # fmt: skip

@@ -10,6 +10,14 @@ _NOTES = ("note", "notes", "comment", "description", "text", "source", "tags")
 """Annotations that may stand anywhere and mean nothing to the judge."""
 
 
+MAX_LINES = 200
+"""Mistakes that are told of one suite."""
+MAX_FIELDS = 50
+"""Fields of one mapping; what has more is no mistake of spelling."""
+MAX_PHRASE = 300
+"""Characters of a noun phrase."""
+
+
 class Problems:
     """Collects mistakes with their place."""
 
@@ -19,6 +27,17 @@ class Problems:
     def add(self, place: str, what: str, remedy: str) -> None:
         """Takes in one mistake: its place, what is wrong there and what to write."""
         self.lines.append(f"{place}: {what}; {remedy}")
+
+    def told(self, name: str) -> str:
+        """All mistakes of a file, for people; of very many the first.
+
+        Args:
+            name: How the message calls the file.
+        """
+        n = len(self.lines)
+        shown = [*self.lines[:MAX_LINES], *([f"{n - MAX_LINES} more"] if n > MAX_LINES else [])]
+        lines = "\n".join(f"  {line}" for line in shown)
+        return f"{name}: {n} problem{'s' if n != 1 else ''}\n{lines}"
 
 
 def read_number(value: Any, place: str, problems: Problems) -> float | None:
@@ -34,8 +53,10 @@ def read_number(value: Any, place: str, problems: Problems) -> float | None:
 
 def read_phrase(value: Any, place: str, problems: Problems) -> str | None:
     """A noun phrase; anything else is added to `problems` and gives None."""
-    if isinstance(value, str | int) and not isinstance(value, bool) and str(value).strip():
-        return str(value).strip()
+    if isinstance(value, str | int) and not isinstance(value, bool):
+        text = str(value).strip()
+        if 0 < len(text) <= MAX_PHRASE:
+            return text
     problems.add(place, f"is {show(value)}", "write a noun phrase")
     return None
 
@@ -49,8 +70,11 @@ def report_unknown(
     strict: bool = True,
 ) -> None:
     """Reports fields that would be ignored; where free metadata is allowed, only misspelt ones."""
+    if len(item) > MAX_FIELDS:
+        problems.add(place, f"has {len(item)} fields", f"fields are {', '.join(known)}")
+        return
     for key in item:
-        if key in known or str(key) in _NOTES:
+        if key in known or str(key) in _NOTES or len(str(key)) > MAX_PHRASE:
             continue
         close = difflib.get_close_matches(str(key), known, n=1, cutoff=0.75)
         if close:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, get_args
 
-from esg.graph.models import Direction, Predicate
+from esg.graph.models import Direction, Predicate, Side
 from esg.metrics.models import OF_EVENTS, SuiteStatement
 from esg.metrics.quantities import unit_factor
 from esg.metrics.suite_problems import (
@@ -20,6 +20,7 @@ from esg.untyped import is_list, is_object
 
 _MOMENTS = ("start", "end", "throughout")
 _SIZES = ("height", "length", "width")
+_SIDES = get_args(Side)
 _TARGETED = get_args(Direction)[get_args(Direction).index("toward") :]
 """Directions that are of something."""
 
@@ -59,6 +60,7 @@ _FIELDS: dict[str, _Fields] = {
     **dict.fromkeys(("slower_than", "faster_than"), _SPEED),
     "above": _Fields(("object", "target"), ("distance", "unit"), "distance"),
     "moves": _Fields(("object", "direction"), ("target",)),
+    "struck_on": _Fields(("object", "target", "side")),
     "size": _Fields(("object",), ("quantity", "value", "as", "unit"), "height"),
     "count": _Fields(("noun", "value")),
     "absent": _Fields(("noun",)),
@@ -126,6 +128,8 @@ def _statement(
         values[name] = read_phrase(item[name], f"{place}/{name}", problems)
     if "direction" in known and "direction" in item:
         values |= _direction(item, values, place, problems)
+    if "side" in known and "side" in item:
+        values |= _side(item["side"], place, problems)
     if says == "size":
         values |= _size(item, place, problems)
     elif "value" in known or "distance" in known:
@@ -153,6 +157,14 @@ def _direction(
     if word in _TARGETED and not target:
         problems.add(f"{place}/direction", f"{word!r} is of nothing", f"write {word} and of what")
     return {"direction": word, "target": target}
+
+
+def _side(said: Any, place: str, problems: Problems) -> dict[str, Any]:
+    if said in _SIDES:
+        return {"side": said}
+    remedy = f"{closest(said, _SIDES)}choose one of {', '.join(_SIDES)}"
+    problems.add(f"{place}/side", f"{show(said)} is no side", remedy)
+    return {}
 
 
 def _size(item: dict[str, Any], place: str, problems: Problems) -> dict[str, Any]:

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from esg.metrics.binding import Binding
 from esg.metrics.detection import runs
-from esg.metrics.events_space import is_over
+from esg.metrics.events.space import is_over
 from esg.metrics.geometry import Core, box_core, compound_distance
 from esg.metrics.replay import Floats, Replay
 from esg.thresholds import (

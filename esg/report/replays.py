@@ -99,7 +99,8 @@ def _replay(folder: Path, manifest: Manifest, engine: str) -> Replayed:
     from esg.compile.transfer import replay_scene
     from esg.stages import REPLAY_RATE_HZ
 
-    rollout, proof = replay_scene(folder, manifest, engine, 1.0 / REPLAY_RATE_HZ)
+    # To look at a scene never runs code that came with it.
+    rollout, proof = replay_scene(folder, manifest, engine, 1.0 / REPLAY_RATE_HZ, trust="nothing")
     return Replayed(manifest.scene, rollout, proof)
 
 

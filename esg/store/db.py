@@ -11,6 +11,7 @@ from collections.abc import Generator
 import contextlib
 from dataclasses import dataclass
 import errno
+import glob
 import os
 from pathlib import Path
 import shutil
@@ -19,7 +20,7 @@ import threading
 import time
 from typing import TYPE_CHECKING, Any
 
-from esg.files import explained, final_names, sync_file, sync_folder, temporary_name
+from esg.files import TEMPORARY, explained, final_names, sync_file, sync_folder, temporary_name
 from esg.outcomes import UserError
 
 if TYPE_CHECKING:
@@ -113,6 +114,7 @@ def writing(db: Path, *, fresh: bool = False) -> Generator[DuckDBPyConnection]:
     try:
         db.parent.mkdir(parents=True, exist_ok=True)
         with _lock(db.with_name(db.name + ".lock"), db):
+            _sweep(db)
             if db.exists() and not fresh:
                 _settle(db)
                 shutil.copyfile(db, work)
@@ -133,9 +135,18 @@ def writing(db: Path, *, fresh: bool = False) -> Generator[DuckDBPyConnection]:
         if os.strerror(errno.ENOSPC) in str(error):  # the copy; the database itself is whole
             raise _refused(db, error) from None
         raise broken(db, error) from None
+    except duckdb.Error as error:  # a catalogue or rows that no longer fit together
+        raise broken(db, error) from None
     finally:
         for leftover in (work, work.with_name(work.name + ".wal")):
             leftover.unlink(missing_ok=True)
+
+
+def _sweep(db: Path) -> None:
+    """Deletes the copies that killed writers left: who holds the lock is the only writer."""
+    for ending in (TEMPORARY, TEMPORARY + ".wal"):
+        for path in db.parent.glob(f".{glob.escape(db.name)}.*{ending}"):
+            path.unlink(missing_ok=True)
 
 
 def _refused(db: Path, error: BaseException) -> UserError:
@@ -219,6 +230,7 @@ def _open(db: Path, *, read_only: bool, wait_s: float | None = None) -> DuckDBPy
             config: dict[str, str | bool | int | float | list[str]] = {}
             if read_only:
                 config["enable_external_access"] = "false"
+                config["temp_directory"] = ""  # a question fills no disk
             return duckdb.connect(str(db), read_only=read_only, config=config)
         except duckdb.IOException as error:
             text = str(error).replace(str(db), "").lower()
@@ -284,6 +296,7 @@ def query(
     sql: str,
     *,
     timeout_s: float = 30.0,
+    memory_gib: float = 0.0,
     read_only: bool = True,
     max_rows: int = MAX_ROWS,
 ) -> QueryResult:
@@ -295,7 +308,8 @@ def query(
     Args:
         db: The database.
         sql: One statement; SELECT, WITH, FROM, DESCRIBE, SHOW, SUMMARIZE or EXPLAIN.
-        timeout_s: The query is stopped after this time [s].
+        timeout_s: The query is stopped after this time [s]; 0: never.
+        memory_gib: It may keep so much in memory and nothing on the disk; 0: no limit.
         read_only: False lets trusted callers write (with the writers' lock and on a copy).
         max_rows: Rows to fetch at most.
 
@@ -310,6 +324,8 @@ def query(
             return _run(connection, db, sql, timeout_s, max_rows)
     _check_statement(sql)
     with _reading(db) as connection:
+        if memory_gib:
+            connection.execute(f"SET memory_limit = '{memory_gib * 1024:.0f}MiB'")
         connection.execute("SET lock_configuration = true")
         return _run(connection, db, sql, timeout_s, max_rows)
 
@@ -355,15 +371,19 @@ def _run(
 ) -> QueryResult:
     import duckdb
 
-    timed_out = threading.Event()
+    timed_out, ended = threading.Event(), threading.Event()
 
     def stop() -> None:
-        timed_out.set()
-        connection.interrupt()
+        # Again and again: DuckDB forgets an interrupt that falls between two of its steps.
+        wait = timeout_s
+        while not ended.wait(wait):
+            timed_out.set()
+            with contextlib.suppress(duckdb.Error):  # closed meanwhile
+                connection.interrupt()
+            wait = 0.1
 
-    timer = threading.Timer(timeout_s, stop)
-    timer.daemon = True
-    timer.start()
+    if timeout_s:
+        threading.Thread(target=stop, daemon=True).start()
     try:
         cursor = connection.execute(sql)
         description = cursor.description or []
@@ -373,7 +393,13 @@ def _run(
             raise
         raise UserError(
             f"the query ran past its limit of {timeout_s:g} s and was stopped; narrow it with "
-            "WHERE or LIMIT, or raise the limit",
+            "WHERE or LIMIT, or raise the limit (ESG_SQL_SECONDS)",
+            exit_code=1,
+        ) from None
+    except (duckdb.OutOfMemoryException, MemoryError):
+        raise UserError(
+            "the query needs more memory than its limit; narrow it with WHERE or LIMIT, or raise "
+            "the limit (ESG_SQL_GIB)",
             exit_code=1,
         ) from None
     except duckdb.PermissionException:
@@ -385,7 +411,7 @@ def _run(
     except duckdb.Error as error:
         raise UserError(f"SQL error: {_message(error)}") from None
     finally:
-        timer.cancel()
+        ended.set()
     return QueryResult(
         columns=tuple(d[0] for d in description),
         types=tuple(str(d[1]) for d in description),

@@ -184,14 +184,16 @@ def test_a_draft_says_what_it_does_not_hold(
 
 
 def test_strict_counts_partial_scenes_as_failed(tmp_path: Path) -> None:
-    from esg.commands.generate import exit_code
     from esg.failures import FILE, report_failures
     from esg.outcomes import Outcome
     from esg.pipeline import SceneRequest, SceneState
+    from esg.runs import exit_code
 
     partial = [SceneState(SceneRequest("x"), outcome=Outcome.PARTIAL, reason='broken: "y"')]
-    assert (exit_code(partial), exit_code(partial, strict=True)) == (0, 3)
-    assert exit_code([SceneState(SceneRequest("x"), outcome=Outcome.SOLVED)], strict=True) == 0
+    assert (exit_code(partial, True), exit_code(partial, True, strict=True)) == (0, 3)
+    solved = [SceneState(SceneRequest("x"), outcome=Outcome.SOLVED)]
+    assert exit_code(solved, True, strict=True) == 0
+    assert (exit_code(solved, False), exit_code(partial, False, strict=True)) == (1, 1)
     report_failures(partial, [tmp_path / "x"], tmp_path)
     assert not (tmp_path / FILE).exists()
     report_failures(partial, [tmp_path / "x"], tmp_path, strict=True)

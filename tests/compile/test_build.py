@@ -1,8 +1,11 @@
 from __future__ import annotations
 
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
+import shutil
 import subprocess
+from typing import Any
 
 from helpers import written
 import pytest
@@ -80,6 +83,93 @@ def test_lost_library_is_compiled_again(tmp_path: Path) -> None:
     first = compile_class(read_classes([folder])[0])
     first.path.unlink()
     assert compile_class(read_classes([folder])[0]).path.is_file()
+
+
+def _truncated(path: Path) -> None:
+    path.write_bytes(path.read_bytes()[: path.stat().st_size // 2])
+
+
+def _bit_flipped(path: Path) -> None:
+    data = bytearray(path.read_bytes())
+    data[len(data) // 2] ^= 0x10
+    path.write_bytes(data)
+
+
+def _emptied(path: Path) -> None:
+    path.write_bytes(b"")
+
+
+@pytest.fixture(scope="module")
+def compiled_shim(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A class cache that holds the compiled shim and nothing else."""
+    root = tmp_path_factory.mktemp("shim")
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("ESG_CACHE_DIR", str(root))
+        build._include_dir(build.compiler())
+    return root
+
+
+@pytest.fixture
+def fresh(tmp_path: Path, monkeypatch: pytest.MonkeyPatch, compiled_shim: Path) -> Path:
+    """A class cache of the test's own."""
+    shutil.copytree(compiled_shim, tmp_path / "fresh")
+    monkeypatch.setenv("ESG_CACHE_DIR", str(tmp_path / "fresh"))
+    return tmp_path / "fresh" / "classes"
+
+
+@pytest.mark.parametrize("damage", [_truncated, _bit_flipped, _emptied])
+def test_a_damaged_library_is_compiled_again(
+    tmp_path: Path, fresh: Path, damage: Callable[[Path], None]
+) -> None:
+    """Loading it would end the process (SIGBUS) or run what nobody wrote."""
+    folder = written(tmp_path / "scene", *ball_scene("worn", 11.0))
+    damage(compile_class(read_classes([folder])[0]).path)
+    healed = compile_class(read_classes([folder])[0])
+    assert healed.seconds > 0.0
+    assert replay_class(folder, duration=0.1).compile_seconds == 0.0
+
+
+@pytest.mark.parametrize("name", ["runtime.o", "UEShim.h.gch", "UEShim.h"])
+def test_a_damaged_shim_is_compiled_again(tmp_path: Path, fresh: Path, name: str) -> None:
+    """A class compiled after it runs; the damage is not blamed on the class."""
+    first = written(tmp_path / "first", *ball_scene("before", 12.0))
+    compile_class(read_classes([first])[0])
+    (include,) = fresh.glob("include-*")
+    _truncated(include / name)
+    second = written(tmp_path / "second", *ball_scene("after", 13.0))
+    assert replay_class(second, duration=0.1).rollout.valid.all()
+    assert build._is_sound(include)
+
+
+def test_a_shim_that_spoils_under_a_compiler_is_no_fault_of_the_class(
+    tmp_path: Path, fresh: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The compiler complains, the shim is made anew, the class compiles."""
+    folder = written(tmp_path / "scene", *ball_scene("spoilt", 14.0))
+    run, failures = subprocess.run, []
+
+    def spoiled(command: list[str], **options: Any) -> Any:
+        if "-shared" in command and not failures:
+            (include,) = fresh.glob("include-*")
+            _truncated(include / "runtime.o")
+            failures.append(command)
+        return run(command, **options)
+
+    monkeypatch.setattr(build.subprocess, "run", spoiled)
+    assert isinstance(compile_many([folder], jobs=1)[0], Library)
+    assert failures
+
+
+@pytest.mark.parametrize("text", ["", "unit-", "../../x.so " + 64 * "0", "unit-0.so", "\xff\xfe"])
+def test_a_damaged_reference_is_written_anew(tmp_path: Path, fresh: Path, text: str) -> None:
+    """A reference that is cut off, of an older version, or leads elsewhere is none."""
+    folder = written(tmp_path / "scene", *ball_scene("referred", 15.0))
+    library = compile_class(read_classes([folder])[0])
+    (reference,) = fresh.glob("*.ref")
+    reference.write_text(text, "latin-1")
+    again = compile_class(read_classes([folder])[0])
+    assert again.path == library.path and again.seconds > 0.0
+    assert reference.read_text("ascii").split()[0] == library.path.name
 
 
 def test_missing_compiler_is_said_plainly(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:

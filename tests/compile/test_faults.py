@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
-from helpers import both, first_touches, written
+from helpers import both, first_touches, vouched, written
 import numpy as np
 import pytest
 import scenes
@@ -243,6 +243,7 @@ def folders(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
         text = path.read_text()
         assert fault.old in text, f"{name} does not apply: the emitted text has changed"
         path.write_text(text.replace(fault.old, fault.new, 1))
+        vouched(folder)
     compiled = [n for n, f in FAULTS.items() if f.caught is not ClassError]
     compile_many(read_classes(out[n] for n in compiled))
     return out

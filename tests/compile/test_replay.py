@@ -6,7 +6,7 @@ import math
 from pathlib import Path
 import re
 
-from helpers import assert_same, both, first_touches, written
+from helpers import assert_same, both, first_touches, vouched, written
 import numpy as np
 import pytest
 import scenes
@@ -173,7 +173,7 @@ def test_edited_class_changes_the_replay(tmp_path: Path) -> None:
     text = source.read_text()
     assert "BallADrive1.Speed = 250.0;" in text
     source.write_text(text.replace("BallADrive1.Speed = 250.0;", "BallADrive1.Speed = 125.0;"))
-    after = replay_class(tmp_path, duration=0.3)
+    after = replay_class(vouched(tmp_path), duration=0.3)
     ratio = after.rollout.position[0, -1, 0, 0] / before.rollout.position[0, -1, 0, 0]
     assert ratio == pytest.approx(0.5, rel=1e-3)
 
@@ -195,7 +195,7 @@ def test_broken_import_manifest_is_named(tmp_path: Path) -> None:
     written(tmp_path, *CASES["marbles"])
     (tmp_path / "unreal" / "imports.json").write_text("{")
     with pytest.raises(UserError, match=r"imports\.json"):
-        replay_class(tmp_path)
+        replay_class(tmp_path, trust=True)
 
 
 def test_asset_without_collision_is_refused(tmp_path: Path) -> None:
@@ -205,7 +205,7 @@ def test_asset_without_collision_is_refused(tmp_path: Path) -> None:
     data["assets"][0]["collision"] = []
     path.write_text(json.dumps(data))
     with pytest.raises(ReplayError, match="no collision shapes"):
-        replay_class(tmp_path)
+        replay_class(vouched(tmp_path))
 
 
 def test_tilted_gravity_cannot_be_emitted(tmp_path: Path) -> None:

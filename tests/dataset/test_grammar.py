@@ -169,7 +169,7 @@ def test_braking_is_what_tyres_give() -> None:
 
 def test_a_distribution_that_is_no_yaml_is_told_with_its_place() -> None:
     with pytest.raises(
-        UserError, match=r"d\.yaml is not YAML at line 2, column \d+: .*fix"
+        UserError, match=r"d\.yaml cannot be read:\s+line 2, column \d+: .*fix"
     ) as told:
         load_distribution("levels: 1\nshares: [", "d.yaml")
     assert told.value.exit_code == 2

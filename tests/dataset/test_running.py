@@ -151,7 +151,7 @@ def test_a_scene_that_kills_its_worker_is_left_out(tmp_path: Path) -> None:
     with FakePool(1) as pool, run_context(pool):
         result = run_job(job)
     assert result.outcomes == {"solved": 2, "crashed": 1}
-    assert [row["prompt"] for row in result.failures] == ["deadly b"]
+    assert [(row["prompt"], row["stage"]) for row in result.failures] == [("deadly b", "layout")]
 
 
 def test_a_worker_killed_from_outside_costs_nothing(tmp_path: Path) -> None:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from esg.draft import draft
-from esg.draft.statements.unclaimed import carriers
+from esg.draft.statements.phrases import carriers
 from esg.graph.models import Predicate, Statement
 
 
@@ -32,7 +32,7 @@ def test_a_preposition_is_carried_as_its_row_says(
     row = next(r for r in carriers().values() if r.example == example)
     empty = type(row)(none, none, none, holds=False, aims="")
     table = nothing | dict.fromkeys(preps, empty)
-    monkeypatch.setattr("esg.draft.statements.unclaimed.carriers", lambda: table)
+    monkeypatch.setattr("esg.draft.statements.phrases.carriers", lambda: table)
     assert len(words(example)) == 1
 
 

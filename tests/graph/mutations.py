@@ -934,6 +934,50 @@ def casting(m: Maker) -> None:
     m.add("STAGE_ORDER", ("choreography",), still, "TIMELINE_MISSING")
 
 
+def joints(m: Maker) -> None:
+    """Joints of what is not there, that cannot move anything, or that say too much or too little."""
+    if m.base != "finished":
+        return
+    jointed = m.raw
+    for key in ("bin", "table"):
+        mounts = [{"name": "pivot", "position_cm": [0, 0, 10], "axis": [0, 1, 0]}]
+        jointed = put(jointed, ("asset_configurations", key, "mounts"), mounts)
+    hinge = {
+        "id": "hinge", "kind": "hinge", "child": "trashbin_1", "child_mount": "pivot",
+        "parent": "picnic_table_1", "parent_mount": "pivot", "lower": -90, "upper": 90,
+        "position": 30, "damping": 0.1, "motor": {"speed": 20, "limit": 5},
+    }  # fmt: skip
+    path = (*GRAPH, "joints")
+    here = (*path, 0)
+
+    def told(code: str, *also: str, at: str, note: str = "", **change: Any) -> None:
+        broken = {k: v for k, v in {**hinge, **change}.items() if v is not None}
+        m.add(code, (*here, at), put(jointed, path, [broken]), *also, note=note or at)
+
+    m.add("JOINT_TWICE", (*path, 1, "id"), put(jointed, path, [hinge, hinge]))
+    told("JOINT_UNKNOWN", at="child", child="ghost")
+    told("JOINT_UNKNOWN", at="parent", parent="ghost")
+    told("JOINT_CHILD", at="child", note="itself", child="picnic_table_1")
+    told("JOINT_CHILD", "JOINT_MOUNT", at="child", note="fixed", child="ground_1", child_mount="pivot")
+    told("JOINT_MOUNT", at="child_mount", child_mount="ghost")
+    told("JOINT_MOUNT", at="parent_mount", parent_mount="ghost")
+    told("JOINT_FIELD", at="parent", parent=None)
+    plain = {"lower": None, "position": 0, "motor": None}
+    told("JOINT_FIELD", at="lower", kind="rope", **{**plain, "lower": 1})
+    told("JOINT_FIELD", at="motor", kind="rope", **{**plain, "motor": {"speed": 1}})
+    told("JOINT_FIELD", at="upper", kind="rope", **plain, upper=None)
+    told("JOINT_FIELD", at="parent_mount", kind="rope", **plain, parent_mount=None)
+    told("JOINT_FIELD", at="stiffness", kind="spring", **plain)
+    told("JOINT_VALUE", at="upper", kind="rope", **plain, upper=-1)
+    told("JOINT_VALUE", at="damping", damping=-1)
+    told("JOINT_VALUE", at="break_impulse", break_impulse=-1)
+    told("JOINT_VALUE", at="motor", motor={"limit": -1})
+    told("JOINT_POSITION", at="position", position=91)
+    told("INTERVAL_REVERSED", at="lower", lower=91)
+    back = {**hinge, "id": "back", "child": "picnic_table_1", "parent": "trashbin_1"}
+    m.add("JOINT_CIRCLE", path, put(jointed, path, [hinge, back]))
+
+
 GENERATORS: tuple[Callable[[Maker], None], ...] = (
     schema,
     references,
@@ -947,6 +991,7 @@ GENERATORS: tuple[Callable[[Maker], None], ...] = (
     stages,
     statements,
     casting,
+    joints,
 )
 
 

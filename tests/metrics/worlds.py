@@ -7,6 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
+from esg.engines.joints import Joint, JointKind, joint_between
 from esg.engines.program import Primitive, Program
 from esg.engines.scene import Body, ContactLog, Region, Rollout, Shape, SimScene
 from esg.metrics import (
@@ -59,6 +60,7 @@ class World:
         self.contacts: list[tuple[float, str, str, float, float]] = []
         self.primitives: list[Primitive] = []
         self.regions: list[Region] = []
+        self.joints: list[Joint] = []
 
     def add(
         self,
@@ -88,7 +90,8 @@ class World:
             about = np.stack([-velocity[:, 1], velocity[:, 0], 0.0 * velocity[:, 2]], axis=1)
             spin = rolling * about / item.roll_radius
         self.spins.append(spin)
-        self.bodies.append(replace(item, position=tuple(path[0].tolist())))
+        start = {"position": path[0], "quaternion": self.turns[-1][0]}
+        self.bodies.append(replace(item, **{k: tuple(v.tolist()) for k, v in start.items()}))
         return self
 
     def _curve(self, value: float | Path) -> np.ndarray:
@@ -109,9 +112,19 @@ class World:
         self.regions += regions
         return self
 
+    def join(self, kind: JointKind, child: str, parent: str = "", **more: object) -> World:
+        """Joins bodies as they stand; `limits`, and what else a joint has beside its place."""
+        bodies = {b.name: b for b in self.bodies}
+        place = {k: more.pop(k) for k in ("at", "axis", "parent_at", "position") if k in more}
+        place.setdefault("at", bodies[child].position)
+        name = f"joint_{len(self.joints) + 1}"
+        joint = joint_between(name, kind, bodies[child], bodies.get(parent), **place)  # type: ignore[arg-type]
+        self.joints.append(replace(joint, **more))  # type: ignore[arg-type]
+        return self
+
     @property
     def scene(self) -> SimScene:
-        return SimScene("test", tuple(self.bodies), tuple(self.regions))
+        return SimScene("test", tuple(self.bodies), tuple(self.regions), joints=tuple(self.joints))
 
     @property
     def program(self) -> Program:

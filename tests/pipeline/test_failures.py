@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from concurrent.futures import ThreadPoolExecutor
+from dataclasses import replace
 import json
 from pathlib import Path
 import shutil
@@ -47,6 +48,19 @@ def test_a_suite_tells_of_its_own_run_alone(tmp_path: Path) -> None:
     assert told(tmp_path) == ["b"]
     report_failures(*scene(tmp_path, "b", Outcome.SOLVED), tmp_path)
     assert not (tmp_path / FILE).exists()
+
+
+def test_the_stage_that_decided_is_named(tmp_path: Path) -> None:
+    """Later stages run and are logged, too: the judge decides, the record stage only carries on."""
+    (state,), folders = scene(tmp_path, "a", Outcome.NOT_CONVERGED)
+    log = [{"stage": s, "seconds": 0.1} for s in ("layout", "judge", "record")]
+    log[1]["outcome"] = log[2]["outcome"] = "not_converged"
+    report_failures([replace(state, log=tuple(log))], folders, tmp_path)
+    assert json.loads((tmp_path / FILE).read_text())["stage"] == "judge"
+    log[2]["outcome"] = "crashed"
+    crashed = replace(state, log=tuple(log), outcome=Outcome.CRASHED)
+    report_failures([crashed], folders, tmp_path)
+    assert json.loads((tmp_path / FILE).read_text())["stage"] == "record"
 
 
 def test_a_damaged_file_costs_only_its_damaged_lines(tmp_path: Path) -> None:

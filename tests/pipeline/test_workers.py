@@ -14,7 +14,7 @@ import time
 import pytest
 
 from esg import workers
-from esg.workers import WorkerDied, WorkerPool, default_processes
+from esg.workers import OutOfTime, WorkerDied, WorkerPool, default_processes
 
 
 def process_id() -> int:
@@ -139,3 +139,31 @@ def test_a_terminals_interrupt_does_not_reach_workers() -> None:
 def test_few_scenes_need_no_processes() -> None:
     assert default_processes(1) == 0
     assert default_processes(100) >= 1
+
+
+def allocate(gib: float) -> int:
+    return len(bytearray(int(gib * 2**30)))
+
+
+def out_of_time(mark: str) -> None:
+    with Path(mark).open("a") as file:
+        file.write("x")
+    os._exit(workers.OUT_OF_TIME)
+
+
+def test_a_worker_may_allocate_its_share_and_no_more(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("ESG_WORKER_GIB", "0.5")
+    with WorkerPool(1) as pool:
+        assert pool.run(allocate, 0.1) > 0
+        with pytest.raises(MemoryError):
+            pool.run(allocate, 1.0)
+        assert pool.run(process_id)
+    monkeypatch.delenv("ESG_WORKER_GIB")
+    monkeypatch.setattr(workers, "machine_memory", lambda: 64 * 2**30)
+    assert [workers.memory_bound(n) // 2**30 for n in (1, 8, 64)] == [64, 8, 4]
+
+
+def test_a_call_that_took_too_long_is_not_tried_again(tmp_path: Path) -> None:
+    with WorkerPool(1) as pool, pytest.raises(OutOfTime, match="ESG_STAGE_SECONDS"):
+        pool.run(out_of_time, str(tmp_path / "calls"))
+    assert (tmp_path / "calls").read_text() == "x"

@@ -86,7 +86,7 @@ def test_pictures_recordings_and_prompts_too(
 ) -> None:  # fmt: skip
     """A cut or empty prompt is still text; a folder in its place is no scene."""
     monkeypatch.setattr(
-        "esg.compile.transfer.replay_scene", lambda *_: (rollout(), "class")
+        "esg.compile.transfer.replay_scene", lambda *_, **__: (rollout(), "program")
     )  # of a damaged recording
     write_scene(tmp_path / "S1")
     DAMAGE[how](write_scene(tmp_path / "S2") / name)

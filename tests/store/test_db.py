@@ -466,7 +466,9 @@ def test_a_killed_ingest_leaves_the_old_database(db, parts):
     worker.join(180)
     assert worker.exitcode == -9
     assert db.read_bytes() == before
+    assert [p for p in db.parent.iterdir() if p.suffix == ".tmp"]
     assert ingest(db, [parts], force=True).files == len(TABLES)
+    assert not [p for p in db.parent.iterdir() if p.name.startswith(".")]
 
 
 def test_snapshot_is_a_database(db, tmp_path):
@@ -587,3 +589,16 @@ def test_a_database_from_before_statements_grows_and_takes_older_parts(
     for table in TABLES:
         rows = query(path, f"FROM {table} ORDER BY ALL").rows
         assert rows == query(tmp_path / "again.duckdb", f"FROM {table} ORDER BY ALL").rows
+
+
+@pytest.mark.parametrize(
+    "sql",
+    ["SELECT list(range) FROM range(1000000000)",
+     "SELECT count(*) FROM range(100000000) a, range(100000000) b"],
+)  # fmt: skip
+def test_a_query_that_needs_too_much_memory_is_refused_and_fills_no_disk(db, sql):
+    before = sorted(p.name for p in db.parent.iterdir())
+    with pytest.raises(UserError, match="ESG_SQL_GIB") as told:
+        query(db, sql, memory_gib=0.25)
+    assert told.value.exit_code == 1
+    assert sorted(p.name for p in db.parent.iterdir()) == before

@@ -94,6 +94,7 @@ def shift(s: Sketch, dx: float = 0.0, dy: float = 0.0, dz: float = 0.0) -> None:
     if s.weighed is not None:
         s.weighed = [p.model_copy(update={"position_cm": at(p.position_cm)}) for p in s.weighed]
     s.surfaces[:] = [p.model_copy(update={"center_cm": at(p.center_cm)}) for p in s.surfaces]
+    s.mounts[:] = [m.model_copy(update={"position_cm": at(m.position_cm)}) for m in s.mounts]
     s.regions[:] = [p.model_copy(update={"center_cm": at(p.center_cm)}) for p in s.regions]
 
 

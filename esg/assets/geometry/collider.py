@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from esg.assets.geometry.rotations import IDENTITY, turn
-from esg.graph.models import NamedRegion, Proxy, ProxyKind, Quat, SupportSurface, Vec3
+from esg.graph.models import Mount, NamedRegion, Proxy, ProxyKind, Quat, SupportSurface, Vec3
 
 
 @dataclass
@@ -21,6 +21,7 @@ class Collider:
     densities: list[float] = field(default_factory=list)
     surfaces: list[SupportSurface] = field(default_factory=list)
     regions: list[NamedRegion] = field(default_factory=list)
+    mounts: list[Mount] = field(default_factory=list[Mount])
     weighed: list[Proxy] | None = None
     """Shapes that mass and inertia come from where they are not the proxies; with `densities`."""
 
@@ -172,6 +173,10 @@ class Collider:
                 kind=kind,
             )
         )
+
+    def mount(self, name: str, at: Vec3, axis: Vec3 = (0.0, 0.0, 1.0)) -> None:
+        """Records where a joint takes hold, and the axis it turns about or slides along."""
+        self.mounts.append(Mount(name=name, position_cm=at, axis=axis))
 
 
 def lying_hull(profile: Sequence[tuple[float, float]], axis_z: float, sides: int) -> list[Vec3]:

@@ -73,6 +73,10 @@ def stretched(sketch: Sketch, factors: Vec3) -> Sketch:
             for r in sketch.regions
         ],
         weighed=None if weighed is None else [_proxy(p, factors) for p in weighed],
+        mounts=[
+            m.model_copy(update={"position_cm": vec(m.position_cm), "axis": vec(m.axis)})
+            for m in sketch.mounts
+        ],
         axles=[Axle(vec(a.point), a.radius * factors[2]) for a in sketch.axles if turns],
     )
 

@@ -82,7 +82,14 @@ def _value(text: str) -> Any:
 @lru_cache(maxsize=1)
 def catalogue() -> tuple[Entry, ...]:
     """Every entry of the embedded library, in the order of the table of kinds."""
-    return tuple(_entry(kind) for kind in kinds() if kind.builder)
+    return tuple(_entry(kind) for kind in kinds() if kind.builder and "part" not in kind.flags)
+
+
+@lru_cache(maxsize=1)
+def parts() -> dict[str, Entry]:
+    """Parts of jointed things by canonical name: nobody finds them, a document asks for them."""
+    found = [_entry(kind) for kind in kinds() if kind.builder and "part" in kind.flags]
+    return {entry.name: entry for entry in found}
 
 
 def _entry(kind: Kind) -> Entry:
@@ -104,8 +111,8 @@ def _entry(kind: Kind) -> Entry:
 
 @lru_cache(maxsize=1)
 def entries_by_name() -> dict[str, Entry]:
-    """The embedded library by canonical name."""
-    return {e.name: e for e in catalogue()}
+    """The embedded library and its parts of jointed things by canonical name."""
+    return {e.name: e for e in catalogue()} | parts()
 
 
 def normalize(text: str) -> str:

@@ -21,7 +21,7 @@ import re
 import numpy as np
 
 from esg.assets.imports.store import active_index
-from esg.assets.library.catalogue import Entry, lexicon, normalize
+from esg.assets.library.catalogue import Entry, lexicon, normalize, parts
 from esg.assets.library.index import Index, texts_of
 from esg.assets.library.lookup import AMBIGUOUS_HEADS, exact, head_match, head_phrase
 from esg.assets.library.proposal import is_own_name, misfit
@@ -213,6 +213,9 @@ def qualified(entry: Entry) -> str:
 
 def decide(requirement: AssetRequirement) -> Decision:
     """Chooses the entry for a requirement, or closes the gate."""
+    part = parts().get(requirement.asset_category)
+    if part is not None:
+        return Decision(part, 1.0, (_certain(part, requirement),))
     text = requirement.asset_category.replace("_", " ")
     found = exact(text)
     if found is not None and is_own_name(found, requirement):

@@ -10,7 +10,7 @@ from __future__ import annotations
 import math
 
 from esg.assets.geometry.rolling import as_drawn
-from esg.assets.library.catalogue import Entry, normalize, policy
+from esg.assets.library.catalogue import Entry, normalize, parts, policy
 from esg.assets.library.lookup import exact, head_match
 from esg.assets.library.proposal import SIZED, guessed, is_own_name, is_toy, misfit, residual
 from esg.graph.models import AssetRequirement
@@ -29,7 +29,7 @@ _OWN_SHAPE = 1.2
 def said_entry(requirement: AssetRequirement) -> Entry | None:
     """The entry that the words name, if it is another and no broader one than the category's."""
     words, colon, _ = requirement.asset_description.partition(":")
-    if not colon:
+    if not colon or requirement.asset_category in parts():
         return None
     said, filed = head_match(words), exact(requirement.asset_category.replace("_", " "))
     if said is None or "decal" in said.flags:

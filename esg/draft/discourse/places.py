@@ -129,7 +129,9 @@ def carries(d: Discourse, host: str, thing: str) -> bool:
     if structural(d, host) or "round" in entity_of(d, host).noun.traits or host == thing:
         return False
     mine, other = entity_of(d, thing).noun, entity_of(d, host).noun
-    return mine.mass_kg < 2.0 * other.mass_kg and other.kind not in ("region", "water", "hole")
+    if other.kind == "water":
+        return mine.kind == "watercraft"
+    return mine.mass_kg < 2.0 * other.mass_kg and other.kind not in ("region", "hole")
 
 
 def fits_on(d: Discourse, node: str, host: str) -> bool:

@@ -9,7 +9,7 @@ from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.text.quantities import Amount
-from esg.graph.models import Quantity
+from esg.graph.models import Joint, Quantity
 
 
 @dataclass
@@ -43,6 +43,9 @@ class Scene:
     facing: dict[str, str] = field(default_factory=dict[str, str])
     travel: dict[str, Amount] = field(default_factory=dict[str, Amount])
     """Stated distance of a motion, by actor."""
+    joints: list[Joint] = field(default_factory=list[Joint])
+    openings: dict[str, float] = field(default_factory=dict[str, float])
+    """Where the joint of a node starts, as events ask for it [deg or cm]."""
     used: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])
     """Spans that became something: (start, end) -> pointer or note."""
     ignored: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])

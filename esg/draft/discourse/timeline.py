@@ -41,6 +41,8 @@ _EDGES: dict[str, EdgeEvent] = {
     "guide": EdgeEvent.GUIDE,
     "jump": EdgeEvent.TOWARD,
     "spin": EdgeEvent.SPIN,
+    "drive": EdgeEvent.DRIVE,
+    "release": EdgeEvent.RELEASE,
 }
 _STEADY = frozenset({EdgeEvent.UNIFORM_MOTION, EdgeEvent.TOWARD})
 Gaps = dict[frozenset[str], Quantity]
@@ -51,12 +53,13 @@ _NAMES = {
     NodeEvent.TRIGGER: "trigger", NodeEvent.STOP: "stop", NodeEvent.TOPPLE: "topple",
     NodeEvent.PICKED_UP: "picked_up", NodeEvent.PLACED: "placed", NodeEvent.BOUNCE: "bounce",
     NodeEvent.JUMP: "jump", NodeEvent.SPIN: "spin",
+    NodeEvent.OPEN: "open", NodeEvent.CLOSE: "close", NodeEvent.SWING: "swing",
     NodeEvent.FALL: "fall", NodeEvent.REACH: "reach", NodeEvent.MISS: "miss",
 }  # fmt: skip
 """Last words of the ids of point events."""
 _ENDING = (NodeEvent.STOP, NodeEvent.PICKED_UP, NodeEvent.PLACED, NodeEvent.SPIN, NodeEvent.JUMP)
 """Events with which a motion is over: what comes next is told anew."""
-_LEGS = {"own": "drive", "throw": "flight", "fly": "flight"}
+_LEGS = {"own": "drive", "drive": "moved", "throw": "flight", "fly": "flight"}
 """Last words of the ids of segments, where they differ from the mode."""
 _FREEDOM = (
     ForceDirection.ALONG_FORWARD_ONLY,

@@ -34,6 +34,9 @@ _DURATIONS: dict[NodeEvent, tuple[float, float]] = {
     NodeEvent.BOUNCE: (0.3, 6.0),
     NodeEvent.JUMP: (0.2, 5.0),
     NodeEvent.SPIN: (0.5, 5.0),
+    NodeEvent.OPEN: (0.2, 5.0),
+    NodeEvent.CLOSE: (0.2, 8.0),
+    NodeEvent.SWING: (0.1, 10.0),
 }
 """Shortest and longest time since the event before, where the prompt states none [s]."""
 

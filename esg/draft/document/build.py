@@ -126,6 +126,7 @@ def build(
             edges=RelationEdges(
                 binary_relations=tuple(graph.relations), multi_relations=tuple(graph.multi)
             ),
+            joints=tuple(scene.joints) or None,
         ),
         timeline_system=timeline,
         coverage=coverage,
@@ -313,7 +314,11 @@ def _face(graph: _Graph) -> None:
             aims.setdefault(edge.actor, edge.target)
     for name, node in graph.nodes.items():
         e = graph.entities[name]
-        if node.is_structural or ("round" in e.noun.traits and e.noun.shape == "sphere"):
+        if (
+            e.implied
+            or node.is_structural
+            or ("round" in e.noun.traits and e.noun.shape == "sphere")
+        ):
             continue
         if name in courses:
             text = f"{e.label} faces the way that it goes"

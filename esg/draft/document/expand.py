@@ -12,6 +12,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.decks import is_driven, lay_decks
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.scene import Scene
+from esg.draft.document.joining import join_parts
 from esg.graph.models import ForceDirection, NodeEvent, TimelineEdge
 
 RAISED_CM = 25.0
@@ -39,6 +40,7 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     _lay_slope(scene, prompt, reasons)
     if not restricted:
         _add_context(scene, reasons)
+    reasons += join_parts(scene)
     return reasons
 
 

@@ -63,7 +63,8 @@ def requirement(e: Entity) -> AssetRequirement:
         material = "ice"
     said = {"same", "other"} | ({*lex.ORDINALS, "last", "final"} if e.in_group else set[str]())
     words = [a for a in e.adjectives if not a.startswith("@") and a not in said]
-    description = f"{' '.join(dict.fromkeys([*words, e.head]))}: {e.noun.description}"
+    head = e.noun.name if e.part else e.head
+    description = f"{' '.join(dict.fromkeys([*words, head]))}: {e.noun.description}"
     synonyms = [s for s in e.noun.synonyms if s != e.head][:4]
     if synonyms:
         description += f" ({', '.join(synonyms)})"
@@ -71,7 +72,7 @@ def requirement(e: Entity) -> AssetRequirement:
         description += f", {material}"
     shape: Any = e.noun.shape or None
     return AssetRequirement(
-        asset_category=e.noun.category if e.known else slug(e.head),
+        asset_category=e.noun.category if e.known or e.part else slug(e.head),
         asset_description=description,
         expected_dimensions_cm=size,
         expected_mass_kg=e.noun.mass_kg if "structural" in e.noun.traits else mass_of(e, size),

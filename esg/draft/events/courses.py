@@ -16,6 +16,7 @@ from esg.draft.events.told import size_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import EdgeEvent, ForceDirection, NodeEvent, Predicate, TimelineEdge
 from esg.graph.rules_segments import LEAST_SPEED_CM_S
+from esg.thresholds import BRAKING_DRY_G, GENTLE_BRAKING_MPS2, HARD_BRAKING_MPS2
 
 _TRANSITIVE = frozenset(
     {"launch", "knock", "drop", "carry", "roll", "slide", "bounce", "tow", "own", "pass", "posture"}
@@ -29,6 +30,8 @@ _HEADINGS = {"left": 0.0, "right": 180.0, "front": 90.0, "back": 270.0}
 """Headings [degrees] of the viewer's directions: left is +X, front +Y."""
 _ABOUT_S = 2.5
 """How long what moves about on something shall need for half of its length [s]."""
+HARD_BRAKE_CM_S2, GENTLE_BRAKE_CM_S2 = 100.0 * HARD_BRAKING_MPS2, 100.0 * GENTLE_BRAKING_MPS2
+HARDEST_BRAKE_CM_S2 = 100.0 * 9.81 * BRAKING_DRY_G
 _DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.TOWARD, EdgeEvent.ACCELERATED_MOTION)
 
 
@@ -75,6 +78,8 @@ def follow(d: Discourse, f: Frame, was: Before, subject: list[str], objects: lis
     moved = [i for i in objects if i in new] if f.verb.sense in _TRANSITIVE else []
     moved = moved or [i for i in (*subject, *objects) if i in new]
     moved = moved or [i for i in subject if i in tracks and tracks[i].under_way]
+    if f.verb.sense == "hit":  # "reverses into a van": the van does not
+        moved = [i for i in moved if tracks[i].motion is not None] or moved
     moved = [i for i in dict.fromkeys(moved) if i in d.world.entities and movable(d, i)]
     clause = Clause(
         f,
@@ -96,6 +101,9 @@ def _carry_over(d: Discourse, clause: Clause, mover: str, was: Before) -> None:
     turned = any(n.event is NodeEvent.HEADING_REACHED for n in told)
     turned = turned or clause.frame.verb.sense in TURNING
     for s in clause.said:
+        if s.row.part == "braking":
+            _brake_so(d, mover, was, s.row.pace)
+            continue
         if s.row.pace and clause.frame.verb.sense in AT_ITS_OWN_PACE:
             continue
         if s.row.states is Predicate.MOVES and turned:
@@ -111,6 +119,19 @@ def _carry_over(d: Discourse, clause: Clause, mover: str, was: Before) -> None:
             track = d.timeline.tracks[mover]
             if track.direction is ForceDirection.ALONG_FORWARD_ONLY:
                 track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD
+
+
+def _brake_so(d: Discourse, mover: str, was: Before, pace: str) -> None:
+    """ "Brakes hard", "brakes gently": how fast it slows down, with room to what is asked."""
+    rates = (1.15 * HARD_BRAKE_CM_S2, HARDEST_BRAKE_CM_S2)
+    rates = rates if pace == "fast" else (0.3 * GENTLE_BRAKE_CM_S2, 0.85 * GENTLE_BRAKE_CM_S2)
+    told = {"acceleration": tuple(round(r, 2) for r in rates)}
+    motion = d.timeline.tracks[mover].motion
+    if motion is not None and motion.mode == "brake":
+        motion.params.update(told)
+    for k, e in enumerate(d.timeline.edges):
+        if k >= was.edges and e.actor == mover and e.event is EdgeEvent.BRAKE:
+            d.timeline.edges[k] = e.model_copy(update={"params": e.params.model_copy(update=told)})
 
 
 def _change(d: Discourse, mover: str, was: Before, pace: str = "", **course: Any) -> None:

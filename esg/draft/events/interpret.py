@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import partial
+from itertools import pairwise
 import re
 
 from esg.draft import lexicon as lex
@@ -13,6 +14,8 @@ from esg.draft.discourse.concurrence import one_time_each
 from esg.draft.discourse.core import aimable, amounts_of, entity_of, facts_of, kind_of, mark_used
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
+from esg.draft.discourse.jointed import loosen
+from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, refer_all
 from esg.draft.discourse.referents.record import World
@@ -94,6 +97,7 @@ def interpret(
     # references are resolved in the order of the text, events in the order of time
     d.told, d.attached = frames, attachments
     refer_all(d, frames)
+    loosen(d.scene, d.text)
     dodge(frames, d.text)
     goals = {id(p.mention) for f in frames if _tells_of_hands(f) for p in f.phrases}
     for m, p in attachments:
@@ -192,6 +196,18 @@ def _no_ground(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
+def _abreast(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "Race side by side": the members of a plural in a row, else one beside the other."""
+    bodies = (parts.subject or parts.objects) if "side by side" in f.adverbs else []
+    for one, other in pairwise(bodies):
+        group = entity_of(d, one).group
+        if group is not None and group == entity_of(d, other).group:
+            entity_of(d, one).pattern = entity_of(d, other).pattern = "row"
+        else:
+            place(d, [one], [other], "beside")
+    return False
+
+
 def _instead(d: Discourse, f: Frame, parts: Parts) -> bool:
     """ "throws a ball at a can but hits a box": it does not hit what it was aimed at."""
     d.now.instead = _INSTEAD.search(sentence(d, f)) is not None or (
@@ -280,6 +296,7 @@ STEPS: tuple[Step, ...] = (
     _does_not_happen,
     _thrown_instead,
     _ridden_instead,
+    _abreast,
 )
 """What is found out about who a clause is about before its verb is read, in this order."""
 

@@ -54,8 +54,9 @@ def said(text: str, f: Frame) -> list[Said]:
     """What the adverbs, phrases and the verb of a clause state of its motion."""
     verb = (f.verb.start, f.verb.end)
     out = [Said(row, *verb) for row in _by_word().get(("verb", f.verb.lemma), ())]
+    part = "braking" if f.verb.sense == "brake" else "adverb"
     for word in adverbs_of(text, f):
-        for row in _by_word().get(("adverb", word), ()):
+        for row in _by_word().get((part, word), ()):
             at = place_of(word, text, f) or verb
             how = word == "right" and exactly(text, at[1])
             if not how and (word != "up" or _goes_up(f)):
@@ -65,6 +66,8 @@ def said(text: str, f: Frame) -> list[Said]:
             continue
         if p.mention.attribute and p.prep in ("to", "toward", "towards"):
             found = _by_word().get(("side", p.mention.head), ())
+        elif p.mention.attribute and p.prep == "from":
+            found = _by_word().get(("from", p.mention.head), ())
         else:
             agent = p.prep == "by" and (f.verb.passive or f.reduced)
             solid = not p.mention.attribute and not agent

@@ -12,16 +12,31 @@ from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, SELF_POWERED
 from esg.draft.discourse.windows import START
-from esg.draft.events.courses import AT_ITS_OWN_PACE, TURNING, measurable
+from esg.draft.events.courses import (
+    AT_ITS_OWN_PACE,
+    GENTLE_BRAKE_CM_S2,
+    HARD_BRAKE_CM_S2,
+    TURNING,
+    measurable,
+)
 from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.events.stated import adverbs_of, place_of, start_of
 from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Frame, Phrase
-from esg.draft.statements.unclaimed import Account, unclaimed
+from esg.draft.statements.account import Account
+from esg.draft.statements.struck import struck
+from esg.draft.statements.unclaimed import unclaimed
 from esg.draft.statements.unkept import dropped, missing
 from esg.draft.statements.unseen import unseen
 from esg.draft.text.elements import Element, Token
-from esg.graph.models import EdgeEvent, Predicate, Quantity, Statement, TimelineEdge
+from esg.graph.models import (
+    EdgeEvent,
+    NodeEvent,
+    Predicate,
+    Quantity,
+    Statement,
+    TimelineEdge,
+)
 
 GENTLE_CM_S = 150.0
 """What is put down "gently" is nowhere faster: hands that reach go at 0.5 to 1.5 m/s."""
@@ -97,6 +112,13 @@ def state(
             _unkept(book, f, why)
     for start, end, why in unseen(d, frames):
         book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
+    for hit in struck(d, frames):
+        if hit.side is None:
+            book.add(Predicate.NOT_REPRESENTED, hit.start, hit.end, object=(hit.struck,),
+                     note=hit.note)  # fmt: skip
+        else:
+            book.add(Predicate.STRUCK_ON, hit.start, hit.end, object=(hit.struck,),
+                     target=(hit.by,), side=hit.side, when=hit.event)  # fmt: skip
     _own_up(book, frames, elements, tokens)
     for actor, at in d.moves.still.items():
         if actor in d.world.entities:
@@ -156,6 +178,11 @@ def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 
 def _paced(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     """ "Slowly", "races": no faster, or faster, than what the word leaves of its kind's speeds."""
+    if s.row.part == "braking":
+        rate = HARD_BRAKE_CM_S2 if s.row.pace == "fast" else GENTLE_BRAKE_CM_S2
+        book.add(s.row.states, s.start, s.end, object=(mover,), quantity="deceleration",
+                 value=round(rate, 2))  # fmt: skip
+        return
     if clause.frame.verb.sense in AT_ITS_OWN_PACE:
         return
     value = _pace(book.d, clause, mover, s.row.states)
@@ -201,6 +228,9 @@ def _flown(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 
 def _moved(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     """Which way something moves: by an adverb, a phrase, or the verb itself ("crosses")."""
+    if s.row.part == "adverb" and s.row.direction in _TARGETED:
+        _back(book, clause, s, mover)
+        return
     if s.row.part != "verb":
         _direction(book, clause, s, mover, _when(book.d, clause, mover))
         return
@@ -210,6 +240,16 @@ def _moved(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     if not targeted or (others and not _met(d, mover, others)):
         target = tuple(others) if targeted else ()
         book.add(s.row.states, s.start, s.end, object=(mover,), target=target,
+                 direction=s.row.direction, when=_when(d, clause, mover))  # fmt: skip
+
+
+def _back(book: _Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "Hits a wall and rolls back": away from what it has hit."""
+    d, f, since = book.d, clause.frame, book.d.timeline.node(clause.since.get(mover, START))
+    if since is None or since.event is not NodeEvent.COLLISION or f.object or f.verb.passive:
+        return
+    if since.participants[0] == mover:
+        book.add(s.row.states, s.start, s.end, object=(mover,), target=since.participants[1:],
                  direction=s.row.direction, when=_when(d, clause, mover))  # fmt: skip
 
 
@@ -286,6 +326,9 @@ def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> 
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities]
     if not targets or _met(d, mover, targets):
         return  # what it meets is an event
+    if over and targets == [GROUND]:  # "flies over a forest"
+        book.add(Predicate.ABOVE, s.start, s.end, object=(mover,), target=(GROUND,), when=where)
+        return
     if structural(d, targets[0]) and direction not in _ON_THE_WAY:
         return
     if direction in ("along", "across") and d.scene.supported_by.get(mover) in targets:

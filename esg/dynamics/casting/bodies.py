@@ -161,7 +161,7 @@ def fit_springy(doc: EsgDocument, story: Story) -> Configs:
         if node.event is not NodeEvent.COLLISION or len(node.participants) < 2:
             continue
         for a, b in itertools.permutations(node.participants[:2]):
-            if a not in nodes or b not in nodes or not story.is_active(a):
+            if a not in nodes or b not in nodes or prop(doc, a).fixed:
                 continue
             goes_on = any(
                 n.event is NodeEvent.COLLISION and a in n.participants for n in story.after(node.id)

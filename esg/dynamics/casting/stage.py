@@ -15,7 +15,7 @@ from typing import Any
 from esg.dynamics.casting.changes import with_assets
 from esg.dynamics.casting.roads import fit_roads
 from esg.dynamics.casting.rules import RULES, STANDING
-from esg.dynamics.choreography.record import record
+from esg.dynamics.choreography.telling import record
 from esg.dynamics.story.story import read_story
 from esg.graph.models import AssetConfiguration, Casting, Choreography, EsgDocument, Provenance
 

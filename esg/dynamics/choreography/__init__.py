@@ -10,13 +10,12 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from esg.dynamics.choreography.record import choreography_of
-    from esg.dynamics.choreography.telling import Choreography, choreograph
+    from esg.dynamics.choreography.telling import Choreography, choreograph, choreography_of
 
 _HOME = {
     "Choreography": "telling",
     "choreograph": "telling",
-    "choreography_of": "record",
+    "choreography_of": "telling",
 }
 
 __all__ = ["Choreography", "choreograph", "choreography_of"]

@@ -93,7 +93,7 @@ def slow_down(
         return way, lasts, left
     by_itself = slows_by(stage.doc, name, speed)
     rate = max(needed - by_itself, 0.05)
-    if told is None:
+    if told is None or told[0] < told[1]:
         rate = min(rate, hardest_brake(stage.doc, name, speed))
     stage.nominal[f"{edge.id}/braking"] = rate
     stage.nominal[f"{edge.id}/brakes_from"] = speed

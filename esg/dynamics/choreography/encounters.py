@@ -8,12 +8,14 @@ from esg.dynamics.choreography import overtaking
 from esg.dynamics.choreography.braking import brake_into, shortest
 from esg.dynamics.choreography.placing import gap_at_start
 from esg.dynamics.choreography.setting_off import ride_of
+from esg.dynamics.choreography.sides import stated_side, stated_turn
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
 from esg.dynamics.choreography.throws import asked_height, drop_height, fallen, is_dropped
 from esg.dynamics.story.kinematics import (
     Frame,
     braking_distance,
     frame_mapping,
+    half_along,
 )
 from esg.dynamics.story.stagecraft import (
     approach_distance,
@@ -33,6 +35,7 @@ LANDS_S, MEETS_AFTER_S = 0.55, 0.12
 meeting."""
 MEETING_HEIGHT_M = 1.2
 """Height at which bodies are thrown at each other."""
+FLANKS = ("left", "right", "side")
 AFTER_HIT_S, BEHIND_M = 1.2, 0.5
 """From one's hit of an obstacle to its being run into, and the least gap behind it at the start."""
 
@@ -116,6 +119,26 @@ def head_on(stage: Stage, e: Encounter) -> bool:
     return _both_come(e)
 
 
+def drives_across(stage: Stage, e: Encounter) -> bool:
+    """Whether both move by themselves, and one of them is hit on its side."""
+    return _both_come(e) and _across(stage, e) is not None
+
+
+def meet_across(stage: Stage, e: Encounter) -> None:
+    """One runs into the side of the other, which is on its way across."""
+    met = _across(stage, e)
+    assert met is not None
+    turn = stated_turn(stage, met.node, met.b, met.a)
+    assert turn is not None
+    _meet(stage, met, turn)
+
+
+def _across(stage: Stage, e: Encounter) -> Encounter | None:
+    """The encounter with who is hit on its side as b, None if nobody is."""
+    found = (x for x in (e, e.turned()) if stated_side(stage, e.node, x.b, x.a) in FLANKS)
+    return next(found, None)
+
+
 def _both_come(e: Encounter) -> bool:
     return e.phase is not None and e.other is not None
 
@@ -123,6 +146,11 @@ def _both_come(e: Encounter) -> bool:
 def _in_line(stage: Stage, e: Encounter) -> Encounter | None:
     """The two with the rear one as a, None where they do not go the same way."""
     if e.phase is None or e.other is None:
+        return None
+    struck = [stated_side(stage, e.node, *who) for who in ((e.b, e.a), (e.a, e.b))]
+    if "rear" in struck:
+        return e if struck[0] == "rear" else e.turned()
+    if any(side not in (None, "any_side") for side in struck):
         return None
     braking = [p.edge.event is EdgeEvent.BRAKE for p in (e.phase, e.other)]
     leader = None if braking[0] != braking[1] else _goes_ahead(stage, e.node, e.a, e.b)
@@ -134,6 +162,11 @@ def _in_line(stage: Stage, e: Encounter) -> Encounter | None:
 
 def meet_head_on(stage: Stage, e: Encounter) -> None:
     """They run, or are thrown, at each other."""
+    _meet(stage, e, math.pi)
+
+
+def _meet(stage: Stage, e: Encounter, turn: float) -> None:
+    """Both come, b at a heading turned from that of a by so much [rad]."""
     node, a, b, pa, pb = e.node, e.a, e.b, e.coming, e.turned().coming
     time = stage.prescribed_time(node)
     start = max(stage.tracks[a].time, stage.tracks[b].time)
@@ -166,9 +199,10 @@ def meet_head_on(stage: Stage, e: Encounter) -> None:
     ta, tb = stage.tracks[a], stage.tracks[b]
     heading = ta.heading + frame.angle
     x, y = frame.apply(ta.x, ta.y)
-    reach = stage.prop(a).half_length + stage.prop(b).half_length
+    other = stage.prop(b)
+    reach = stage.prop(a).half_length + half_along(other.length, other.width, turn)
     meet = (x + reach * math.cos(heading), y + reach * math.sin(heading))
-    stage.frames[b] = frame_mapping((tb.x, tb.y), tb.heading, meet, heading + math.pi)
+    stage.frames[b] = frame_mapping((tb.x, tb.y), tb.heading, meet, heading + turn)
     for actor in (a, b):
         ox, oy = stage.frames[actor].apply(0.0, 0.0)
         stage.places[actor] = (ox, oy, stage.frames[actor].angle)

@@ -7,6 +7,7 @@ import math
 from esg.dynamics.choreography.demands import KEPT
 from esg.dynamics.choreography.flights import hits_level, slowed, thrown_back
 from esg.dynamics.choreography.placing import bring_support, goes_on, hits_on, rolls_on
+from esg.dynamics.choreography.sides import stated_turn
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import (
     Frame,
@@ -39,6 +40,8 @@ THROWN_BACK = 0.3
 """Share of its speed from which something that hits a heavier body counts as thrown back."""
 APART_S, IN_ROW_S = 0.16, 0.22
 """Least time between two hits of a chain, and between those of a row of three or more."""
+CLEAR_M = 0.03
+"""From what was met last to what is met next behind it, at least."""
 DOWN_S, FALLEN, THIN_FALLEN = 0.3, 0.85, 0.7
 """Time in which a struck body falls over, and the shares of its height that are out of its reach
 until it is down: of a broad body, and of one thin as a pin, which slides less."""
@@ -105,16 +108,19 @@ def _bounce(stage: Stage, node: TimelineNode, a: str, b: str, restitution: float
     `BOUNCE_RAD`, so that the way back does not lead over the start.
     """
     pa, pb = stage.prop(a), stage.prop(b)
-    if a not in stage.tracks or a not in stage.frames:
+    if a in stage.tracks and a in stage.frames:
+        track, frame = stage.tracks[a], stage.frames[a]
+    elif a in stage.moving:
+        track, frame = stage.moving[a], Frame()
+    else:
         return
-    track, frame = stage.tracks[a], stage.frames[a]
     if pa.wheeled or not goes_on(stage, node, a) or b == stage.anchor:
         return
-    if any(p.start.id == node.id and stage.strands(p) for p in stage.story.phases[a]):
+    if any(p.start.id == node.id and stage.strands(p) for p in stage.story.phases.get(a, ())):
         return
     heading = track.heading + frame.angle
     side = float(stage.rng.choice([-1.0, 1.0]))
-    rolling = pa.rolls and not stage.story.flies(a)
+    rolling = pa.rolls and not (a in stage.tracks and stage.story.flies(a))
     friction = 0.5 * (pa.friction + pb.friction)
     back, _ = off_a_wall(restitution, friction, rolling=rolling)
     level = hits_level(stage, node, a, b)
@@ -164,9 +170,9 @@ def returns(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
 
 def _way_back(stage: Stage, node: TimelineNode, a: str, b: str, speed: float) -> float | None:
     """Least way [m] from b back past a's start to what it meets next; None if it takes too long."""
-    track = stage.tracks[a]
-    if not returns(stage, node, a, b) or len(track.points) > 2:
+    if not returns(stage, node, a, b) or len(stage.tracks[a].points) > 2:
         return None
+    track = stage.tracks[a]
     way = math.dist(track.points[0], (track.x, track.y)) + stage.prop(a).length + BEHIND_M
     lasts = LONGEST_BACK_S
     for later in stage.story.after(node.id):
@@ -187,8 +193,12 @@ def chain(stage: Stage, e: Encounter) -> None:
         return
     node, pa, pb = e.node, stage.prop(a), stage.prop(b)
     gap, rolled = _gap_to_next(stage, node, a, b, track)
-    along = rolls_on(stage, node, b)
-    yaw = track.heading if along else target_yaw(pb, track.heading, stage.rng, pa)
+    turn = stated_turn(stage, node, b, a)
+    if turn is None:
+        along = rolls_on(stage, node, b)
+        yaw = track.heading if along else target_yaw(pb, track.heading, stage.rng, pa)
+    else:
+        yaw = track.heading + turn
     if node.event is NodeEvent.ENTER_REGION:
         yaw = track.heading + math.pi
     aside = _aside(stage, node, a, b, track.heading, yaw)
@@ -197,6 +207,10 @@ def chain(stage: Stage, e: Encounter) -> None:
     if a in stage.places:
         ahead = half_along(pa.length, pa.width, (stage.places[a][2] or 0.0) - track.heading)
     reach = gap + ahead + half_along(pb.length, pb.width, yaw - track.heading)
+    reach = max(
+        reach,
+        _past(stage, a, b, track.heading) + half_along(pb.length, pb.width, yaw - track.heading),
+    )
     reach = _landing(stage, node, a, b, track.speed) or reach
     c, s = math.cos(track.heading), math.sin(track.heading)
     stage.places[b] = (track.x + reach * c - aside * s, track.y + reach * s + aside * c, yaw)
@@ -207,6 +221,16 @@ def chain(stage: Stage, e: Encounter) -> None:
         slower = math.sqrt(max(left**2 - 2.0 * _drag(stage, pa) * gap, (LEAST_LEFT * left) ** 2))
         left = slower if pa.wheeled else min(KEPT * left, slower)
     track.straight(gap, gap / max(0.5 * (track.speed + left), 0.1), left)
+
+
+def _past(stage: Stage, a: str, b: str, heading: float) -> float:
+    """Way [m] from a to the far side of what it met last and pushes on, where that still stands."""
+    before = stage.met.get(a)
+    if before is None or before == b or before not in stage.places or a in stage.thrown_back:
+        return 0.0
+    first, pa = stage.prop(before), stage.prop(a)
+    yaw = stage.places[before][2] or 0.0
+    return pa.half_length + 2.0 * half_along(first.length, first.width, yaw - heading) + CLEAR_M
 
 
 def _gap_to_next(

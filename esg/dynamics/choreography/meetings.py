@@ -18,6 +18,7 @@ from esg.dynamics.choreography import (
     flights,
     impacts,
     overtaking,
+    swings,
     throws,
 )
 from esg.dynamics.choreography.caroms import carom, is_carom
@@ -78,6 +79,11 @@ AMONG_ACTORS = (
         encounters.run_into_rear,
     ),
     Meeting(
+        "one runs into the side of the other one, which goes across its way",
+        encounters.drives_across,
+        encounters.meet_across,
+    ),
+    Meeting(
         "they run, or are thrown, at each other",
         encounters.head_on,
         encounters.meet_head_on,
@@ -108,6 +114,11 @@ WITH_WHAT_WAITS = (
         "a comes down on the top of b, and bounces on to something else",
         bounces.bounces_on,
         bounces.bounce_on,
+    ),
+    Meeting(
+        "a hangs drawn back, is let go, and swings into b",
+        swings.swings_in,
+        swings.swing_in,
     ),
     Meeting(
         "a is let go over b",

@@ -12,7 +12,7 @@ from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, sliding_travel
 from esg.dynamics.story.paces import turns_at
 from esg.dynamics.story.stagecraft import coasting_drag, top_surface
-from esg.dynamics.story.story import CRUISES, Phase, bounds, rebounds, turn_of
+from esg.dynamics.story.story import CRUISES, ON_THE_SPOT, Phase, bounds, rebounds, turn_of
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 
 TURNED_RAD = math.radians(10.0)
@@ -107,7 +107,7 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float | None) -> 
         brake(stage, actor, phase, duration)
         return
     duration = USUAL_S if duration is None else duration
-    if edge.event in (EdgeEvent.GUIDE, EdgeEvent.SPIN):
+    if edge.event in ON_THE_SPOT:
         track.straight(0.0, duration, 0.0)
         return
     speed = stage.speed(actor, phase)

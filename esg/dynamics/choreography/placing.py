@@ -6,6 +6,7 @@ import math
 
 from esg.dynamics.choreography.hovering import cruise
 from esg.dynamics.choreography.kerbs import kerb_passed
+from esg.dynamics.choreography.sides import stated_turn
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.throws import is_swung
 from esg.dynamics.story.kinematics import (
@@ -101,7 +102,8 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> 
             way = sent(stage, b, max(wait, 0.0))
             bx, by = bx - way * math.cos(heading), by - way * math.sin(heading)
         else:
-            heading = stage.free_heading(bx, by)
+            turn = None if byaw is None else stated_turn(stage, node, b, a)
+            heading = stage.free_heading(bx, by) if turn is None else (byaw or 0.0) - turn
         reach = pa.half_length + half_along(pb.length, pb.width, heading - (byaw or 0.0)) + gap
         if node.event is NodeEvent.REACH:
             reach += _room_to_stop(stage, node, a)
@@ -171,8 +173,12 @@ def _place_target(
     """Puts b where a arrives: ahead of it, past it for a Miss, short of it for a Reach."""
     pb = stage.prop(b)
     sets_off = _sets_off(stage, node, b)
-    along = sets_off or rolls_on(stage, node, b)
-    yaw = heading if along else target_yaw(pb, heading, stage.rng, pa)
+    turn = stated_turn(stage, node, b, a)
+    if turn is None:
+        along = sets_off or rolls_on(stage, node, b)
+        yaw = heading if along else target_yaw(pb, heading, stage.rng, pa)
+    else:
+        yaw = heading + turn
     if node.event is NodeEvent.ENTER_REGION:
         # Its opening towards what comes (`meetings.enters`).
         yaw = heading + math.pi
@@ -198,7 +204,7 @@ def _place_target(
     cy = y + front * math.sin(heading) + lateral * math.cos(heading)
     stage.places[b] = (cx, cy, yaw + stage.reverse_yaw(b) if sets_off else yaw)
     if sets_off:
-        stage.frames[b] = Frame(cx, cy, heading)
+        stage.frames[b] = Frame(cx, cy, heading if turn is None else yaw)
     bring_support(stage, b, cx, cy, heading)
 
 

@@ -3,7 +3,8 @@
 Before anything is simulated, the story is told once with closed-form kinematics in a frame of its
 own: an actor runs along its path, meets its target after a plausible (or prescribed) time, sets it
 in motion, and the next target is put where the motion leads. The result is a set of constellations
-for the layout stage and a nominal value for every control parameter, where the search starts.
+for the layout stage and a nominal value for every control parameter, where the search starts. It is
+told when the scene is cast; the document keeps it (`record`), and it is read from then on.
 """
 
 from __future__ import annotations
@@ -18,13 +19,16 @@ from esg.dynamics.choreography.moves import controlled, plain, turned
 from esg.dynamics.choreography.placing import enter_beside
 from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.choreography.swings import moved_by_joint, swung
 from esg.dynamics.choreography.throws import stand_behind
 from esg.dynamics.choreography.ways import place_by_the_way, state_course, ways_stated
 from esg.dynamics.story.stagecraft import fit_to_surface
 from esg.dynamics.story.story import Story, read_story
+from esg.graph import models
 from esg.graph.canonical import entropy
+from esg.graph.casting import effective
 from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
-from esg.layout.problem.hints import Constellation, StartHints
+from esg.layout.problem.hints import Constellation, StartHints, stored_hints
 
 HANDLERS = {
     NodeEvent.TRIGGER: controlled,
@@ -38,6 +42,9 @@ HANDLERS = {
     NodeEvent.BOUNCE: bounced,
     NodeEvent.JUMP: jumped,
     NodeEvent.SPIN: spun,
+    NodeEvent.SWING: swung,
+    NodeEvent.OPEN: moved_by_joint,
+    NodeEvent.CLOSE: moved_by_joint,
 }
 """How each event is told; all others are told by `plain`."""
 ATTEMPTS = 12
@@ -160,3 +167,30 @@ def _tell(stage: Stage) -> None:
             enter_beside(stage, actor)
     state_course(stage)
     place_by_the_way(stage)
+
+
+def record(doc: EsgDocument, *, seed: int = 0) -> models.Choreography:
+    """Tells the story of an effective document, as the document keeps it.
+
+    Args:
+        doc: A document with assets, its casting applied.
+        seed: Of the choreography.
+    """
+    told = choreograph(doc, seed=seed)
+    return models.Choreography.model_validate(
+        {
+            "constellations": told.hints.constellations,
+            "nominal": dict(sorted(told.nominal.items())),
+        },
+        from_attributes=True,
+    )
+
+
+def choreography_of(doc: EsgDocument, *, seed: int = 0) -> Choreography:
+    """The choreography that a document holds; told with `seed` where it holds none.
+
+    Nothing in it depends on the layout: it is the same before and after.
+    """
+    if doc.choreography is None:
+        return choreograph(effective(doc), seed=seed)
+    return Choreography(stored_hints(doc.choreography), dict(doc.choreography.nominal))

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from esg.dynamics.plan.joints import joints_of
 from esg.dynamics.plan.tyres import with_tyres
 from esg.engines.scene import Body, Region, Shape, SimScene, Wheel
 from esg.graph.casting import effective
@@ -62,6 +63,7 @@ def build_scene(doc: EsgDocument) -> SimScene:
         regions=tuple(regions),
         ground_friction=friction,
         ground_restitution=restitution,
+        joints=joints_of(doc, bodies),
     )
     return with_tyres(doc, scene)
 

@@ -11,11 +11,11 @@ from esg.dynamics.choreography.flights import flown_to
 from esg.dynamics.choreography.handling import goes_straight_up
 from esg.dynamics.plan.aim import aim_point, region_center
 from esg.dynamics.story.stagecraft import support_of
-from esg.dynamics.story.story import Phase, Story, read_story, rebounds, stranded
+from esg.dynamics.story.story import ON_THE_SPOT, Phase, Story, read_story, rebounds, stranded
 from esg.engines.scene import Region, SimScene
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 
-NOT_DRIVEN = (EdgeEvent.TOWARD, EdgeEvent.GUIDE, EdgeEvent.SPIN)
+NOT_DRIVEN = (EdgeEvent.TOWARD, *ON_THE_SPOT)
 """What begins so does not turn to where it goes."""
 
 
@@ -47,7 +47,8 @@ class Cast:
     def drives(self, actor: str) -> bool:
         """Under its own power on the ground: its body points where it goes."""
         first = self.story.phases[actor][0].edge.event
-        return first not in NOT_DRIVEN and self.scene.body(actor).roll_radius == 0.0
+        held = any(j.child == actor for j in self.scene.joints)
+        return first not in NOT_DRIVEN and not held and self.scene.body(actor).roll_radius == 0.0
 
     def target(self, phase: Phase) -> str | None:
         """The body a phase is directed at."""

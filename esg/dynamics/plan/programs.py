@@ -15,6 +15,7 @@ from esg.dynamics.choreography.setting_off import SAME_MPS
 from esg.dynamics.choreography.ways import arrives
 from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
+from esg.dynamics.plan.drives import driven, goal_of, held_at, joint_of, opening_at_start
 from esg.dynamics.plan.guides import Way
 from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
 from esg.dynamics.story.paces import (
@@ -75,6 +76,7 @@ class _Course:
         speed: [m/s].
         clock: When the next phase may begin [s].
         held: Whether it is still held then, by what guided it.
+        opening: Position of its joint then [rad or m].
         out: The primitives so far.
     """
 
@@ -83,6 +85,7 @@ class _Course:
     speed: float = 0.0
     clock: float = 0.0
     held: bool = False
+    opening: float = 0.0
     out: list[Primitive] = field(default_factory=list)
 
 
@@ -234,6 +237,8 @@ class Composer:
                 self._guide(course, leg)
             elif phase.edge.event is EdgeEvent.SPIN:
                 self._spin(course, leg)
+            elif phase.edge.event in (EdgeEvent.DRIVE, EdgeEvent.RELEASE):
+                self._along_joint(course, leg)
             elif jumps:
                 self._jump(course, leg)
             elif phase.edge.event is EdgeEvent.TOWARD or self.story.tips(phase):
@@ -298,6 +303,22 @@ class Composer:
             course.out = [_until(p, start) for p in course.out]
             course.out.append(HoldSpin(actor, start, end, rate))
         course.clock = end
+
+    def _along_joint(self, course: _Course, leg: _Leg) -> None:
+        """It is moved along its joint, or hangs drawn back until it is let go."""
+        body, edge = self.scene.body(course.actor), leg.phase.edge
+        if edge.event is EdgeEvent.RELEASE:
+            if leg.first and leg.start > 0.0:
+                course.out.append(held_at(body, leg.start))
+            course.clock = leg.start
+            return
+        joint = joint_of(self.scene, course.actor)
+        if joint is None:
+            return
+        here = course.opening if not leg.first else opening_at_start(self.scene, joint)
+        goal, lasts = goal_of(joint, leg.phase, here), leg.v[f"{edge.id}/duration"]
+        course.out.append(driven(self.scene, joint, leg.start, here, goal, lasts))
+        course.clock, course.opening = leg.start + lasts, goal
 
     def _jump(self, course: _Course, leg: _Leg) -> None:
         """It leaves the ground, once or several times, and does not turn over in the air."""

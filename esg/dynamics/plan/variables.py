@@ -19,7 +19,7 @@ from esg.dynamics.choreography.throws import opens_upwards
 from esg.dynamics.plan.aim import aim_point
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.story.paces import hardest_brake, slows_by, stated_rate, top_speed, usual_brake
-from esg.dynamics.story.story import CRUISES, UNDISTURBED, Phase, bounds, middle
+from esg.dynamics.story.story import CRUISES, ON_THE_SPOT, UNDISTURBED, Phase, bounds, middle
 from esg.dynamics.story.tipping import FLIES_AT
 from esg.engines.scene import Body, Region
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineEdge, TimelineNode
@@ -113,7 +113,7 @@ class Declarations:
     def declare(self, actor: str, phases: tuple[Phase, ...]) -> None:
         body = self.scene.body(actor)
         first = phases[0]
-        if first.edge.event in (EdgeEvent.GUIDE, EdgeEvent.SPIN):
+        if first.edge.event in ON_THE_SPOT:
             for phase in phases:
                 self.declare_phase(actor, body, phase)
             return
@@ -154,7 +154,7 @@ class Declarations:
             return
         if phase.end.event is NodeEvent.JUMP:
             self.declare_jump(phase)
-        elif edge.event is EdgeEvent.GUIDE:
+        elif edge.event in (EdgeEvent.GUIDE, EdgeEvent.DRIVE):
             self.declare_way(phase)
         elif edge.event is EdgeEvent.TOWARD and self.story.flies(actor):
             self.declare_throw(actor, body, phase)
@@ -224,8 +224,10 @@ class Declarations:
         low, high = min(SOFTEST_BRAKE_MPS2, 0.5 * start), hardest_brake(self.cast.doc, actor, speed)
         rate = stated_rate(edge)
         if rate is not None:
-            by_itself = slows_by(self.cast.doc, actor, speed)
+            by_itself, most = slows_by(self.cast.doc, actor, speed), high
             low, high = (max(r - by_itself, 0.0) for r in rate)
+            if low < high:  # "brakes hard": as hard as it can
+                low, high = min(low, 0.99 * most), min(high, most)
         self.add(f"{edge.id}/braking", low, high, start, max(usual, low), 0.12 * start, "m/s^2")
 
     def declare_jump(self, phase: Phase) -> None:

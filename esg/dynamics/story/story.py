@@ -24,6 +24,8 @@ OWN_POWER = (
     EdgeEvent.TURN,
     EdgeEvent.BRAKE,
 )
+ON_THE_SPOT = (EdgeEvent.GUIDE, EdgeEvent.SPIN, EdgeEvent.DRIVE, EdgeEvent.RELEASE)
+"""Who does so does not set out for anywhere."""
 CRUISES = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.TURN)
 """Segments at one speed."""
 UNDISTURBED = (NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED, NodeEvent.MISS)

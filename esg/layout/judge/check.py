@@ -109,7 +109,10 @@ def prim_penetration(
 
 
 def penetrations(problem: LayoutProblem, world: World) -> list[tuple[float, str, str]]:
-    """All overlapping pairs, deepest first; the ground is excluded (heights are exact there)."""
+    """All overlapping pairs, deepest first; the ground is excluded (heights are exact there).
+
+    What is joined may overlap: the two do not touch each other.
+    """
     out = []
     names = problem.names
     count = len(names)
@@ -125,6 +128,8 @@ def penetrations(problem: LayoutProblem, world: World) -> list[tuple[float, str,
             if radius[j] <= 0:
                 continue
             a, b = names[i], names[int(j)]
+            if problem.joined.are_joined(a, b):
+                continue
             depth = 0.0
             for p in problem.shape[a].prims:
                 for q in problem.shape[b].prims:

@@ -110,7 +110,7 @@ def build_screen(doc: EsgDocument, problem: LayoutProblem) -> Screen | None:
     z = problem.node_z[node].astype(float)
     low, high = table[:, 5] + z, table[:, 6] + z
     up = np.minimum(high[:, None], high) - np.maximum(low[:, None], low)
-    pairs = np.argwhere((up > 5 * DOUBT) & (node[:, None] > node))
+    pairs = np.argwhere((up > 5 * DOUBT) & (node[:, None] > node) & ~_joined(problem, node))
     return Screen(
         rows=np.array(rows, float).reshape(-1, 4 + WIDTH),
         prim=table[:, :3],
@@ -123,6 +123,15 @@ def build_screen(doc: EsgDocument, problem: LayoutProblem) -> Screen | None:
         is_round=np.array([problem.shape[n].is_round for n in problem.names], bool),
         reports=tuple(reports),
     )
+
+
+def _joined(problem: LayoutProblem, node: np.ndarray) -> np.ndarray:
+    """Whether two shapes belong to nodes that are joined, shape [p, p]."""
+    index = {n: i for i, n in enumerate(problem.names)}
+    out = np.zeros((len(index), len(index)), bool)
+    for child, parent in problem.joined.parent.items():
+        out[index[child], index[parent]] = out[index[parent], index[child]] = True
+    return out[np.ix_(node, node)]
 
 
 def _row(kind: int, nodes: Sequence[int], *params: float) -> Row:

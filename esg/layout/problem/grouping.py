@@ -13,6 +13,7 @@ from esg.graph.models import EsgDocument, RelationType
 from esg.layout.judge.setting import set_on_supports
 from esg.layout.problem.decals import lay_decals
 from esg.layout.problem.hints import Constellation, Corridor, StartHints, in_the_way
+from esg.layout.problem.joined import joined
 from esg.layout.problem.kerbs import lay_along, line_up
 from esg.layout.problem.patterns import arrange, is_domino_like
 from esg.layout.problem.poses import Pose2, compose, inverse
@@ -32,10 +33,6 @@ from esg.layout.problem.supports import Shape, SupportMap, stand_on
 from esg.layout.problem.units import Unit, group_members
 
 RIGID_PATTERNS = ("pins", "rack", "row", "column", "queue", "stack")
-
-
-def _size(shape: Shape) -> tuple[float, float, float]:
-    return (2 * shape.hx, 2 * shape.hy, shape.height)
 
 
 class UnitBuilder:
@@ -60,6 +57,7 @@ class UnitBuilder:
         self.units: list[Unit] = []
         self.notes: list[str] = []
         self.stacked: dict[str, str] = {}
+        self.joined = joined(doc)
 
     @cached_property
     def rng(self) -> np.random.Generator:
@@ -87,7 +85,7 @@ class UnitBuilder:
             self._line_street()
         for name in self.nodes:
             if name not in self.taken:
-                self._add(Unit({name: (0.0, 0.0, 0.0)}, parent=self.supports.of[name].parent))
+                self._add(Unit({name: (0.0, 0.0, 0.0)}, parent=self._base(name)))
         for above, below in self.stacked.items():
             if self.supports.of[above].parent != below:
                 self.supports.of[above] = stand_on(self.shape[above], below, self.shape[below])
@@ -96,7 +94,15 @@ class UnitBuilder:
             for name in set_on_supports(unit, self.supports, self.shape, falling):
                 parent = self.supports.of[name].parent
                 self.notes.append(f"{name} was planned beside or in {parent} and is set on it")
+        for name, root in self.joined.root.items():
+            members = self.taken[name].members
+            if root in members:
+                members[name] = compose(members[root], self.joined.rel[name])
         return self.units
+
+    def _base(self, name: str) -> str | None:
+        """What carries a node, or the jointed thing that it is a part of."""
+        return self.supports.of[self.joined.root.get(name, name)].parent
 
     def _is_queue(self, unit: Unit) -> bool:
         group = self.nodes[next(iter(unit.members))].group
@@ -108,8 +114,18 @@ class UnitBuilder:
 
     def _add(self, unit: Unit) -> None:
         self.units.append(unit)
-        for name in unit.members:
-            self.taken[name] = unit
+        for name, pose in list(unit.members.items()):
+            self._put(unit, name, pose)
+
+    def _size(self, name: str) -> tuple[float, float, float]:
+        """Length, width and height of a node with what is joined to it [cm]."""
+        mine = self.shape[name]
+        hx, hy = mine.hx, mine.hy
+        for mate, (x, y, yaw) in self.joined.mates(name).items():
+            its, c, s = self.shape[mate], abs(math.cos(yaw)), abs(math.sin(yaw))
+            hx = max(hx, abs(x) + its.hx * c + its.hy * s)
+            hy = max(hy, abs(y) + its.hx * s + its.hy * c)
+        return (2 * hx, 2 * hy, mine.height)
 
     def pattern_of(self, group: str) -> str:
         """The pattern that most precisely describes a group."""
@@ -120,7 +136,7 @@ class UnitBuilder:
 
     def _arrange(self, group: str, members: list[str]) -> dict[str, Pose2]:
         pattern = self.pattern_of(group)
-        poses = arrange(pattern, [_size(self.shape[m]) for m in members], self.rng)
+        poses = arrange(pattern, [self._size(m) for m in members], self.rng)
         if pattern == "stack":
             for below, above in itertools.pairwise(members):
                 self.stacked[above] = below
@@ -145,7 +161,7 @@ class UnitBuilder:
                 self.notes.append(f"hint for empty group {p.node!r} ignored")
             for node, pose in local.items():
                 poses.setdefault(node, compose(frame, pose))
-                if p.z_cm is not None:
+                if p.z_cm is not None and node not in self.joined.root:
                     heights[node] = p.z_cm
         faces = {
             e.from_: e.to
@@ -157,6 +173,9 @@ class UnitBuilder:
             if p.yaw_deg is None and p.node in poses and target in poses:
                 (x, y, _), (u, v, _) = poses[p.node], poses[target]
                 poses[p.node] = (x, y, math.atan2(v - y, u - x))
+        for node, pose in list(poses.items()):
+            for mate, there in self.joined.mates(node).items():
+                poses.setdefault(mate, compose(pose, there))
         return poses, heights
 
     def _constellation(self, c: Constellation) -> None:
@@ -250,7 +269,7 @@ class UnitBuilder:
             return
         if street_in(self.doc) is not None and all(is_parked(self.doc, m) for m in members):
             return  # along the kerb, one by one
-        bases = {self.supports.of[m].parent for m in members} - set(members)
+        bases = {self._base(m) for m in members} - set(members)
         if len(bases) > 1:
             return
         if pattern != "stack" and any(self.supports.of[m].parent in members for m in members):
@@ -282,7 +301,7 @@ class UnitBuilder:
         if pattern == "stack":
             self._pile(unit, started[0], rest)
             return
-        topple = all(is_domino_like(*_size(self.shape[m])) for m in members)
+        topple = all(is_domino_like(*self._size(m)) for m in members)
         first = unit.members[started[0]]
         paths = [c for c in unit.corridors if not {f"group:{name}", *rest} & set(c.participants)]
 
@@ -303,8 +322,7 @@ class UnitBuilder:
             )
             if agrees and all(is_clear(c, m, poses[m]) for m in rest for c in paths):
                 for m in rest:
-                    unit.members[m] = poses[m]
-                    self.taken[m] = unit
+                    self._put(unit, m, poses[m])
                 return
 
     def _pile(self, unit: Unit, started: str, rest: list[str]) -> None:
@@ -369,5 +387,10 @@ class UnitBuilder:
             self._put(unit, name, pose)
 
     def _put(self, unit: Unit, name: str, pose: Pose2) -> None:
+        """Adds a node to a unit, and with it what is joined to it."""
         unit.members[name] = pose
         self.taken[name] = unit
+        for mate, there in self.joined.mates(name).items():
+            if mate not in self.taken:
+                unit.members.setdefault(mate, compose(pose, there))
+                self.taken[mate] = unit

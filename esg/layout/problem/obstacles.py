@@ -7,6 +7,7 @@ import math
 
 from esg.graph.models import EsgDocument, RelationType
 from esg.layout.problem.hints import Corridor
+from esg.layout.problem.joined import Joined, joined, swept
 from esg.layout.problem.poses import Pose2
 from esg.layout.problem.shapes import RECTANGLE
 from esg.layout.problem.supports import Shape, SupportMap
@@ -70,7 +71,8 @@ def obstacles(
     shape: dict[str, Shape],
     z: dict[str, float],
 ) -> list[Obstacle]:
-    """Returns the corridors of all planned units and the carriageways on the ground."""
+    """Returns the corridors of planned units, the carriageways, and where joints move things."""
+    held = joined(doc)
     nodes = doc.spatial_relation_graph.nodes
     out: list[Obstacle] = []
     planned = any(unit.is_planned for unit in units)
@@ -87,6 +89,7 @@ def obstacles(
             # what carries a participant belongs on its path, and so does what a participant carries
             carried = {n for n in nodes if set(supports.chain(n)) & allowed}
             allowed |= {a for n in allowed for a in supports.chain(n)} | carried
+            allowed |= {mate for n in allowed for mate in held.mates(n)}
             boxes = []
             for k, ((x0, y0), (x1, y1)) in enumerate(
                 zip(c.points_cm, c.points_cm[1:], strict=False)
@@ -121,6 +124,30 @@ def obstacles(
         for n, pose in unit.members.items():
             if planned and shape[n].is_decal and is_road(doc, n):
                 out.append(_road(doc, u, n, pose, units, supports, shape))
+    return out + _swings(doc, units, supports, held, z)
+
+
+def _swings(
+    doc: EsgDocument, units: list[Unit], supports: SupportMap, held: Joined, z: dict[str, float]
+) -> list[Obstacle]:
+    """Where jointed things swing: no place for others but those that they meet in the story."""
+    out: list[Obstacle] = []
+    sequence = doc.timeline_system.sequence_graph if doc.timeline_system else None
+    for root, prisms in swept(doc).items():
+        mates = {root, *held.mates(root)}
+        u = next(i for i, unit in enumerate(units) if root in unit.members)
+        met = {
+            n
+            for e in (sequence.nodes if sequence else ())
+            if mates & set(e.participants)
+            for n in e.participants
+        }
+        allowed = mates | met | set(supports.chain(root))
+        allowed |= {n for n in supports.of if set(supports.chain(n)) & allowed}
+        label = f"the way of what swings on {root}"
+        pose = units[u].members[root]
+        boxes: list[Prism] = [(*p[:6], max(p[6], 0.5), p[7]) for p in prisms]  # type: ignore[misc]  # eight numbers
+        out.append(Obstacle(u, pose, z[root], tuple(boxes), frozenset(allowed), False, label))
     return out
 
 

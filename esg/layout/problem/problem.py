@@ -14,6 +14,7 @@ from esg.layout.problem.edges import Term, binary_terms, multi_terms
 from esg.layout.problem.grouping import UnitBuilder
 from esg.layout.problem.heights import heights
 from esg.layout.problem.hints import StartHints
+from esg.layout.problem.joined import joined
 from esg.layout.problem.obstacles import CLEAR_HEIGHT_CM, Obstacle, Prism, obstacles
 from esg.layout.problem.ordering import break_parent_cycles, implied_faces, placement_order
 from esg.layout.problem.pairs import collision_pairs
@@ -224,6 +225,7 @@ def _arrays(scene: _Scene, notes: list[str], seed: int) -> LayoutProblem:
         ground=frozenset(scene.ground),
         falling=falling_nodes(doc),
         terms_of=terms_of,
+        joined=joined(doc),
         node_unit=np.asarray(node.unit, np.int32),
         node_rel=np.asarray(node.rel, np.float32).reshape(-1, 3),
         node_z=np.asarray(node.z, np.float32),

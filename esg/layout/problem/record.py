@@ -7,6 +7,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from esg.layout.problem.edges import Term
+from esg.layout.problem.joined import Joined
 from esg.layout.problem.obstacles import Obstacle
 from esg.layout.problem.supports import Shape, SupportMap
 from esg.layout.problem.units import Unit
@@ -21,7 +22,7 @@ class LayoutProblem:
     `names` lists the real nodes; nodes beyond them are corridors of planned motion. Units are in
     placement order (parents and what others depend on first); node indices are local. `ground` are
     the nodes that are the ground itself, `falling` those that fall in the story, `terms_of` the
-    terms of each relation.
+    terms of each relation, `joined` what joints fix.
     """
 
     names: tuple[str, ...]
@@ -34,6 +35,7 @@ class LayoutProblem:
     ground: frozenset[str]
     falling: frozenset[str]
     terms_of: dict[str, list[Term]]
+    joined: Joined
     node_unit: np.ndarray
     node_rel: np.ndarray
     node_z: np.ndarray

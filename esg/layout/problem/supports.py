@@ -13,6 +13,7 @@ from esg.graph.models import (
     RelationType,
     SupportSurface,
 )
+from esg.layout.problem.joined import joined, posed
 from esg.layout.problem.roles import ground_nodes
 from esg.layout.problem.shapes import CIRCLE, Footprint, bounds, footprints
 
@@ -40,7 +41,7 @@ class Support:
     """
 
     parent: str | None
-    kind: Literal["ground", "on", "inside", "vertical", "hanging", "above"]
+    kind: Literal["ground", "on", "inside", "vertical", "hanging", "above", "joined"]
     rect: Rect | None
     z_cm: float
     yaw_fixed: bool = False
@@ -75,7 +76,8 @@ def shape_of(config: AssetConfiguration) -> Shape:
 def shapes(doc: EsgDocument) -> dict[str, Shape]:
     """Returns the geometry of every node; instances of one asset share it."""
     per_asset = {k: shape_of(c) for k, c in doc.asset_configurations.items()}
-    return {n: per_asset[v.asset_id] for n, v in doc.spatial_relation_graph.nodes.items()}
+    out = {n: per_asset[v.asset_id] for n, v in doc.spatial_relation_graph.nodes.items()}
+    return out | {n: shape_of(posed(out[n].config, t)) for n, t in joined(doc).tilt.items()}
 
 
 TOP_CM = 2.0
@@ -280,12 +282,16 @@ _Wish = tuple[str, str, object]
 def find_supports(doc: EsgDocument, shape: dict[str, Shape]) -> SupportMap:
     """Reads `on`, `inside_of`, attachment edges and semantic regions into one support per node.
 
-    The first usable statement wins, in the order: attachment, inside_of, on, region, above. Cycles
-    are cut at the statement that would close them and noted.
+    What a joint places is carried by it; else the first usable statement wins, in the order:
+    attachment, inside_of, on, region, above. Cycles are cut at the statement that would close them
+    and noted.
     """
     ground = set(ground_nodes(doc))
     out = SupportMap()
-    chosen = _chosen(_wishes(doc, shape), ground, out.notes)
+    held = joined(doc)
+    wishes = _wishes(doc, shape)
+    wishes |= {n: [("joined", root, None)] for n, root in held.root.items()}
+    chosen = _chosen(wishes, ground, out.notes)
     shelf = _shelves(chosen, shape)
     height: dict[str, float] = {}
 
@@ -300,6 +306,11 @@ def find_supports(doc: EsgDocument, shape: dict[str, Shape]) -> SupportMap:
         elif name in ground or wish is None or wish[0] == "ground":
             out.of[name] = _on_ground(child, name in ground, wish)
             height[name] = out.of[name].z_cm
+        elif name in held.root:
+            root = held.root[name]
+            resolve(root)
+            out.of[name] = Support(root, "joined", None, held.rise[name], yaw_fixed=True)
+            height[name] = height[root] + held.rise[name]
         else:
             resolve(wish[1])
             base = height[wish[1]]

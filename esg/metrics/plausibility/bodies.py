@@ -82,7 +82,7 @@ def energy(f: Facts) -> Check:
     """
     worst = Worst()
     kinetic, total = _energies(f)
-    fed = {i: f.powered(i) | f.launched(i) for i in f.dynamic}
+    fed = {i: f.powered(i) | f.launched(i) | _motored(f, i) for i in f.dynamic}
     mass = np.array([b.mass for b in f.replay.scene.bodies])
     for group in _groups(f):
         members = sorted(group.bodies)
@@ -102,6 +102,22 @@ def energy(f: Facts) -> Check:
     return worst.check("energy", "J")
 
 
+def _motored(f: Facts, i: int) -> Bools:
+    """Frames at which a motor, of the joint or of the program, may feed a body."""
+    driven = any(i in j.bodies and j.joint.motor is not None for j in f.joints)
+    return np.full(len(f.replay.time), driven)
+
+
+def _stored(f: Facts, body: int) -> Floats:
+    """Energy in the springs of a body's joints [J], shape [T]."""
+    out = np.zeros(len(f.replay.time))
+    for j in f.joints:
+        if j.child == body and j.joint.stiffness:
+            rest = (j.joint.upper or 0.0) if j.joint.kind == "spring" else 0.0
+            out += 0.5 * j.joint.stiffness * np.where(j.intact, j.position - rest, 0.0) ** 2
+    return out
+
+
 def _lasting(f: Facts, energy: Floats) -> Floats:
     """The most of an energy within the last moment: what a contact stores it may give back."""
     n = max(1, round(limit("energy stored") / f.replay.frame_s))
@@ -119,7 +135,7 @@ def _energies(f: Facts) -> tuple[Floats, Floats]:
         spin = quat_rotate(inverse, r.spin[:, i])
         turning = np.einsum("ti,ij,tj->t", spin, np.array(b.inertia), spin)
         kinetic[:, i] = 0.5 * (b.mass * r.speed[:, i] ** 2 + turning)
-        total[:, i] = kinetic[:, i] + b.mass * f.g * r.position[:, i, 2]
+        total[:, i] = kinetic[:, i] + b.mass * f.g * r.position[:, i, 2] + _stored(f, i)
     return kinetic, total
 
 
@@ -149,7 +165,7 @@ def _groups(f: Facts) -> list[_Group]:
 
 
 def _touches(f: Facts) -> list[_Group]:
-    """Spans in which two bodies that can move touch each other."""
+    """Spans in which two bodies that can move touch each other, or a joint holds them."""
     c, r = f.replay.contacts, f.replay
     moving = np.zeros(len(r.scene.bodies) + 1, bool)
     moving[f.dynamic] = True
@@ -157,7 +173,12 @@ def _touches(f: Facts) -> list[_Group]:
     pairs: dict[tuple[int, int], list[float]] = {}
     for k in rows:
         pairs.setdefault((int(c.a[k]), int(c.b[k])), []).append(float(c.time[k]))
-    out: list[_Group] = []
+    out = [
+        _Group(frozenset(j.bodies), a, b)
+        for j in f.joints
+        if moving[list(j.bodies)].all() and len(j.bodies) == 2
+        for a, b in runs(j.intact)
+    ]
     for pair, times in pairs.items():
         times.sort()
         cuts = [k for k in range(1, len(times)) if times[k] - times[k - 1] > 2.0 * _JOINED_S]
@@ -174,7 +195,7 @@ def hovering(f: Facts) -> Check:
     for i in f.dynamic:
         v = f.replay.velocity[:, i, 2]
         falls = np.gradient(v, f.replay.time) < -BALLISTIC * f.g
-        held = f.guided(i) | f.flown(i)
+        held = f.guided(i) | f.flown(i) | f.held(i)
         up = ~f.touching(i) & ~falls & ~held & (np.abs(v) < MOVING_MPS)
         if f.motion(i).moves in ("air", "water"):
             up &= ~f.powered(i)

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.program import ApplyImpulse, GuideAlong, HoldVelocity, Lasting, SetVelocity
+from esg.metrics.joined import held, joined
 from esg.metrics.plausibility.limits import Motion, limit, motion_of, surface_grip
 from esg.metrics.plausibility.told import Told
 from esg.metrics.replay import Floats, Replay
@@ -30,6 +31,7 @@ class Facts:
         told: What the document says.
         dynamic: Indices of the bodies that can move.
         g: Gravity [m/s^2].
+        joints: What holds bodies together.
     """
 
     def __init__(self, replay: Replay, told: Told) -> None:
@@ -39,7 +41,9 @@ class Facts:
         self.g = abs(replay.scene.gravity[2])
         n, b = len(replay.time), len(bodies)
         self._struck, self._carried = np.zeros((n, b), bool), np.zeros((n, b), bool)
+        self.joints = joined(replay)
         self._read_contacts()
+        self._read_joints()
         self._lowest: dict[int, Floats] = {}
         self._touching: dict[int, Bools] = {}
 
@@ -69,6 +73,16 @@ class Facts:
             pushes = steep | ~static[other]
             for k, i, hit in zip(frames, mine, pushes, strict=True):
                 (self._struck if hit else self._carried)[max(k - gap, 0) : k + gap + 1, i] = True
+
+    def _read_joints(self) -> None:
+        """What a joint holds it may push; what moves by itself it only loads."""
+        for i in self.dynamic:
+            if not self.motion(i).own_power:
+                self._struck[:, i] |= self.held(i)
+
+    def held(self, body: int) -> Bools:
+        """Frames at which a joint holds a body."""
+        return held(self.joints, body, len(self.replay.time))
 
     def struck(self, body: int) -> Bools:
         """Frames near a contact with anything but level, fixed ground."""

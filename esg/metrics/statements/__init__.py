@@ -11,7 +11,7 @@ from esg.graph.models import Predicate
 from esg.metrics.binding import Binding, bind
 from esg.metrics.models import OF_EVENTS, StatementVerdict, SuiteScene, SuiteStatement
 from esg.metrics.replay import Replay
-from esg.metrics.statements import directions, facts, manner, place
+from esg.metrics.statements import directions, facts, manner, place, sides
 from esg.metrics.statements.query import Kept, StatementQuery, window_of
 
 OfBody = place.OfBody
@@ -40,6 +40,7 @@ OF_BODIES: dict[Predicate, OfBody] = {
     Predicate.STAYS_STILL: manner.stays_still,
     Predicate.TOUCHES: manner.touches,
     Predicate.NEVER_TOUCHES: manner.never_touches,
+    Predicate.STRUCK_ON: sides.struck_on,
     Predicate.ENDS_ON: place.ends_on,
     Predicate.ENDS_IN: place.ends_in,
     Predicate.ENDS_NEAR: place.ends_near,

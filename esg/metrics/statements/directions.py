@@ -8,7 +8,7 @@ import math
 
 import numpy as np
 
-from esg.metrics.events_space import inside_volume, volumes
+from esg.metrics.events.space import inside_volume, volumes
 from esg.metrics.geometry import gets_ahead
 from esg.metrics.replay import Floats, Replay
 from esg.metrics.statements.query import Kept, StatementQuery

@@ -10,7 +10,7 @@ from esg.metrics.models import OF_EVENTS, SuiteStatement
 from esg.units import m_from_cm
 
 _SPEEDS = frozenset({Predicate.SLOWER_THAN, Predicate.FASTER_THAN})
-_IN_CM = frozenset({"speed", "distance", "height", "length", "width"})
+_IN_CM = frozenset({"speed", "deceleration", "distance", "height", "length", "width"})
 
 
 @dataclass(frozen=True)
@@ -59,6 +59,7 @@ def _statement(s: Statement, moments: Moments) -> SuiteStatement:
             "says": s.predicate,
             "words": s.text,
             "direction": s.direction,
+            "side": s.side,
             "quantity": s.quantity,
             "value": value,
             "range": span,

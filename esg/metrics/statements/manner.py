@@ -7,13 +7,14 @@ import numpy as np
 from esg.engines.scene import Body
 from esg.metrics.binding import Binding
 from esg.metrics.events import names, pairs
-from esg.metrics.events_space import is_over
+from esg.metrics.events.space import is_over
 from esg.metrics.replay import GROUND_INDEX, Floats, Replay
 from esg.metrics.statements.place import mostly
 from esg.metrics.statements.query import Kept, StatementQuery
 from esg.metrics.support import contact_times, on_ground, touching
 from esg.thresholds import (
     AT_REST_MPS,
+    BRAKED_TO,
     ROLLING,
     ROLLING_SHARE,
     SLIDING,
@@ -137,7 +138,9 @@ def at_rest(replay: Replay, q: StatementQuery, body: int) -> Kept:
 
 
 def slower_than(replay: Replay, q: StatementQuery, body: int) -> Kept:
-    """Its largest speed stays under a limit."""
+    """Its largest speed stays under a limit; of a deceleration, how hard it brakes."""
+    if q.statement.quantity == "deceleration":
+        return _brakes(replay, q, body, hard=False)
     speed = float(replay.speed[q.window.frames, body].max())
     limit = q.limits()[1]
     if limit is None:
@@ -147,13 +150,33 @@ def slower_than(replay: Replay, q: StatementQuery, body: int) -> Kept:
 
 
 def faster_than(replay: Replay, q: StatementQuery, body: int) -> Kept:
-    """Its largest speed is over a limit."""
+    """Its largest speed is over a limit; of a deceleration, how hard it brakes."""
+    if q.statement.quantity == "deceleration":
+        return _brakes(replay, q, body, hard=True)
     speed = float(replay.speed[q.window.frames, body].max())
     limit = q.limits()[0]
     if limit is None:
         return Kept(None, reason="names no speed")
     reason = f"moves at {speed:.2f} m/s at most; needs more than {limit:g} m/s"
     return Kept.when(speed > limit, reason, speed_mps=speed)
+
+
+def _brakes(replay: Replay, q: StatementQuery, body: int, *, hard: bool) -> Kept:
+    """Its mean deceleration, from the start of a braking until half of its speed is left."""
+    limit, rates = q.limits()[0 if hard else 1], list[float]()
+    for time in replay.brakings(body):
+        begin = replay.frame_before(time) if time > 0 else 0
+        later = replay.speed[begin:, body]
+        slow = np.flatnonzero(later <= BRAKED_TO * later[0])
+        if q.window.contains(time, replay) and len(slow) and later[0] > STOPPED_MPS:
+            lost = float(later[0] - later[slow[0]])
+            rates.append(lost / (max(int(slow[0]), 1) * replay.frame_s))
+    if limit is None or not rates:
+        return Kept(None if limit is None else False, reason="never brakes to half of its speed")
+    rate = max(rates)
+    needs = "needs more than" if hard else "limit"
+    reason = f"brakes at {rate:.1f} m/s^2; {needs} {limit:g} m/s^2"
+    return Kept.when(rate > limit if hard else rate < limit, reason, deceleration_mps2=rate)
 
 
 def touches(replay: Replay, q: StatementQuery, body: int) -> Kept:

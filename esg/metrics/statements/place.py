@@ -6,7 +6,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from esg.metrics.events_space import inside_volume, is_over, surface_distance, volumes
+from esg.metrics.events.space import inside_volume, is_over, surface_distance, volumes
+from esg.metrics.joined import together
 from esg.metrics.replay import Replay
 from esg.metrics.statements.query import Kept, StatementQuery
 from esg.metrics.support import (
@@ -147,19 +148,28 @@ def hangs_from(replay: Replay, q: StatementQuery, body: int) -> Kept:
 
 
 def _held(replay: Replay, q: StatementQuery, body: int, *, lower: bool) -> Kept:
-    """Scenes have no joints: what holds is that both are fixed, and touch."""
+    """Joints hold them together, or both are fixed and touch."""
     samples = q.window.samples(replay)
-    gap = surface_distance(replay, body, q.target, int(samples[0]))
     name = replay.scene.bodies[body].name
+    held = np.zeros(len(samples), bool)
+    for other in (j for j in q.target.bodies if j != body):
+        held |= together(replay, body, other)[samples]
+    below = max(
+        float(replay.position[samples[0], j, 2] - replay.position[samples[0], body, 2])
+        for j in q.target.bodies or (body,)
+    )
+    if held.any():
+        if lower and below <= 0.0:
+            return Kept(False, {"below_m": below}, f"is not below {q.goal}")
+        return mostly(held, f"stay held by {q.goal}", below_m=below)
+    gap = surface_distance(replay, body, q.target, int(samples[0]))
     if gap > CARRIED_M:
         return Kept(False, {"gap_m": gap}, f"is {100 * gap:.0f} cm away from {q.goal}")
     fixed = [j for j in q.target.bodies if replay.scene.bodies[j].static]
     if not replay.scene.bodies[body].static or not fixed:
         return Kept(False, {"gap_m": gap}, f"no joint or rope holds {name} and {q.goal} together")
     if lower:
-        centre = replay.position[samples[0], body, 2]
-        drop = max(float(replay.position[samples[0], j, 2] - centre) for j in fixed)
-        return Kept.when(drop > 0, f"is not below {q.goal}", gap_m=gap, below_m=drop)
+        return Kept.when(below > 0, f"is not below {q.goal}", gap_m=gap, below_m=below)
     return Kept(True, {"gap_m": gap})
 
 

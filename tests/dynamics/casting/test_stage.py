@@ -15,8 +15,7 @@ from esg.dynamics import cast, start_hints
 from esg.dynamics.casting import fitted
 from esg.dynamics.casting.changes import with_assets
 from esg.dynamics.casting.roads import fit_roads
-from esg.dynamics.choreography.record import choreography_of
-from esg.dynamics.choreography.telling import choreograph
+from esg.dynamics.choreography.telling import choreograph, choreography_of
 from esg.graph import EsgDocument, canonical_json, effective, verify
 from esg.graph.models import ForceDirection
 from esg.layout import solve

@@ -57,6 +57,10 @@ class Entity:
     """Hung on a wall or below a ceiling, and so fixed until the prompt moves it."""
     freed: bool = False
     """Normally fixed, but the prompt moves it (a fence post that falls over)."""
+    part: bool = False
+    """A part of a jointed thing (`esg/lexicon/articulations.csv`)."""
+    implied: bool = False
+    """A part that stands as the one that is named does."""
     place: str = ""
     """front, rear, left, right or an ordinal, once known."""
     origin: int = -1

@@ -209,7 +209,7 @@ def create(world: World, m: Mention) -> list[str]:
         return [letter_of(world, m, x) for x in m.letters]
     number = _count(world, m, noun)
     plain = [a for a in m.adjectives if not a.startswith("@")]
-    group, label = None, m.text or m.head
+    group, label = None, (m.text or m.head).removesuffix(f" {m.part}")
     if number > 1:
         words = [*[a for a in plain if a in lex.COLORS], plural(m.head)]
         group, label = unique(slug(" ".join(words)), world.groups), m.head

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import kind_of, mark_used, movable, structural
@@ -15,8 +16,8 @@ from esg.draft.events.acts import add_event
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import enter, moved_by_others, time_of
-from esg.draft.events.told import amount, at_rest, things, traits_of
-from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.events.told import amount, at_rest, ignore, recent, things, traits_of
+from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.numerals import parse_number
 from esg.graph.models import ForceDirection, NodeEvent
 
@@ -24,6 +25,7 @@ _PUT_ON = ("on", "onto", "on top of", "upon", "atop")
 _PUT_IN = ("in", "into", "inside")
 _ELSEWHERE = frozenset({"in", "off", "on", "out", "down", "aboard", "aside", "away"})
 """Adverbs that lead a leap somewhere else than back to the ground it left."""
+_OFTEN = re.compile(r"\b(?:once|twice|thrice|(\w+)\s+times)\b", re.IGNORECASE)
 _JUMPERS = ("person", "animal", "robot")
 
 
@@ -48,12 +50,15 @@ def read_pick(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "Picks up the mug", "lifts a crate off a truck": it rises, held."""
     agents, taken = doer_and_done(f, s, o or things(f.phrase("up")))
     taken = _loose(d, taken)
+    if f.object is not None and f.object.part:
+        ignore(d, f, "no physical meaning")  # "grasps the handle of the drawer"
+        return
     if not taken:
         read_as(d, "carry", f, s, o)
         return
     _from_where(d, f, taken)
     place(d, [a for a in agents if kind_of(d, a) != "building"], taken[:1], "near")
-    goal = _goal(f)
+    goal = _goal(d, f, taken)
     for body in taken:
         if at_rest(d, body):
             d.timeline.move(body, Motion("guide"), ForceDirection.ANY_3D)
@@ -67,7 +72,8 @@ def read_pick(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 def read_put(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "Puts the mug on the shelf", "lowers a crate onto a truck": it ends there, let go."""
     agents, moved = doer_and_done(f, s, o)
-    moved, goal = _loose(d, _named_it(d, f) or moved), _goal(f)
+    moved = _loose(d, _named_it(d, f) or moved)
+    goal = _goal(d, f, moved)
     if f.object is None and {*s} & {*_in_hand(d)}:
         moved, f = s, replace(f, verb=replace(f.verb, passive=True))  # "is lifted and put on"
     act = not f.reduced and (_told_as_act(d, f) if f.verb.passive else f.object is not None)
@@ -99,22 +105,27 @@ def _told_as_act(d: Discourse, f: Frame) -> bool:
     return being or known or bool(group & lex.word_set("manners of acting"))
 
 
-def _goal(f: Frame) -> Phrase | None:
+def _goal(d: Discourse, f: Frame, moved: list[str]) -> tuple[str, str] | None:
+    """Where a clause says that things are put: the preposition, and on or in what."""
     found = f.phrase(*_PUT_ON, *_PUT_IN)
     said = found.mention if found is not None and things(found) else None
-    return found if said is not None and said.start > f.verb.start else None
+    if found is not None and said is not None and said.start > f.verb.start:
+        return found.prep, things(found)[0]
+    inner = [i for i in recent(d) if holds(d, i) and i not in moved]
+    inner = inner if found is None and "inside" in f.adverbs else []
+    return ("inside", inner[0]) if inner else None  # "opens the drawer and puts a bowl inside"
 
 
-def _put(d: Discourse, f: Frame, moved: list[str], goal: Phrase) -> None:
+def _put(d: Discourse, f: Frame, moved: list[str], goal: tuple[str, str]) -> None:
     """Guides things to where they are put."""
-    target = things(goal)[0]
+    prep, target = goal
     for body in [i for i in moved if i != target]:
         if d.scene.supported_by.get(body) == target:
             if not at_rest(d, body):
                 continue
             _lay_aside(d, body, target)
         d.timeline.move(body, Motion("guide", target=target), ForceDirection.ANY_3D)
-        if goal.prep in _PUT_IN and holds(d, target):
+        if prep in _PUT_IN and holds(d, target):
             enter(d, f, body, target, time_of(d, f))
         else:
             add_event(d, NodeEvent.PLACED, (body, target), f, time_of(d, f))
@@ -151,7 +162,7 @@ def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             d.timeline.trigger(actor, f"{actor} takes off")
             d.timeline.track(actor).motion = jump
         node = add_event(d, NodeEvent.JUMP, (actor, *over), f, time_of(d, f))
-        _so_often(d, f, node)
+        so_often(d, f, node)
         d.timeline.track(actor).motion = None
     mark_used(d, f, "jump")
 
@@ -176,7 +187,7 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             continue
         d.timeline.move(body, Motion("spin"), ForceDirection.HORIZONTAL_PLANE)
         node = add_event(d, NodeEvent.SPIN, (body,), f, time_of(d, f))
-        _so_often(d, f, node)
+        so_often(d, f, node)
         draft = d.timeline.node(node)
         if draft is not None and "times" in draft.extra:
             draft.extra["turn_degrees"] = 360.0 * draft.extra.pop("times")
@@ -202,7 +213,7 @@ def bounces_on_ground(d: Discourse, f: Frame, s: list[str], met: list[str]) -> b
             drop.target = target
             d.timeline.move(body, drop, ForceDirection.ANY_3D)
         node = add_event(d, NodeEvent.BOUNCE, (body, target), f, time_of(d, f))
-        _so_often(d, f, node)
+        so_often(d, f, node)
     if free:
         mark_used(d, f, "bounce")
     return bool(free)
@@ -215,14 +226,12 @@ def _ground(d: Discourse) -> str:
     return d.world.entities.setdefault(GROUND, ground).id
 
 
-def _so_often(d: Discourse, f: Frame, node: str) -> None:
+def so_often(d: Discourse, f: Frame, node: str) -> None:
     """ "Three times", "twice": how often it happens."""
-    after = d.text[f.verb.end : f.verb.end + 40].lower().split()
-    draft = d.timeline.node(node)
-    for k, word in enumerate(after):
-        n = {"once": 1, "twice": 2, "thrice": 3}.get(word.strip(".,;"))
-        if n is None and k + 1 < len(after) and after[k + 1].startswith("time"):
-            n = parse_number(word)
-        if isinstance(n, int | float) and draft is not None and 1 <= n <= 20:
-            draft.extra["times"] = int(n)
-            return
+    said, draft = _OFTEN.search(d.text, f.verb.end, f.verb.end + 40), d.timeline.node(node)
+    if said is None or draft is None:
+        return
+    n = {"once": 1, "twice": 2, "thrice": 3}.get(said[0].lower()) or parse_number(said[1] or "")
+    if isinstance(n, int | float) and 1 <= n <= 20:
+        draft.extra["times"] = int(n)
+        d.scene.used.setdefault(said.span(), node)

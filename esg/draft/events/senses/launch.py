@@ -159,14 +159,18 @@ def launch_by(d: Discourse, f: Frame, agents: list[str], sent: list[str]) -> Non
     elif agents and (pushed or (kind_of(d, sent[0]) == "person" and mode in ("slide", "roll"))):
         add_hit(d, f, agents[:1], sent[:1], time_of(d, f))  # one person pushes another
     else:
-        if agents:
-            place(d, agents, sent, "near")
-        for agent in [a for a in agents if a != sent[0]]:
-            d.scene.facing.setdefault(agent, sent[0])
+        stand_by(d, agents, sent)
         motion_of_things(d, f, sent, mode)
         return
     knock_on(d, f, sent)
     consequence(d, f, sent)
+
+
+def stand_by(d: Discourse, agents: list[str], sent: list[str]) -> None:
+    """Who sets a thing off without a hit stands beside it, and looks at it."""
+    place(d, agents, sent, "near")
+    for agent in [a for a in agents if a != sent[0]]:
+        d.scene.facing.setdefault(agent, sent[0])
 
 
 def _stands_low(d: Discourse, body: str) -> bool:

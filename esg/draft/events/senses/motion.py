@@ -21,7 +21,7 @@ from esg.draft.events.motions import flies_itself, motion, own, start_motion, ta
 from esg.draft.events.roles import doer_and_done, filling
 from esg.draft.events.senses.contact import hit_targets
 from esg.draft.events.senses.handling import bounces_on_ground
-from esg.draft.events.senses.launch import aim_at, launch_by, motion_of_things
+from esg.draft.events.senses.launch import aim_at, launch_by, motion_of_things, stand_by
 from esg.draft.events.senses.steer import turn
 from esg.draft.events.senses.topple import read_knock
 from esg.draft.events.table import sense
@@ -177,6 +177,8 @@ def read_roll(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     actors = o if o and (not s or kind_of(d, s[0]) in ("person", "animal")) else s
     d.moves.rolling.update(actors)
+    if s and actors == o:
+        stand_by(d, s, o)
     if f.subject is not None and actors == o:
         d.refs.thrown[id(f.subject)] = list(o)
     if actors and not o and kind_of(d, actors[0]) in SELF_POWERED and not _sent_off(d, f, actors):
@@ -194,6 +196,8 @@ def read_slide(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if _pushes(d, f, s, o):
         return
     actors = o if o and (not s or kind_of(d, s[0]) == "person") else s
+    if s and actors == o:
+        stand_by(d, s, o)
     d.moves.rolling.update(actors)
     kind = kind_of(d, actors[0]) if actors else ""
     glides = f.verb.lemma == "glide" and kind == "person"  # a skater glides along
@@ -304,8 +308,8 @@ def read_end(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             add_hit(d, f, [actor], [end], time_of(d, f))
 
 
-@sense("swing")
-def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+@sense("swing_round")
+def read_swing_round(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     into = filling(f, "obstacle")
     target = hit_targets(f, s, o)
     if o and into:

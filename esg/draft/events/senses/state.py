@@ -262,9 +262,7 @@ def read_surround(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 def places(d: Discourse, f: Frame, bodies: list[str]) -> None:
     """Where a clause says that things are, how far from others, and in what arrangement."""
     gap = next((a for p in ("", "at", "about") if (a := amount(d, f, "length", p))), None)
-    pattern = (
-        "row" if {"in a row", "side by side"} & {*f.adverbs} else _PATTERN_VERBS.get(f.verb.lemma)
-    )
+    pattern = "row" if "in a row" in f.adverbs else _PATTERN_VERBS.get(f.verb.lemma)
     for t in bodies:
         _pattern_of(d, t, pattern)
     for p in f.phrases:

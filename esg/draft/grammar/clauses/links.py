@@ -148,6 +148,12 @@ def infinitive(c: Clauses, s: State, frame: Frame, previous: Frame) -> None:
         frame.verb.negated = frame.verb.negated or previous.verb.lemma in _FAILING
 
 
+def _lies_there(m: Mention, v: Verb) -> bool:
+    """ "Sails on a river passing trees": not the river passes them."""
+    flat = m.noun is not None and ("structural" in m.noun.traits or m.noun.kind == "water")
+    return flat and bool(m.after_prep) and v.sense in ("pass", "overtake", "hit", "miss")
+
+
 def participle(c: Clauses, s: State, frame: Frame, previous: Frame) -> None:
     v = frame.verb
     if previous.verb.sense == "cause" and previous.object is not None and not s.boundary:
@@ -158,7 +164,7 @@ def participle(c: Clauses, s: State, frame: Frame, previous: Frame) -> None:
         frame.subject = _who_went_on(c, previous)
         frame.link = "cause"
         frame.causer = previous
-    elif s.boundary or s.last is None or s.last is previous.subject:
+    elif s.boundary or s.last is None or s.last is previous.subject or _lies_there(s.last, v):
         frame.subject = _who_went_on(c, previous)
         frame.link = (
             "then" if v.sense in ("hit", "stop", "topple", "enter", "land", "miss") else "while"

@@ -36,6 +36,7 @@ _SCENE = lex.word_set("scene")
 _AIMING = lex.word_set("aiming")
 _BY_ITSELF = frozenset({"posture", "park", "stop", "fall", "topple", "roll", "slide"})
 _BY_ITSELF_OR_HIT = frozenset({"posture", "park", "stop", "hit", "topple", "fall"})
+_HANDLING = frozenset({"posture", "pick", "carry", "noop"})
 _STATES = frozenset({"be", "posture", "park", "weigh", "measure", "have", "contain"})
 
 
@@ -245,8 +246,11 @@ def _goes_on(c: Clauses, s: State, o: _Opening) -> bool:
     previous, v = o.previous, o.frame.verb
     assert previous is not None
     o.frame.parent = previous
-    if v.lemma in _LETTING and v.form != "ing" and previous.subject is None:
-        return True  # "Push the ball and let it roll": still the reader's doing
+    told = v.lemma in _LETTING or (
+        v.sense in _HANDLING and (v.form == "base" or v.lemma in UNCHANGED)
+    )
+    if told and v.form != "ing" and not v.passive and previous.subject is None:
+        return True  # "Push the ball and let it roll", "open the box and put a ball in it"
     before = before_what_it_waits_for(c, before_what_it_lets(previous, v), s, v)
     o.frame.subject = agent(c, before)
     return True

@@ -28,6 +28,7 @@ from esg.draft.grammar.phrases.noun_questions import (
     noun_then_verb,
     numbers,
     one_does,
+    packed,
     part_alone,
     piled,
     plain_noun,
@@ -58,6 +59,7 @@ _VESSELS = lex.word_set("vessels (noun heads)")
 _THEM = ("it", "him", "her", "them")
 _STACKS = ("stack", "pile", "tower", "heap")
 _OWN = ("his", "her", "its", "their")
+_HANDS = frozenset({"left", "left-hand", "right", "right-hand"})
 _NO_NOUNS = lex.ADVERBS | lex.PREPOSITIONS | lex.DETERMINERS | lex.SUBORDINATORS
 
 
@@ -264,13 +266,14 @@ def _unknown_after(c: Chunks, j: int, m: Mention) -> int:
         return j
     single, several = lex.singular(token.low)
     nothing = (names_no_thing(token.low) and not _weighs(c, j, j, m)) or wisp(c, j)
-    if single in lex.ATTRIBUTES or nothing:
+    pack = packed(c, single, m)
+    if (single in lex.ATTRIBUTES or nothing) and pack is None:
         m.attribute, m.head, m.noun = True, single, None
     elif single in lex.PARTS:
         m.part = single
     elif single not in ("other", "one"):
         m.adjectives.append(m.head)
-        m.head, m.noun, m.plural, m.known = single, None, several, False
+        m.head, m.noun, m.plural, m.known = single, pack, several, pack is not None
     else:
         return j
     return j + 1
@@ -320,7 +323,8 @@ def _part(c: Chunks, p: Place, m: Mention) -> Head | None:
     told = m.determiner or m.adjectives or low_at(c, j + 1) == "of"
     if not low or not {low, part} & lex.PARTS or not told or part_alone(c, j, m):
         return OTHER
-    if match_noun(c, j + 1) is not None and not verb_readings(low_at(c, j + 1)):
+    sided = low in _HANDS and {low_at(c, j + 1)} & lex.PARTS  # "the left side of a car"
+    if sided or (match_noun(c, j + 1) is not None and not verb_readings(low_at(c, j + 1))):
         return _modifies(c, p, m)  # "the head pin"
     m.part = m.head = part
     m.attribute = True
@@ -478,6 +482,7 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
     bare = not m.determiner and m.count is None
     titled = titled and m.head in lex.ATTRIBUTES
     nothing = m.head in lex.ATTRIBUTES or names_no_thing(low_at(c, k), bare=bare)
+    m.noun = m.noun or packed(c, m.head, m)
     nothing = nothing and m.noun is None and not _weighs(c, p.first, k, m)
     m.attribute = nothing and not titled  # "Night has fallen."
     m.known = m.attribute or m.noun is not None

@@ -26,6 +26,7 @@ _MEASURES = lex.word_set("measures (noun questions)")
 _STACKS = frozenset({"stack", "pile", "heap"})
 _WISPS, _WISPS_OF = lex.word_set("wisps"), lex.word_set("wisps of")
 _SHINING = lex.word_set("shining")
+_FLUIDS, _TAKING = lex.word_set("unseen fluids"), lex.word_set("taking")
 _HEAPED, _LINED_UP = lex.word_set("heaped"), lex.word_set("lined up")
 
 
@@ -234,6 +235,17 @@ def names_no_thing(word: str, *, bare: bool = False) -> bool:
     kinds = {no_things().get(word), no_things().get(single)}
     filling = bare and word == single and word in lex.SUBSTANCES
     return filling or bool(kinds & {"nothing", "substance"})
+
+
+def packed(c: Chunks, word: str, m: Mention) -> lex.Noun | None:
+    """ "Pick up the milk", "puts the butter on a plate": what such stuff is sold in."""
+    verb, stuff = element_before(c), word in lex.SUBSTANCES | _FLUIDS
+    taken = isinstance(verb, Verb) and verb.lemma in _TAKING and not verb.passive
+    if not (taken and (stuff or no_things().get(word) == "substance")):
+        return None
+    if m.determiner not in _ARTICLES or m.amounts:
+        return None
+    return lex.nouns()["bottle" if word in _FLUIDS else "carton of milk"]
 
 
 def wisp(c: Chunks, j: int) -> int:

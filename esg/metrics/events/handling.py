@@ -10,7 +10,7 @@ import numpy as np
 from esg.engines.program import AdjustProperties, ApplyImpulse, SetVelocity
 from esg.metrics.binding import Binding
 from esg.metrics.detection import Found, Query, duration_of, runs
-from esg.metrics.events_space import inside_volume, is_over, volumes
+from esg.metrics.events.space import inside_volume, is_over, volumes
 from esg.metrics.replay import Floats, Hit, Replay
 from esg.metrics.support import Bools, carried, lowest_curve, touching
 from esg.thresholds import (

@@ -1,7 +1,7 @@
 """Events of jointed and breakable things: opens, closes, swings, breaks, separates.
 
-Scenes have no joints yet: what turns or slides in its place is taken for jointed, what touches at
-first for attached.
+Where a scene has joints they say what opens and what is attached. Of things without any, what turns
+or slides in its place is taken for jointed, what touches at first for attached.
 """
 
 from __future__ import annotations
@@ -13,8 +13,9 @@ import numpy as np
 
 from esg.metrics.binding import Binding
 from esg.metrics.detection import Found, Query
-from esg.metrics.events_space import surface_distance
+from esg.metrics.events.space import surface_distance
 from esg.metrics.geometry import compound_distance
+from esg.metrics.joined import Joined, held, joined, parts_of, together
 from esg.metrics.replay import GROUND_INDEX, Floats, Replay
 from esg.metrics.support import Bools, Frames, touching
 from esg.thresholds import (
@@ -24,6 +25,7 @@ from esg.thresholds import (
     PIECE_GAP_M,
     PIECES,
     SAMPLE_S,
+    SHUT_SHARE,
     STOPPED_MPS,
 )
 from esg.units import quat_rotate
@@ -45,8 +47,13 @@ def closes(replay: Replay, q: Query) -> Iterator[Found]:
 
 
 def _turns_open(replay: Replay, q: Query, *, settled: bool) -> Iterator[Found]:
-    begin = replay.after(q.since)
+    begin = min(replay.after(q.since), len(replay.time) - 1)
+    joints = joined(replay)
     for i in q.bound["object"].bodies:
+        moving = [j for j in parts_of(joints, i) if j.joint.kind in ("hinge", "slider")]
+        if moving:
+            yield from (_jointed(replay, q, j, begin, settled=settled) for j in moving)
+            continue
         angle, slid, stays = _opening(replay, i, begin)
         enough = (
             (angle >= q.event.degrees) | (slid >= OPEN_SHARE) & (angle < _STRAIGHT_DEG)
@@ -72,6 +79,37 @@ def _turns_open(replay: Replay, q: Query, *, settled: bool) -> Iterator[Found]:
         yield Found(None, (i,), reason)
 
 
+def _jointed(replay: Replay, q: Query, j: Joined, begin: int, *, settled: bool) -> Found:
+    """Opening or closing of a jointed part: its joint's position is 0 where it is closed."""
+    joint, name = j.joint, j.joint.child
+    hinge = joint.kind == "hinge"
+    half = replay.scene.bodies[j.child].half_extents
+    way = 2.0 * max(half)
+    if joint.lower is not None and joint.upper is not None:
+        way = joint.upper - joint.lower
+    asked = np.radians(q.event.degrees) if hinge else OPEN_SHARE * way
+    open_by = np.where(j.intact, np.abs(j.position), 0.0)[begin:]
+    unit, factor = ("degrees", np.degrees(1.0)) if hinge else ("cm", 100.0)
+    if settled:
+        shut = (open_by <= SHUT_SHARE * asked) & (replay.speed[begin:, j.child] < AT_REST_MPS)
+        done = shut & (np.maximum.accumulate(open_by) - open_by >= asked - SHUT_SHARE * asked)
+    else:
+        done = open_by >= asked if open_by[0] < asked else open_by >= open_by[0] + asked
+    measured = {"opened_deg" if hinge else "opened_m": float(open_by.max() * factor)}
+    if not hinge:
+        measured["opened_m"] /= factor
+    frames = np.flatnonzero(done)
+    if len(frames):
+        return Found(float(replay.time[begin + int(frames[0])]), (j.child,), measured=measured)
+    most, least = factor * float(open_by.max()), factor * float(open_by.min())
+    reason = f"{name} opens to {most:.0f} {unit}, {factor * asked:.0f} asked"
+    if settled and most >= factor * asked:
+        reason = f"{name} closes to {least:.0f} {unit}, and does not rest closed"
+    elif settled:
+        reason = f"{name} was open by {most:.0f} {unit} at most, {factor * asked:.0f} asked"
+    return Found(None, (j.child,), reason, measured)
+
+
 def _opening(replay: Replay, body: int, begin: int) -> tuple[Floats, Floats, Bools]:
     """From a frame on: angle turned [degrees], share of its own length slid, and whether it is
     still in its place, each [T].
@@ -87,10 +125,11 @@ def _opening(replay: Replay, body: int, begin: int) -> tuple[Floats, Floats, Boo
 
 
 def swings(replay: Replay, q: Query) -> Iterator[Found]:
-    """Passing the lowest point of its way in the air, as often as asked."""
+    """Passing the lowest point of its suspension, or of its way in the air, as often as asked."""
     begin = replay.after(q.since)
+    joints = joined(replay)
     for i in q.bound["object"].bodies:
-        free = ~touching(replay, i)
+        free = ~touching(replay, i) | held(joints, i, len(replay.time))
         low = _dips(replay.position[:, i, 2])
         passes = [k for k in low if k >= begin and free[k] and replay.speed[k, i] > STOPPED_MPS]
         if len(passes) >= q.event.times:
@@ -155,10 +194,16 @@ def _pieces(replay: Replay, parts: tuple[int, ...], frame: int) -> int:
 
 
 def separates(replay: Replay, q: Query) -> Iterator[Found]:
-    """Two that touched are apart."""
+    """Two that a joint held together, or that touched, are apart."""
     begin = min(replay.after(q.since), len(replay.time) - 1)
     for i in q.bound["a"].bodies:
         for j in (j for j in q.bound["b"].bodies if j != i):
+            attached = together(replay, i, j)
+            if attached[max(begin - 1, 0)]:
+                loose = np.flatnonzero(~attached[begin:])
+                when = float(replay.time[begin + int(loose[0])]) if len(loose) else None
+                yield Found(when, (i, j), "" if len(loose) else "stay together")
+                continue
             other = Binding("", bodies=(j,))
             gap = surface_distance(replay, i, other, max(begin - 1, 0))
             if gap > CARRIED_M:

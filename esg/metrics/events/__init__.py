@@ -19,10 +19,10 @@ from esg.metrics.detection import (
     Found,
     Query,
 )
-from esg.metrics.events_handling import bounces, jumps, picked_up, placed, spins
-from esg.metrics.events_joints import breaks, closes, opens, separates, swings
-from esg.metrics.events_motion import brakes, moves, stops, turns
-from esg.metrics.events_space import (
+from esg.metrics.events.handling import bounces, jumps, picked_up, placed, spins
+from esg.metrics.events.joints import breaks, closes, opens, separates, swings
+from esg.metrics.events.motion import brakes, moves, stops, turns
+from esg.metrics.events.space import (
     enters,
     falls,
     inside_volume,

@@ -1,0 +1,111 @@
+"""Doors, gates and drawers: what opens, and what it opens in.
+
+A leaf hangs on its right edge (-Y) and opens backwards (-X), away from who comes from the front.
+What it hangs in is drawn in proportion to its own extents, so that both fit at any size.
+"""
+
+from __future__ import annotations
+
+from esg.assets.builders import builder
+from esg.assets.builders.common import shade
+from esg.assets.geometry.sketch import CHROME, DARK, STEEL, Color, Sketch
+
+_JAMB, _GAP = 6.0 / 93.0, 0.5 / 93.0
+"""Jambs of a door frame and the air beside a leaf, over the frame's width."""
+_LINTEL, _SILL = 6.0 / 206.0, 0.8 / 206.0
+"""Lintel of a door frame and the air below a leaf, over the frame's height."""
+_POST, _AIR = 10.0 / 174.0, 2.0 / 174.0
+"""Posts of a gate and the air beside its leaf, over its width."""
+_LIFT = 8.0 / 130.0
+"""Air below a gate's leaf over the height of its posts."""
+
+
+@builder("door_leaf", "free")
+def door_leaf(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Leaf of a door with a handle on either side; it hangs on the edge of its back."""
+    t = L / 3
+    s.slab((-t, t), (-W / 2, W / 2), (0, H), c, solid=1)
+    for z0, z1 in ((0.08, 0.42), (0.52, 0.92)):
+        for x in ((t, t + 0.1 * L), (-t - 0.1 * L, -t)):
+            s.slab(x, (-W * 0.38, W * 0.38), (H * z0, H * z1), shade(c, 0.9))
+    at, z = W * 0.42, H * 0.5
+    for x in (-1, 1):
+        s.rod(0.018 * W, (x * t, at, z), (x * 0.47 * L, at, z), CHROME, metal=0.8)
+        lever = ((x * 0.46 * L, at + 1, z), (x * 0.46 * L, at - W * 0.14, z))
+        s.rod(0.04 * L, *lever, CHROME, metal=0.8, sections=12)
+    s.mount("hinge", (-t, -W / 2, 0.0))
+
+
+@builder("door_frame", "free")
+def door_frame(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Two jambs and a lintel; the leaf closes flush with their back."""
+    jamb, top = _JAMB * W, H - _LINTEL * H
+    inner = (-W / 2 + jamb, W / 2 - jamb)
+    for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
+        s.slab((-L / 2, L / 2), y, (0, H), c, solid=1)
+    s.slab((-L / 2, L / 2), inner, (top, H), c, solid=1)
+    s.region("inside", (-L / 2, L / 2), inner, (0, top), "area")
+    s.mount("hinge", (-L / 2, inner[0] + _GAP * W, _SILL * H))
+
+
+@builder("gate_leaf", "free")
+def gate_leaf(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Barred leaf of a gate, hung in the middle of its edge."""
+    bar = 0.3 * L
+    for z in (0.05, 0.5, 0.95):
+        s.slab((-L / 2, L / 2), (-W / 2, W / 2), (H * z - bar, H * z + bar), c)
+    n = max(3, round(W / 14))
+    for k in range(n + 1):
+        y = -W / 2 + bar + (W - 2 * bar) * k / n
+        s.slab((-0.3 * L, 0.3 * L), (y - bar, y + bar), (0, H), shade(c, 0.92))
+    s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
+    s.mount("hinge", (0.0, -W / 2, 0.0))
+
+
+@builder("gate_posts", "free")
+def gate_posts(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Two posts with a gap between them, a hinge on the right one."""
+    post, cap, air = _POST * W, 0.98 * H, _AIR * W
+    inner = (-W / 2 + post, W / 2 - post)
+    for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
+        s.slab((-0.36 * L, 0.36 * L), y, (0, cap), c, solid=1)
+        s.slab((-L / 2, L / 2), y, (cap, H), shade(c, 0.8))
+    for z in (0.2, 0.8):
+        ends = ((0, inner[0], H * z), (0, inner[0] + air, H * z))
+        s.rod(0.1 * L, *ends, STEEL, metal=0.6, sections=12)
+    s.region("inside", (-L / 2, L / 2), inner, (0, H), "area")
+    s.mount("hinge", (0.0, inner[0] + air, _LIFT * H))
+
+
+@builder("sliding_drawer", "free")
+def sliding_drawer(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Open box with a front panel (+X) and a knob; it slides along X."""
+    t = 0.03 * (L + W) / 2
+    knob = 2 * t
+    front = (L / 2 - knob - t, L / 2 - knob)
+    back, side = -L / 2, (W / 2 - 2 * t)
+    s.slab(front, (-W / 2, W / 2), (0, H), c, solid=1)
+    box = shade(c, 1.15)
+    s.slab((back, front[0]), (-side, side), (t, 2 * t), box, solid=1)
+    for y in ((-side, -side + t), (side - t, side)):
+        s.slab((back, front[0]), y, (2 * t, 0.8 * H), box, solid=1)
+    s.slab((back, back + t), (-side + t, side - t), (2 * t, 0.8 * H), box, solid=1)
+    s.rod(t, (front[1], 0, H / 2), (L / 2, 0, H / 2), CHROME, metal=0.8)
+    s.region("inside", (back + t, front[0]), (-side + t, side - t), (2 * t, 0.8 * H))
+    s.mount("runner", (front[1], 0.0, 0.0), (1.0, 0.0, 0.0))
+
+
+@builder("drawer_chest", "free")
+def drawer_chest(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Chest with a bay for one drawer at the bottom, and a closed front above it."""
+    t = 0.045 * W
+    bay = (0.02 * H, 0.36 * H)
+    inner = (-W / 2 + t, W / 2 - t)
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (bay[1], H), c, solid=1)
+    s.slab((L / 2 - 0.1, L / 2 + 0.1), inner, (bay[1] + t, H - t), shade(c, 1.06))
+    for y in ((-W / 2, -W / 2 + t), (W / 2 - t, W / 2)):
+        s.slab((-L / 2, L / 2), y, (0, bay[1]), c, solid=1)
+    s.slab((-L / 2, -L / 2 + t), inner, (0, bay[1]), c, solid=1)
+    s.slab((-L / 2 + t, L / 2), inner, (0, bay[0]), DARK, solid=1)
+    s.surface("top", H, (L / 2, W / 2))
+    s.mount("runner", (L / 2, 0.0, bay[0] + 0.3), (1.0, 0.0, 0.0))

@@ -1,0 +1,144 @@
+"""What hangs and what it hangs on: pendulums, wrecking balls, cradles, swings, bags.
+
+Things swing along X, about an axis along Y; stands leave that way open and reach up beside it.
+"""
+
+from __future__ import annotations
+
+from esg.assets.builders import builder
+from esg.assets.builders.common import shade
+from esg.assets.geometry.sketch import (
+    BRASS,
+    DARK,
+    DARK_WOOD,
+    STEEL,
+    YELLOW,
+    Color,
+    Sketch,
+)
+
+_ACROSS = (0.0, 1.0, 0.0)
+
+
+@builder("bob")
+def bob(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Ball on a thin rod that it swings by, drawn at 10 x 10 x 80."""
+    s.ball(5, (0, 0, 5), c, solid=1, metal=0.7, rough=0.2)
+    s.rod(0.4, (0, 0, 10), (0, 0, 80), STEEL, metal=0.7, sections=12)
+    s.proxy_slab((-0.4, 0.4), (-0.4, 0.4), (10, 80))
+    s.mount("pivot", (0.0, 0.0, 80.0), _ACROSS)
+
+
+@builder("bob_stand")
+def bob_stand(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Portal across Y that a pendulum swings through, drawn at 60 x 60 x 90."""
+    for y in (-1, 1):
+        s.slab((-30, 30), (y * 27.5 - 2.5, y * 27.5 + 2.5), (0, 4), DARK_WOOD, solid=1)
+        s.slab((-1.5, 1.5), (y * 27.5 - 1.5, y * 27.5 + 1.5), (4, 87), c, solid=1, metal=0.3)
+    s.slab((-1.5, 1.5), (-30, 30), (87, 90), c, solid=1, metal=0.3)
+    s.rod(1.0, (0, -2, 86.5), (0, 2, 86.5), BRASS, metal=0.8, sections=14)
+    s.mount("pivot", (0.0, 0.0, 86.0), _ACROSS)
+
+
+@builder("demolition_ball")
+def demolition_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Steel ball with an eye on top, drawn at 90 x 90 x 96."""
+    s.ball(45, (0, 0, 45), c, solid=1, metal=0.7, rough=0.4)
+    s.rod(9, (0, 0, 88), (0, 0, 91), DARK, sections=20)
+    s.torus(3.0, 1.0, (0, 0, 92), STEEL, axis="y", metal=0.6)
+    s.mount("eye", (0.0, 0.0, 92.0), _ACROSS)
+
+
+@builder("demolition_crane")
+def demolition_crane(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Crawler crane whose boom reaches across to +Y, drawn at 240 x 640 x 800.
+
+    Its ball swings past the boom's tip along X, clear of the tracks.
+    """
+    for x in (-1, 1):
+        s.slab((x * 95 - 25, x * 95 + 25), (-320, -60), (0, 70), DARK, solid=1)
+    s.slab((-70, 70), (-290, -90), (40, 90), shade(c, 0.6), solid=1)
+    s.slab((-100, 100), (-310, -70), (90, 210), c, solid=1)
+    s.slab((20, 100), (-130, -65), (210, 300), shade(c, 1.1), solid=1)
+    foot, tip = (0.0, -80.0, 200.0), (0.0, 292.0, 780.0)
+    for x in (-1, 1):
+        low, high = (x * 26.0, foot[1], foot[2]), (x * 9.0, tip[1], tip[2])
+        s.rod(6, low, high, YELLOW, solid=0.2, metal=0.3, sections=12)
+    for k in range(9):
+        f = k / 9
+        at = tuple(a + f * (b - a) for a, b in zip(foot, tip, strict=True))
+        half = 26 + f * (9 - 26)
+        s.rod(3, (-half, at[1], at[2]), (half, at[1], at[2]), YELLOW, metal=0.3, sections=8)
+    s.rod(2, (0, -300, 210), tip, DARK, sections=8)
+    s.rod(14, (-10, 300, 782), (10, 300, 782), STEEL, metal=0.6, solid=0.2)
+    s.mount("hook", (0.0, 300.0, 768.0), _ACROSS)
+
+
+@builder("cradle_ball")
+def cradle_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Steel ball on two strings that meet at it, drawn at 5 x 16 x 24."""
+    s.ball(2.5, (0, 0, 2.5), c, solid=1, metal=0.9, rough=0.1)
+    for y in (-1, 1):
+        s.rod(0.08, (0, 0, 4.9), (0, y * 7.9, 24), STEEL, sections=6)
+    s.mount("pivot", (0.0, 0.0, 24.0), _ACROSS)
+
+
+@builder("cradle_frame")
+def cradle_frame(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Frame of a Newton's cradle: two bars along X on a plinth, drawn at 34 x 18 x 30."""
+    s.slab((-17, 17), (-9, 9), (0, 2), DARK_WOOD, solid=1, rough=0.3)
+    for y in (-1, 1):
+        for x in (-1, 1):
+            s.rod(0.6, (x * 16, y * 8, 2), (x * 16, y * 8, 29.4), c, solid=1, metal=0.8)
+        s.rod(0.6, (-16.6, y * 8, 29.4), (16.6, y * 8, 29.4), c, solid=1, metal=0.8)
+    for k in range(5):
+        s.mount(f"pivot {k + 1}", (5.02 * (2 - k), 0.0, 29.0), _ACROSS)
+
+
+@builder("swing_seat")
+def swing_seat(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Board on two rods that it swings by, drawn at 18 x 46 x 170."""
+    s.slab((-9, 9), (-23, 23), (0, 3), c, solid=1)
+    for y in (-1, 1):
+        s.rod(0.6, (0, y * 21, 3), (0, y * 21, 170), STEEL, metal=0.6, sections=8)
+        s.proxy_slab((-0.6, 0.6), (y * 21 - 0.6, y * 21 + 0.6), (3, 170), 2.0)
+    s.surface("seat", 3, (9, 18))
+    s.mount("pivot", (0.0, 0.0, 170.0), _ACROSS)
+
+
+@builder("swing_posts")
+def swing_posts(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Frame of a swing: two pairs of legs and a beam along Y, drawn at 160 x 240 x 220."""
+    for y in (-1, 1):
+        for x in (-1, 1):
+            s.rod(3.5, (x * 76.5, y * 112, 0.5), (0, y * 108, 214), c, metal=0.4)
+            s.proxy_slab((x * 70 - 5, x * 70 + 5), (y * 112 - 5, y * 112 + 5), (0, 30))
+        s.proxy_slab((-10, 10), (y * 109 - 4, y * 109 + 4), (150, 216), 0.5)
+    s.rod(4, (0, -120, 216), (0, 120, 216), c, solid=0.6, metal=0.4)
+    s.mount("pivot", (0.0, 0.0, 212.0), _ACROSS)
+
+
+@builder("hanging_bag")
+def hanging_bag(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Heavy bag on four short chains, drawn at 35 x 35 x 150."""
+    s.lathe([(0, 0), (16.5, 0), (17.5, 3), (17.5, 112), (16, 116), (0, 117)], c, rough=0.6)
+    for z in (18, 60, 100):
+        s.lathe([(17.3, z), (17.5, z + 0.5), (17.5, z + 4), (17.3, z + 4.5)], shade(c, 0.7))
+    for x in (-1, 1):
+        for y in (-1, 1):
+            s.rod(0.5, (x * 10, y * 10, 115), (0, 0, 145), STEEL, metal=0.7, sections=8)
+    s.torus(2.5, 0.6, (0, 0, 147), STEEL, axis="y", metal=0.7)
+    s.proxy_cylinder(17.5, (0, 117))
+    s.mount("chain", (0.0, 0.0, 150.0), (0.0, 0.0, -1.0))
+
+
+@builder("bag_stand")
+def bag_stand(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Gallows with an arm to +Y that a heavy bag hangs on, drawn at 120 x 150 x 230."""
+    s.slab((-60, 60), (-75, -63), (0, 8), c, solid=1, metal=0.3)
+    s.slab((-6, 6), (-63, 40), (0, 6), c, solid=1, metal=0.3)
+    s.slab((-6, 6), (-75, -63), (8, 230), c, solid=1, metal=0.3)
+    s.slab((-5, 5), (-63, 75), (222, 230), c, solid=1, metal=0.3)
+    s.rod(2.0, (0, -66, 170), (0, -20, 224), c, metal=0.3, sections=12)
+    s.rod(0.8, (0, 55, 216), (0, 55, 222), STEEL, metal=0.7, sections=10)
+    s.mount("hook", (0.0, 55.0, 218.0), (0.0, 0.0, -1.0))

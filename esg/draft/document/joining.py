@@ -1,0 +1,110 @@
+"""Jointed things: what a prompt names becomes one part, the part that it is joined to is added.
+
+Which things, of what parts and how they move is `esg/lexicon/articulations.csv`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import replace
+import math
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.jointed import articulation_of, head_of
+from esg.draft.discourse.referents.entities import Entity
+from esg.draft.discourse.referents.registry import add_entity
+from esg.draft.discourse.referents.sizes import dimensions_of
+from esg.draft.discourse.scene import Scene
+from esg.graph.models import Joint
+from esg.lexicon.articulations import Articulation
+
+_OPEN = {"open": 1.0, "opened": 1.0, "wide-open": 1.0, "half-open": 0.5, "ajar": 0.25}
+"""Share of how far a thing opens at which it starts, by what it is called."""
+
+
+def join_parts(scene: Scene) -> list[str]:
+    """Makes jointed things of a scene's doors, pendulums, drawers; one reason per part added.
+
+    What hangs on something that the prompt names, what is a part of it ("the door of a car") and
+    what something else enters stays as it is.
+    """
+    reasons: list[str] = []
+    entered = {n.extra.get("region") for n in scene.timeline.nodes}
+    for e in list(scene.world.entities.values()):
+        row = articulation_of(scene, scene.text, e)
+        if row is None or f"{e.id}/inside" in entered:
+            continue
+        ratio = _become(e, row.becomes)
+        added = _served(scene, row) or []
+        for _ in range(row.count - len(added)):
+            noun = lex.part(row.with_part)
+            part = add_entity(scene.world, noun, noun.name, mentioned=False)
+            reasons.append(f"{noun.name} added: {e.label} is joined to it")
+            added.append(part)
+        for n, part in enumerate(added, start=1):
+            part.dimensions_cm = [
+                d * r for d, r in zip(part.noun.dimensions_cm, ratio, strict=True)
+            ]
+            part.implied = not part.mentioned
+            for places in (scene.supported_by, scene.inside_of, scene.marked):
+                if places.get(e.id) == part.id:
+                    del places[e.id]  # "a pendulum on a stand" hangs there
+                elif e.id in places:
+                    places.setdefault(part.id, places[e.id])
+            scene.joints.append(_joint(scene, row, e, part, n, ratio))
+    return reasons
+
+
+def _become(e: Entity, name: str) -> list[float]:
+    """Makes a part of an entity; returns its size over that part's usual one, by axis."""
+    usual, part = e.noun.dimensions_cm, lex.part(name)
+    if e.dimensions_cm is not None:
+        told = zip(e.dimensions_cm, usual, part.dimensions_cm, strict=True)
+        e.dimensions_cm = [d / was * now for d, was, now in told]
+    kept = e.noun.traits - {"fixed", "structural"}
+    e.noun = replace(
+        part,
+        kind=e.noun.kind,
+        material=e.noun.material,
+        shape=e.noun.shape,
+        traits=kept | part.traits,
+    )
+    e.part = True
+    return [d / u for d, u in zip(dimensions_of(e), part.dimensions_cm, strict=True)]
+
+
+def _served(scene: Scene, row: Articulation) -> list[Entity]:
+    """A thing of the prompt that another hangs on, made that part; empty if there is none."""
+    taken = {name for j in scene.joints for name in (j.child, j.parent)}
+    for e in scene.world.entities.values():
+        if head_of(e) in row.serves and e.id not in taken and row.count == 1:
+            _become(e, row.with_part)
+            return [e]
+    return []
+
+
+def _joint(
+    scene: Scene, row: Articulation, named: Entity, added: Entity, n: int, ratio: list[float]
+) -> Joint:
+    parent, child = (named, added) if row.carries == "becomes" else (added, named)
+    long = math.prod(ratio) ** (1.0 / 3.0) if row.kind in ("slider", "rope", "spring") else 1.0
+    words = (*named.adjectives, *named.head.lower().split())
+    start = max((_OPEN.get(a, 0.0) for a in words), default=0.0)
+    start = (row.opened or 0.0) * start or row.start
+
+    def sized(value: float | None) -> float | None:
+        return None if value is None else round(value * long, 3)
+
+    return Joint(
+        id=f"{child.id}_{row.kind}",
+        kind=row.kind,
+        child=child.id,
+        child_mount=row.child_mount,
+        parent=parent.id,
+        parent_mount=row.parent_mount.format(n=n),
+        lower=sized(row.lower),
+        upper=sized(row.upper),
+        position=sized(scene.openings.get(named.id, start)) or 0.0,
+        stiffness=row.stiffness,
+        damping=row.damping,
+        friction=row.friction,
+    )

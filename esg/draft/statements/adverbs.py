@@ -1,0 +1,72 @@
+"""Adverbs that neither order events nor state anything."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+import re
+
+from esg.draft.events.stated import exactly
+from esg.draft.statements.account import NOTHING, PASSED_OVER, Account, Gap, about_of, turns
+from esg.draft.statements.arranged import SHOWN_BY
+from esg.draft.text.elements import Word
+from esg.graph.models import EdgeEvent, NodeEvent
+
+_TURNS = frozenset(
+    {"left", "right", "clockwise", "counterclockwise", "anticlockwise", "around", "round"}
+)
+_BACK_AND_FORTH = frozenset({"back", "forth", "fro"})
+HALF_TURN_DEG = 180.0
+NO_MANNER = "manner is not simulated"
+
+
+def adverbs(a: Account) -> Iterator[Gap]:
+    """Adverbs that neither order events nor state anything."""
+    turned = turns(a.d)
+    rebounds = {w for f in a.frames if f.verb.sense == "bounce" for w in f.adverbs}
+    for w in a.elements:
+        if not isinstance(w, Word) or w.kind != "adv" or (w.start, w.end) in a.d.scene.used:
+            continue
+        over = {*a.d.text[w.start : w.end].lower().split()} if w.low == "indeed" else set[str]()
+        if over & _BACK_AND_FORTH:
+            yield Gap(w.start, w.end, NOTHING)
+        shown = SHOWN_BY.get(w.low)
+        if shown is not None:
+            told = (about_of(a.d, f) for f in a.frames if w.low in f.adverbs)
+            if not all(shown(a.d, about) for about in told if len(about) > 1):
+                yield Gap(w.start, w.end, NOTHING)
+            continue
+        if (
+            w.low in PASSED_OVER
+            or (w.start, w.end) in a.untold
+            or w.low in rebounds
+            or (turned and w.low in _TURNS)
+            or _says_how(a, w)
+        ):
+            continue
+        if not any(s.start < w.end and w.start < s.end for s in a.said):
+            yield Gap(w.start, w.end, NO_MANNER if w.low.endswith("ly") else NOTHING)
+
+
+def _says_how(a: Account, w: Word) -> bool:
+    """Whether an adverb tells how exactly, how much or why of what the scene has."""
+    if w.low == "right":
+        return exactly(a.d.text, w.end)
+    if w.low in ("twice", "half", "thrice"):  # "twice as fast as": a figure
+        return re.match(r"\s+as\s", a.d.text[w.end :]) is not None
+    f = next((f for f in a.frames if w.low in f.adverbs), None)
+    if f is None:
+        return False
+    about = about_of(a.d, f)
+    if w.low == "from behind":
+        ways = [e for e in a.d.timeline.edges if e.actor in about and e.target in about]
+        ends = {(r.source, r.target) for r in a.d.scene.relations if r.kind == "behind"}
+        return any((e.actor, e.target) in ends for e in ways)
+    if w.low == "late" and f.verb.sense == "brake":  # it hits something all the same
+        hits = {n.id for n in a.d.timeline.nodes if n.event is NodeEvent.COLLISION}
+        braked = (e for e in a.d.timeline.edges if e.event is EdgeEvent.BRAKE)
+        return any(e.actor in about and e.to in hits for e in braked)
+    return w.low == "back" and any(
+        n.event is NodeEvent.HEADING_REACHED and n.extra.get("turn_degrees") == HALF_TURN_DEG
+        for n in a.d.timeline.nodes
+        if about & {*n.participants}
+    )

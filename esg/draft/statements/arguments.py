@@ -1,0 +1,77 @@
+"""Who and what a clause is about, and the document tells nothing of."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+from esg.draft.discourse.core import entity_of, movable, structural
+from esg.draft.statements.account import CHAINS, NOTHING, PASSED_OVER, Account, Gap, held, nodes_of
+from esg.graph.models import Predicate
+
+_EACH = frozenset(
+    {"own", "fly", "fall", "roll", "slide", "launch", "drop", "bounce", "coast", "topple"}
+)
+"""Senses of which each of several things needs a motion of its own."""
+_STATES = frozenset(
+    {"be", "posture", "have", "weigh", "contain", "measure", "unknown", "lead", "noop", "park"}
+)
+_ALONG = frozenset({"own", "tow", "carry"})
+"""Senses of which who does it goes where the object goes."""
+NO_EVENT = "nothing of the kind happens in the scene"
+
+
+def arguments(a: Account) -> Iterator[Gap]:
+    """What a clause says something of and the document does not ("a girl walks a dog")."""
+    d, scene = a.d, a.d.scene
+    taking = {i for n in d.timeline.nodes for i in n.participants}
+    taking |= {str(n.extra.get("region", "")).split("/")[0] for n in d.timeline.nodes}
+    taking |= {i for e in d.timeline.edges for i in (e.actor, e.target) if i}
+    taking |= {i for r in scene.relations for i in (r.source, r.target, r.text)}
+    for at in (scene.supported_by, scene.inside_of, scene.attached, scene.marked, scene.facing):
+        taking |= {*at, *at.values()}
+    taking |= {i for s in a.said for i in (*s.object, *s.target)} | {*d.moves.still}
+    for f in a.frames:
+        if f.verb.sense in _STATES:
+            continue
+        for m in (f.subject, f.object):
+            ids = nodes_of(d, m)
+            if ids and not {*ids} & taking and not structural(d, ids[0]):
+                yield Gap(f.verb.start, f.verb.end, NO_EVENT, tuple(ids))
+        m = f.object if f.verb.sense not in ("avoid", "miss") else None
+        if m is None or nodes_of(d, m) or m.pronoun or m.amounts or m.count == 0:
+            continue
+        if m.head not in PASSED_OVER and (m.start, m.end) not in d.scene.used:
+            yield Gap(m.start, m.end, NOTHING)
+
+
+def left_behind(a: Account) -> Iterator[Gap]:
+    """ "A woman walks a dog": what goes is only what she takes along."""
+    d = a.d
+    for c in d.scene.clauses:
+        f = c.frame
+        takes = f.verb.sense in _ALONG and c.movers and not f.verb.passive and f.object is not None
+        if not takes or not any(f.verb is kept.verb for kept in a.frames):
+            continue
+        doers = [i for i in nodes_of(d, f.subject) if movable(d, i) and i not in c.movers]
+        going = {e.actor for e in d.timeline.edges}
+        left = [i for i in doers if i not in going and not held(d, {i}, {*c.movers})]
+        rides = any(
+            s.predicate in (Predicate.INSIDE, Predicate.SUPPORTED_BY) and {*left} & {*s.object}
+            for s in a.kept
+        )
+        if left and not rides:
+            yield Gap(f.verb.start, f.verb.end, "who does it does not go along", tuple(left))
+
+
+def idle(a: Account) -> Iterator[Gap]:
+    """Clauses that tell of several things and move only some of them."""
+    moving = {e.actor for e in a.d.timeline.edges}
+    for c in a.d.scene.clauses:
+        f = c.frame
+        if not any(f.verb is kept.verb for kept in a.frames) or f.verb.passive:
+            continue
+        told = c.movers and f.verb.sense in _EACH and f.verb.auxiliary != "have"
+        group = nodes_of(a.d, f.subject) if told else []
+        idle = [i for i in group if i not in moving and entity_of(a.d, i).pattern not in CHAINS]
+        if 0 < len(idle) < len(group):
+            yield Gap(f.verb.start, f.verb.end, "only one of them does", tuple(idle))

@@ -1,0 +1,48 @@
+"""How several things stand and move to each other: in a line, abreast, against each other."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+
+from esg.draft.discourse.core import entity_of
+from esg.draft.discourse.record import Discourse
+from esg.draft.events.courses import measurable
+from esg.draft.statements.account import CHAINS
+
+FILES = frozenset({"row", "line", "column", "file", "queue", "convoy"})
+"""Arrangements one behind the other, or side by side."""
+
+
+def in_line(d: Discourse, about: set[str]) -> bool:
+    """Whether some are laid out in a row, or one of them follows another into a hit."""
+    rows = any(entity_of(d, i).pattern in ("row", "queue") for i in about)
+    after = (e for e in d.timeline.edges if e.actor in about and e.target in about - {e.actor})
+    return rows or any(after)
+
+
+def _mutual(d: Discourse, about: set[str]) -> bool:
+    """Whether two of them meet, or one of them goes for the other, or they fell each other."""
+    met = (
+        n for n in d.timeline.nodes if measurable(n.event) and len(about & {*n.participants}) > 1
+    )
+    chain = any(entity_of(d, i).pattern in CHAINS for i in about)
+    aims = (e for e in d.timeline.edges if e.actor in about and e.target in about)
+    faces = (i for i in about if d.scene.facing.get(i) in about)
+    relations = (r for r in d.scene.relations if {r.source, r.target} <= about)
+    return chain or any(any(found) for found in (met, aims, faces, relations))
+
+
+def _abreast(d: Discourse, about: set[str]) -> bool:
+    relations = (r for r in d.scene.relations if {r.source, r.target} <= about)
+    return any(entity_of(d, i).pattern == "row" for i in about) or any(relations)
+
+
+SHOWN_BY: dict[str, Callable[[Discourse, set[str]], bool]] = {
+    "each other": _mutual,
+    "one another": _mutual,
+    "in a row": in_line,
+    "in a line": in_line,
+    "in rows": in_line,
+    "side by side": _abreast,
+}
+"""What adverbs of several things ask of the scene."""

@@ -1,0 +1,243 @@
+"""What in the document stands for a preposition: "passes under a bridge", "a cart of laundry".
+
+`data/carriers.csv` says which relations, statements and events do, and whether holding or going
+for it does.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+import csv
+from dataclasses import dataclass, replace
+from functools import cache
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.core import kind_of, structural
+from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.scene import GROUND
+from esg.draft.discourse.windows import Draft
+from esg.draft.events.courses import measurable
+from esg.draft.events.stated import start_of
+from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.statements.account import PASSED_OVER, Account, Gap, about_of, held, nodes_of, turns
+from esg.draft.statements.arranged import FILES, in_line
+from esg.graph.models import NodeEvent, Predicate, Statement, TimelineEdge
+
+_WAYS = frozenset(
+    {"on", "in", "at", "along", "across", "over", "through", "down", "up", "onto", "to"}
+)
+"""Prepositions that the ground and what is painted on it answer by being there."""
+_WHY = frozenset({"for", "like", "as", "because of", "due to", "despite"})
+"""Prepositions that tell why, or what something is like, and not where it is."""
+_AIR = frozenset({"air", "sky", "midair", "mid-air"})
+_SIDES = {
+    "front": "in_front_of",
+    "back": "behind",
+    "rear": "behind",
+    "left": "left_of",
+    "right": "right_of",
+}
+"""Parts that name a side, and the relation that has it ("in the front of an apple")."""
+_TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
+_OWN = frozenset({"own", "fly", "reverse"})
+_COMPANIONS = frozenset({"person", "animal", "robot"})
+_ENTERED = frozenset({"building", "structure"})
+_ENDS = frozenset({"ends_on", "ends_in", "ends_near", "above", "under"})
+_HITS = frozenset({"impact", "contact", "collision", "crash"})
+_FEET = frozenset({"bottom", "foot"})
+
+
+@dataclass(frozen=True)
+class Carriers:
+    """What can stand for a preposition: relations, predicates, events (none given: any); support.
+
+    `aims` is "yes" if going for what the phrase names does, "back" if that goes for who is told of.
+    """
+
+    relations: frozenset[str] = frozenset()
+    states: frozenset[str] = frozenset()
+    events: frozenset[str] = frozenset()
+    holds: bool = True
+    aims: str = "yes"
+    example: str = ""
+
+
+_ANY = Carriers()
+"""Of prepositions without a row: anything between the two will do."""
+
+
+@cache
+def carriers() -> dict[str, Carriers]:
+    """The table, by preposition; a cell with "none" has nothing."""
+    out: dict[str, Carriers] = {}
+    with open(lex.DATA / "carriers.csv", encoding="utf-8", newline="") as file:
+        for r in csv.DictReader(file, delimiter=";"):
+            row = Carriers(
+                *[frozenset(r[k].split("|")) for k in ("relations", "states", "events")],
+                holds=r["holds"] == "yes",
+                aims=r["aims"],
+                example=r["example"],
+            )
+            out.update(dict.fromkeys(r["preps"].split("|"), row))
+    return out
+
+
+def phrases(a: Account) -> Iterator[Gap]:
+    """Phrases of clauses and nouns ("passes under a bridge", "a cart of laundry")."""
+    asked: dict[int, tuple[Phrase, Frame | None, set[str]]] = {}
+    for f in a.frames:
+        about = about_of(a.d, f)
+        for p in f.phrases:
+            if not _side_of_a_turn(a.d, f, p):
+                asked.setdefault(id(p.mention), (p, f, set()))[2].update(about)
+            about |= {*nodes_of(a.d, p.mention)}
+    for m, p in a.d.attached:
+        asked.setdefault(id(p.mention), (p, None, set()))[2].update(nodes_of(a.d, m))
+    for p, f, about in asked.values():
+        m = p.mention
+        if m is None or p.amount is not None or m.amounts or p.prep in _WHY:
+            continue
+        others = {*nodes_of(a.d, m)}
+        about -= others
+        if about and not (_answered(a, about, others, p, f) if others else _no_place(a, about, p)):
+            missing = f'nothing in the scene stands for "{p.prep}"'
+            yield Gap(max(start_of(p, a.d.text), 0), m.end, missing, tuple(sorted(about))[:1])
+
+
+def _side_of_a_turn(d: Discourse, f: Frame, p: Phrase) -> bool:
+    """ "Turns to the left": an event has the side."""
+    sided = p.mention is not None and {p.mention.head, p.mention.part} & {"left", "right"}
+    return bool(sided) and turns(d, about_of(d, f))
+
+
+def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
+    """Whether a phrase that names nothing in the scene need not be missed."""
+    m = p.mention
+    assert m is not None
+    if (
+        p.prep == "of"
+        or "same" in m.adjectives
+        or m.pronoun
+        or m.head in PASSED_OVER
+        or (m.start, m.end) in a.d.scene.used
+    ):
+        return True
+    if m.noun is not None and m.noun.kind == "region":  # "into the side pocket"
+        return any(n.event is NodeEvent.ENTER_REGION for n in a.d.timeline.nodes)
+    if p.prep == "in" and m.head in FILES and in_line(a.d, about):
+        return True
+    spins = [n for n in a.d.timeline.nodes if n.event is NodeEvent.SPIN]
+    if m.head in ("spot", "place") and any(about & {*n.participants} for n in spins):
+        return True  # "spins on the spot"
+    if p.prep == "at" and m.head in _FEET and _below_a_slope(a, about):
+        return True
+    falls = [n for n in a.d.timeline.nodes if n.event is NodeEvent.FALL]
+    if p.prep in ("off", "over", "from") and any(about & {*n.participants} for n in falls):
+        return True  # "falls off the edge"
+    hits = [n for n in a.d.timeline.nodes if n.event is NodeEvent.COLLISION]
+    if m.head in _HITS and any(about & {*n.participants} for n in hits):
+        return True  # "breaks upon impact"
+    start = start_of(p, a.d.text)
+    if any(s.start < m.end and start < s.end for s in a.kept):
+        return True
+    flies = any(s.predicate is Predicate.AIRBORNE and about & {*s.object} for s in a.kept)
+    return flies and m.head in _AIR
+
+
+def _below_a_slope(a: Account, about: set[str]) -> bool:
+    """ "Slides down a chute and hits a box at the bottom": what is hit stands on the ground."""
+    d = a.d
+    falls = {
+        s.object[0] for s in a.kept if s.predicate is Predicate.MOVES and s.direction == "down"
+    }
+    for n in d.timeline.nodes:
+        who = {*n.participants} & about
+        met = who - falls
+        slid = who & falls
+        if n.event is NodeEvent.COLLISION and slid and met:
+            return not any(d.scene.supported_by.get(i) for i in met)
+    return False
+
+
+def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame | None) -> bool:
+    """Whether something in the document is about both what a phrase names and who it is said of."""
+    d, by = a.d, carriers().get(p.prep, _ANY)
+    if any(structural(d, i) for i in others):
+        return (
+            p.prep in _WAYS
+            or (p.prep == "into" and GROUND not in others)
+            or (p.prep == "of" and GROUND in others and _definite(p))  # "the boards of the rink"
+            or (p.prep in ("above", "over") and _aloft(a, about))
+            or _laid_out(d, about, others, p.prep)
+        )
+    if p.prep == "with" and all(kind_of(d, i) in _COMPANIONS for i in others):
+        by = replace(by, relations=by.relations | {"near"})
+    part = p.mention.part if p.mention is not None else ""
+    if part in _SIDES:
+        by = replace(by, relations=frozenset({_SIDES[part]}))
+    elif part and part != "surface" and p.prep in _TO_A_PART:
+        return any(about & {*s.object} and s.predicate.value in _ENDS for s in a.kept) or any(
+            others & {*s.object} and s.predicate is Predicate.STRUCK_ON for s in a.kept
+        )
+    open_ = any(kind_of(d, i) in _ENTERED for i in others)
+    if f is not None and f.verb.sense in _OWN and (open_ or p.prep in ("on", "onto")):
+        by = replace(by, events=by.events - {"Collision"})  # "jumps onto a box" is no bump
+    own = {node for g, node in d.times.of_frame if f is not None and g.verb is f.verb}
+    return (
+        (by.holds and held(d, about, others))
+        or _related(d, about, others, by)
+        or any(_tells(s, about, others, p.prep, by) for s in a.kept)
+        or any(_happens(n, about, others, by, own) for n in d.timeline.nodes)
+        or any(_aims(e, about, others, by.aims) for e in d.timeline.edges)
+    )
+
+
+def _definite(p: Phrase) -> bool:
+    return p.mention is not None and p.mention.determiner == "the"
+
+
+def _aloft(a: Account, about: set[str]) -> bool:
+    """Whether something is said to be in the air, or how high it is."""
+    flies = any(s.predicate is Predicate.AIRBORNE and about & {*s.object} for s in a.kept)
+    return flies or bool(about & {*a.d.scene.heights})
+
+
+def _laid_out(d: Discourse, about: set[str], others: set[str], prep: str) -> bool:
+    """Whether the document has something on or beside what is laid ("by the side of the road")."""
+    others = others - {GROUND}
+    marked = any(i in about and road in others for i, road in d.scene.marked.items())
+    told = any(r.source in about and r.target in others and r.text == prep
+               for r in d.scene.relations)  # fmt: skip
+    return marked or (told and prep in carriers() and "near" in carriers()[prep].relations)
+
+
+def _aims(e: TimelineEdge, about: set[str], others: set[str], which: str) -> bool:
+    """Whether who is told of goes for what a phrase names; "back": the other way round."""
+    ends = (e.actor, e.target) if which == "yes" else (e.target, e.actor)
+    return bool(which) and ends[0] in about and ends[1] in others
+
+
+def _related(d: Discourse, about: set[str], others: set[str], by: Carriers) -> bool:
+    for r in d.scene.relations:
+        ends = {r.source, r.target, r.text}
+        if ends & others and ends & about and (not by.relations or r.kind in by.relations):
+            return True
+    return False
+
+
+def _tells(s: Statement, about: set[str], others: set[str], prep: str, by: Carriers) -> bool:
+    ends = {*s.object, *s.target}
+    fits = not by.states or s.predicate.value in by.states
+    way = s.predicate is Predicate.MOVES and s.direction == prep  # "up the stairs": up
+    return fits and bool(ends & about) and (way or bool(ends & others))
+
+
+def _happens(n: Draft, about: set[str], others: set[str], by: Carriers, own: set[str]) -> bool:
+    """Whether an event tells of both, or one of the clause's own is told by its place."""
+    also = {*n.participants, str(n.extra.get("region", "")).split("/")[0]}
+    if not measurable(n.event) or not about & also:
+        return False
+    if n.id in own and any(c.to in others for c in n.constraints):
+        return True  # "stops 1 m in front of a gate"
+    fits = not by.events or n.event.value in by.events
+    return fits and bool(others & also)

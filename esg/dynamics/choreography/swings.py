@@ -1,0 +1,58 @@
+"""What hangs or turns on a joint: let go, it swings down into what waits; driven, it opens."""
+
+from __future__ import annotations
+
+from esg.dynamics.choreography.moves import plain
+from esg.dynamics.choreography.placing import join
+from esg.dynamics.choreography.stage import Encounter, Stage
+from esg.dynamics.story.story import bounds
+from esg.dynamics.story.suspension import joint_of, suspension
+from esg.graph.models import EdgeEvent, TimelineNode
+
+OPENS_S = 1.5
+"""How long something is opened or closed, where nobody says."""
+
+
+def swings_in(stage: Stage, e: Encounter) -> bool:
+    """Whether a hangs drawn back, and is let go to meet b."""
+    return e.phase is not None and e.phase.edge.event is EdgeEvent.RELEASE
+
+
+def swing_in(stage: Stage, e: Encounter) -> None:
+    """Puts b where a passes its lowest point."""
+    track, hangs = stage.tracks[e.a], suspension(stage.doc, e.a)
+    if hangs is None:
+        join(stage, e.a, e.b, e.node)
+        return
+    track.straight(hangs.way, hangs.time, hangs.speed)
+    join(stage, e.a, e.b, e.node)
+    x, y, _ = stage.places[e.a]
+    stage.places[e.a] = (x, y, stage.frames[e.a].angle - hangs.along)
+
+
+def swung(stage: Stage, node: TimelineNode) -> None:
+    """Swing: it passes its lowest point after a quarter of its period, then after every half."""
+    for actor, phase in stage.incoming(node):
+        hangs = suspension(stage.doc, actor)
+        if phase.edge.event is EdgeEvent.RELEASE and hangs is not None:
+            wait = hangs.time * (2 * (node.times or 1) - 1)
+            stage.tracks[actor].straight(0.0, wait, 0.0)
+            stage.time[node.id] = stage.tracks[actor].time
+    if node.id not in stage.time:
+        plain(stage, node)
+
+
+def moved_by_joint(stage: Stage, node: TimelineNode) -> None:
+    """Open, Close: a motor moves it along its joint, gravity does, or what hit it."""
+    for actor, phase in stage.incoming(node):
+        track, hangs = stage.tracks[actor], suspension(stage.doc, actor)
+        if phase.edge.event is EdgeEvent.DRIVE and joint_of(stage.doc, actor) is not None:
+            low, high, _ = bounds(phase.edge.params.duration, (OPENS_S, OPENS_S))
+            stage.nominal[f"{phase.edge.id}/duration"] = 0.5 * (low + high)
+            track.straight(0.0, 0.5 * (low + high), 0.0)
+            stage.time[node.id] = track.time
+        elif phase.edge.event is EdgeEvent.RELEASE and hangs is not None:
+            track.straight(0.0, hangs.time, 0.0)
+            stage.time[node.id] = track.time
+    if node.id not in stage.time:
+        plain(stage, node)

@@ -1,0 +1,95 @@
+"""The table of jointed things, `articulations.csv`: of what parts they are and how these move.
+
+A row turns what a prompt names into one part and adds another that it is joined to, each a row of
+`kinds.csv` with the flag `part`; the mounts that a joint names are those of their drawings.
+"""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass
+from functools import cache
+from pathlib import Path
+from typing import Literal
+
+TABLE = Path(__file__).parent / "articulations.csv"
+JointKind = Literal["hinge", "slider", "ball", "fixed", "rope", "spring"]
+
+
+@dataclass(frozen=True)
+class Articulation:
+    """One row: a jointed thing.
+
+    Args:
+        nouns: Heads of phrases that name it.
+        becomes: Part that the named node is.
+        with_part: Part that is added.
+        carries: Which of them is the parent.
+        count: How many are added.
+        serves: Nouns in the prompt that stand for the added part.
+        kind: Of the joint.
+        parent_mount: Of the parent; `{n}` counts the added parts from 1.
+        child_mount: Of the child.
+        lower, upper: Limits of the joint [deg or cm]; the length of a rope, at the usual size.
+        start: Position at the start [deg or cm].
+        opened: The same where the words say that it is open; None if nothing opens.
+        drawn: The same where it is drawn back and let go; None if it does not hang.
+        stiffness, damping, friction: As in the document (docs/joints.md).
+        source: Where the figures come from.
+    """
+
+    nouns: tuple[str, ...]
+    becomes: str
+    with_part: str
+    carries: Literal["becomes", "with"]
+    count: int
+    serves: tuple[str, ...]
+    kind: JointKind
+    parent_mount: str
+    child_mount: str
+    lower: float | None
+    upper: float | None
+    start: float
+    opened: float | None
+    drawn: float | None
+    stiffness: float | None
+    damping: float | None
+    friction: float | None
+    source: str
+
+
+@cache
+def articulations() -> dict[str, Articulation]:
+    """Every row by each of its nouns."""
+    out: dict[str, Articulation] = {}
+    with open(TABLE, encoding="utf-8", newline="") as file:
+        for line in csv.DictReader(file):
+            row = _row(line)
+            out |= dict.fromkeys(row.nouns, row)
+    return out
+
+
+def _row(line: dict[str, str]) -> Articulation:
+    def number(column: str) -> float | None:
+        return float(line[column]) if line[column] else None
+
+    return Articulation(
+        nouns=tuple(line["nouns"].split(";")),
+        becomes=line["becomes"],
+        with_part=line["with"],
+        carries=line["carries"],  # type: ignore[arg-type]  # tested
+        count=int(line["count"]),
+        serves=tuple(w for w in line["serves"].split(";") if w),
+        kind=line["kind"],  # type: ignore[arg-type]  # tested
+        parent_mount=line["parent_mount"],
+        child_mount=line["child_mount"],
+        lower=number("lower"),
+        upper=number("upper"),
+        start=number("start") or 0.0,
+        opened=number("open"),
+        drawn=number("drawn"),
+        stiffness=number("stiffness"),
+        damping=number("damping"),
+        friction=number("friction"),
+        source=line["source"],
+    )
