@@ -94,7 +94,15 @@ class SurrogateEngine:
 
 
 def scene_arrays(scene: SimScene, device: str) -> SceneArrays:
-    """The scene's shapes and bodies on a device; kept for the next call."""
+    """The scene's shapes and bodies on a device; kept for the next call.
+
+    Raises:
+        ValueError: If the scene has joints.
+    """
+    if scene.joints:
+        raise ValueError(
+            f"{scene.scene_id!r} has joints, which the surrogate cannot simulate; take another"
+        )
     key = (scene.bodies, tuple(scene.gravity), device)
     with _lock:
         if key in _scenes:
