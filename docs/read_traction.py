@@ -14,7 +14,7 @@ class Traction:
         self.bodies = {b["name"]: b for b in bodies if b["name"] in braked or "tyre_friction" in b}
         self.braking = dict.fromkeys(self.bodies, 0.0)
         self.gravity_z, self.before, self.falling = manifest["gravity"][2], {}, set()
-        self.tips = {}
+        self.tips = set()
 
     def look(self, dt, body_of):
         """Before the primitives: what fell freely, nothing carries; what a blow met, tips over."""
@@ -25,7 +25,7 @@ class Traction:
                 self.falling.add(name)
             b = self.bodies[name]
             if "tyre_friction" in b and "tyre_drop" in b and math.hypot(x, y) > 1.0:
-                self.tips[name] = 0.5
+                self.tips.add(name)
 
     def adjust(self, p):
         """An AdjustProperties fires."""
@@ -39,58 +39,82 @@ class Traction:
             body = body_of(name)
             self.before[name] = tuple(body.linvel)
             if name in driven:
-                self.tips[name] = 0.0
+                self.tips.discard(name)
             elif name not in self.falling:
                 taken = brake(b, body, self.braking[name] * dt)
                 grip = -b.get("tyre_friction", 0.0) * self.gravity_z * dt
                 if grip > taken:
                     tyres(b, body, math.sqrt(grip**2 - taken**2))
+                if name in self.tips:
+                    self.tips.discard(name)
+                    tip(b, body)
                 self.before[name] = tuple(body.linvel)
-                if self.tips.get(name, 0.0) > 0:
-                    self.tips[name] -= dt
-                    tip(body)
 
 
 def brake(b, body, loss):
     """Takes up to `loss` of the horizontal velocity; returns how much."""
-    x, y, z = body.linvel
+    vx, vy, vz = body.linvel
+    along = wheels_ahead(body) if b.get("tyre_drop", 0.0) > 0 else None
+    x, y = (vx, vy) if along is None else ((vx * along[0] + vy * along[1]) * c for c in along)
     taken = min(loss, math.hypot(x, y))
     if taken > 0:
         k = 1.0 - taken / math.hypot(x, y)
-        body.linvel = (x * k, y * k, z)
+        body.linvel = (vx - (1 - k) * x, vy - (1 - k) * y, vz)
         if b["roll_radius"] > 0:
             x, y, z = body.angvel
             body.angvel = (x * k, y * k, z)
     return taken
 
 
+def wheels_ahead(body):
+    """Where the wheels of a body point to, None if it does not stand on them."""
+    x, y, z, w = body.rotation.quaternion
+    if 1 - 2 * (x * x + y * y) <= math.sqrt(0.5):
+        return None
+    fx, fy = 1 - 2 * (y * y + z * z), 2 * (x * y + z * w)
+    return fx / math.hypot(fx, fy), fy / math.hypot(fx, fy)
+
+
 def tyres(b, body, limit):
     """Two axles, each with half the grip, against sliding to the side."""
     x, y, z, w = body.rotation.quaternion
-    if 1 - 2 * (x * x + y * y) <= math.sqrt(0.5):
+    if (ahead := wheels_ahead(body)) is None:
         return
-    fx, fy = 1 - 2 * (y * y + z * z), 2 * (x * y + z * w)
-    fx, fy = fx / math.hypot(fx, fy), fy / math.hypot(fx, fy)
+    fx, fy = ahead
     (vx, vy, vz), (wx, wy, wz) = body.linvel, body.angvel
-    axle, drop = math.sqrt(b["inertia"][2][2] / b["mass"]), b.get("tyre_drop", 0.0)
-    lean = b["mass"] * drop / b["inertia"][0][0]
-    slip = (fx * vy - fy * vx + drop * (fx * wx + fy * wy)) / (1 + drop * lean)
+    axle, tilt = (
+        math.sqrt(b["inertia"][2][2] / b["mass"]),
+        abs(fy * 2 * (x * z + y * w) - fx * 2 * (y * z - x * w)),
+    )
+    height = b.get("tyre_drop", 0.0) * (1 - 2 * (x * x + y * y)) + b.get("tyre_foot", 0.0) * tilt
+    lean = b["mass"] * height / b["inertia"][0][0]
+    slip = (fx * vy - fy * vx + height * (fx * wx + fy * wy)) / (1 + height * lean)
     front, rear = (max(-limit, min(limit, slip + s * axle * wz)) for s in (1, -1))
     a, yaw = (front + rear) / 2, (front - rear) / 2 / axle
     body.linvel = (vx + fy * a, vy - fx * a, vz)
     body.angvel = (wx - fx * lean * a, wy - fy * lean * a, wz - yaw)
 
 
-def tip(body):
-    """Leans at 2.5 rad/s at least, on to the side it leans to, until it does not stand any more."""
+def tip(b, body):
+    """Turns over the edge of its foot, to the side that it leans to."""
     x, y, z, w = body.rotation.quaternion
-    if 1 - 2 * (x * x + y * y) <= math.sqrt(0.5):
+    if (ahead := wheels_ahead(body)) is None:
         return
-    fx, fy = 1 - 2 * (y * y + z * z), 2 * (x * y + z * w)
-    fx, fy = fx / math.hypot(fx, fy), fy / math.hypot(fx, fy)
-    wx, wy, wz = body.angvel
+    fx, fy = ahead
+    (vx, vy, vz), (wx, wy, wz) = body.linvel, body.angvel
     lean, right = fx * wx + fy * wy, fy * 2 * (x * z + y * w) - fx * 2 * (y * z - x * w)
-    if abs(lean) < 2.5:
+    mass, drop, foot = b["mass"], b["tyre_drop"], b.get("tyre_foot", 0.0)
+    reach = math.hypot(drop, foot)
+    uphill = 2 * mass * 9.81 * (reach - drop) / (b["inertia"][0][0] + mass * reach**2)
+    rate = math.sqrt(4 + uphill)
+    if abs(lean) < rate:
         left = lean < 0 if abs(lean) > 0.05 else right < -0.001
-        more = (-2.5 if left else 2.5) - lean
+        more, foot = (-rate if left else rate) - lean, -foot if left else foot
+        # From the edge to the centre of mass: (0, foot, drop) in body axes.
+        ax, ay = (
+            foot * 2 * (x * y - z * w) + drop * 2 * (x * z + y * w),
+            (foot * (1 - 2 * (x * x + z * z)) + drop * 2 * (y * z - x * w)),
+        )
+        az = foot * 2 * (y * z + x * w) + drop * (1 - 2 * (x * x + y * y))
+        body.linvel = (vx + fy * more * az, vy - fx * more * az, vz + more * (fx * ay - fy * ax))
         body.angvel = (wx + fx * more, wy + fy * more, wz)

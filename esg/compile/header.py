@@ -134,7 +134,9 @@ TYRE_FIELDS = (
     Field("double", "TyreFriction", "0.0", "Against sliding sideways.", "", "0", "4"),
     Field("double", "TyreDrop", "0.0", "Of the tyres' push below the centre of mass.", "cm", "0"),
     Field("double", "Axle", "0.0", "From the centre of mass to each axle.", "cm", "0"),
-    Field("double", "Lean", "0.0", "Lean [rad/s] by a push to the side [cm/s].", "", "0"),
+    Field("double", "Lean", "0.0", "Mass over inertia [1/cm^2]: how it leans.", "", "0"),
+    Field("double", "TyreFoot", "0.0", "Of the edge it falls over from its middle.", "cm", "0"),
+    Field("double", "TipRate", "0.0", "How fast it then turns over it [deg/s].", "", "0"),
 )
 """Of bodies, in classes with tyres."""
 
@@ -327,7 +329,7 @@ GROUNDED = """\
 		/** Velocity at the beginning of the last step; so low before the first one. */
 		FVector Before = FVector(0.0, 0.0, -1.0e9);
 		bool bFalls = false;
-		double Tips = 0.0;
+		bool bTips = false;
 """
 """Of commands and bodies, in classes with brakes or tyres."""
 
@@ -393,7 +395,7 @@ _GROUND = """\
 """
 _TYRES = """\
 	void ApplyTyres(const FBodyRef& Body, double Weight, double Taken);
-	void TipOver(FBodyRef& Body, double Step);
+	void TipOver(FBodyRef& Body);
 """
 
 

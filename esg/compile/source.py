@@ -18,8 +18,6 @@ from esg.engines.traction import (
     LEAST_LEAN_RAD_S,
     LEAST_TILT,
     ON_WHEELS,
-    TIPPING_RAD_S,
-    TIPPING_S,
     Feature,
     features,
 )
@@ -78,10 +76,8 @@ UPRIGHT_COSINE = f"""\
 \t/** Of the tilt up to which a body stands on its wheels. */
 \tconstexpr double UprightCosine = {frames.literal(ON_WHEELS)};
 
-\t/** Change of velocity [cm/s] that costs a two-wheeler its balance; it then leans [s, deg/s]. */
+\t/** Change of velocity [cm/s] that costs a two-wheeler its balance; it leans on [deg/s]. */
 \tconstexpr double Blow = {frames.literal(BLOW_MPS * frames.CM_PER_M)};
-\tconstexpr double TippingTime = {frames.literal(TIPPING_S)};
-\tconstexpr double TippingRate = {frames.literal(math.degrees(TIPPING_RAD_S))};
 \tconstexpr double LeastTilt = {frames.literal(LEAST_TILT)};
 \tconstexpr double LeastLean = {frames.literal(math.degrees(LEAST_LEAN_RAD_S))};
 
@@ -92,22 +88,36 @@ ROLL = """\
 \tif (Body.Settings->bRolls)
 \t{
 \t\tFVector Spin = Body.Component->GetPhysicsAngularVelocityInDegrees();
-\t\tSpin.X *= Kept;
-\t\tSpin.Y *= Kept;
+\t\tSpin.X *= 1.0 - Lost;
+\t\tSpin.Y *= 1.0 - Lost;
 \t\tBody.Component->SetPhysicsAngularVelocityInDegrees(Spin);
 \t}
 """
 """What brakes do to a round body, in classes with brakes."""
 
+ALONG = """\
+\tconst FQuat Turn = Body.Component->GetComponentTransform().GetRotation();
+\tconst double Up = Turn.RotateVector(FVector(0.0, 0.0, 1.0)).Z;
+\tif (Body.Settings->TyreDrop > 0.0 && Up > @CLASS@Detail::UprightCosine)
+\t{
+\t\t// Its brakes leave to its tyres what it leans to the side with.
+\t\tFVector Ahead = Turn.RotateVector(FVector(1.0, 0.0, 0.0));
+\t\tAhead.Z = 0.0;
+\t\tAhead = Ahead * (1.0 / Ahead.Size());
+\t\tLevel = Ahead * FVector::DotProduct(Ahead, Level);
+\t}
+"""
+"""What brakes do to a two-wheeler, in classes with tyres."""
+
 BRAKES = "\t\tApplyBrakes(Body, Body.Braking * Step);\n"
 TYRES = """\
 \t\tconst double Taken = ApplyBrakes(Body, Body.Braking * Step);
 \t\tApplyTyres(Body, -WorldGravityZ * Step, Taken);
-\t\tTipOver(Body, Step);
+\t\tTipOver(Body);
 """
 BLOW = """\
 \t\tLost.Z = 0.0;
-\t\tBody.Tips = Body.Settings->TyreDrop > 0.0 && Lost.Size() > Blow ? TippingTime : Body.Tips;
+\t\tBody.bTips |= Body.Settings->TyreDrop > 0.0 && Lost.Size() > Blow;
 """
 """What acts on a body, in classes without and with tyres, and what tips a two-wheeler."""
 
@@ -199,6 +209,7 @@ def _traction(plan: ScenePlan) -> list[str]:
     if not (plan.brakes or plan.tyres):
         return []
     text = _template("ApplyTraction").replace("@ROLL@\n", ROLL if plan.brakes else "")
+    text = text.replace("@ALONG@\n", ALONG if plan.tyres else "")
     text = text.replace("@BLOW@\n", BLOW if plan.tyres else "")
     tyres = [_template("ApplyTyres")] if plan.tyres else []
     return [text.replace("@ACTS@\n", TYRES if plan.tyres else BRAKES), *tyres]
@@ -349,7 +360,9 @@ def _tyres(plan: ScenePlan, body: Body) -> list[tuple[str, str]]:
         ("TyreFriction", row[Feature.GRIP]),
         ("TyreDrop", row[Feature.DROP] * frames.CM_PER_M),
         ("Axle", row[Feature.AXLE] * frames.CM_PER_M),
-        ("Lean", row[Feature.LEAN] / frames.CM_PER_M),
+        ("Lean", row[Feature.LEAN] / frames.CM_PER_M**2),
+        ("TyreFoot", row[Feature.FOOT] * frames.CM_PER_M),
+        ("TipRate", math.degrees(row[Feature.TIP])),
     )
     return [(name, frames.literal(value)) for name, value in values]
 

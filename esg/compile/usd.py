@@ -29,7 +29,7 @@ from esg.units import quat_rotate
 GROUND_SIZE_M = 200.0
 """Side of the drawn ground; the collider is an endless plane."""
 
-GROUNDED = ("roll_radius", "wheeled", "tyre_friction", "tyre_drop")
+GROUNDED = ("roll_radius", "wheeled", "tyre_friction", "tyre_drop", "tyre_foot")
 """Fields of a body that a player asks for who lets brakes and tyres act (docs/read_traction.py)."""
 _RESERVED = ("Ground", "VehicleGround", "Looks", "PhysicsScene", "Program")
 _RAD_TO_DEG = 180.0 / np.pi

@@ -19,7 +19,8 @@ from pydantic import (
 from esg.engines.joints import JointKind
 from esg.engines.program import GUIDE_RATE, MAX_KNOTS
 from esg.engines.scene import GROUND, ShapeKind
-from esg.engines.traction import BLOW_MPS, LEAST_LEAN_RAD_S, TIPPING_RAD_S, TIPPING_S
+from esg.engines.traction import BLOW_MPS, LEAST_LEAN_RAD_S, TIPPING_RAD_S
+from esg.units import GRAVITY_MPS2
 
 MANIFEST_FORMAT = "esg-manifest"
 MANIFEST_VERSION = 1
@@ -85,16 +86,20 @@ BRAKING_CONVENTION = (
 TYRES_CONVENTION = (
     "the tyres of a wheeled body with tyre_friction mu > 0 act before every step, after the "
     "program and the brakes, while the body's Z axis is within 45 degrees of the vertical; with "
-    "k = sqrt(Izz / m), h = tyre_drop, q = m h / Ixx (body axes), f the horizontal part of its X "
-    "axis as a unit vector, s = z x f, v and w its linear and angular velocity: limit = sqrt((mu "
-    "|gravity_z| dt)^2 - l^2), l what the brakes have taken of |v_h| in this step (no tyres if "
-    "that is more); slip = (v.s + h w.f) / (1 + h q); front and rear = slip + k w_z and slip - k "
-    "w_z, each clipped to [-limit, limit]; a = (front + rear) / 2, b = (front - rear) / 2; v "
-    "loses a s, w loses q a f + b / k z. If tyre_drop > 0 and the horizontal velocity has changed "
-    f"by more than {BLOW_MPS:g} m/s in the last step (from after all this to before the program "
-    f"acts again), then for {TIPPING_S:g} s of steps in which the tyres act |w.f| is raised to "
-    f"{TIPPING_RAD_S:g} rad/s, keeping its sign, or if |w.f| <= {LEAST_LEAN_RAD_S:g} with the sign "
-    "that tilts it further (positive up to a tilt of 0.001 rad), until it is driven. All "
+    "k = sqrt(Izz / m), q = m h / Ixx (body axes), f the horizontal part of its X "
+    "axis as a unit vector, s = z x f, u its Z axis, h = tyre_drop u.z + tyre_foot |u.s|, v and w "
+    "its linear and angular velocity: limit = sqrt((mu |gravity_z| dt)^2 - l^2), l what the brakes "
+    "have taken of |v_h| in this step (no tyres if that is more; if tyre_drop > 0 they take it of "
+    "v.f); slip = (v.s + h w.f) / (1 + h q); front and rear = slip + k w_z and slip - k w_z, each "
+    "clipped to [-limit, limit]; a = (front + rear) / 2, b = (front - rear) / 2; v loses a s, w "
+    "loses q a f + b / k z. If tyre_drop > 0 and the horizontal velocity has changed by more than "
+    f"{BLOW_MPS:g} m/s in the last step (from after all this to before the program acts again), it "
+    "tips over in the next step in which the tyres act, unless it is driven before: |w.f| is raised "
+    f"to the square root of {TIPPING_RAD_S**2:g} + 2 m {GRAVITY_MPS2:g} (r - c) / (Ixx + m r^2) "
+    "[rad/s], c = tyre_drop, d = tyre_foot and r = |(c, d)|, keeping its sign, or if |w.f| <= "
+    f"{LEAST_LEAN_RAD_S:g} with the sign that tilts it further (positive up to a tilt of 0.001 "
+    "rad), and v gains what w.f gains times f x a, where a is (0, d, c) in body axes, or (0, -d, "
+    "c) if w.f is negative. All "
     "this is not done in a step in which a HoldVelocity or GuideAlong sets its velocity nor while "
     "nothing carries it: in the last step, from after all "
     "this to before the program acts again, it lost more than |gravity_z| dt / 2 of its vertical "
@@ -176,6 +181,9 @@ class BodyModel(_Model):
     tyre_drop: NonNegative = Field(
         0.0, description="How far below the centre of mass they push [m]; absent: 0"
     )
+    tyre_foot: NonNegative = Field(
+        0.0, description="From its middle to the edge that it falls over [m]; absent: 0"
+    )
     roll_radius: NonNegative = 0.0
     origin_offset: Vec = (0.0, 0.0, 0.0)
     half_extents: tuple[NonNegative, NonNegative, NonNegative] = (0.5, 0.5, 0.5)
@@ -193,7 +201,7 @@ class BodyModel(_Model):
     def _without_what_it_lacks(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
         # Bodies without wheels and tyres read as they always did.
         data = handler(self)
-        for name in ("tyre_friction", "tyre_drop", "wheels"):
+        for name in ("tyre_friction", "tyre_drop", "tyre_foot", "wheels"):
             if not data[name]:
                 del data[name]
         return data

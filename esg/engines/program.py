@@ -23,20 +23,24 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   vector along `axis`, in the world's axes; the linear velocity is left to physics.
 * After them, the brakes act on every body whose `braking` an `AdjustProperties` has set: its
   horizontal velocity loses min(|v_h|, braking dt), and the horizontal part of the angular velocity
-  of a body with roll_radius > 0 the same share, so that what rolls goes on without slipping.
+  of a body with roll_radius > 0 the same share, so that what rolls goes on without slipping. Of an
+  upright body with a `tyre_drop` it is the part along its X axis: the rest is its tyres' to brake.
 * Then the tyres of a wheeled body with `tyre_friction` mu act while it is upright: its up axis is
-  within 45 degrees of the vertical. With k = sqrt(Izz / m), h = `tyre_drop` and q = m h / Ixx
-  (body axes), f the horizontal part of its X axis as a unit vector, s = z x f, limit =
+  within 45 degrees of the vertical. With k = sqrt(Izz / m) and q = m h / Ixx (body axes), f the
+  horizontal part of its X axis as a unit vector, s = z x f, u its Z axis, h = `tyre_drop` u.z +
+  `tyre_foot` |u.s| (how high it is over the edge that what leans stands on), limit =
   sqrt((mu g dt)^2 - l^2) where l is what the brakes have taken (none if l is larger): the slips
-  of its axles are u = (v.s + h w.f) / (1 + h q) + k w_z and (...) - k w_z, each clipped to
+  of its axles are (v.s + h w.f) / (1 + h q) + k w_z and (...) - k w_z, each clipped to
   +-limit; with their half sum a and half difference b, v loses a s, w loses q a f + b / k z.
   So a body is pushed to the side by at most mu m g, and kept from turning about the vertical.
 * A two-wheeler (`tyre_drop` > 0) whose horizontal velocity has changed by more than BLOW_MPS
   (`esg.engines.traction`) in the last step, from after all this to before the primitives, has lost
-  its balance: for TIPPING_S of the steps from then on in which these act, and while it is upright,
-  |w.f| is raised to TIPPING_RAD_S, keeping its sign; if it is less than LEAST_LEAN_RAD_S the one
-  that tilts the body further (positive, to the right, up to a tilt of LEAST_TILT). A drive ends
-  that.
+  its balance: in the next step in which these act, if it is upright and no drive has come first,
+  |w.f| is raised to sqrt(TIPPING_RAD_S^2 + 2 m g (r - c) / (Ixx + m r^2)), with c = `tyre_drop`,
+  d = `tyre_foot` and r = |(c, d)|, keeping its sign; if it is less than LEAST_LEAN_RAD_S the one
+  that tilts the body further (positive, to the right, up to a tilt of LEAST_TILT). It turns about
+  the edge of its foot: v gains what w.f gains times f x a, where a is (0, +-d, c) in its axes, with
+  the sign of w.f.
 * A `DriveJoint` fires as `SetVelocity` does: from then on the joint has that motor instead of the
   one it had, or none (`esg.engines.joints.Motor`).
 * Brakes and tyres do not act in a step in which a hold or a guide sets the body's velocity, nor on

@@ -15,13 +15,12 @@ from esg.engines.traction import (
     LEAST_LEAN_RAD_S,
     LEAST_TILT,
     ON_WHEELS,
-    TIPPING_RAD_S,
     Feature,
 )
 
 _RATE, _WIDTH = wp.constant(GUIDE_RATE), wp.constant(KNOT_FIELDS)
 _FALLING, _ON_WHEELS = wp.constant(FALLING), wp.constant(ON_WHEELS)
-_BLOW, _TIPPING = wp.constant(BLOW_MPS), wp.constant(TIPPING_RAD_S)
+_BLOW = wp.constant(BLOW_MPS)
 _LEAST_LEAN, _LEAST_TILT = wp.constant(LEAST_LEAN_RAD_S), wp.constant(LEAST_TILT)
 
 
@@ -87,17 +86,22 @@ def grounded(
     `loss` is what the brakes take at most, `weight` what gravity gives in a step times the factor
     on friction [m/s].
     """
-    speed = wp.sqrt(v[0] * v[0] + v[1] * v[1])
+    up = wp.quat_rotate(turn, wp.vec3(0.0, 0.0, 1.0))
+    level = wp.vec3(v[0], v[1], 0.0)
+    if features[i, Feature.DROP] > 0.0 and up[2] > _ON_WHEELS:
+        ahead = wp.quat_rotate(turn, wp.vec3(1.0, 0.0, 0.0))
+        f = wp.normalize(wp.vec3(ahead[0], ahead[1], 0.0))
+        level = f * wp.dot(f, v)
+    speed = wp.sqrt(level[0] * level[0] + level[1] * level[1])
     taken = wp.min(loss, speed)
     slow = v
     spin = o
     if taken > 0.0:
-        kept = 1.0 - taken / speed
-        slow = wp.vec3(v[0] * kept, v[1] * kept, v[2])
+        lost = taken / speed
+        slow = v - level * lost
         if features[i, Feature.ROUND] > 0.0:
-            spin = wp.vec3(o[0] * kept, o[1] * kept, o[2])
+            spin = wp.vec3(o[0] * (1.0 - lost), o[1] * (1.0 - lost), o[2])
     limit = features[i, Feature.GRIP] * weight
-    up = wp.quat_rotate(turn, wp.vec3(0.0, 0.0, 1.0))
     if limit <= taken or up[2] <= _ON_WHEELS:
         return wp.spatial_vector(slow, spin)
     if taken > 0.0:
@@ -112,20 +116,27 @@ def struck(before: wp.vec3, v: wp.vec3) -> bool:
 
 
 @wp.func
-def tipped(o: wp.vec3, turn: wp.quat) -> wp.vec3:
-    """Angular velocity of what has lost its balance (`esg.engines.traction.tipped`)."""
+def tipped(
+    features: wp.array2d(dtype=float), i: int, v: wp.vec3, o: wp.vec3, turn: wp.quat
+) -> wp.spatial_vector:
+    """Velocities of body `i` that has lost its balance (`esg.engines.traction.tipped`)."""
     up = wp.quat_rotate(turn, wp.vec3(0.0, 0.0, 1.0))
     ahead = wp.quat_rotate(turn, wp.vec3(1.0, 0.0, 0.0))
     f = wp.normalize(wp.vec3(ahead[0], ahead[1], 0.0))
     lean = wp.dot(f, o)
-    if up[2] <= _ON_WHEELS or wp.abs(lean) >= _TIPPING:
-        return o
+    more = features[i, Feature.TIP]
+    foot = features[i, Feature.FOOT]
+    if up[2] <= _ON_WHEELS or wp.abs(lean) >= more:
+        return wp.spatial_vector(v, o)
     left = f[1] * up[0] - f[0] * up[1] < -_LEAST_TILT
     if wp.abs(lean) > _LEAST_LEAN:
         left = lean < 0.0
     if left:
-        return o - f * (_TIPPING + lean)
-    return o + f * (_TIPPING - lean)
+        more = -more
+        foot = -foot
+    more = more - lean
+    arm = wp.quat_rotate(turn, wp.vec3(0.0, foot, features[i, Feature.DROP]))
+    return wp.spatial_vector(v + wp.cross(f, arm) * more, o + f * more)
 
 
 @wp.func
@@ -133,12 +144,13 @@ def _gripped(
     features: wp.array2d(dtype=float), i: int, limit: float, v: wp.vec3, o: wp.vec3, turn: wp.quat
 ) -> wp.spatial_vector:
     axle = features[i, Feature.AXLE]
-    drop = features[i, Feature.DROP]
-    lean = features[i, Feature.LEAN]
     ahead = wp.quat_rotate(turn, wp.vec3(1.0, 0.0, 0.0))
+    up = wp.quat_rotate(turn, wp.vec3(0.0, 0.0, 1.0))
     f = wp.normalize(wp.vec3(ahead[0], ahead[1], 0.0))
     s = wp.vec3(-f[1], f[0], 0.0)
-    slip = (wp.dot(s, v) + drop * wp.dot(f, o)) / (1.0 + drop * lean)
+    height = features[i, Feature.DROP] * up[2] + features[i, Feature.FOOT] * wp.abs(wp.dot(s, up))
+    lean = features[i, Feature.LEAN] * height
+    slip = (wp.dot(s, v) + height * wp.dot(f, o)) / (1.0 + height * lean)
     yaw = axle * o[2]
     front = wp.clamp(slip + yaw, -limit, limit)
     rear = wp.clamp(slip - yaw, -limit, limit)

@@ -83,6 +83,8 @@ class Body:
             contacts; 0 lets it slide sideways as easily as it rolls (`esg.engines.program`).
         tyre_drop: How far below the centre of mass they push [m]: 0 for what stands on a wide
             track, else it leans and may fall over.
+        tyre_foot: How far its shapes reach to the side where they stand [m]: the edge that what
+            leans falls over.
         roll_radius: Radius [m] of a round body that rolls, 0 for others.
         origin_offset: From the centre of mass to the asset's local origin, body axes [m].
         half_extents: Of the asset's bounding box [m]; `height` is twice the last.
@@ -111,6 +113,7 @@ class Body:
     wheeled: bool = False
     tyre_friction: float = 0.0
     tyre_drop: float = 0.0
+    tyre_foot: float = 0.0
     roll_radius: float = 0.0
     origin_offset: tuple[float, float, float] = (0.0, 0.0, 0.0)
     half_extents: tuple[float, float, float] = (0.5, 0.5, 0.5)

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from esg.engines.program import Action, Column, ProgramBatch, Vec
 from esg.engines.scene import Body, Floats, SimScene
 from esg.engines.worlds import moving
-from esg.units import quat_rotate
+from esg.units import GRAVITY_MPS2, quat_rotate
 
 FALLING = 0.5
 """Nothing carries what has lost more than this share of g dt of its vertical velocity in a step."""
@@ -25,10 +25,9 @@ ON_WHEELS = math.sqrt(0.5)
 
 BLOW_MPS = 1.0
 """What changes the horizontal velocity of a two-wheeler by more within a step costs its balance."""
-TIPPING_S = 0.5
-"""How long it then leans on, if nothing stops it [s]."""
-TIPPING_RAD_S = 2.5
-"""How fast it leans then, at least: over 45 degrees within a third of a second."""
+TIPPING_RAD_S = 2.0
+"""How fast it then still leans when its weight is over the edge of its foot: from there it falls
+by itself, in a quarter of a second."""
 LEAST_LEAN_RAD_S = 0.05
 LEAST_TILT = 1e-3
 """What leans more slowly leans to where it is tilted, if it is by more than that [rad]."""
@@ -47,8 +46,12 @@ class Feature(IntEnum):
     DROP = 3
     """`Body.tyre_drop` [m]."""
     LEAN = 4
-    """Angular velocity about its forward axis by the side velocity that a push on the tyres gives
-    [rad/m]."""
+    """Mass over inertia about the forward axis [1/m^2]: a push to the side at a height below the
+    centre of mass turns it by so much times that height and the velocity that it gives."""
+    FOOT = 5
+    """`Body.tyre_foot` [m]."""
+    TIP = 6
+    """How fast it leans once it has lost its balance [rad/s]."""
 
 
 FEATURES = len(Feature)
@@ -71,10 +74,26 @@ def features(scene: SimScene, friction_scale: float = 1.0) -> Floats:
 def _features(body: Body) -> tuple[float, ...]:
     rolls = float(body.roll_radius > 0.0)
     if not body.wheeled or body.tyre_friction <= 0.0:
-        return rolls, 0.0, 0.0, 0.0, 0.0
+        return (rolls, *(0.0,) * (FEATURES - 1))
     axle = math.sqrt(body.inertia[2][2] / body.mass)
-    lean = body.mass * body.tyre_drop / body.inertia[0][0]
-    return rolls, body.tyre_friction, axle, body.tyre_drop, lean
+    lean = body.mass / body.inertia[0][0]
+    tip = tipping_rate(body.mass, body.inertia[0][0], body.tyre_drop, body.tyre_foot)
+    return rolls, body.tyre_friction, axle, body.tyre_drop, lean, body.tyre_foot, tip
+
+
+def tipping_rate(mass: float, inertia: float, drop: float, foot: float) -> float:
+    """How fast a body has to turn about the edge of its foot to fall over it [rad/s].
+
+    Its centre of mass rises to its distance from that edge, and turns at TIPPING_RAD_S up there.
+
+    Args:
+        mass: [kg].
+        inertia: About its forward axis through the centre of mass [kg m^2].
+        drop, foot: Of the edge below and beside the centre of mass [m].
+    """
+    reach = math.hypot(drop, foot)
+    uphill = 2.0 * mass * GRAVITY_MPS2 * (reach - drop) / (inertia + mass * reach**2)
+    return math.sqrt(TIPPING_RAD_S**2 + uphill)
 
 
 def has_tyres(rows: NDArray[np.floating]) -> bool:
@@ -114,7 +133,7 @@ class Traction:
         self._rows = {b: [float(v) for v in rows[b]] for b in sorted(watched)}
         self._braking = dict.fromkeys(self._rows, 0.0)
         self._before = dict.fromkeys(self._rows, (math.nan, math.nan, math.nan))
-        self._tips = dict.fromkeys(self._rows, 0.0)
+        self._tips: set[int] = set()
         self._falls: set[int] = set()
 
     def set_braking(self, body: int, braking: float) -> None:
@@ -139,7 +158,7 @@ class Traction:
                 self._rows[body][Feature.DROP] > 0.0
                 and math.hypot(now[0] - x, now[1] - y) > BLOW_MPS
             ):
-                self._tips[body] = TIPPING_S
+                self._tips.add(body)
 
     def act(self, dt: float, driven: Mapping[int, float], bodies: Bodies) -> None:
         """Acts after the primitives, before the step.
@@ -155,16 +174,16 @@ class Traction:
             _, turn, linear, angular = bodies.read(body)
             v, o = [float(x) for x in linear], [float(x) for x in angular]
             if body in driven:
-                self._tips[body] = 0.0
+                self._tips.discard(body)
                 self._before[body] = v[0], v[1], driven[body]
                 continue
             self._before[body] = v[0], v[1], v[2]
             if body in self._falls:
                 continue
             slow, turned = grounded(row, self._braking[body] * dt, -pull, v, o, turn)
-            if self._tips[body] > 0.0:
-                self._tips[body] -= dt
-                turned = tipped(turned, turn)
+            if body in self._tips:
+                self._tips.discard(body)
+                slow, turned = tipped(row, slow, turned, turn)
             self._before[body] = slow[0], slow[1], slow[2]
             if slow != v:
                 bodies.set_linear(body, (slow[0], slow[1], slow[2]))
@@ -184,51 +203,71 @@ def grounded(
         v, o: Linear [m/s] and angular [rad/s] velocity.
         turn: Quaternion (x, y, z, w).
     """
-    speed = math.hypot(v[0], v[1])
+    ahead, up = quat_rotate(turn, np.eye(3)[0]), quat_rotate(turn, np.eye(3)[2])
+    x, y = v[0], v[1]
+    if row[Feature.DROP] > 0.0 and up[2] > ON_WHEELS:
+        # Its brakes leave to its tyres what it leans to the side with.
+        share = (x * ahead[0] + y * ahead[1]) / (ahead[0] ** 2 + ahead[1] ** 2)
+        x, y = float(share * ahead[0]), float(share * ahead[1])
+    speed = math.hypot(x, y)
     taken = min(loss, speed)
     if taken > 0.0:
-        kept = 1.0 - taken / speed
-        v = [v[0] * kept, v[1] * kept, v[2]]
+        lost = taken / speed
+        v = [v[0] - lost * x, v[1] - lost * y, v[2]]
         if row[Feature.ROUND] > 0.0:
-            o = [o[0] * kept, o[1] * kept, o[2]]
+            o = [o[0] * (1.0 - lost), o[1] * (1.0 - lost), o[2]]
     limit = row[Feature.GRIP] * weight
-    if limit <= taken:
-        return v, o
-    ahead, up = quat_rotate(turn, np.eye(3)[0]), quat_rotate(turn, np.eye(3)[2])
-    if up[2] <= ON_WHEELS:
+    if limit <= taken or up[2] <= ON_WHEELS:
         return v, o
     # What the brakes have taken, the tyres cannot give to the side.
-    return _gripped(row, math.sqrt(limit**2 - taken**2), v, o, float(ahead[0]), float(ahead[1]))
+    return _gripped(row, math.sqrt(limit**2 - taken**2), v, o, ahead, up)
 
 
-def tipped(o: list[float], turn: Any) -> list[float]:
-    """Angular velocity [rad/s] of what has lost its balance: it leans on the way it does.
+def tipped(
+    row: list[float], v: list[float], o: list[float], turn: Any
+) -> tuple[list[float], list[float]]:
+    """Linear and angular velocity of what has lost its balance: it leans on the way it does.
+
+    It turns about the edge of its foot, as a blow that meets it off its centre would turn it.
 
     Args:
-        o: Before [rad/s].
+        row: Its `features`.
+        v, o: Linear [m/s] and angular [rad/s] velocity.
         turn: Quaternion (x, y, z, w).
     """
     ahead, up = quat_rotate(turn, np.eye(3)[0]), quat_rotate(turn, np.eye(3)[2])
     if up[2] <= ON_WHEELS:
-        return o
+        return v, o
     length = math.hypot(ahead[0], ahead[1])
     fx, fy = float(ahead[0]) / length, float(ahead[1]) / length
     lean, right = fx * o[0] + fy * o[1], fy * up[0] - fx * up[1]
-    if abs(lean) >= TIPPING_RAD_S:
-        return o
+    rate, foot = row[Feature.TIP], row[Feature.FOOT]
+    if abs(lean) >= rate:
+        return v, o
     left = lean < 0.0 if abs(lean) > LEAST_LEAN_RAD_S else right < -LEAST_TILT
-    more = (-TIPPING_RAD_S if left else TIPPING_RAD_S) - lean
-    return [o[0] + fx * more, o[1] + fy * more, o[2]]
+    more = (-rate if left else rate) - lean
+    x, y, z = quat_rotate(turn, np.array([0.0, -foot if left else foot, row[Feature.DROP]]))
+    return (
+        [v[0] + fy * more * z, v[1] - fx * more * z, v[2] + more * (fx * y - fy * x)],
+        [o[0] + fx * more, o[1] + fy * more, o[2]],
+    )
+
+
+def _height(row: list[float], fx: float, fy: float, up: Any) -> float:
+    """Height [m] at which the centre of mass is over the edge that what leans stands on."""
+    tilt = abs(fy * float(up[0]) - fx * float(up[1]))
+    return row[Feature.DROP] * float(up[2]) + row[Feature.FOOT] * tilt
 
 
 def _gripped(
-    row: list[float], limit: float, v: list[float], o: list[float], fx: float, fy: float
+    row: list[float], limit: float, v: list[float], o: list[float], ahead: Any, up: Any
 ) -> tuple[list[float], list[float]]:
     """Two axles, each with half the grip, against sliding to the side."""
-    length = math.hypot(fx, fy)
-    fx, fy = fx / length, fy / length
-    axle, drop, lean = row[Feature.AXLE], row[Feature.DROP], row[Feature.LEAN]
-    slip = (fx * v[1] - fy * v[0] + drop * (fx * o[0] + fy * o[1])) / (1.0 + drop * lean)
+    length = math.hypot(ahead[0], ahead[1])
+    fx, fy = float(ahead[0]) / length, float(ahead[1]) / length
+    axle, height = row[Feature.AXLE], _height(row, fx, fy, up)
+    lean = row[Feature.LEAN] * height
+    slip = (fx * v[1] - fy * v[0] + height * (fx * o[0] + fy * o[1])) / (1.0 + height * lean)
     yaw = axle * o[2]
     front = max(-limit, min(limit, slip + yaw))
     rear = max(-limit, min(limit, slip - yaw))

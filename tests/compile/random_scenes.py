@@ -101,6 +101,7 @@ def _body(rng: np.random.Generator, index: int) -> Body:
         wheeled=wheeled,
         tyre_friction=float(rng.choice([0.0, 0.8])) if wheeled else 0.0,
         tyre_drop=float(rng.choice([0.0, 0.3])) if wheeled else 0.0,
+        tyre_foot=0.1 if wheeled else 0.0,
         origin_offset=tuple(rng.uniform(-0.2, 0.2, 3).tolist()),  # type: ignore[arg-type]
         half_extents=(0.4, 0.4, 0.4),
     )

@@ -93,6 +93,7 @@ def street() -> tuple[SimScene, Program]:
     """Cars shoved to the side, let roll, hit at a corner, thrown and lying; a motorcycle."""
     lying = tuple(quat_from_euler_deg(0.0, 0.0, 90.0).tolist())
     bike = box("bike", (1.0, 0.06, 0.5), 200.0, (0.0, 120.0, 0.5), friction=0.0, restitution=0.0)
+    two_wheels = {"wheeled": True, "tyre_friction": GRIP, "tyre_drop": 0.5, "tyre_foot": 0.06}
     turned = tuple(quat_from_euler_deg(30.0, 0.0, 0.0).tolist())
     bodies = (
         car("at 2", 0.0),
@@ -102,12 +103,11 @@ def street() -> tuple[SimScene, Program]:
         car("corner", 70.0),
         replace(car("lies", 80.0), quaternion=lying, position=(0.0, 80.0, 0.9)),
         replace(car("flies", 100.0), position=(0.0, 100.0, 60.0)),
-        replace(bike, wheeled=True, tyre_friction=GRIP, tyre_drop=0.5),
+        replace(bike, **two_wheels),
         replace(car("driven", 140.0)),
         replace(box("wall", (0.1, 2.0, 1.0), 1.0, (4.0, 160.0, 1.0)), static=True),
         *(
-            replace(bike, name=n, position=(0.0, y, 0.5), wheeled=True, tyre_friction=GRIP,
-                    tyre_drop=0.5)
+            replace(bike, name=n, position=(0.0, y, 0.5), **two_wheels)
             for n, y in (("rider", 160.2), ("taps", 159.0))
         ),
     )  # fmt: skip
@@ -206,6 +206,27 @@ def test_who_rides_into_a_wall_falls_over(streets, name: str) -> None:
     assert tilts(held, i)[-1] > 75.0 and tilts(held, i)[round(0.5 / DT)] < 2.0
     assert tilts(free, i)[-1] < 30.0
     assert tilts(held, scene.index("taps")).max() < 2.0
+
+
+@pytest.mark.parametrize("name", EVERYWHERE)
+def test_who_loses_his_balance_falls_by_himself(name: str) -> None:
+    """The blow turns him up to the edge of his foot; from there on he gains what he falls."""
+    bike = box("bike", (0.9, 0.13, 0.43), 14.0, (0.0, 0.0, 0.43), friction=0.0, restitution=0.0)
+    bike = replace(bike, wheeled=True, tyre_friction=GRIP, tyre_drop=0.43, tyre_foot=0.13)
+    wall = box("wall", (0.1, 2.0, 1.0), 1.0, (3.0, 0.3, 1.0), friction=0.0, restitution=0.0)
+    wall = replace(wall, static=True)
+    drive = HoldVelocity("bike", 0.0, math.inf, 5.0, 0.0, until_contact=("wall",))
+    scene = SimScene("blow", (bike, wall))
+    r = get_engine(name).rollout(scene, batch_programs([Program((drive,), 2.0)], scene.names))
+    v, w = r.linear_velocity[0, :, 0].astype(float), r.angular_velocity[0, :, 0].astype(float)
+    inverse = r.quaternion[0, :, 0] * np.array([-1.0, -1.0, -1.0, 1.0])
+    w = quat_rotate(inverse.astype(float), w)
+    energy = 0.5 * 14.0 * (v**2).sum(axis=1) + 14.0 * 9.81 * r.position[0, :, 0, 2]
+    energy += 0.5 * np.einsum("ti,ij,tj->t", w, np.array(bike.inertia), w)
+    hit = int(np.argmax(v[:, 0] < 2.5)) + 3
+    falls = energy[hit : int(np.argmax(tilts(r, 0) > 45.0))]
+    assert tilts(r, 0)[-1] > 75.0
+    assert len(falls) > 40 and (falls - np.minimum.accumulate(falls)).max() < 0.05
 
 
 def test_one_street_is_the_same_in_every_engine(streets) -> None:

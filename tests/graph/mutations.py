@@ -114,6 +114,8 @@ def schema(m: Maker) -> None:
         m.set("SCHEMA_TYPE", (*base, "is_movable"), "yes", "ACTOR_IMMOVABLE")
         m.set("JSON_NOT_FINITE", (*base, "expected_mass_kg"), float("nan"))
         m.set("JSON_NOT_FINITE", (*base, "expected_dimensions_cm", 1), float("inf"))
+        m.set("JSON_NUMBER_RANGE", (*base, "expected_mass_kg"), 10**400)
+        m.set("JSON_NUMBER_RANGE", (*base, "expected_mass_kg"), -1e18, note="float")
     for i, _ in enumerate(get(raw, BINARY)):
         m.set("SCHEMA_VALUE", (*BINARY, i, "relation_type"), "next_to")
     for region in get(raw, (*GRAPH, "semantic_regions")):

@@ -192,6 +192,20 @@ def test_tyres_in_the_air_do_not_hold_either() -> None:
     assert checked(flies)["side_slip"].ok
 
 
+@pytest.mark.parametrize(("slides", "ok"), [(0.0, True), (2.0, False)])
+def test_tyres_stay_where_a_bicycle_falls_over(slides: float, ok: bool) -> None:
+    """Its centre of mass goes aside by 25 cm before it leans by 30 degrees."""
+    bike = body("bicycle_1", Shape("box", (0.9, 0.05, 0.5)), wheeled=True, mass=14.0)
+    falls = World(0.5).add(
+        bike,
+        x=line(0.0, 3.0),
+        y=lambda t: 0.5 * np.sin(t) + slides * t,
+        z=lambda t: 0.5 * np.cos(t),
+        roll_deg=lambda t: -np.degrees(t),
+    )
+    assert checked(falls)["side_slip"].ok is ok
+
+
 def test_casters_do_not_hold() -> None:
     world = World(6.0).add(car("shopping_cart_1"), y=changing(4.0, -0.8, 0.0))
     assert checked(world)["side_slip"].measured is None

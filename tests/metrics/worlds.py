@@ -71,6 +71,7 @@ class World:
         yaw_deg: float | Path = 0.0,
         pitch_deg: float | Path = 0.0,
         rolling: float = 0.0,
+        roll_deg: float | Path = 0.0,
     ) -> World:
         """Adds a body on a path; numbers are constant, functions take the time array.
 
@@ -79,10 +80,8 @@ class World:
         z = item.position[2] if z is None else z
         columns = [self._curve(v) for v in (x, y, z)]
         path = np.stack(columns, axis=1)
-        yaw, pitch = self._curve(yaw_deg), self._curve(pitch_deg)
-        self.turns.append(
-            np.array([quat_from_euler_deg(a, b) for a, b in zip(yaw, pitch, strict=True)])
-        )
+        angles = [self._curve(v) for v in (yaw_deg, pitch_deg, roll_deg)]
+        self.turns.append(np.array([quat_from_euler_deg(*a) for a in zip(*angles, strict=True)]))
         self.paths.append(path)
         spin = _spin(self.turns[-1], self.dt)
         if rolling:

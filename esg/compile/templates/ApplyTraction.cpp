@@ -26,7 +26,7 @@ void A@CLASS@::ApplyTraction(double Due)
 		Body.Before = Body.Component->GetPhysicsLinearVelocity();
 		if (IsDriven(Body.Component))
 		{
-			Body.Tips = 0.0;
+			Body.bTips = false;
 			continue;
 		}
 		if (Body.bFalls)
@@ -40,17 +40,17 @@ void A@CLASS@::ApplyTraction(double Due)
 
 double A@CLASS@::ApplyBrakes(const FBodyRef& Body, double Loss)
 {
-	FVector Velocity = Body.Component->GetPhysicsLinearVelocity();
-	const double Speed = FVector(Velocity.X, Velocity.Y, 0.0).Size();
+	const FVector Velocity = Body.Component->GetPhysicsLinearVelocity();
+	FVector Level(Velocity.X, Velocity.Y, 0.0);
+@ALONG@
+	const double Speed = Level.Size();
 	const double Taken = FMath::Min(Loss, Speed);
 	if (Taken <= 0.0)
 	{
 		return 0.0;
 	}
-	const double Kept = 1.0 - Taken / Speed;
-	Velocity.X *= Kept;
-	Velocity.Y *= Kept;
-	Body.Component->SetPhysicsLinearVelocity(Velocity);
+	const double Lost = Taken / Speed;
+	Body.Component->SetPhysicsLinearVelocity(Velocity - Level * Lost);
 @ROLL@
 	return Taken;
 }

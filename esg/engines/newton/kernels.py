@@ -27,7 +27,7 @@ from esg.engines.program_kernels import (
     tipped,
     vector,
 )
-from esg.engines.traction import TIPPING_S, Feature
+from esg.engines.traction import Feature
 
 
 @wp.func
@@ -127,7 +127,7 @@ def _feel(
     features: wp.array2d(dtype=float),
     before: wp.array(dtype=wp.vec3),
     driven: wp.array(dtype=int),
-    tips: wp.array(dtype=float),
+    tips: wp.array(dtype=int),
     body_qd: wp.array(dtype=wp.spatial_vector),
 ):
     """Which bodies nothing carries in this step, and which two-wheelers a blow unbalances."""
@@ -139,7 +139,7 @@ def _feel(
                 # It is left alone, as what is driven.
                 driven[target] = step + 1
             if features[target, Feature.DROP] > 0.0 and struck(before[target], u):
-                tips[target] = TIPPING_S
+                tips[target] = 1
 
 
 @wp.func
@@ -154,7 +154,7 @@ def _stand(
     braking: wp.array(dtype=float),
     driven: wp.array(dtype=int),
     before: wp.array(dtype=wp.vec3),
-    tips: wp.array(dtype=float),
+    tips: wp.array(dtype=int),
     body_q: wp.array(dtype=wp.transform),
     body_qd: wp.array(dtype=wp.spatial_vector),
     joint_qd: wp.array(dtype=float),
@@ -168,9 +168,7 @@ def _stand(
             if acts and driven[target] != step + 1:
                 turn = wp.transform_get_rotation(body_q[target])
                 loss = braking[target] * dt
-                _slow(
-                    target, features, loss, -pull * scale, dt, turn, tips, body_qd, joint_qd, first
-                )
+                _slow(target, features, loss, -pull * scale, turn, tips, body_qd, joint_qd, first)
             before[target] = wp.spatial_top(body_qd[target])
 
 
@@ -180,9 +178,8 @@ def _slow(
     features: wp.array2d(dtype=float),
     loss: float,
     weight: float,
-    dt: float,
     turn: wp.quat,
-    tips: wp.array(dtype=float),
+    tips: wp.array(dtype=int),
     body_qd: wp.array(dtype=wp.spatial_vector),
     joint_qd: wp.array(dtype=float),
     first: wp.array(dtype=int),
@@ -191,12 +188,11 @@ def _slow(
     v = wp.spatial_top(body_qd[target])
     omega = wp.spatial_bottom(body_qd[target])
     kept = grounded(features, target, loss, weight, v, omega, turn)
-    spun = wp.spatial_bottom(kept)
-    if tips[target] > 0.0:
-        tips[target] = tips[target] - dt
-        spun = tipped(spun, turn)
+    if tips[target] != 0:
+        tips[target] = 0
+        kept = tipped(features, target, wp.spatial_top(kept), wp.spatial_bottom(kept), turn)
     _set_linear(target, wp.spatial_top(kept), body_qd, joint_qd, first)
-    _set_angular(target, spun, body_qd, joint_qd, first)
+    _set_angular(target, wp.spatial_bottom(kept), body_qd, joint_qd, first)
 
 
 @wp.kernel(enable_backward=False)
@@ -228,7 +224,7 @@ def run_programs(
     braking: wp.array(dtype=float),
     driven: wp.array(dtype=int),
     before: wp.array(dtype=wp.vec3),
-    tips: wp.array(dtype=float),
+    tips: wp.array(dtype=int),
 ):
     """One thread per world executes its program before a step (`esg.engines.program`)."""
     world = wp.tid()
@@ -258,7 +254,7 @@ def run_programs(
                 _set_angular(target, wp.spatial_bottom(kept), body_qd, joint_qd, first)
                 if kind[world, k] != Action.SPIN:
                     driven[target] = step + 1
-                    tips[target] = 0.0
+                    tips[target] = 0
         elif start <= now:
             done[world, k] = 1
             if kind[world, k] == Action.SET_VELOCITY:

@@ -168,7 +168,7 @@ class NewtonWorlds:
         self.primitive_counts = wp.zeros(w, dtype=int)
         n = max(1, self.model.body_count)
         self.features = wp.zeros((n, FEATURES), dtype=float)
-        self.braking, self.tips = wp.zeros(n, dtype=float), wp.zeros(n, dtype=float)
+        self.braking, self.tips = wp.zeros(n, dtype=float), wp.zeros(n, dtype=int)
         self.start = wp.array(6 * np.arange(n, dtype=np.int32), dtype=int)
         self.before = wp.zeros(n, dtype=wp.vec3)
         self.driven = wp.zeros(n, dtype=int)

@@ -37,7 +37,7 @@ from esg.engines.surrogate.types import (
     State,
     Trace,
 )
-from esg.engines.traction import TIPPING_S, Feature
+from esg.engines.traction import Feature
 
 wp.set_module_options({"enable_backward": False})
 
@@ -86,7 +86,7 @@ def _hold(model: Model, state: State, w: int, k: int, step: int, t: wp.float64, 
     pull = model.gravity[2] * float(dt)
     if model.action[k] != Action.SPIN:
         state.driven[w, i] = step + 1
-        state.tips[w, i] = 0.0
+        state.tips[w, i] = 0
     if model.action[k] == Action.HOLD:
         v = held_velocity(model.table, w, k, t, state.v[w, i][2], pull)
         state.v[w, i] = v
@@ -136,7 +136,7 @@ def _look(model: Model, state: State, w: int, step: int, dt: float):
         if falls(state.start[w, i][2], state.v[w, i][2], model.gravity[2] * dt):
             state.driven[w, i] = step + 1
         if model.features[i, Feature.DROP] > 0.0 and struck(state.start[w, i], state.v[w, i]):
-            state.tips[w, i] = TIPPING_S
+            state.tips[w, i] = 1
 
 
 @wp.func
@@ -153,13 +153,14 @@ def _ground(model: Model, state: State, trace: Trace, w: int, step: int, dt: flo
         weight = -model.gravity[2] * dt * model.friction_scale[w]
         loss = state.braking[w, i] * dt
         kept = grounded(model.features, i, loss, weight, v, o, state.r[w, i])
+        tips = state.tips[w, i] != 0
+        if tips:
+            state.tips[w, i] = 0
+            slow, spin = wp.spatial_top(kept), wp.spatial_bottom(kept)
+            kept = tipped(model.features, i, slow, spin, state.r[w, i])
         state.v[w, i] = wp.spatial_top(kept)
         state.o[w, i] = wp.spatial_bottom(kept)
         state.start[w, i] = state.v[w, i]
-        tips = state.tips[w, i] > 0.0
-        if tips:
-            state.tips[w, i] = state.tips[w, i] - dt
-            state.o[w, i] = tipped(state.o[w, i], state.r[w, i])
         if trace.steps > 0:
             changed = wp.length_sq(state.v[w, i] - v) > 0.0
             changed = changed or wp.length_sq(state.o[w, i] - o) > 0.0

@@ -134,10 +134,10 @@ def _act(
 
 
 @wp.func
-def _leaning(o: wp.vec3, turn: wp.quat, how: int) -> wp.vec3:
+def _leaning(model: Model, i: int, kept: wp.spatial_vector, turn: wp.quat, how: int):
     if how == 2:
-        return tipped(o, turn)
-    return o
+        return tipped(model.features, i, wp.spatial_top(kept), wp.spatial_bottom(kept), turn)
+    return kept
 
 
 @wp.func
@@ -160,12 +160,14 @@ def _stand(
     if brake >= 0:
         loss = float(table[w, brake, Column.BRAKING]) * dt
         braked = grounded(model.features, i, loss, weight, V[vin], O[vin], R[pose])
-        V[vout] = wp.spatial_top(braked)
-        O[vout] = _leaning(wp.spatial_bottom(braked), R[pose], how)
+        stood = _leaning(model, i, braked, R[pose], how)
+        V[vout] = wp.spatial_top(stood)
+        O[vout] = wp.spatial_bottom(stood)
     else:
         kept = grounded(model.features, i, 0.0, weight, V[vin], O[vin], R[pose])
-        V[vout] = wp.spatial_top(kept)
-        O[vout] = _leaning(wp.spatial_bottom(kept), R[pose], how)
+        left = _leaning(model, i, kept, R[pose], how)
+        V[vout] = wp.spatial_top(left)
+        O[vout] = wp.spatial_bottom(left)
 
 
 @wp.func

@@ -95,8 +95,8 @@ class State:
     """Step after the last one in which a hold or a guide set the velocity."""
     start: wp.array2d(dtype=wp.vec3)
     """Velocity at the beginning of the last step, after brakes and tyres."""
-    tips: wp.array2d(dtype=float)
-    """How long a two-wheeler that has lost its balance still leans on [s]."""
+    tips: wp.array2d(dtype=int)
+    """Whether a two-wheeler has lost its balance and shall lean on."""
     done: wp.array2d(dtype=int)
     active: wp.array2d(dtype=int)
     """Of every primitive, [W, P]."""

@@ -78,7 +78,7 @@ def energy(f: Facts) -> Check:
     """Bodies that nothing drives gain energy, alone or from each other.
 
     Bodies in touch are taken together. Where the program acts on one of them it starts anew. What
-    is back after a moment was stored in a contact.
+    is back after a moment was stored in a contact, be it the one that ended a drive.
     """
     worst = Worst()
     kinetic, total = _energies(f)
@@ -93,7 +93,7 @@ def energy(f: Facts) -> Check:
         for a, b in runs(~acted):
             # The step after the program let go begins with what it left.
             part = slice(max(a - 1, 0), b)
-            gain = own[part] - np.minimum.accumulate(_lasting(f, own[part]))
+            gain = own[part] - np.minimum.accumulate(_lasting(f, own)[part])
             k = int(np.argmax(gain))
             most = limit("energy share") * float(moving[part].max()) + spare
             names = ", ".join(f.name(i) for i in members[:2])

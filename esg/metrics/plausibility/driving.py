@@ -85,7 +85,8 @@ def side_slip(f: Facts) -> Check:
     """Slides sideways on upright wheels farther than the energy that it lost pays for.
 
     A tyre that slips across takes mu m g per metre, and no more than it is pressed on the ground.
-    Shoved at v it slides v^2/(2 mu g) far.
+    Shoved at v it slides v^2/(2 mu g) far. What slips is the tyres, below the centre of mass: of a
+    bicycle that falls over they stay where they are.
     """
     worst = Worst()
     for i in f.dynamic:
@@ -93,7 +94,9 @@ def side_slip(f: Facts) -> Check:
         if not body.wheeled or motion.moves in ("casters", "air", "water", "legs"):
             continue
         v, q = f.replay.velocity[:, i], f.replay.quaternion[:, i]
-        across = np.abs((quat_rotate(q, np.array([0.0, 1.0, 0.0])) * v).sum(axis=1))
+        down = quat_rotate(q, np.array([0.0, 0.0, min(body.origin_offset[2], 0.0)]))
+        foot = v + np.cross(f.replay.spin[:, i], down)
+        across = np.abs((quat_rotate(q, np.array([0.0, 1.0, 0.0])) * foot).sum(axis=1))
         upright = f.replay.up(i)[:, 2] >= math.cos(math.radians(UPRIGHT_DEG))
         slips = (across > STOPPED_MPS) & upright & f.level(i) & ~f.struck(i)
         pressed = np.clip(1.0 + np.gradient(v[:, 2], f.replay.time) / f.g, 0.0, 1.0)

@@ -170,6 +170,8 @@ def _compound(c: Chunks, j: int, noun: NounMatch, m: Mention) -> tuple[int, bool
             break
         if heap_of(c, k, entry) or wisp(c, k):
             break  # "a domino chain", "a lighthouse beam"
+        if entry.kind == "vehicle" and lex.singular(low_at(c, k))[0] in lex.PARTS:
+            break  # "a car roof"
         m.adjectives.extend(" ".join(t.low for t in c.tokens[first:k]).split())
         entry, n, plural, phrase = following
         first, k = k, k + n
