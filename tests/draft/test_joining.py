@@ -27,6 +27,19 @@ def joints(doc: EsgDocument) -> tuple[Joint, ...]:
         ("A ball hits a punching bag.", "punching_bag_1", "bag_stand_1", "ball"),
         ("A box slides into a drawer.", "drawer_1", "drawer_chest_1", "slider"),
         ("A man walks into a turnstile.", "turnstile_1", "turnstile_post_1", "hinge"),
+        ("A ball hits a cupboard door.", "door_1", "cupboard_body_1", "hinge"),
+        ("A ball hits a fridge door.", "door_1", "fridge_body_1", "hinge"),
+        ("A ball hits an oven door.", "door_1", "oven_body_1", "hinge"),
+        ("A ball hits a window shutter.", "shutter_1", "shutter_wall_1", "hinge"),
+        ("A snowball hits a hanging sign.", "sign_1", "sign_gallows_1", "hinge"),
+        ("A hammer hits a church bell.", "bell_1", "bell_gallows_1", "hinge"),
+        ("A ball hits a hanging lamp.", "lamp_1", "lamp_gallows_1", "ball"),
+        ("A ball hits a hanging flower pot.", "flower_pot_1", "pot_gallows_1", "ball"),
+        ("A man hits a tetherball.", "tetherball_1", "tether_pole_1", "rope"),
+        ("A ball hits a merry-go-round.", "merry_go_round_1", "roundabout_foot_1", "hinge"),
+        ("A ball hits a windmill blade.", "blade_1", "mill_tower_1", "hinge"),
+        ("A car hits a boom gate.", "gate_1", "boom_post_1", "hinge"),
+        ("A ball hits a revolving door.", "door_1", "revolving_drum_1", "hinge"),
     ],
 )
 def test_what_a_thing_hangs_on_is_added(prompt: str, child: str, parent: str, kind: str) -> None:
@@ -68,6 +81,9 @@ def test_what_the_prompt_has_to_hang_on_is_taken() -> None:
     "prompt",
     [
         "A cyclist crashes into the open door of a parked car.",
+        "A ball hits a car door.",
+        "A ball hits a garage door.",
+        "A ball hits a sign.",
         "A ball rolls into a wall.",
         "A crane stands next to a box.",
     ],
@@ -84,3 +100,56 @@ def test_sizes_of_both_parts_go_together() -> None:
     )
     assert frame[1] / leaf[1] == pytest.approx(93 / 80, rel=1e-3)
     assert leaf[2] == pytest.approx(2 * 198)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "child", "parent"),
+    [
+        ("A ball hits a chest.", "chest_lid_1", "chest_1"),
+        ("A ball hits a windmill.", "mill_sails_1", "windmill_1"),
+        ("A ball hits a catapult.", "catapult_arm_1", "catapult_1"),
+    ],
+)
+def test_what_carries_its_moving_part_keeps_its_name(prompt: str, child: str, parent: str) -> None:
+    doc = draft(prompt)
+    assert [(j.child, j.parent) for j in joints(doc)] == [(child, parent)]
+    assert doc.timeline_system is not None and parent in doc.timeline_system.actors
+    assert verify(resolve(doc)) == ()
+
+
+def test_the_part_that_turns_does_what_is_told_of_the_whole() -> None:
+    doc = draft("The lid of a wooden chest falls shut.")
+    assert joints(doc)[0].position == articulations()["chest"].opened
+    assert doc.timeline_system is not None
+    assert set(doc.timeline_system.actors) == {"chest_lid_1"}
+    assert verify(resolve(doc)) == ()
+
+
+def test_only_the_first_ball_of_a_cradle_is_let_go() -> None:
+    told = joints(draft("A Newton's cradle swings back and forth."))
+    assert [j.position for j in told] == [35.0, 0.0, 0.0, 0.0, 0.0]
+
+
+def test_the_door_of_a_thing_in_the_prompt_hangs_on_that_thing() -> None:
+    doc = draft("A soccer ball hits the open door of a locker.")
+    assert [(j.child, j.parent, j.position) for j in joints(doc)] == [("door_1", "locker_1", 90.0)]
+
+
+def test_what_hangs_below_a_ceiling_is_held_there() -> None:
+    doc = draft("A lamp hanging from the ceiling is hit by a tennis ball.")
+    (joint,) = joints(doc)
+    assert (joint.child, joint.kind, joint.parent) == ("lamp_1", "ball", "ceiling_1")
+    assert joint.parent_mount is None
+    assert not doc.spatial_relation_graph.nodes["lamp_1"].is_static
+    assert verify(resolve(doc)) == ()
+
+
+def test_smaller_things_resist_less() -> None:
+    """Half the size: 1/16 of the friction, 1/32 of the damping, and the same limits."""
+    whole, half = (joints(draft(f"A ball hits a {w}seesaw."))[0] for w in ("", "tiny "))
+    assert half.friction == pytest.approx((whole.friction or 0) / 16)
+    assert half.damping == pytest.approx((whole.damping or 0) / 32)
+    assert (half.lower, half.upper) == (whole.lower, whole.upper)
+    rope, short = (joints(draft(f"A {w}wrecking ball hits a wall."))[0] for w in ("", "tiny "))
+    assert short.upper == pytest.approx((rope.upper or 0) / 2)
+    assert short.position == rope.position

@@ -95,7 +95,7 @@ def cradle_frame(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             s.rod(0.6, (x * 16, y * 8, 2), (x * 16, y * 8, 29.4), c, solid=1, metal=0.8)
         s.rod(0.6, (-16.6, y * 8, 29.4), (16.6, y * 8, 29.4), c, solid=1, metal=0.8)
     for k in range(5):
-        s.mount(f"pivot {k + 1}", (5.02 * (2 - k), 0.0, 29.0), _ACROSS)
+        s.mount(f"pivot {k + 1}", (5.02 * (k - 2), 0.0, 29.0), _ACROSS)
 
 
 @builder("swing_seat")
@@ -165,8 +165,9 @@ def sign_board(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("hanging_bell")
 def hanging_bell(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Bronze bell below a yoke, drawn at 44 x 44 x 60."""
-    profile = [(0, 46), (6, 45), (11, 40), (13, 28), (15, 14), (19, 4), (22, 0), (20, 0), (12, 28)]
-    s.lathe([*profile, (9, 40), (0, 43)], c, metal=0.9, rough=0.3, smooth=0)
+    outer = [(0, 46), (6, 45), (11, 40), (13, 28), (15, 14), (19, 4), (22, 0)]
+    inner = [(20, 0), (17.5, 4), (13.5, 14), (11.5, 28), (9, 40), (0, 43)]
+    s.lathe([*outer, *inner], c, metal=0.9, rough=0.3)
     s.ball(4, (0, 0, 4), DARK, metal=0.6)
     s.rod(0.9, (0, 0, 6), (0, 0, 44), DARK, sections=10)
     s.slab((-3, 3), (-14, 14), (46, 54), DARK_WOOD)

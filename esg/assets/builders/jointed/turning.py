@@ -107,11 +107,11 @@ def mill_tower(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Tower of a windmill with its cap and shaft, drawn at 360 x 340 x 640."""
     s.lathe([(0, 0), (150, 0), (110, 520), (0, 520)], c, center=(-20, 0, 0), sections=8)
     s.lathe([(0, 520), (125, 520), (90, 600), (0, 640)], DARK_WOOD, center=(-20, 0, 0), sections=16)
-    s.rod(12, (0, 0, 430), (168, 0, 430), DARK, solid=1)
+    s.rod(12, (0, 0, 385), (168, 0, 385), DARK, solid=1)
     s.slab((125, 131), (-35, 35), (0, 150), DARK_WOOD)
     s.proxy_cylinder(145, (0, 260), xy=(-20.0, 0.0))
     s.proxy_cylinder(128, (260, 640), xy=(-20.0, 0.0))
-    s.mount("hub", (172.0, 0.0, 430.0), (1.0, 0.0, 0.0))
+    s.mount("hub", (172.0, 0.0, 385.0), (1.0, 0.0, 0.0))
 
 
 @builder("boom_arm")
@@ -165,7 +165,12 @@ def catapult_frame(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def revolving_leaves(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Four glazed leaves about a spindle, drawn at 190 x 190 x 210."""
     s.rod(4, (0, 0, 0), (0, 0, 210), STEEL, metal=0.7, solid=1)
-    for x, y in (((4, 95), (-2, 2)), ((-95, -4), (-2, 2)), ((-2, 2), (4, 95)), ((-2, 2), (-95, -4))):
+    for x, y in (
+        ((4, 95), (-2, 2)),
+        ((-95, -4), (-2, 2)),
+        ((-2, 2), (4, 95)),
+        ((-2, 2), (-95, -4)),
+    ):
         s.slab(x, y, (0, 12), c, metal=0.4)
         s.slab(x, y, (200, 210), c, metal=0.4)
         s.slab(x, y, (12, 200), GLASS, alpha=0.4)
@@ -184,4 +189,3 @@ def revolving_drum(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             size = (3.0, 37.0, 216.0)
             s.box(size, at, GLASS, solid=1, alpha=0.4, quat=turn("z", side + 20.0 * k))
     s.mount("spindle", (0.0, 0.0, 2.0))
-
