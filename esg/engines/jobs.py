@@ -74,6 +74,7 @@ class Job:
         asleep: Bodies that rest where they start, for the surrogate, shape [W, B].
         features: Of the bodies for the ground (`esg.engines.traction.features`), [B, FEATURES].
         kind, body, until, table: The programs (`ProgramBatch`).
+        joint: Number of the joint that a primitive drives, -1 for none, shape [P].
         ground_contacts: Whether the log includes contacts with the ground.
     """
 
@@ -96,6 +97,7 @@ class Job:
     body: Ints
     until: NDArray[np.bool_]
     table: NDArray[np.float64]
+    joint: Ints
     ground_contacts: bool = False
 
     @property
@@ -237,8 +239,15 @@ def job_of(
         body=batch.body,
         until=batch.until,
         table=batch.table,
+        joint=_joints(start.scene, batch),
         ground_contacts=ground_contacts,
     )
+
+
+def _joints(scene: SimScene, batch: ProgramBatch) -> Ints:
+    index = {j.name: k for k, j in enumerate(scene.joints)}
+    named = batch.joint or ("",) * len(batch.kind)
+    return np.array([index.get(name, -1) for name in named], np.int32)
 
 
 def read(job: Job, start: Start, played: Played) -> Rollout:
