@@ -75,8 +75,12 @@ def _is_whole_mcap(path: Path) -> bool:
         raise damaged(path, "a folder")
     if not path.is_file():
         return False
-    data = path.read_bytes()
-    return len(data) > 2 * len(MCAP_MAGIC) and data[:8] == data[-8:] == MCAP_MAGIC
+    if path.stat().st_size <= 2 * len(MCAP_MAGIC):
+        return False
+    with path.open("rb") as file:
+        first = file.read(len(MCAP_MAGIC))
+        file.seek(-len(MCAP_MAGIC), 2)
+        return first == file.read() == MCAP_MAGIC
 
 
 def _mcap(folder: Path, target: Path) -> list[Path]:

@@ -129,6 +129,17 @@ def replay_class(
     return ClassReplay(played.rollout, played.log, library.seconds, played.scene)
 
 
+def standing_in(folder: Path) -> tuple[str, str]:
+    """Whose the class of a scene folder is, and for a foreign one why; empty without a class."""
+    if not (folder / "unreal").is_dir():
+        return "", ""
+    try:
+        standing, why = standing_of(*_read(folder), folder / "esg.json")
+    except UserError as error:
+        return Standing.FOREIGN.value, str(error).splitlines()[0]
+    return standing.value, why
+
+
 def require_ours(folder: Path) -> None:
     """Makes sure that the class of a scene folder is what this version emits.
 

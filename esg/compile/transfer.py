@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from esg.engines.base import ENGINES
+from esg.engines.base import ENGINES, MOST_STATES
 from esg.engines.manifest import Manifest, load_manifest
 from esg.engines.program import batch_programs
 from esg.engines.registry import get_engine
@@ -106,6 +106,7 @@ def replay_scene(
     Raises:
         UserError: If the folder holds no compiled scene or a damaged one, or for an unknown engine.
     """
+    check_length(folder, manifest, dt)
     note = ""
     if engine == "physx" and trust != "nothing":
         from esg.compile.build import ClassError, CompilerMissing
@@ -127,6 +128,20 @@ def replay_scene(
     batch = batch_programs([manifest.program], manifest.scene.names)
     rollout = get_engine(engine).rollout(manifest.scene, batch, dt=dt)
     return (replace(rollout, extra=rollout.extra | {"note": note}) if note else rollout), "program"
+
+
+def check_length(folder: Path, manifest: Manifest, dt: float) -> None:
+    """Makes sure that a replay can be held before it is begun.
+
+    Raises:
+        UserError: If not.
+    """
+    duration, bodies = manifest.program.duration, len(manifest.scene.bodies)
+    if duration / dt * bodies > MOST_STATES:
+        raise UserError(
+            f"{folder / 'manifest.json'}: {duration:g} s of {bodies} bodies in steps of {dt:g} s "
+            "are more than is recorded; replay it in larger steps (--hz)"
+        )
 
 
 def transfer_matrix(

@@ -16,11 +16,14 @@ from esg.outcomes import UserError
 
 if TYPE_CHECKING:
     import pyarrow as pa
+    import pyarrow.parquet as pq
 
     from esg.store.records import SceneRecord
 
 FORMAT_VERSION = "1.4.0"
 ROW_GROUP_SCENES = 100
+MOST_VALUES = 1_000_000_000
+"""Of one file that is read: 8 GB of numbers. Our own have a tenth of it."""
 COMPRESSION = "zstd"
 
 KEYS: dict[str, tuple[str, ...]] = {
@@ -221,7 +224,8 @@ def table_of(path: Path) -> str:
     import pyarrow.parquet as pq
 
     try:
-        metadata = pq.read_schema(_local(path)).metadata or {}
+        facts = pq.read_metadata(_local(path))
+        metadata = facts.schema.to_arrow_schema().metadata or {}
     except FileNotFoundError:
         raise UserError(f"{path} does not exist; check the path") from None
     except (pa.ArrowInvalid, OSError) as error:
@@ -235,7 +239,19 @@ def table_of(path: Path) -> str:
     version = metadata.get(b"esg.format", b"").decode()
     if version.split(".")[0] != FORMAT_VERSION.split(".")[0]:
         raise UserError(f"{path} has format {version}; this software reads {FORMAT_VERSION}")
+    values = _values(facts)
+    if values > MOST_VALUES:
+        raise UserError(f"{path} says it holds {values} values, at most {MOST_VALUES} are read")
     return table
+
+
+def _values(facts: pq.FileMetaData) -> int:
+    """Values of all columns together, elements of lists counted."""
+    return sum(
+        facts.row_group(group).column(column).num_values
+        for group in range(facts.num_row_groups)
+        for column in range(facts.num_columns)
+    )
 
 
 def read_table(path: Path, columns: Sequence[str] | None = None) -> pa.Table:

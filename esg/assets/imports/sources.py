@@ -4,15 +4,18 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 import csv
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 import json
 from pathlib import Path, PurePosixPath
 import re
 from typing import Any
 import zipfile
+import zlib
 
 from esg.outcomes import UserError
+from esg.strangers.arrays import check_archive
 
+MOST_UNPACKED_BYTES = 8 * 2**30
 MESH_SUFFIXES = (".glb", ".gltf", ".obj", ".stl", ".ply")
 CATALOGUE_FILES = ("catalogue.csv", "catalog.csv", "catalogue.json", "catalog.json")
 _NUMBER_FIELDS = ("length_cm", "width_cm", "height_cm", "mass_kg")
@@ -44,6 +47,7 @@ class Source:
         front: Model axis that its front faces: +x, -x, +y, -y, +z, -z.
         unit_cm: Size of the model's unit; None guesses.
         rotation: Extra rotation of the model, shape [3, 3], row-major, or empty.
+        root: Folder of its library; default the file's own.
     """
 
     key: str
@@ -62,6 +66,12 @@ class Source:
     front: str = "+z"
     unit_cm: float | None = None
     rotation: tuple[float, ...] = ()
+    root: Path | None = None
+
+    @property
+    def home(self) -> Path:
+        """The folder that nothing of the model may lie outside of."""
+        return self.root or self.path.parent
 
 
 def slug(text: str) -> str:
@@ -89,10 +99,11 @@ def read_sh3f(archive: Path, unpack_to: Path) -> Iterator[Source]:
     Its models are Y-up with fronts towards +Z; the catalogue gives width, depth and height in cm.
 
     Raises:
-        UserError: If the file is not such a library.
+        UserError: If the file is not such a library, or unpacks to more than MOST_UNPACKED_BYTES.
     """
     try:
         with zipfile.ZipFile(archive) as bundle:
+            check_archive(bundle, MOST_UNPACKED_BYTES)
             names = set(bundle.namelist())
             listing = next((n for n in names if n.endswith("FurnitureCatalog.properties")), None)
             if listing is None:
@@ -104,7 +115,7 @@ def read_sh3f(archive: Path, unpack_to: Path) -> Iterator[Source]:
                 if target.is_relative_to(unpack_to.resolve()):
                     bundle.extract(name, unpack_to)
             table = parse_properties(bundle.read(listing).decode("latin-1"))
-    except (zipfile.BadZipFile, OSError) as error:
+    except (zipfile.BadZipFile, zlib.error, ValueError, OSError) as error:
         raise UserError(f"{archive}: cannot be read as a .sh3f library ({error})") from None
     numbers = sorted(int(k.split("#")[1]) for k in table if re.fullmatch(r"name#\d+", k))
     for i in numbers:
@@ -118,6 +129,7 @@ def read_sh3f(archive: Path, unpack_to: Path) -> Iterator[Source]:
             key=f"{slug(archive.stem)}_{slug(get('id').split('#')[-1] or get('name'))}",
             name=get("name"),
             path=unpack_to / PurePosixPath(get("model").lstrip("/")),
+            root=unpack_to,
             dimensions_cm=None if None in size else tuple(size),  # type: ignore[arg-type]
             tags=tuple(t.strip() for t in get("tags").split(",") if t.strip()),
             category=get("category"),
@@ -147,7 +159,8 @@ def read_folder(folder: Path) -> Iterator[Source]:
     files = sorted(p for p in folder.rglob("*") if p.suffix.lower() in MESH_SUFFIXES)
     for path in files:
         inside = path.relative_to(folder)
-        yield _described(path, inside, rows.get(inside.as_posix()) or rows.get(path.name) or {})
+        row = rows.get(inside.as_posix()) or rows.get(path.name) or {}
+        yield replace(_described(path, inside, row), root=folder)
 
 
 def _described(path: Path, inside: Path, row: dict[str, Any]) -> Source:
