@@ -208,9 +208,8 @@ def job_of(
     Raises:
         ValueError: If the surrogate is asked for a scene with joints.
     """
-    if engine == SURROGATE and start.scene.joints:
-        names = [j.name for j in start.scene.joints]
-        raise ValueError(f"the surrogate knows no joints and the scene has {names}; ask newton")
+    if engine == SURROGATE:
+        refuse_joints(start.scene)
     v, batch, bodies, single = start.values, start.batch, start.scene.bodies, np.float32
     inertia = np.zeros((0,), single)
     asleep = np.zeros(v.mass.shape, bool)
@@ -242,6 +241,14 @@ def job_of(
         joint=_joints(start.scene, batch),
         ground_contacts=ground_contacts,
     )
+
+
+def refuse_joints(scene: SimScene) -> None:
+    """Raises a ValueError for a scene that the surrogate cannot simulate."""
+    if scene.joints:
+        raise ValueError(
+            f"{scene.scene_id!r} has joints, which the surrogate cannot simulate; take another"
+        )
 
 
 def _joints(scene: SimScene, batch: ProgramBatch) -> Ints:

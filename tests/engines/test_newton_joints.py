@@ -107,18 +107,91 @@ def test_joint_of_what_does_not_move_is_left_out() -> None:
     assert trees_of(held).trees == ()
 
 
-def test_rings_are_refused_by_name() -> None:
-    scene = links_of(2, parents=[-1, 0])
-    ring = joint_between("catch", "hinge", scene.bodies[1], None, at=(0.75, 0.0, 3.0))
-    with pytest.raises(ValueError, match="ring that 'catch' makes"):
-        play(replace(scene, joints=(*scene.joints, ring)))
-
-
-def test_only_ropes_may_break() -> None:
+def test_what_closes_a_ring_is_what_needs_no_coordinate() -> None:
+    """Of two hinges of a leaf the one with a stop is the branch, whatever their order."""
     scene = links_of(1, parents=[-1])
-    brittle = replace(scene.joints[0], break_impulse=1.0)
-    with pytest.raises(ValueError, match="cannot break 'j0'"):
+    (body,) = scene.bodies
+    other = joint_between("other", "hinge", body, None, at=(-0.25, 0.0, 3.2), axis=(0.0, 1.0, 0.0))
+    stopped = replace(other, upper=1.0)
+    for joints, branch in (((*scene.joints, stopped), 1), ((stopped, *scene.joints), 0)):
+        plan = trees_of(replace(scene, joints=joints))
+        assert [link.joint for link in plan.links] == [branch]
+        assert plan.loose == (1 - branch,)
+        assert len(plan.ties) == 10, "five locks, each of two sides"
+
+
+def test_what_neither_branches_nor_ties_can_do_is_refused_by_name() -> None:
+    scene = links_of(1, parents=[-1])
+    brittle = replace(scene.joints[0], break_impulse=1.0, motor=Motor(1.0))
+    with pytest.raises(ValueError, match="cannot simulate 'j0', which closes a ring or may break"):
         play(replace(scene, joints=(brittle,)))
+    spring = joint_between("s", "spring", scene.bodies[0], None, at=(0.0, 0.0, 3.0))
+    spring = replace(spring, upper=0.5, break_impulse=1.0)
+    with pytest.raises(ValueError, match="cannot simulate 's', a spring that may break"):
+        play(replace(scene, joints=(spring,)))
+
+
+LOOSE = [
+    c
+    for c in cases.cases()
+    if c.name.startswith(("pendulum", "hinge with friction", "cone", "fixed", "door"))
+    and not any(j.flexible for j in c.joints)
+]
+
+
+@pytest.mark.parametrize("case", LOOSE, ids=lambda c: c.name)
+def test_joint_in_no_tree_moves_as_its_closed_form_says(case) -> None:
+    """As one that may break, which it does not."""
+    joints = tuple(replace(j, break_impulse=1e9) for j in case.joints)
+    assert not cases.too_far(cases.run(("newton",), [replace(case, joints=joints)]), ("newton",))
+
+
+def test_ring_of_four_hinges_swings_as_its_closed_form_says() -> None:
+    """A bar that two arms carry moves without turning: a pendulum of all three."""
+    angle, length = 0.5, 1.0
+    down = np.array([-math.sin(angle), 0.0, -math.cos(angle)])
+    turn = (0.0, math.sin(0.5 * angle), 0.0, math.cos(0.5 * angle))
+    arms = [
+        box(f"arm{i}", (0.02, 0.02, 0.5), 1.0, tuple(np.array([x, 0.0, 3.0]) + 0.5 * down),
+            quaternion=turn)
+        for i, x in enumerate((-0.5, 0.5))
+    ]  # fmt: skip
+    bar = box("bar", (0.5, 0.02, 0.02), 2.0, tuple(np.array([0.0, 0.0, 3.0]) + down))
+    y, joints = (0.0, 1.0, 0.0), []
+    for i, x in enumerate((-0.5, 0.5)):
+        top = np.array([x, 0.0, 3.0])
+        joints += [
+            joint_between(f"top{i}", "hinge", arms[i], None, at=tuple(top), axis=y),
+            joint_between(f"low{i}", "hinge", bar, arms[i], at=tuple(top + down), axis=y),
+        ]
+    scene = SimScene("s", (*arms, bar), joints=tuple(joints))
+    assert len(trees_of(scene).loose) == 1
+    r = play(scene, seconds=10.0)
+    inertia = 2.0 * (arms[0].inertia[1][1] + 0.25 * length**2) + 2.0 * length**2
+    swings = np.arctan2(-r.position[0, :, 2, 0], 3.0 - r.position[0, :, 2, 2])
+    exact = cases.elliptic_period(inertia, 3.0, length, angle)
+    assert cases.period(swings.astype(float)) == pytest.approx(exact, rel=1e-3)
+    assert cases.kept(swings, exact) == pytest.approx(1.0, abs=0.01)
+    for joint in joints:
+        child, parent = (
+            paths(r, scene.index(n)) if n else None for n in (joint.child, joint.parent)
+        )
+        assert joint_state(joint, child, parent).gap.max() < 1e-3
+
+
+def test_leaf_on_two_hinges_turns_as_on_one() -> None:
+    """What the second one adds is there already."""
+    leaf = box("leaf", (0.4, 0.02, 1.0), 20.0, (0.4, 0.0, 1.1))
+    hinges = [
+        joint_between(f"h{z}", "hinge", leaf, None, at=(0.0, 0.0, z), axis=(0.0, 0.0, 1.0))
+        for z in (0.3, 1.9)
+    ]
+    push = ApplyImpulse("leaf", 0.0, (0.0, 10.0, 0.0))
+    spins = []
+    for joints in (hinges[:1], hinges):
+        r = play(SimScene("s", (leaf,), joints=tuple(joints)), push)
+        spins.append(r.angular_velocity[0, 1:, 0, 2])
+    assert spins[1] == pytest.approx(spins[0], rel=1e-3)
 
 
 def test_joint_turned_around_says_the_same() -> None:

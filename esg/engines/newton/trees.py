@@ -16,7 +16,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.joints import Joint
+from esg.engines.joints import GAP_M, Joint
 from esg.units import quat_inverse, quat_multiply, quat_rotate
 
 Floats = NDArray[np.float64]
@@ -115,11 +115,10 @@ def plan_trees(
     trees, rings = _grow(joints, ends, dynamic)
     brittle = [k for k, j in enumerate(joints) if j.break_impulse is not None]
     loose = sorted({*rings, *(k for k in brittle if not joints[k].flexible)})
-    _refuse([joints[k] for k in loose if _more_than_ties(joints[k])], "which closes a ring or may "
-            "break, with a motor, limits, stiffness, or what slows a slider down")  # fmt: skip
-    _refuse(
-        [joints[k] for k in brittle if joints[k].kind == "spring"], "a spring, so that it breaks"
-    )
+    many = [joints[k] for k in loose if _more_than_ties(joints[k])]
+    _refuse(many, "which closes a ring or may break, with a motor, limits or stiffness, or with "
+            "what slows a slider down")  # fmt: skip
+    _refuse([joints[k] for k in brittle if joints[k].kind == "spring"], "a spring that may break")
     named = list(zip(joints, ends, strict=True))
     return Trees(
         joints=joints,
@@ -181,7 +180,10 @@ def _grow(
                 along = at == nodes[k][0]
                 there = nodes[k][1 if along else 0]
                 if there in seen:
-                    rings.add(k)
+                    same = (joints[m] for m in used - {k} if ends[m] == ends[k])
+                    more = _more_than_ties(joints[k])
+                    if more or not any(_on_one_axis(joints[k], other) for other in same):
+                        rings.add(k)
                     continue
                 seen.add(there)
                 record = joints[k] if along else turned_around(joints[k])
@@ -198,6 +200,16 @@ def _grow(
             seen.add(body)
             trees.append(grown(body, Link(body, -1, -1, -1, None)))
     return tuple(trees), rings
+
+
+def _on_one_axis(one: Joint, two: Joint) -> bool:
+    """Whether two joints are hinges of the same bodies about one axis: either is enough."""
+    if one.kind != "hinge" or two.kind != "hinge":
+        return False
+    axis, other = (quat_rotate(np.array(j.parent_rotation), np.eye(3)[0]) for j in (one, two))
+    between = np.array(two.parent_anchor) - np.array(one.parent_anchor)
+    off = max(float(np.abs(np.cross(axis, v)).max()) for v in (other, between))
+    return off < GAP_M
 
 
 def turned_around(joint: Joint) -> Joint:

@@ -14,11 +14,12 @@ from esg.dynamics.search.batched import search
 from esg.dynamics.search.bystanders import bystanders
 from esg.dynamics.search.panel import REFERENCE_DT_S, Panel
 from esg.dynamics.strategies import optimize
+from esg.engines.jobs import make_job
 from esg.engines.joints import Joint, joint_between
 from esg.engines.program import Program, batch_programs
-from esg.engines.registry import get_engine
 from esg.engines.rest import at_rest
 from esg.engines.scene import SimScene
+from esg.engines.shapes import SceneShapes
 from esg.graph.models import (
     Actor,
     EsgDocument,
@@ -144,8 +145,9 @@ def test_surrogate_and_what_differentiates_it_refuse_joints(monkeypatch) -> None
     doc, joints = ball_opens_door()
     scene: SimScene = replace(build_scene(doc), joints=tuple(joints))
     batch = batch_programs([Program((), 0.1)], scene.names)
-    with pytest.raises(ValueError, match=r"knows no joints and the scene has \['hinge'\]"):
-        get_engine("surrogate").rollout(scene, batch)
+    with pytest.raises(ValueError, match="has joints, which the surrogate cannot simulate"):
+        make_job("surrogate", 0, scene, SceneShapes.of(scene), batch,
+                 dt=REFERENCE_DT_S, record_every=1, variation=None)  # fmt: skip
     monkeypatch.setattr("esg.dynamics.strategies.build_scene", lambda _: scene)
     for options in ({"strategy": "ad"}, {"strategy": "hybrid"}, {"collision": "sdf"}):
         with pytest.raises(UserError, match="knows no joints"):
