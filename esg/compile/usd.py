@@ -21,6 +21,7 @@ from esg.compile.mjcf import start_velocities
 from esg.compile.usd_physx import physx_body, physx_collider, physx_material, physx_scene
 from esg.compile.usd_program import write_program
 from esg.engines.manifest import Manifest
+from esg.engines.physx_engine import position_iterations
 from esg.engines.scene import Body, Rollout, Shape
 from esg.engines.wheels import wheel_angles
 from esg.engines.worlds import principal_axes
@@ -96,7 +97,7 @@ def physics_layer(manifest: Manifest, folder: Path) -> str:
             rigid.CreateAngularVelocityAttr(Gf.Vec3f(*(float(v) * _RAD_TO_DEG for v in angular)))
             # NVIDIA's PhysX takes velocities as the world's unless a body says otherwise.
             prim.SetCustomDataByKey("physics:localSpaceVelocities", True)
-            physx_body(prim, body)
+            physx_body(prim, body, position_iterations(scene))
     write_program(stage, manifest.program, manifest.dt, paths)
     layer = stage.GetRootLayer()
     assert isinstance(layer, Sdf.Layer)

@@ -466,7 +466,7 @@ class JointLoads:
                 for body, sign in zip(ends, (1.0, -1.0), strict=True):
                     if body in rows:
                         gives[rows[body], k] = sign
-        return np.linalg.pinv(gives)
+        return np.asarray(np.linalg.pinv(gives), np.float64)
 
     def before(self, world: Bodies) -> None:
         """Looks at the bodies once everything that acts before the step has acted."""

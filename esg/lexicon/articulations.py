@@ -57,6 +57,11 @@ class Articulation:
     friction: float | None
     source: str
 
+    @property
+    def hangs(self) -> bool:
+        """Whether it hangs by one point or bar, so that a ceiling does as well as its stand."""
+        return self.drawn is not None and self.carries == "with" and self.kind in ("ball", "hinge")
+
 
 @cache
 def articulations() -> dict[str, Articulation]:
