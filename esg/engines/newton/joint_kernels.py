@@ -239,6 +239,7 @@ def drive_axes(
 
 @wp.kernel(enable_backward=False)
 def brake_balls(
+    first: wp.array(dtype=int),
     grid: wp.array(dtype=wp.float64),
     body_a: wp.array(dtype=int),
     body_b: wp.array(dtype=int),
@@ -251,9 +252,10 @@ def brake_balls(
     body_qd: wp.array(dtype=wp.spatial_vector),
     body_f: wp.array(dtype=wp.spatial_vector),
 ):
-    """One thread brakes all ball joints: by no more than stops the child in a step."""
+    """One thread per world brakes its ball joints: by no more than stops the child in a step."""
+    world = wp.tid()
     dt = float(grid[0])
-    for i in range(body_a.shape[0]):
+    for i in range(first[world], first[world + 1]):
         gone = int(0)  # noqa: UP018, RUF046  # a variable to Warp, not a constant
         if group[i] >= 0:
             gone = broken[group[i]]
@@ -410,7 +412,7 @@ def break_joints(
     solid: wp.array(dtype=int),
     grid: wp.array(dtype=wp.float64),
     window: float,
-    group: wp.array(dtype=int),
+    first_tie: wp.array(dtype=int),
     strength: wp.array(dtype=float),
     force: wp.array(dtype=wp.spatial_vector),
     taken: wp.array2d(dtype=wp.vec3),
@@ -423,9 +425,9 @@ def break_joints(
     dt = float(grid[0])
     steps = wp.clamp(int(wp.rint(window / dt)), 1, taken.shape[1])
     now = wp.vec3(0.0, 0.0, 0.0)
-    for i in range(group.shape[0]):
+    for i in range(first_tie[g], first_tie[g + 1]):
         slot = solid[0] + i
-        if group[i] == g and slot < force.shape[0]:
+        if slot < force.shape[0]:
             now += wp.spatial_top(force[slot]) * dt
     taken[g, clock[0] % steps] = now
     total = wp.vec3(0.0, 0.0, 0.0)

@@ -152,19 +152,20 @@ class _Brakes:
     def __init__(self, places: Places, ties: Ties) -> None:
         self.wp = wp = quiet_warp()
         found: list[tuple[int, int, int, Joint]] = []
-        for k, link in places.links:
-            if link.record is not None and link.record.kind == "ball":
-                pairs = zip(
-                    places.numbers(k, link.parent), places.numbers(k, link.child), strict=True
-                )
-                found += [(int(a), int(b), -1, link.record) for a, b in pairs]
+        first = [0]
         for w, k in enumerate(places.scene_of):
             plan = places.plans[k]
+            for link in plan.links:
+                if link.record is not None and link.record.kind == "ball":
+                    ends = places.number(w, link.parent), places.number(w, link.child)
+                    found.append((*ends, -1, link.record))
             for joint in plan.loose:
-                a, b = (getattr(next(t for t in plan.ties if t.joint == joint), e) for e in "ab")
-                ends = places.number(w, a), places.number(w, b)
+                tie = next(t for t in plan.ties if t.joint == joint)
+                ends = places.number(w, tie.a), places.number(w, tie.b)
                 found.append((*ends, ties.groups[w, joint], plan.joints[joint]))
+            first.append(len(found))
         self._ties = ties
+        self.first = wp.array(np.array(first, np.int32), dtype=int)
         whole = np.array([f[:3] for f in found], np.int32).reshape(-1, 3)
         slow = np.array([(f[3].damping, f[3].friction) for f in found], np.float32).reshape(-1, 2)
         self.body_a, self.body_b, self.group = (wp.array(c.copy(), dtype=int) for c in whole.T)
@@ -176,11 +177,11 @@ class _Brakes:
         if len(self.body_b):
             self.wp.launch(
                 kernels.brake_balls,
-                dim=1,
+                dim=worlds.n_worlds,
                 inputs=[
-                    worlds.grid, self.body_a, self.body_b, self.group, self._ties.broken,
-                    self.damping, self.friction, worlds.model.body_inertia, state.body_q,
-                    state.body_qd, state.body_f,
+                    self.first, worlds.grid, self.body_a, self.body_b, self.group,
+                    self._ties.broken, self.damping, self.friction, worlds.model.body_inertia,
+                    state.body_q, state.body_qd, state.body_f,
                 ],
             )  # fmt: skip
 

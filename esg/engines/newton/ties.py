@@ -65,7 +65,9 @@ class Ties:
             return wp.array(np.array(values, np.int32), dtype=int)
 
         self.world = ints([w for w, _ in found])
-        self.group = ints([self.groups[w, t.joint] for w, t in found])
+        group = [self.groups[w, t.joint] for w, t in found]
+        self.group = ints(group)
+        self.first_tie = ints(np.searchsorted(group, np.arange(len(self.groups) + 1)).tolist())
         self.body_a, self.body_b = (bodies_of(places, found, end) for end in ("a", "b"))
         self.mark_a, self.mark_b = (
             ints([marks[w].get(getattr(t, end), -1) for w, t in found]) for end in ("a", "b")
@@ -150,7 +152,7 @@ class Ties:
                 kernels.break_joints,
                 dim=self.strength.shape[0],
                 inputs=[
-                    worlds.clock, self.solid, worlds.grid, BREAK_WINDOW_S, self.group,
+                    worlds.clock, self.solid, worlds.grid, BREAK_WINDOW_S, self.first_tie,
                     self.strength, worlds.observables.contact_f, self.taken, self.broken,
                 ],
             )  # fmt: skip
