@@ -152,6 +152,13 @@ FLIGHT_FIELDS = (
 )
 """Of holds, in classes with powered flight."""
 
+TIME_FIELDS = (
+    Field("bool", "bTakesTime", "false", "Whether it comes to its speed by and by."),
+    Field("double", "Gains", "0.0", "How fast to a greater one [cm/s^2].", "", "0"),
+    Field("double", "Loses", "0.0", "How fast to a lesser one [cm/s^2].", "", "0"),
+)
+"""Of holds, in classes in which one takes its time."""
+
 BRAKE_FIELDS = (
     Field("bool", "bSetBraking", "false", "Whether Braking is set."),
     Field("double", "Braking", "0.0", "Deceleration by the brakes [cm/s^2].", "", "0", "100000"),
@@ -229,6 +236,8 @@ def emit_header(plan: ScenePlan) -> str:
             fields = PRIMITIVE_FIELDS[kind]
             if kind == "HoldVelocity" and plan.flies:
                 fields = (*fields, *FLIGHT_FIELDS)
+            if kind == "HoldVelocity" and plan.takes_time:
+                fields = (*fields, *TIME_FIELDS)
             if kind == "AdjustProperties" and plan.brakes:
                 fields = (*fields, *BRAKE_FIELDS)
             parts.append(_struct(f"F{name}{kind}", PRIMITIVE_TEXT[kind], fields))

@@ -198,6 +198,11 @@ class ScenePlan:
         return any(field == "bFlies" for p in self.primitives for field, _ in p.values)
 
     @property
+    def takes_time(self) -> bool:
+        """Whether a hold comes to its speed; classes without one say nothing of it."""
+        return any(field == "bTakesTime" for p in self.primitives for field, _ in p.values)
+
+    @property
     def wheels(self) -> tuple[tuple[UnrealBody, UnrealWheel], ...]:
         """All wheels with their bodies; classes without any say nothing of them."""
         return tuple((b, w) for b in self.bodies for w in b.wheels)
@@ -402,9 +407,15 @@ def _values(p: OfBody) -> tuple[tuple[str, str], ...]:
     if isinstance(p, HoldSpin):
         return (*span, ("Spin", frames.vector_literal(frames.angular_to_unreal(p.spin))))
     limit = min(p.max_speed * frames.CM_PER_M, UNLIMITED)
-    flight: list[tuple[str, str]] = []
+    more: list[tuple[str, str]] = []
     if p.climb is not None:
-        flight = [("bFlies", "true"), ("Climb", frames.literal(p.climb * frames.CM_PER_M))]
+        more = [("bFlies", "true"), ("Climb", frames.literal(p.climb * frames.CM_PER_M))]
+    if p.gains is not None and p.loses is not None:
+        more += [
+            ("bTakesTime", "true"),
+            ("Gains", frames.literal(p.gains * frames.CM_PER_M)),
+            ("Loses", frames.literal(p.loses * frames.CM_PER_M)),
+        ]
     return (
         *span,
         ("Speed", frames.literal(p.speed * frames.CM_PER_M)),
@@ -413,7 +424,7 @@ def _values(p: OfBody) -> tuple[tuple[str, str], ...]:
         ("MaxSpeed", frames.literal(limit)),
         ("TurnRate", frames.literal(frames.heading_to_unreal(p.turn_rate))),
         ("RollRadius", frames.literal(p.roll_radius * frames.CM_PER_M)),
-        *flight,
+        *more,
     )
 
 

@@ -54,6 +54,25 @@ FLIGHT = """\
 \t}"""
 """Vertical velocity of a hold, in classes with powered flight."""
 
+APPROACH = """\
+\tif (Command.bTakesTime)
+\t{
+\t\tconst double Step = (Due - SceneTime) / @CLASS@Detail::HalfStep;
+\t\tconst double Gains = Command.Gains * Step;
+\t\tconst double Loses = Command.Loses * Step;
+\t\tconst FVector Ahead(FMath::Cos(Heading), FMath::Sin(Heading), 0.0);
+\t\tconst FVector Aside(-Ahead.Y, Ahead.X, 0.0);
+\t\tconst double Turned = Heading - FMath::DegreesToRadians(Command.TurnRate) * Step;
+\t\tconst FVector Had = Body->GetPhysicsLinearVelocity();
+\t\tdouble Along = FMath::Cos(Turned) * Had.X + FMath::Sin(Turned) * Had.Y;
+\t\tdouble Across = FMath::Cos(Turned) * Had.Y - FMath::Sin(Turned) * Had.X;
+\t\tAlong += FMath::Clamp(Speed - Along, -Loses, Gains);
+\t\tAcross -= FMath::Clamp(Across, -Loses, Loses);
+\t\tVelocity = Ahead * Along + Aside * Across;
+\t}
+"""
+"""How a hold comes to its velocity, in classes in which one takes its time."""
+
 SET_BRAKING = """\
 	if (Command.bSetBraking)
 	{
@@ -205,6 +224,7 @@ void A@CLASS@::CollectWheels()
 def _run(plan: ScenePlan, kind: str) -> str:
     """What executes primitives of a kind."""
     text = _template(f"Run{kind}")
+    text = text.replace("@APPROACH@\n", APPROACH if plan.takes_time else "")
     text = text.replace("@SET_BRAKING@\n", SET_BRAKING if plan.brakes else "")
     return text.replace("@ON_GROUND@", IN_FLIGHT if plan.flies else "").replace(
         "@RISE@", FLIGHT if plan.flies else KEPT_RISE

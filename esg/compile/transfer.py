@@ -22,6 +22,7 @@ from esg.outcomes import UserError
 from esg.scenereading import damaged, first_line
 
 if TYPE_CHECKING:
+    from esg.graph import EsgDocument
     from esg.metrics.models import SceneVerdict, SuiteScene
 
 MATRIX_ENGINES = ("physx", "rapier", "newton")
@@ -89,7 +90,13 @@ class TransferRun:
 
 
 def replay_scene(
-    folder: Path, manifest: Manifest, engine: str, dt: float, *, trust: Trust = "equal"
+    folder: Path,
+    manifest: Manifest,
+    engine: str,
+    dt: float,
+    *,
+    trust: Trust = "equal",
+    document: EsgDocument | None = None,
 ) -> tuple[Rollout, Proof]:
     """One replay of a compiled scene: the class in PhysX, elsewhere its control program.
 
@@ -102,6 +109,7 @@ def replay_scene(
         engine: physx, rapier or newton.
         dt: Physics step [s].
         trust: Which classes are run.
+        document: What `esg.json` holds, if the caller has read it.
 
     Raises:
         UserError: If the folder holds no compiled scene or a damaged one, or for an unknown engine.
@@ -114,7 +122,9 @@ def replay_scene(
         from esg.compile.trust.confined import ClassStopped
 
         try:
-            return replay_class(folder, dt=dt, trust=trust == "anything").rollout, "class"
+            vouched = trust == "anything"
+            replay = replay_class(folder, dt=dt, document=document, trust=vouched)
+            return replay.rollout, "class"
         except CompilerMissing:
             pass
         except ForeignClass as error:

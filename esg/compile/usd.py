@@ -31,6 +31,7 @@ from esg.compile.usd_program import write_program
 from esg.engines.joint_rules import BREAK_WINDOW_S
 from esg.engines.joints import WORLD, Joint
 from esg.engines.manifest import Manifest
+from esg.engines.physx_engine import position_iterations
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.engines.wheels import wheel_angles
 from esg.engines.worlds import principal_axes
@@ -114,7 +115,7 @@ def physics_layer(manifest: Manifest, folder: Path) -> str:
             rigid.CreateAngularVelocityAttr(Gf.Vec3f(*(float(v) * _RAD_TO_DEG for v in angular)))
             # NVIDIA's PhysX takes velocities as the world's unless a body says otherwise.
             prim.SetCustomDataByKey("physics:localSpaceVelocities", True)
-            physx_body(prim, body)
+            physx_body(prim, body, position_iterations(scene))
     joints = _joints(stage, manifest, paths)
     write_program(stage, manifest.program, manifest.dt, paths, joints)
     layer = stage.GetRootLayer()

@@ -15,7 +15,6 @@ from esg.engines.joints import Joint
 from esg.engines.physx_engine import (
     BOUNCE_THRESHOLD_MPS,
     DEPENETRATION_MPS,
-    POSITION_ITERATIONS,
     VELOCITY_ITERATIONS,
 )
 from esg.engines.scene import Body
@@ -55,7 +54,7 @@ def physx_scene(prim: Any, dt: float) -> None:
     )
 
 
-def physx_body(prim: Any, body: Body) -> None:
+def physx_body(prim: Any, body: Body, iterations: int) -> None:
     """Damping [1/s], limits and solver of a moving body, and that its contacts are reported."""
     _apply(
         prim,
@@ -67,7 +66,7 @@ def physx_body(prim: Any, body: Body) -> None:
             "maxAngularVelocity": math.degrees(FASTEST_SPIN_RADPS),
             "maxDepenetrationVelocity": DEPENETRATION_MPS,
             "sleepThreshold": 0.0,
-            "solverPositionIterationCount": POSITION_ITERATIONS,
+            "solverPositionIterationCount": iterations,
             "solverVelocityIterationCount": VELOCITY_ITERATIONS,
             "enableGyroscopicForces": True,
         },

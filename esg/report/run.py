@@ -21,7 +21,7 @@ from esg.scenereading import (
     read_object,
     read_text,
 )
-from esg.strangers.folders import lies_in, oddity
+from esg.strangers.folders import file_in, lies_in, oddity
 from esg.strangers.sums import altered
 
 RUN_FILE = "run.json"
@@ -173,7 +173,9 @@ def load_run(folder: Path, *, against: Path | None = None, database: Path | None
     scenes = tuple(read_scene(path) for path in paths)
     problems: list[str] = []
     document: dict[str, Any] = {}
-    if (folder / RUN_FILE).exists():
+    if (folder / RUN_FILE).exists() and file_in(folder, RUN_FILE) is None:
+        problems.append(str(damaged(folder / RUN_FILE, "no file of this folder")))
+    elif (folder / RUN_FILE).exists():
         document = collected(problems, lambda: _results(folder / RUN_FILE), document)
     rows = tuple(document.get("scenes") or _rows(scenes))
     facts = {k: document[k] for k in ("suite", "strategy", "engine", "runs", "dt") if k in document}

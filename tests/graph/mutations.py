@@ -960,7 +960,14 @@ def joints(m: Maker) -> None:
     told("JOINT_UNKNOWN", at="child", child="ghost")
     told("JOINT_UNKNOWN", at="parent", parent="ghost")
     told("JOINT_CHILD", at="child", note="itself", child="picnic_table_1")
-    told("JOINT_CHILD", "JOINT_MOUNT", at="child", note="fixed", child="ground_1", child_mount="pivot")
+    told(
+        "JOINT_CHILD",
+        "JOINT_MOUNT",
+        at="child",
+        note="fixed",
+        child="ground_1",
+        child_mount="pivot",
+    )
     told("JOINT_MOUNT", at="child_mount", child_mount="ghost")
     told("JOINT_MOUNT", at="parent_mount", parent_mount="ghost")
     told("JOINT_FIELD", at="parent", parent=None)

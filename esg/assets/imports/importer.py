@@ -17,7 +17,7 @@ from typing import Any
 import numpy as np
 
 from esg.assets.imports.sources import Source, read_folder, read_sh3f, slug
-from esg.assets.imports.store import library_root, write_index
+from esg.assets.imports.store import library_root, read_record, write_index
 from esg.files import atomic_file, explained, refused, unwritable
 from esg.outcomes import UserError
 from esg.strangers import gltf
@@ -27,6 +27,8 @@ IMPORT_VERSION = 2
 MAX_FACES = 60_000
 MAX_TEXTURE = 1024
 _SANE_CM = (0.2, 6000.0)
+_ROTATION_ERROR = 0.01
+"""By which a rotation matrix may miss: catalogues give three digits."""
 
 
 @dataclass
@@ -126,7 +128,7 @@ def _import_one(source: Source, folder: Path, report: ImportReport, convex: bool
         return
     try:
         key = _source_hash(source, convex)
-        if record.is_file() and json.loads(record.read_text())["source_hash"] == key:
+        if _recorded_hash(record) == key:
             report.unchanged.append(source.key)
             return
         data, notes = convert(source, convex=convex, cache=folder / "convex")
@@ -143,6 +145,14 @@ def _import_one(source: Source, folder: Path, report: ImportReport, convex: bool
         if unwritable(error):
             raise
         report.problems.append((source.key, f"{type(error).__name__}: {error}"))
+
+
+def _recorded_hash(record: Path) -> str:
+    """Of what a record was made; empty if there is none, or a damaged one, which is made anew."""
+    try:
+        return str(read_record(record).get("source_hash")) if record.is_file() else ""
+    except UserError:
+        return ""
 
 
 def write_file(path: Path, data: bytes) -> None:
@@ -189,6 +199,8 @@ def convert(
         raise ValueError("vertices are not finite")
     matrix = np.eye(4)
     turn = np.reshape(source.rotation, (3, 3)) if source.rotation else np.eye(3)
+    if not np.allclose(turn @ turn.T, np.eye(3), atol=_ROTATION_ERROR):
+        raise ValueError(f"modelRotation {source.rotation} is no rotation")
     matrix[:3, :3] = frame(source.up, source.front) @ turn
     low, high = _bounds(meshes, matrix)
     extents = np.maximum(high - low, 1e-9)

@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 import contextlib
 from dataclasses import asdict, dataclass
+import gc
 import json
 import os
 import selectors
@@ -100,6 +101,7 @@ def _forked(job: Job, limit: float) -> Generator[_Child]:
 def _in_fork(work: Callable[[], None], tell: int, complain: int) -> None:
     """In the child: nothing of the parent's is open any more, and it never returns."""
     code = 1
+    gc.disable()  # it would touch, and so copy, all that the parent has
     try:
         silence = os.open(os.devnull, os.O_RDWR)
         os.set_blocking(complain, False)

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from esg.engines.program import AdjustProperties, ApplyImpulse, SetVelocity
+from esg.engines.program import Lasting
 from esg.metrics.binding import Binding
 from esg.metrics.detection import Found, Query, duration_of, runs
 from esg.metrics.events.space import inside_volume, is_over, volumes
@@ -166,7 +166,7 @@ def _held(replay: Replay, body: int) -> Bools:
     out = np.zeros(len(replay.time), bool)
     for control in replay.controls(body):
         p = control.primitive
-        if isinstance(p, SetVelocity | ApplyImpulse | AdjustProperties):
+        if not isinstance(p, Lasting):
             continue
         ends = [p.end]
         for name in p.until_contact:
