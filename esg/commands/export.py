@@ -8,7 +8,6 @@ from typing import Annotated, Literal
 
 from cyclopts import Parameter
 
-MCAP_MAGIC = b"\x89MCAP0\r\n"
 """First and last bytes of a finished log."""
 
 
@@ -68,19 +67,20 @@ def _export(
 
 
 def _is_whole_mcap(path: Path) -> bool:
-    """Whether a log begins and ends as one does: a cut-off one is made again."""
+    """Whether a log is what its checksums say: a damaged one is made again."""
+    from esg.outcomes import UserError
     from esg.scenereading import damaged
+    from esg.store.checking import check_recording
 
     if path.is_dir():
         raise damaged(path, "a folder")
     if not path.is_file():
         return False
-    if path.stat().st_size <= 2 * len(MCAP_MAGIC):
+    try:
+        check_recording(path)
+    except UserError:
         return False
-    with path.open("rb") as file:
-        first = file.read(len(MCAP_MAGIC))
-        file.seek(-len(MCAP_MAGIC), 2)
-        return first == file.read() == MCAP_MAGIC
+    return True
 
 
 def _mcap(folder: Path, target: Path) -> list[Path]:

@@ -26,6 +26,7 @@ class Articulation:
         with_part: Part that is added.
         carries: Which of them is the parent.
         count: How many are added.
+        above_cm: Height of the named part above the ground, if it is the one that moves.
         serves: Nouns in the prompt that stand for the added part.
         kind: Of the joint.
         parent_mount: Of the parent; `{n}` counts the added parts from 1.
@@ -43,6 +44,7 @@ class Articulation:
     with_part: str
     carries: Literal["becomes", "with"]
     count: int
+    above_cm: float
     serves: tuple[str, ...]
     kind: JointKind
     parent_mount: str
@@ -84,6 +86,7 @@ def _row(line: dict[str, str]) -> Articulation:
         with_part=line["with"],
         carries=line["carries"],  # type: ignore[arg-type]  # tested
         count=int(line["count"]),
+        above_cm=number("above_cm") or 0.0,
         serves=tuple(w for w in line["serves"].split(";") if w),
         kind=line["kind"],  # type: ignore[arg-type]  # tested
         parent_mount=line["parent_mount"],

@@ -9,10 +9,17 @@ from helpers import assert_same, both, written
 import numpy as np
 import pytest
 import scenes
+from usd import usd_of
 
+from benchmarks.joints import Case as Swing
+from benchmarks.joints import kept, pendulums, period
 from esg.compile import ReplayError, emit_class, replay_class
+from esg.compile.mjcf import scene_mjcf
+from esg.compile.names import unique_identifiers
+from esg.engines import get_engine
 from esg.engines.joints import Joint, Motor, joint_between
-from esg.engines.program import DriveJoint, Primitive, Program, SetVelocity
+from esg.engines.manifest import manifest_from_json, manifest_to_json
+from esg.engines.program import DriveJoint, Primitive, Program, SetVelocity, batch_programs
 from esg.engines.scene import Body, SimScene
 
 _Y, _Z = (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)
@@ -178,3 +185,145 @@ def test_a_constraint_that_is_no_joint_is_refused(tmp_path: Path) -> None:
     source.write_text(text.replace("SetLinearYLimit(Across,", "SetLinearYLimit(LCM_Free,"))
     with pytest.raises(ReplayError, match="PivotJoint leaves free what no joint does"):
         replay_class(tmp_path, duration=0.1, trust=True)
+
+
+def mujoco_plays(scene: SimScene, program: Program, seconds: float) -> np.ndarray:
+    """Centres of mass in MuJoCo [m], shape [T, B, 3]."""
+    import mujoco
+
+    manifest = manifest_from_json(manifest_to_json(scene, program, dt=1 / 240))
+    model = mujoco.MjModel.from_xml_string(scene_mjcf(manifest))
+    data = mujoco.MjData(model)
+    mujoco.mj_resetDataKeyframe(model, data, 0)
+    mujoco.mj_forward(model, data)
+    idents = unique_identifiers(scene.names)
+    rows = [model.body(idents[b.name]).id for b in scene.bodies]
+    out = [data.xpos[rows].copy()]
+    for _ in range(round(seconds * 240)):
+        mujoco.mj_step(model, data)
+        mujoco.mj_kinematics(model, data)
+        out.append(data.xpos[rows].copy())
+    return np.array(out)
+
+
+@pytest.mark.parametrize("case", pendulums(), ids=lambda case: case.name)
+def test_pendulums_keep_their_period_in_mujoco(case: Swing) -> None:
+    path = mujoco_plays(case.scene, Program((), 10.0), 10.0)[:, 0]
+    x, _, z = (path - (0.0, 0.0, 3.0)).T
+    angles = np.unwrap(np.arctan2(-x, -z))
+    assert period(angles) == pytest.approx(case.exact[0], rel=1e-3)
+    assert kept(angles, case.exact[0]) == pytest.approx(1.0, abs=1e-2)
+
+
+@pytest.mark.parametrize("name", ["slide", "hung"])
+def test_mujoco_starts_as_the_scene_and_moves_by_its_joints(name: str) -> None:
+    scene, program = built(name)
+    path = mujoco_plays(scene, program, 0.4)
+    np.testing.assert_allclose(path[0], [b.position for b in scene.bodies], atol=1e-9)
+    batch = batch_programs([program], scene.names)
+    ours = get_engine("physx").rollout(scene, batch, duration=0.4).position[0]
+    joined = [i for i, b in enumerate(scene.bodies) if b.name in {j.child for j in scene.joints}]
+    # Later they meet limits, which are softer in MuJoCo.
+    assert np.abs(path[45] - path[0]).max() > 0.02
+    np.testing.assert_allclose(path[45, joined], ours[45, joined], atol=3e-3)
+
+
+def test_mjcf_has_every_joint() -> None:
+    found: dict[str, str] = {}
+    for name in CASES:
+        scene, program = built(name)
+        manifest = manifest_from_json(manifest_to_json(scene, program, dt=1 / 240))
+        found[name] = scene_mjcf(manifest)
+    assert 'type="hinge"' in found["door"] and 'range="-0.2 1.5"' in found["door"]
+    assert 'stiffness="6" damping="2" frictionloss="0.8"' in found["door"]
+    assert '<exclude body1="Leaf" body2="Frame" />' in found["door"]
+    assert (
+        '<velocity name="RailA" joint="A_joint" forcerange="-40 40" kv="10000" />' in found["slide"]
+    )
+    for text in (
+        'type="slide"',
+        'type="ball"',
+        'range="0 1.2"',
+        'springlength="0.4"',
+        "break_Weld",
+    ):
+        assert text in found["hung"]
+    scene = SimScene("door", door()[0])
+    manifest = manifest_from_json(manifest_to_json(scene, Program((), 1.0), dt=1 / 240))
+    assert "oint" not in scene_mjcf(manifest).replace("freejoint", "").replace("free joint", "")
+
+
+@pytest.mark.parametrize("name", CASES)
+def test_usd_with_joints_is_valid(tmp_path: Path, name: str) -> None:
+    from pxr import Usd, UsdValidation
+
+    stage = Usd.Stage.Open(str(usd_of(tmp_path, *built(name))))
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    errors = UsdValidation.ValidationContext(validators).Validate(stage)
+    serious = UsdValidation.ValidationErrorType.Error
+    assert [e.GetMessage() for e in errors if e.GetType() == serious] == []
+
+
+def test_usd_frames_of_a_joint_meet_in_the_world(tmp_path: Path) -> None:
+    """The two frames are in the prims' own spaces and have one place and axis at position 0."""
+    from pxr import Gf, Usd, UsdGeom, UsdPhysics
+
+    for name in CASES:
+        scene, program = built(name)
+        folder = tmp_path / name
+        folder.mkdir()
+        stage = Usd.Stage.Open(str(usd_of(folder, scene, program)))
+        found = [p for p in stage.Traverse() if p.IsA(UsdPhysics.Joint)]
+        assert len(found) == len(scene.joints)
+        cache = UsdGeom.XformCache()
+        for prim, joint in zip(found, scene.joints, strict=True):
+            made = UsdPhysics.Joint(prim)
+            ends = []
+            for rel, at, turn in (
+                (made.GetBody0Rel(), made.GetLocalPos0Attr(), made.GetLocalRot0Attr()),
+                (made.GetBody1Rel(), made.GetLocalPos1Attr(), made.GetLocalRot1Attr()),
+            ):
+                own = Gf.Matrix4d().SetTransform(Gf.Rotation(turn.Get()), Gf.Vec3d(at.Get()))
+                targets = rel.GetTargets()
+                base = (
+                    cache.GetLocalToWorldTransform(stage.GetPrimAtPath(targets[0]))
+                    if targets
+                    else 1
+                )
+                ends.append(own * base)
+            apart = (ends[0].ExtractTranslation() - ends[1].ExtractTranslation()).GetLength()
+            if joint.kind in ("hinge", "ball", "fixed"):
+                assert apart < 1e-6
+            if joint.kind in ("hinge", "slider"):
+                x = Gf.Vec3d(1, 0, 0)
+                assert ends[0].TransformDir(x) * ends[1].TransformDir(x) == pytest.approx(1.0)
+
+
+def test_usd_says_limits_drives_and_strength(tmp_path: Path) -> None:
+    from pxr import Usd
+
+    def prim_of(name: str, path: str) -> Usd.Prim:
+        folder = tmp_path / name
+        folder.mkdir(exist_ok=True)
+        stages.append(Usd.Stage.Open(str(usd_of(folder, *built(name)))))
+        return stages[-1].GetPrimAtPath(f"/World/Joints/{path}")
+
+    stages: list[Usd.Stage] = []
+    hinge = prim_of("door", "Hinge")
+    assert hinge.GetTypeName() == "PhysicsRevoluteJoint"
+    values = {a.GetName(): a.Get() for a in hinge.GetAttributes()}
+    assert values["physics:axis"] == "X" and values["physics:collisionEnabled"] is False
+    assert values["physics:upperLimit"] == pytest.approx(np.degrees(1.5))
+    assert values["drive:angular:physics:stiffness"] == pytest.approx(6.0 * np.pi / 180.0)
+    assert values["physxJoint:jointFriction"] == pytest.approx(0.8)
+    rail = {a.GetName(): a.Get() for a in prim_of("slide", "RailA").GetAttributes()}
+    assert rail["drive:linear:physics:targetVelocity"] == pytest.approx(0.3)
+    assert rail["drive:linear:physics:maxForce"] == pytest.approx(40.0)
+    kinds = [prim_of("hung", n).GetTypeName() for n in ("Cord", "Coil", "Hook", "Weld")]
+    assert kinds == [f"Physics{k}Joint" for k in ("Distance", "Distance", "Spherical", "Fixed")]
+    weld = prim_of("hung", "Weld").GetAttribute("physics:breakForce").Get()
+    assert weld == pytest.approx(2.5 * 60.0)
+    command = prim_of("swing", "Pivot").GetStage().GetPrimAtPath("/World/Program/Command0")
+    assert [str(t) for t in command.GetRelationship("esg:joint").GetTargets()] == [
+        "/World/Joints/Pivot"
+    ]

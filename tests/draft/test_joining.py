@@ -153,3 +153,21 @@ def test_smaller_things_resist_less() -> None:
     rope, short = (joints(draft(f"A {w}wrecking ball hits a wall."))[0] for w in ("", "tiny "))
     assert short.upper == pytest.approx((rope.upper or 0) / 2)
     assert short.position == rope.position
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thrown"),
+    [
+        ("A snowball hits a hanging sign.", True),
+        ("A ball hits a hanging lamp.", True),
+        ("A ball hits a punching bag.", True),
+        ("A ball rolls into a punching bag.", False),
+        ("A ball hits a door.", False),
+        ("A ball hits a gate.", False),
+    ],
+)
+def test_what_hangs_out_of_reach_is_thrown_at(prompt: str, thrown: bool) -> None:
+    doc = draft(prompt)
+    assert doc.timeline_system is not None
+    edge = doc.timeline_system.sequence_graph.edges[0]
+    assert (edge.params.spin == "none") is thrown

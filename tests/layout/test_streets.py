@@ -265,3 +265,12 @@ def test_the_kerb_is_where_those_without_wheels_meet_what_stands_at_it(who: str)
     _, across, _, reach = on_street(doc, "street_1", "mailbox_1")
     assert abs(across) - reach > half_width(doc, "street_1")
     assert abs(on_street(doc, "street_1", f"{who}_1")[1]) < half_width(doc, "street_1")
+
+
+def test_a_street_lies_under_who_goes_along_it_not_under_who_comes_across() -> None:
+    doc = laid("A car drives along a street, and a truck crashes into the side of it.")
+    _, _, car, _ = on_street(doc, "street_1", "car_1")
+    _, _, truck, _ = on_street(doc, "street_1", "truck_1")
+    assert abs(math.remainder(car, 180.0)) < 15.0
+    assert abs(abs(truck) - 90.0) < 15.0
+    assert in_its_lane(doc, "street_1", "car_1")

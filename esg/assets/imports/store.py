@@ -62,8 +62,9 @@ def read_record(path: Path) -> dict[str, Any]:
     Raises:
         UserError: Naming what is wrong with it.
     """
+    record: Any = None
     try:
-        record: Any = json.loads(path.read_bytes())
+        record = json.loads(path.read_bytes())
         wrong = [n for n, sound in _FIELDS.items() if not sound(record[n])]
     except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
         wrong = [f"{type(error).__name__}: {error}"]

@@ -30,10 +30,12 @@ def join_parts(scene: Scene) -> list[str]:
     what something else enters stays as it is.
     """
     reasons: list[str] = []
+    acting = {i for n in scene.timeline.nodes for i in n.participants}
     entered = {n.extra.get("region") for n in scene.timeline.nodes}
     for e in list(scene.world.entities.values()):
         row = articulation_of(scene, scene.text, e)
-        if row is None or f"{e.id}/inside" in entered:
+        fixed = e.id in scene.attached and e.id not in acting  # nothing happens to it
+        if row is None or fixed or f"{e.id}/inside" in entered:
             continue
         ratio = _become(e, row.becomes)
         if e.id in scene.attached:

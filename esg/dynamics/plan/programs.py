@@ -256,7 +256,24 @@ class Composer:
                 self._drive(course, leg)
             if any(p.end.event not in UNDISTURBED for p in phases[:k]):
                 course.out[done:] = [self._by_and_by(p) for p in course.out[done:]]
+            elif k == 0 and on_foot(prop(self.doc, actor)) and support_of(self.doc, actor):
+                course.out[done:] = [q for p in course.out[done:] for q in self._down(p)]
         return course.out
+
+    def _down(self, primitive: Primitive) -> list[Primitive]:
+        """What runs off a thing lands on its feet, which takes of its speed what friction does."""
+        if not isinstance(primitive, HoldVelocity) or primitive.climb is not None:
+            return [primitive]
+        end = primitive.start + LEAST_S
+        if primitive.start > 0.0 or primitive.end <= end:
+            return [primitive]
+        later = replace(
+            primitive,
+            start=end,
+            speed=max(primitive.speed + primitive.acceleration * LEAST_S, 0.0),
+            heading=primitive.heading + primitive.turn_rate * LEAST_S,
+        )
+        return [replace(primitive, end=end), self._by_and_by(later)]
 
     def _by_and_by(self, primitive: Primitive) -> Primitive:
         """A hold of what something may have met, at the pace at which its kind comes to a speed.
@@ -350,19 +367,12 @@ class Composer:
         ]
         course.clock, course.speed = leg.start + count * period, 0.0
         if leg.last and speed > 0.0 and self.scene.body(course.actor).roll_radius == 0.0:
-            # On its feet again it runs out; left to friction it would go head over heels.
+            # On its feet again it runs out from what the landing leaves it; left to friction it
+            # would go head over heels.
             landing = course.clock - BETWEEN_JUMPS_S
-            lasts = speed / RUN_OUT_MPS2
-            course.out.append(
-                HoldVelocity(
-                    course.actor,
-                    landing,
-                    landing + lasts,
-                    speed,
-                    course.heading,
-                    acceleration=-RUN_OUT_MPS2,
-                )
-            )
+            end = landing + speed / RUN_OUT_MPS2
+            stands = HoldVelocity(course.actor, landing, end, 0.0, course.heading)
+            course.out.append(self._by_and_by(stands))
 
     def _stop_in_time(self, course: _Course, leg: _Leg) -> None:
         """It slows down step by step, to rest."""

@@ -199,8 +199,12 @@ def users(
     """Sorts the members of a planned unit by what they have to do with a street."""
     out = Users({}, {}, {}, {})
     active = drivers(doc, unit, shape) or drivers(doc, unit, shape, afoot=True)
-    for name, pose in unit.members.items():
+    along = _one_way_or_the_other(doc, {n: active[n] for n in unit.members if n in active})
+    members = sorted(unit.members.items(), key=lambda m: m[0] not in list(along)[:1])
+    for name, pose in members:
         body = Body(pose, (shape[name].hx, shape[name].hy))
+        if name in active and name not in along:
+            continue  # it comes across
         if name in active:
             heading = active[name]
             out.drivers[name] = Body((pose[0], pose[1], heading), body.half)
@@ -212,6 +216,17 @@ def users(
             out.on_it[name] = body
     out.stops.update(_stops(doc, unit, out))
     return out
+
+
+def _one_way_or_the_other(doc: EsgDocument, active: dict[str, float]) -> dict[str, float]:
+    """Those of the drivers who go along a street: who is said to, and who goes that way, or back.
+
+    Whoever comes across has no part in where the street lies.
+    """
+    order = sorted(active, key=lambda name: not goes_along(doc, name))
+    first = active[order[0]] if order else 0.0
+    off = {n: abs(math.remainder(active[n] - first, math.pi)) for n in order}
+    return {n: active[n] for n in order if off[n] <= math.radians(TURNED_DEG)}
 
 
 def _stops(doc: EsgDocument, unit: Unit, who: Users) -> dict[str, Body]:

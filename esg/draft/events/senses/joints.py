@@ -30,7 +30,8 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "The gate swings open", "a ball pushes the door open", "the drawer closes"."""
     doers, moved = doer_and_done(f, s, o) if o or f.verb.passive else ([], s)
     moved = openable(d, moved)
-    shut = f.verb.extra.get("result", f.verb.lemma) in SHUTTING
+    last = d.text[f.verb.start : f.verb.end].lower().split()[-1]
+    shut = bool({f.verb.extra.get("result", f.verb.lemma), last} & SHUTTING)
     event = NodeEvent.CLOSE if shut else NodeEvent.OPEN
     things = [i for i in doers if movable(d, i) and kind_of(d, i) != "person" and i not in moved]
     for body in moved:
@@ -58,6 +59,8 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     doers, hung = doer_and_done(f, s, o) if o or f.verb.passive else ([], s)
     hung = hanging(d, hung)
     if not hung:
+        if openable(d, o or s):
+            f.verb.sense = "open"
         read_as(d, "open" if openable(d, o or s) else "swing_round", f, s, o)
         return
     things = [i for i in doers if movable(d, i) and i not in hung]

@@ -238,6 +238,7 @@ def _stands(c: Chunks, j: int, m: Mention, plural: bool) -> int:
         m.adjectives += ["front", *_absolute(c, j, m)]
     on_top = 2 if low_at(c, j + 1) == "top" else 3 if low_at(c, j + 2) == "top" else 0
     top = on_top and low_at(c, j) in ("on", "at") and low_at(c, j + 1) in ("top", "the")
+    top = top and low_at(c, j + on_top) != "speed"
     of_all = low_at(c, j + on_top) != "of" or low_at(c, j + on_top + 2) in _STACKS
     if top and the and not plural and of_all:
         m.adjectives.append("top")
@@ -500,7 +501,8 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
         m.adjectives.append(low_at(c, k))
         k += 1
     known = match_noun(c, k + 1) if k + 1 < len(tokens) else None
-    clear = not verb_readings(low_at(c, k + 1)) or noun_not_verb(c, k + 1, m)
+    ends = bool(m.determiner) and ends_phrase(c, k + 1)  # "on the lab floor."
+    clear = ends or not verb_readings(low_at(c, k + 1)) or noun_not_verb(c, k + 1, m)
     if known is not None and clear and tokens[k].text != "'s":
         return _modifies(c, Place(p.first, k, low_at(c, k), None), m)
     m.head, m.plural = lex.singular(low_at(c, k))
