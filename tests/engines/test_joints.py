@@ -26,7 +26,7 @@ from esg.engines.scene import Body, Rollout, SimScene
 from esg.outcomes import UserError
 from tests.engines.lab import DT, box
 
-STEPPED = ("physx", "rapier")
+STEPPED = ("newton", "physx", "rapier")
 _Z = (0.0, 0.0, 1.0)
 
 

@@ -4,43 +4,34 @@ from __future__ import annotations
 
 import re
 
-from esg.draft import lexicon as lex
 from esg.draft.discourse.core import kind_of, mark_used, movable
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, add_hit
 from esg.draft.events.consequences import already_hit, struck_before
-from esg.draft.events.hanging import hanging, let_go, row_of
+from esg.draft.events.hanging import SHUTTING, hanging, let_go, openable, row_of
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.senses.contact import hit_targets
 from esg.draft.events.senses.handling import so_often
 from esg.draft.events.stated import place_of
 from esg.draft.events.table import read_as, sense
-from esg.draft.events.timing import hand_on, moved_by_others, time_of
-from esg.draft.events.told import at_rest, ignore
+from esg.draft.events.timing import moved_by_others, time_of
+from esg.draft.events.told import at_rest
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import ForceDirection, NodeEvent
 
-_SHUT = lex.word_set("shutting") | {"closed"}
 _BACK_AND_FORTH = re.compile(r"back and forth|to and fro|from side to side", re.IGNORECASE)
 _TO_AND_FRO = 3
 """How often what swings back and forth passes its lowest point, at least."""
-
-
-def _openable(d: Discourse, bodies: list[str]) -> list[str]:
-    return [b for b in bodies if (row := row_of(d, b)) is not None and row.opened is not None]
 
 
 @sense("open")
 def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "The gate swings open", "a ball pushes the door open", "the drawer closes"."""
     doers, moved = doer_and_done(f, s, o) if o or f.verb.passive else ([], s)
-    moved = _openable(d, moved)
-    if not moved:
-        ignore(d, f, "no physical meaning")
-        hand_on(d, f)
-        return
-    shut = f.verb.extra.get("result", f.verb.lemma) in _SHUT
+    moved = openable(d, moved)
+    last = d.text[f.verb.start : f.verb.end].lower().split()[-1]
+    shut = bool({f.verb.extra.get("result", f.verb.lemma), last} & SHUTTING)
     event = NodeEvent.CLOSE if shut else NodeEvent.OPEN
     things = [i for i in doers if movable(d, i) and kind_of(d, i) != "person" and i not in moved]
     for body in moved:
@@ -68,7 +59,9 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     doers, hung = doer_and_done(f, s, o) if o or f.verb.passive else ([], s)
     hung = hanging(d, hung)
     if not hung:
-        read_as(d, "open" if _openable(d, o or s) else "swing_round", f, s, o)
+        if openable(d, o or s):
+            f.verb.sense = "open"
+        read_as(d, "open" if openable(d, o or s) else "swing_round", f, s, o)
         return
     things = [i for i in doers if movable(d, i) and i not in hung]
     if things and not already_hit(d, f, things, hung):
