@@ -293,6 +293,9 @@ def _outcome(doc: EsgDocument, own: SceneVerdict, lost: Sequence[Row] = ()) -> t
     result = doc.dynamics_result
     claimed = Outcome(result.outcome) if result is not None else Outcome.SOLVED
     reason = result.reason if result is not None else ""
+    layout = doc.layout_result
+    if layout is not None and not layout.feasible and own.layout.faults:
+        return Outcome.NOT_CONVERGED, "no layout was found: " + "; ".join(own.layout.faults)
     if claimed in (Outcome.SOLVED, Outcome.NEAREST_FEASIBLE) and failures:
         return Outcome.NOT_CONVERGED, "the replay disagrees: " + "; ".join(failures)
     unread = [w for w in doc.coverage.warnings if w.startswith(NOTHING_HAPPENS)]

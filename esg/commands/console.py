@@ -4,13 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Generator
 import contextlib
+import io
 import json
 import os
 import sys
 from typing import Any, TextIO
 import warnings
 
-from esg.notices import warn
+from esg.notices import UNPRINTABLE, warn
+from esg.scrubbing import scrub_all
+
+
+class Plain(io.TextIOWrapper):
+    """A stream that a terminal takes as text and nothing else, whatever is printed.
+
+    No command colours its stdout; progress displays write to stderr.
+    """
+
+    def write(self, text: str, /) -> int:
+        return super().write(text.translate(UNPRINTABLE))
 
 
 def quiet_native_output() -> None:
@@ -33,13 +45,15 @@ def quiet_native_output() -> None:
     os.environ.setdefault("PYTHONWARNINGS", "ignore")  # for worker processes
     nowhere = os.open(os.devnull, os.O_WRONLY)
     for number, name in ((1, "stdout"), (2, "stderr")):
-        stream: TextIO = getattr(sys, name)
+        before: TextIO = getattr(sys, name)
         with contextlib.suppress(OSError, ValueError):
-            stream.flush()
+            before.flush()
             real = os.dup(number)
             os.dup2(nowhere, number)
-            replacement = open(real, "w", encoding="utf-8", errors="replace", buffering=1)  # noqa: SIM115
-            setattr(sys, name, replacement)
+            kind = Plain if name == "stdout" else io.TextIOWrapper
+            binary = open(real, "wb")  # noqa: SIM115
+            stream = kind(binary, encoding="utf-8", errors="replace", line_buffering=True)
+            setattr(sys, name, stream)
     os.close(nowhere)
 
 
@@ -69,6 +83,7 @@ def fail(message: str, exit_code: int, as_json: bool) -> int:
     Returns:
         The exit code.
     """
+    message = scrub_all(message)
     if as_json:
         emit({"error": message, "exit_code": exit_code})
         flush()

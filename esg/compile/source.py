@@ -6,7 +6,7 @@ from functools import cache
 import math
 from pathlib import Path
 
-from esg.compile import frames, names
+from esg.compile import frames, joints, names
 from esg.compile.assets import MeshAsset, Probe, probes
 from esg.compile.header import PRIMITIVE_FIELDS
 from esg.compile.model import ScenePlan, UnrealBody, UnrealWheel
@@ -183,6 +183,7 @@ def emit_source(plan: ScenePlan) -> str:
         *_traction(plan),
         _fixed(plan),
         *([_template("Wheels"), _collect_wheels(plan)] if plan.wheels else []),
+        *([_template("Joints"), joints.collect(plan.joints)] if plan.joints else []),
     ]
     text = "\n".join(part.strip("\n") + "\n" for part in parts)
     return text.replace("@CLASS@", plan.name)
@@ -196,6 +197,12 @@ def _fixed(plan: ScenePlan) -> str:
         ("@TURN_WHEELS@", "TurnWheels(Step);"),
     ):
         text = text.replace(f"\t{mark}\n", f"\t{call}\n" if plan.wheels else "")
+    for mark, call in (
+        ("\t@COLLECT_JOINTS@\n", "\tCollectJoints();\n"),
+        ("\t@DRIVE_JOINTS@\n", "\tDriveJoints(Step);\n"),
+        ("\t\t\t@JOINED@\n", joints.JOINED),
+    ):
+        text = text.replace(mark, call if plan.joints else "")
     return text
 
 
@@ -236,12 +243,14 @@ def _traction(plan: ScenePlan) -> list[str]:
 
 
 def _preamble(plan: ScenePlan) -> str:
-    includes = "\n".join(f'#include "{path}"' for path in INCLUDES)
+    paths = sorted((*INCLUDES, *joints.INCLUDES)) if plan.joints else INCLUDES
+    includes = "\n".join(f'#include "{path}"' for path in paths)
     tables = "\n".join(_probe_table(a) for a in plan.assets)
     constants = GUIDING if "GuideAlong" in plan.kinds else ""
     constants += FALLING_SHARE if plan.brakes or plan.tyres else ""
     constants += UPRIGHT_COSINE if plan.tyres else ""
     constants += WHEELS if plan.wheels else ""
+    constants += joints.CONSTANTS if plan.joints else ""
     return f"""#include "@CLASS@.h"
 
 {includes}
@@ -325,6 +334,8 @@ def _constructor(plan: ScenePlan) -> str:
     ]
     for body in plan.bodies:
         lines += ["", *_body_defaults(plan, body)]
+    for joint in plan.joints:
+        lines += ["", *joints.defaults_of(joint)]
     for p in plan.primitives:
         lines += ["", *(f"\t{p.member}.{field} = {value};" for field, value in p.values)]
     lines.append("}")
@@ -409,6 +420,8 @@ def _collect(plan: ScenePlan, shapes: dict[str, int]) -> str:
     )
     lines: list[str] = []
     for i, p in enumerate(plan.primitives):
+        if p.kind == "DriveJoint":
+            continue
         lines.append(f"\tCommands[{i}].Body = {p.body};")
         if (plan.brakes or plan.tyres) and p.kind in ("HoldVelocity", "GuideAlong"):
             lines.append(f"\tCommands[{i}].bDrives = true;")

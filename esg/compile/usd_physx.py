@@ -11,6 +11,7 @@ from collections.abc import Mapping
 import math
 from typing import Any
 
+from esg.engines.joints import Joint
 from esg.engines.physx_engine import (
     BOUNCE_THRESHOLD_MPS,
     DEPENETRATION_MPS,
@@ -98,6 +99,26 @@ def physx_material(prim: Any) -> None:
         "physxMaterial",
         {"frictionCombineMode": "average", "restitutionCombineMode": "average"},
     )
+
+
+def physx_joint(prim: Any, joint: Joint) -> None:
+    """Friction of a hinge, slider or ball joint."""
+    _apply(prim, "PhysxJointAPI", "physxJoint", {"jointFriction": joint.friction})
+
+
+def physx_distance(prim: Any, joint: Joint) -> None:
+    """That a spring is one, by its stiffness [N/m] and damping [N s/m]."""
+    if joint.kind == "spring":
+        _apply(
+            prim,
+            "PhysxPhysicsDistanceJointAPI",
+            "physxPhysicsDistanceJoint",
+            {
+                "springEnabled": True,
+                "springStiffness": joint.stiffness,
+                "springDamping": joint.damping,
+            },
+        )
 
 
 def _apply(prim: Any, schema: str, prefix: str, values: Mapping[str, Any]) -> None:

@@ -277,7 +277,8 @@ ARRANGEMENTS: dict[str, str] = {
 SHAPES_OF_GROUPS = word_set("shapes of groups")
 VAGUE_COUNTS: dict[str, int] = {
     "several": 4, "many": 6, "few": 3, "multiple": 4, "numerous": 6, "various": 4, "some": 3,
-    "couple": 2, "both": 2, "pair": 2, "dozen": 12, "dozens": 12, "lots": 6, "handful": 4,
+    "couple": 2, "duo": 2, "trio": 3, "both": 2, "pair": 2, "dozen": 12, "dozens": 12, "lots": 6,
+    "handful": 4,
 }  # fmt: skip
 
 ORDINALS: dict[str, int] = {

@@ -22,6 +22,7 @@ from esg.dynamics.search.closedloop import close_loop
 from esg.dynamics.search.results import static_result, write_result
 from esg.engines.base import Engine
 from esg.engines.registry import get_engine
+from esg.engines.scene import SimScene
 from esg.graph.canonical import document_hash, entropy
 from esg.graph.casting import effective
 from esg.graph.models import ClosedLoop, DynamicsResult, EsgDocument, Provenance
@@ -66,11 +67,13 @@ def optimize(
         satisfy: `dynamics_result.outcome` says how it ended.
 
     Raises:
-        UserError: For an unknown strategy or collision model.
+        UserError: For an unknown strategy or collision model, and for one that knows no joints
+            where the scene has some.
     """
     _check(strategy, collision, rounds_closed)
     given, doc = doc, effective(doc)
     scene = build_scene(doc)
+    _check_joints(scene, strategy, collision)
     if doc.timeline_system is None:
         return _write(given, static_result(strategy), seed, strategy)
     plan = make_plan(doc, scene, seed=seed, look_ahead=strategy != "none")
@@ -130,6 +133,22 @@ def _check(strategy: str, collision: str, rounds_closed: int) -> None:
         )
     if strategy not in (*STRATEGIES, *BASELINES):
         raise UserError(f"unknown strategy {strategy!r}; choose one of {', '.join(STRATEGIES)}")
+
+
+def _check_joints(scene: SimScene, strategy: str, collision: str) -> None:
+    """Raises what is wrong with a request for a scene with joints."""
+    if not scene.joints:
+        return
+    if strategy in ("ad", "hybrid"):
+        raise UserError(
+            f"strategy {strategy!r} differentiates the surrogate, which knows no joints, and the "
+            f"scene has {[j.name for j in scene.joints]}; choose batched, fd or none"
+        )
+    if collision != "exact":
+        raise UserError(
+            f"collision model {collision!r} searches in the surrogate, which knows no joints, and "
+            f"the scene has {[j.name for j in scene.joints]}; choose collision model exact"
+        )
 
 
 def _judge_staged(

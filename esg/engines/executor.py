@@ -6,12 +6,13 @@ Warp kernel of the Newton engine is tested against it.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Sequence
 import math
 from typing import Any, Protocol
 
 import numpy as np
 
+from esg.engines.joints import Motor
 from esg.engines.program import (
     GUIDE_RATE,
     KNOT_FIELDS,
@@ -46,6 +47,9 @@ class BodyAccess(Protocol):
     def set_linear_damping(self, body: int, damping: float) -> None: ...
     def set_angular_damping(self, body: int, damping: float) -> None: ...
     def set_friction(self, body: int, friction: float) -> None: ...
+    def set_motor(self, joint: int, motor: Motor | None) -> None:
+        """Gives a joint, by index, another motor, or none."""
+        ...
 
 
 Touch = tuple[int, int, float, float, Any, Any]
@@ -73,6 +77,7 @@ class Executor:
         gravity_z: Of the scene, which powered flight works against [m/s^2].
         rows: `esg.engines.traction.features` of the bodies; None if all move and none is
             round or has tyres.
+        joints: Names of the scene's joints.
     """
 
     def __init__(
@@ -81,12 +86,14 @@ class Executor:
         world: int,
         gravity_z: float = -GRAVITY_MPS2,
         rows: Floats | None = None,
+        joints: Sequence[str] = (),
     ) -> None:
         self._gravity_z = gravity_z
         self._traction = Traction(batch, world, rows, gravity_z)
         self._kind = [Action(k) for k in batch.kind]
         self._body = [int(b) for b in batch.body]
         self._rows = [[float(v) for v in row] for row in batch.table[world]]
+        self._joint = [list(joints).index(name) if name else -1 for name in batch.joint]
         self._until = [frozenset(np.nonzero(u)[0].tolist()) for u in batch.until]
         n = len(self._kind)
         self._done = [False] * n
@@ -128,7 +135,10 @@ class Executor:
                         world.set_angular(body, _vector(row, Column.SPIN))
             elif row[Column.START] <= now:
                 self._done[k] = True
-                _fire(self._kind[k], row, body, world)
+                if self._kind[k] is Action.DRIVE:
+                    world.set_motor(self._joint[k], _motor(row))
+                else:
+                    _fire(self._kind[k], row, body, world)
                 if self._kind[k] is Action.ADJUST and not math.isnan(row[Column.BRAKING]):
                     self._traction.set_braking(body, row[Column.BRAKING])
         self._pending = [k for k in self._pending if not self._done[k]]
@@ -161,7 +171,8 @@ def play_all(start: Start, world: Callable[[int], World], ground_contacts: bool)
             continue
         recorder = ContactRecorder(w, start.frames)
         rows = features(start.scene, float(start.values.friction_scale[w]))
-        program = Executor(start.batch, w, start.scene.gravity[2], rows)
+        joints = [j.name for j in start.scene.joints]
+        program = Executor(start.batch, w, start.scene.gravity[2], rows, joints)
         start.valid[w] = play(
             world(w), program, start.frames, start.states, recorder, ground_contacts
         )
@@ -243,6 +254,17 @@ def _fire(kind: Action, row: list[float], body: int, world: BodyAccess) -> None:
         ):
             if not math.isnan(row[column]):
                 change(body, row[column])
+
+
+def _motor(row: list[float]) -> Motor | None:
+    speed, position = row[Column.MOTOR_SPEED], row[Column.MOTOR_POSITION]
+    if math.isnan(speed) and math.isnan(position):
+        return None
+    return Motor(
+        0.0 if math.isnan(speed) else speed,
+        None if math.isnan(position) else position,
+        row[Column.MOTOR_LIMIT],
+    )
 
 
 def _vector(row: list[float], column: Column) -> Vec:

@@ -22,6 +22,7 @@ from esg.engines.manifest_model import (
     BRAKING_CONVENTION,
     CLIMB_CONVENTION,
     CONVENTIONS,
+    DRIVE_CONVENTION,
     GAINS_CONVENTION,
     GUIDE_CONVENTION,
     JOINTS_CONVENTION,
@@ -40,6 +41,7 @@ from esg.engines.manifest_model import (
 from esg.engines.program import (
     PROGRAM_VERSION,
     AdjustProperties,
+    DriveJoint,
     GuideAlong,
     HoldSpin,
     HoldVelocity,
@@ -140,6 +142,8 @@ def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
             out["guide"] = GUIDE_CONVENTION
         elif isinstance(p, HoldSpin):
             out["spin"] = SPIN_CONVENTION
+        elif isinstance(p, DriveJoint):
+            out["drive"] = DRIVE_CONVENTION
         elif isinstance(p, AdjustProperties) and p.braking is not None:
             out["braking"] = BRAKING_CONVENTION
     return out

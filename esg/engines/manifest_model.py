@@ -128,6 +128,13 @@ JOINTS_CONVENTION = (
     "two bodies touch each other only if collide is true"
 )
 """Stands under `joints` of the conventions of a manifest that has them."""
+DRIVE_CONVENTION = (
+    "a DriveJoint fires once when time <= t + dt/2, in list order: from then on the joint has a "
+    "motor of that speed, position and limit instead of the one it had, or none if speed and "
+    "position are null; a null limit is infinite; the motor of a position drives there at 10 times "
+    "the way that is left per second, by no more than |speed| (null or 0: any)"
+)
+"""Stands under `drive` of the conventions of a manifest whose program has one."""
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
@@ -287,6 +294,17 @@ class AdjustPropertiesModel(_Model):
         return data
 
 
+class DriveJointModel(_Model):
+    """Gives a joint another motor, or none; a null limit is infinite."""
+
+    kind: Literal["DriveJoint"]
+    joint: Name
+    time: Number
+    speed: Number | None = None
+    position: Number | None = None
+    limit: NonNegative | None = None
+
+
 class HoldVelocityModel(_Model):
     """Motion under own power; a null end is infinite."""
 
@@ -356,6 +374,7 @@ class ProgramModel(_Model):
             SetVelocityModel
             | ApplyImpulseModel
             | AdjustPropertiesModel
+            | DriveJointModel
             | HoldVelocityModel
             | GuideAlongModel
             | HoldSpinModel,
@@ -433,11 +452,19 @@ def dangling(data: dict[str, Any]) -> list[str]:
         ]
     uses = [(f"/regions/{i}/parent", r["parent"]) for i, r in enumerate(data["regions"])]
     for i, p in enumerate(data["program"]["primitives"]):
+        if p["kind"] == "DriveJoint":
+            continue
         uses.append((f"/program/primitives/{i}/body", p["body"]))
         until = p.get("until_contact", ())
         uses += [(f"/program/primitives/{i}/until_contact/{k}", n) for k, n in enumerate(until)]
     for i, pair in enumerate(data["watch"]):
         uses += [(f"/watch/{i}/{k}", n) for k, n in enumerate(pair) if n != GROUND]
+    joints = [j["name"] for j in data.get("joints", ())]
+    out += [
+        f"/program/primitives/{i}/joint: no joint {p['joint']!r}; joints are {joints}"
+        for i, p in enumerate(data["program"]["primitives"])
+        if p["kind"] == "DriveJoint" and p["joint"] not in joints
+    ]
     return out + [
         f"{pointer}: no body {name!r}; bodies are {sorted(known)}"
         for pointer, name in uses

@@ -18,6 +18,7 @@ import numpy as np
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.executor import Touch, Vec, play_all
 from esg.engines.joint_rules import Masses
+from esg.engines.joints import Motor
 from esg.engines.physx_joints import PhysxJoints
 from esg.engines.physx_substeps import Corners, parts
 from esg.engines.program import ProgramBatch
@@ -309,6 +310,10 @@ class PhysxWorld:
         material = self._materials[body]
         material.static_friction = friction * self._scale
         material.dynamic_friction = friction * self._scale
+
+    def set_motor(self, joint: int, motor: Motor | None) -> None:
+        if self.joints:
+            self.joints.motors[joint] = motor
 
     def step(self) -> None:
         if self._treads:

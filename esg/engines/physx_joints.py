@@ -46,6 +46,7 @@ class PhysxJoints:
         dt: float,
     ) -> None:
         self._rules, self._components = JointRules(scene, masses, dt), components
+        self.motors = self._rules.motors
         self._made = [
             _make(px, pose, joint, components[child], None if parent < 0 else components[parent])
             for joint, (child, parent) in zip(scene.joints, self._rules.ends, strict=True)

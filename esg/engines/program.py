@@ -44,6 +44,8 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   that tilts the body further (positive, to the right, up to a tilt of LEAST_TILT). It turns about
   the edge of its foot: v gains what w.f gains times f x a, where a is (0, +-d, c) in its axes, with
   the sign of w.f.
+* A `DriveJoint` fires as `SetVelocity` does: from then on the joint has that motor instead of the
+  one it had, or none (`esg.engines.joints.Motor`).
 * Brakes and tyres do not act in a step in which a hold or a guide sets the body's velocity, nor on
   what nothing carries: a body that lost more than g dt / 2 of its vertical velocity in the last
   step, from after all this to before the primitives (in the first step everything is carried).
@@ -108,6 +110,31 @@ class AdjustProperties:
     angular_damping: float | None = None
     friction: float | None = None
     braking: float | None = None
+
+
+@dataclass(frozen=True)
+class DriveJoint:
+    """Sets the motor of a hinge or slider at `time` [s]; without speed and position it lets go.
+
+    Args:
+        joint: Name.
+        time: [s].
+        speed: [rad/s or m/s]; with a position, the greatest on the way there, None for any.
+        position: That it drives to [rad or m].
+        limit: Greatest torque or force [N m or N]; may be math.inf.
+    """
+
+    kind: ClassVar[str] = "DriveJoint"
+    joint: str
+    time: float
+    speed: float | None = None
+    position: float | None = None
+    limit: float = math.inf
+
+    @property
+    def body(self) -> str:
+        """It moves no body by name."""
+        return ""
 
 
 @dataclass(frozen=True)
@@ -273,11 +300,12 @@ class HoldSpin:
 
 Lasting = HoldVelocity | GuideAlong | HoldSpin
 """What goes on from its start until its end or a touch."""
-Primitive = SetVelocity | ApplyImpulse | AdjustProperties | Lasting
+Primitive = SetVelocity | ApplyImpulse | AdjustProperties | DriveJoint | Lasting
 KINDS: tuple[type[Any], ...] = (
     SetVelocity,
     ApplyImpulse,
     AdjustProperties,
+    DriveJoint,
     HoldVelocity,
     GuideAlong,
     HoldSpin,
@@ -290,9 +318,10 @@ class Action(IntEnum):
     SET_VELOCITY = 0
     APPLY_IMPULSE = 1
     ADJUST = 2
-    HOLD = 3
-    GUIDE = 4
-    SPIN = 5
+    DRIVE = 3
+    HOLD = 4
+    GUIDE = 5
+    SPIN = 6
 
 
 class Column(IntEnum):
@@ -310,6 +339,10 @@ class Column(IntEnum):
     ANGULAR_DAMPING = 3
     FRICTION = 4
     BRAKING = 5
+    # DRIVE: NaN is no speed or position; neither lets go.
+    MOTOR_SPEED = 2
+    MOTOR_POSITION = 3
+    MOTOR_LIMIT = 4
     # HOLD: a climb of NaN keeps the vertical velocity, gains of NaN ask for no time.
     SPEED = 2
     HEADING = 3
@@ -364,10 +397,11 @@ class ProgramBatch:
 
     Args:
         kind: `Action`, shape [P].
-        body: Body index, shape [P].
+        body: Body index, -1 where a joint is driven, shape [P].
         until: Bodies whose touch ends a hold, shape [P, B] bool.
         table: Numbers in the order of `Column`, shape [W, P, FIELDS].
         duration: [s].
+        joint: Name of the joint that is driven, else "", shape [P]; empty where none is.
     """
 
     kind: NDArray[np.int32]
@@ -375,6 +409,7 @@ class ProgramBatch:
     until: NDArray[np.bool_]
     table: NDArray[np.float64]
     duration: float
+    joint: tuple[str, ...] = ()
 
     @property
     def n_worlds(self) -> int:
@@ -398,11 +433,11 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
     if not programs:
         raise ValueError("need at least one program")
     index = {n: i for i, n in enumerate(names)}
-    signature = [(p.kind, p.body) for p in programs[0].primitives]
+    signature = [_subject(p) for p in programs[0].primitives]
     table = np.full((len(programs), len(signature), FIELDS), np.nan)
     until = np.zeros((len(signature), len(names)), bool)
     for k, p in enumerate(programs[0].primitives):
-        if p.body not in index:
+        if p.body not in index and not isinstance(p, DriveJoint):
             raise ValueError(f"program moves unknown body {p.body!r}; bodies are {list(names)}")
         if isinstance(p, Lasting):
             for other in p.until_contact:
@@ -412,21 +447,28 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
     for w, program in enumerate(programs):
         remaining = list(program.primitives)
         for k, key in enumerate(signature):
-            match = next((q for q in remaining if (q.kind, q.body) == key), None)
+            match = next((q for q in remaining if _subject(q) == key), None)
             if match is None:
-                raise ValueError(f"program {w} has no {key[0]} of {key[1]!r} in position {k}")
+                what = key[1] or key[2]
+                raise ValueError(f"program {w} has no {key[0]} of {what!r} in position {k}")
             remaining.remove(match)
             table[w, k] = _row(match)
         if remaining:
             raise ValueError(f"program {w} has {len(remaining)} primitives too many")
     kinds = [c.kind for c in KINDS]
     return ProgramBatch(
-        kind=np.array([kinds.index(k) for k, _ in signature], np.int32),
-        body=np.array([index[b] for _, b in signature], np.int32),
+        kind=np.array([kinds.index(k) for k, _, _ in signature], np.int32),
+        body=np.array([index.get(b, -1) for _, b, _ in signature], np.int32),
         until=until,
         table=table,
         duration=max(p.duration for p in programs),
+        joint=tuple(j for _, _, j in signature) if any(j for _, _, j in signature) else (),
     )
+
+
+def _subject(p: Primitive) -> tuple[str, str, str]:
+    """What a primitive does to which body or joint."""
+    return p.kind, p.body, p.joint if isinstance(p, DriveJoint) else ""
 
 
 def _row(p: Primitive) -> NDArray[np.float64]:
@@ -440,6 +482,8 @@ def _row(p: Primitive) -> NDArray[np.float64]:
         values = p.impulse
     elif isinstance(p, AdjustProperties):
         values = (p.linear_damping, p.angular_damping, p.friction, p.braking)
+    elif isinstance(p, DriveJoint):
+        values = (p.speed, p.position, p.limit)
     elif isinstance(p, GuideAlong):
         knots = zip(p.times, p.points, p.velocities, strict=True)
         values = (p.turn_rate, float(len(p.times)), *(v for t, x, u in knots for v in (t, *x, *u)))
@@ -499,5 +543,7 @@ def program_from_json(data: dict[str, Any]) -> Program:
             raise ValueError(f"/primitives/{i}: unknown fields {sorted(unknown)}")
         if cls in (HoldVelocity, HoldSpin) and values.get("end") is None:
             values["end"] = math.inf
+        if cls is DriveJoint and values.get("limit") is None:
+            values["limit"] = math.inf
         out.append(cls(**values))
     return Program(tuple(out), float(data["duration"]))

@@ -11,6 +11,7 @@ import numpy as np
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.executor import Touch, Vec, play_all
 from esg.engines.joint_rules import Masses
+from esg.engines.joints import Motor
 from esg.engines.program import ProgramBatch
 from esg.engines.rapier_joints import RapierJoints
 from esg.engines.scene import Rollout, Shape, SimScene, Variation
@@ -180,6 +181,10 @@ class RapierWorld:
     def set_friction(self, body: int, friction: float) -> None:
         for collider in self._colliders[body]:
             self._world.colliders[collider].friction = friction * self._scale
+
+    def set_motor(self, joint: int, motor: Motor | None) -> None:
+        if self.joints:
+            self.joints.motors[joint] = motor
 
     def step(self) -> None:
         for i in self.moving:

@@ -43,6 +43,7 @@ class RapierJoints:
         self._r, self._world = r, world
         self._rules = JointRules(scene, masses, dt)
         still = world.add_body(r.RigidBody.fixed())
+        self.motors = self._rules.motors
         self._made = [
             world.impulse_joints.insert(
                 still if parent < 0 else handles[parent], handles[child], _make(r, pose, joint)

@@ -53,7 +53,7 @@ def at_rest(scene: SimScene) -> Bools:
 
     Static bodies and decals do not count: they cannot move at all.
     """
-    return _resting(scene.bodies, scene.gravity)[0]
+    return _resting(scene.bodies, scene.gravity, _joined(scene))[0]
 
 
 def starts_at_rest(scene: SimScene, position: Floats, quaternion: Floats) -> Bools:
@@ -64,7 +64,7 @@ def starts_at_rest(scene: SimScene, position: Floats, quaternion: Floats) -> Boo
         position: Starts [m], shape [W, B, 3].
         quaternion: Unit (x, y, z, w), shape [W, B, 4].
     """
-    rests, carriers = _resting(scene.bodies, scene.gravity)
+    rests, carriers = _resting(scene.bodies, scene.gravity, _joined(scene))
     if not rests.any():
         return np.zeros(position.shape[:2], bool)
     home = np.array([b.position for b in scene.bodies])
@@ -75,15 +75,26 @@ def starts_at_rest(scene: SimScene, position: Floats, quaternion: Floats) -> Boo
     return rests & there & ~(~there[:, None] & carriers).any(axis=2)
 
 
+def _joined(scene: SimScene) -> frozenset[str]:
+    """Names of bodies with joints, which nothing is known of."""
+    return frozenset(name for j in scene.joints for name in (j.child, j.parent))
+
+
 @lru_cache(maxsize=64)
-def _resting(bodies: tuple[Body, ...], gravity: tuple[float, float, float]) -> tuple[Bools, Bools]:
+def _resting(
+    bodies: tuple[Body, ...], gravity: tuple[float, float, float], joined: frozenset[str]
+) -> tuple[Bools, Bools]:
     """Which bodies rest, shape [B], and on which others (row on column), shape [B, B]."""
     out, carriers = np.zeros(len(bodies), bool), np.zeros((len(bodies), len(bodies)), bool)
     if gravity[0] != 0.0 or gravity[1] != 0.0 or gravity[2] >= 0.0:
         return out, carriers
     low, high, owner = _boxes(bodies)
     crowded = np.any(_close(low, high, owner, -TOUCH_M, len(bodies)), axis=1)
-    candidates = [i for i, b in enumerate(bodies) if b.collides and not b.static and not crowded[i]]
+    candidates = [
+        i
+        for i, b in enumerate(bodies)
+        if b.collides and not b.static and not crowded[i] and b.name not in joined
+    ]
     faces = [f for i, b in enumerate(bodies) if b.static for f in _tops(i, b)]
     # What carries others lies lower: one pass from below sees every carrier before its load.
     candidates.sort(key=lambda i: (float(low[owner == i, 2].min()), i))

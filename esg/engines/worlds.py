@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.joints import joint_problems
 from esg.engines.program import KINDS, Action, ProgramBatch
 from esg.engines.scene import GROUND, ContactLog, Floats, Rollout, Shape, SimScene, Variation
 from esg.engines.starts import start_velocities
@@ -146,7 +147,8 @@ def check(scene: SimScene, batch: ProgramBatch) -> None:
 
     Raises:
         ValueError: Naming every body with an impossible mass, inertia or shape, every reserved or
-            repeated name, and every primitive that would move an immovable body.
+            repeated name, every joint that cannot be, and every primitive that would move an
+            immovable body or a joint without a motor.
     """
     wrong: list[str] = []
     seen: set[str] = set()
@@ -168,7 +170,16 @@ def check(scene: SimScene, batch: ProgramBatch) -> None:
                 wrong.append(f"body {body.name!r} has a convex shape without volume")
             elif shape.kind != "convex" and not all(math.isfinite(s) and s > 0.0 for s in used):
                 wrong.append(f"body {body.name!r} has a {shape.kind} of size {shape.size} m")
+    wrong += joint_problems(scene)
+    motors = [j.name for j in scene.joints if j.kind in ("hinge", "slider")]
+    wrong += [
+        f"DriveJoint of {name!r}, which has no motor; hinges and sliders are {motors}"
+        for name in batch.joint
+        if name and name not in motors
+    ]
     for k, b in zip(batch.kind, batch.body, strict=True):
+        if k == Action.DRIVE:
+            continue
         body = scene.bodies[int(b)]
         if k != Action.ADJUST and (body.static or not body.collides):
             wrong.append(f"{KINDS[int(k)].kind} would move {body.name!r}, which cannot move")

@@ -8,6 +8,7 @@ the rules; names that were cut out still count as declared.
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 import json
 import math
 from typing import Any
@@ -21,6 +22,11 @@ from esg.untyped import is_array, is_list, is_object
 
 MAX_REPAIRS = 200
 MAX_DEPTH = 100
+MAX_VALUES = 200_000
+"""Values of a document; the largest scene so far has 2,310."""
+MAX_NODES = 1000
+MAX_NUMBER = 1e18
+"""Beyond it numbers are no sizes, masses or times of anything, and integers no doubles."""
 
 Path = tuple[str | int, ...]
 
@@ -80,7 +86,18 @@ class Parsed:
 
     def intact(self, *path: str) -> bool:
         """Whether nothing at or below `path`, nor a part that contains it, was cut out."""
-        return not any(c[: len(path)] == path or path[: len(c)] == c for c in self.cut)
+        above, below = self._cut_places
+        return path not in above and not any(path[:k] in below for k in range(len(path) + 1))
+
+    @cached_property
+    def cut_pointers(self) -> set[str]:
+        """Pointers of what was cut out."""
+        return {pointer(*c) for c in self.cut}
+
+    @cached_property
+    def _cut_places(self) -> tuple[set[Path], set[Path]]:
+        """What was cut out: all paths with whatever contains them, and the paths alone."""
+        return {c[:k] for c in self.cut for k in range(len(c) + 1)}, set(self.cut)
 
     def original(self, where: str) -> str:
         """The pointer into `raw` of a pointer into `doc` (items may have been cut out between)."""
@@ -111,6 +128,9 @@ def parse(raw: dict[str, Any], found: Findings) -> Parsed:
     Returns:
         The document without its broken parts.
     """
+    if (excess := _excess(raw)) is not None:
+        found.add("DOCUMENT_TOO_LARGE", "", None, f"{excess}.", "Make several scenes of it.")
+        return Parsed(None, raw)
     version = raw.get("schema_version", SCHEMA_VERSION)
     tree = _clean(raw, (), found, 0)
     if not isinstance(version, str) or version != SCHEMA_VERSION:
@@ -139,6 +159,23 @@ def parse(raw: dict[str, Any], found: Findings) -> Parsed:
     return Parsed(None, raw, tuple(cut), tree, origin)
 
 
+def _excess(raw: dict[str, Any]) -> str | None:
+    """What a document has too much of."""
+    graph = raw.get("spatial_relation_graph")
+    nodes = graph.get("nodes") if is_object(graph) else None
+    if is_object(nodes) and len(nodes) > MAX_NODES:
+        return f"The document has {len(nodes)} nodes; the limit is {MAX_NODES}"
+    count, stack = 0, [raw]
+    while stack:
+        node: Any = stack.pop()
+        children = list(node.values() if is_object(node) else node)
+        count += len(children)
+        if count > MAX_VALUES:
+            return f"The document has more than {MAX_VALUES} values"
+        stack += [c for c in children if is_object(c) or is_array(c)]
+    return None
+
+
 def _clean(node: Any, path: Path, found: Findings, depth: int) -> Any:
     """A copy without what JSON and UTF-8 cannot express, which is reported; limits depth."""
     if is_object(node) or is_array(node):
@@ -151,6 +188,10 @@ def _clean(node: Any, path: Path, found: Findings, depth: int) -> Any:
     if isinstance(node, float) and not math.isfinite(node):
         _flag(found, "JSON_NOT_FINITE", path, str(node), "is not a finite number", "Give one.")
         return 0.0 if _free_form(path) else None
+    if isinstance(node, int | float) and abs(node) >= MAX_NUMBER:
+        shown = str(node) if isinstance(node, float) else f"{node.bit_length()} bits"
+        _flag(found, "JSON_NUMBER_RANGE", path, shown, "is too large a number", "Give another.")
+        return 0 if _free_form(path) else None
     if isinstance(node, str) and not _encodable(node):
         text = node.encode("utf-8", "replace").decode()
         _flag(found, "SCHEMA_VALUE", path, text, "holds half a character", "Give valid text.")
@@ -202,18 +243,18 @@ def _report(error: ErrorDetails, parsed: Parsed, found: Findings) -> Path:
             _, value = _locate(parent, parsed.tree)
             here = parsed.original(pointer(*parent))
             message = f"{_leaf(here)} is {_kind(value)}, which is too short."
-            if not any(v.pointer == here and v.code == "SCHEMA_TYPE" for v in found.items):
+            if "SCHEMA_TYPE" not in found.codes_at(here):
                 remedy = f"Give at least {loc[-1] + 1} items."
                 found.add("SCHEMA_TYPE", here, value, message, remedy)
             return parent
-        if where not in {pointer(*c) for c in parsed.cut}:
+        if where not in parsed.cut_pointers:
             remedy = f"Add {loc[-1]!r} to {where.rpartition('/')[0] or 'the document'}."
             found.add("SCHEMA_MISSING", where, None, f"{_leaf(where)} is missing.", remedy)
         return path
     path, value = _locate(loc, parsed.tree)
     where = parsed.original(pointer(*path))
     inner = value if isinstance(value, (str, int, float, bool, type(None))) else None
-    known = {v.code for v in found.items if v.pointer == where}
+    known = found.codes_at(where)
     if kind == "extra_forbidden":
         remedy = "Remove it, or correct its spelling; schemas/esg.schema.json lists the fields."
         found.add(
@@ -247,7 +288,7 @@ def _cut(tree: Any, paths: list[Path], origin: dict[int, list[int]]) -> list[Pat
     """
     # Higher indices first: removing a list item moves the later ones.
     order = sorted(set(paths), key=lambda p: [str(x).zfill(9) for x in p], reverse=True)
-    targets: list[Path] = []
+    targets = set[Path]()
     for path in order:
         target = path
         while target:
@@ -261,26 +302,24 @@ def _cut(tree: Any, paths: list[Path], origin: dict[int, list[int]]) -> list[Pat
             target = target[:-1]
         if not target:
             return []
-        if not any(target[: len(t)] == t for t in targets):
-            targets = [t for t in targets if t[: len(target)] != target]
-            targets.append(target)
-    removed: list[Path] = []
+        targets.add(target)
+    # What goes with what contains it needs no removal of its own.
+    outer = [t for t in targets if not any(t[:k] in targets for k in range(len(t)))]
+    outer.sort(key=lambda t: [str(x).zfill(9) for x in t], reverse=True)
     named = Parsed(None, {}, (), tree, origin)
-    originals = [_walk(named, t) for t in targets]
-    targets_order = sorted(
-        range(len(targets)), key=lambda i: [str(x).zfill(9) for x in targets[i]], reverse=True
-    )
-    for i in targets_order:
-        *parents, last = targets[i]
+    originals = [_walk(named, t) for t in outer]
+    for target in outer:
+        *parents, last = target
         node: Any = tree
         for part in parents:
             node = node[part]
         holder: Any = node
         if is_list(node):
-            origin.setdefault(id(node), list(range(len(node)))).pop(int(last))
+            if id(node) not in origin:
+                origin[id(node)] = list(range(len(node)))
+            origin[id(node)].pop(int(last))
         del holder[last]
-        removed.append(originals[i])
-    return removed
+    return originals
 
 
 def _walk(parsed: Parsed, path: Path) -> Path:

@@ -281,7 +281,7 @@ def _program(ctx: Context, program: dict[str, Any]) -> None:
         return
     for p in primitives:
         others = p.until_contact if isinstance(p, Lasting) else ()
-        for name in (p.body, *others):
+        for name in (p.body, *others) if p.body else ():
             if name not in ctx.node_names:
                 ctx.add(
                     "PROGRAM_BODY",
@@ -295,7 +295,8 @@ def _program(ctx: Context, program: dict[str, Any]) -> None:
 _VECTORS = ("linear", "angular", "impulse", "axis")
 _PATHS = ("points", "velocities")
 _ADJUSTED = ("linear_damping", "angular_damping", "friction", "braking")
-_MAY_BE_NULL = ("end", "angular", *_ADJUSTED, "climb", "gains", "loses")
+_MOTOR = ("speed", "position", "limit")
+_MAY_BE_NULL = ("end", "angular", *_ADJUSTED, "climb", "gains", "loses", *_MOTOR)
 
 
 def _program_types(program: dict[str, Any]) -> None:
@@ -315,7 +316,7 @@ def _program_types(program: dict[str, Any]) -> None:
         raise TypeError("/primitives is not a list")
     for i, item in enumerate(program["primitives"]):
         for key, value in dict(item).items():
-            if key in ("kind", "body"):
+            if key in ("kind", "body", "joint"):
                 good = isinstance(value, str)
             elif key == "until_contact":
                 good = is_array(value) and all(isinstance(v, str) for v in value)

@@ -70,11 +70,13 @@ RULES: dict[str, str] = {
     # Files and JSON.
     "FILE_UNREADABLE": "The file exists, is a regular file and can be read.",
     "FILE_TOO_LARGE": "The file is at most 64 MiB.",
+    "DOCUMENT_TOO_LARGE": "A document has at most 200,000 values and 1,000 nodes.",
     "FILE_NOT_TEXT": "The file is UTF-8 text.",
     "FILE_NOT_JSON": "The file is one complete JSON value.",
     "FILE_NOT_OBJECT": "The JSON value is an object.",
     "JSON_DUPLICATE_KEY": "No key occurs twice in one JSON object.",
     "JSON_NOT_FINITE": "Every number is finite.",
+    "JSON_NUMBER_RANGE": "Every number is smaller than 10^18.",
     # Schema.
     "SCHEMA_VERSION": "`schema_version` is a version this software knows.",
     "SCHEMA_MISSING": "Every required field is present.",
@@ -165,6 +167,10 @@ RULES: dict[str, str] = {
     "EDGE_PARAM_RANGE": "A segment's parameters are plausible.",
     "UNIT_SPEED": "Speeds lie in 0 to 150 m/s; an open interval reaches 0.2 m/s.",
     "GUIDE_END": "A Guide ends where something is picked up, placed, let go or in a region.",
+    "EVENT_NO_JOINT": "Open, Close and Swing are of what a joint holds, or of what jointed parts "
+    "hang on.",
+    "EDGE_NO_JOINT": "Drive moves the child of a hinge or slider, Release lets go the child of a "
+    "hinge, ball joint or rope.",
     "EVENT_NOT_LED_TO": "A Guide leads to PickedUp and Placed, a Toward to a Jump.",
     "EDGE_FORCE_DIRECTION": "A segment agrees with its actor's force direction.",
     "CONNECTOR_ACTIVE": "Inertial connectors belong to passive actors.",
@@ -211,6 +217,7 @@ class Findings:
 
     items: list[Violation] = field(default_factory=list[Violation])
     _seen: set[tuple[str, str, str]] = field(default_factory=set[tuple[str, str, str]])
+    _codes: dict[str, set[str]] = field(default_factory=dict[str, set[str]])
 
     def add(self, code: str, where: str, value: Any, message: str, remedy: str) -> None:
         """Records a violation.
@@ -222,7 +229,12 @@ class Findings:
         key = (code, where, message)
         if key not in self._seen:
             self._seen.add(key)
+            self._codes.setdefault(where, set()).add(code)
             self.items.append(Violation(code, where, clip(value), remedy, message))
+
+    def codes_at(self, where: str) -> set[str]:
+        """Codes of the violations at a pointer."""
+        return self._codes.get(where, set())
 
 
 def listing(names: Iterable[str], limit: int = 8) -> str:

@@ -11,6 +11,7 @@ from esg.layout.clock import Clock
 from esg.layout.config import LayoutConfig
 from esg.layout.farm import solve_in_processes
 from esg.layout.problem.hints import StartHints
+from esg.layout.problem.joined import facing_as_one
 from esg.layout.search import answer
 from esg.layout.steps import solve_steps
 from esg.outcomes import UserError
@@ -81,7 +82,7 @@ def solve_batch(
             )
     if not docs:
         return []
-    played = [effective(doc) for doc in docs]
+    played = [facing_as_one(effective(doc)) for doc in docs]
     if config.processes > 1 and len(docs) > 1:
         results = solve_in_processes(played, seeds, plans, config, clock)
     else:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import os
 from pathlib import Path
 import subprocess
 import sys
@@ -46,3 +47,20 @@ def test_a_file_never_gets_the_number_of_a_closed_stream(tmp_path: Path) -> None
     done = shell(f'PYTHONPATH={ROOT} {sys.executable} -c "{code}" <&- >&- 2>&-')
     assert done.returncode == 0
     assert (tmp_path / "file").read_text() == "own"
+
+
+def test_what_strangers_write_moves_no_terminal(tmp_path: Path) -> None:
+    """Names of a document are printed as text: no colours, titles, cursor or directions."""
+    document = tmp_path / "x.json"
+    document.write_text(json.dumps({"\x1b]0;title\x07\x1b[31m\x9b\u202e": 1}))
+    for arguments in (["check", str(document)], ["check", "\x1b[31m.json"], ["sql", "\x1b[31m"],
+                      ["check", str(document), "--json"]):  # fmt: skip
+        done = subprocess.run(
+            [sys.executable, "-m", "esg.cli", *arguments], capture_output=True, text=True,
+            check=False, cwd=tmp_path, env={**os.environ, "PYTHONPATH": str(ROOT)},
+        )  # fmt: skip
+        said = done.stdout + done.stderr
+        assert said
+        assert not [c for c in said if c in "\x1b\x07\x9b\u202e\r"], arguments
+    places = [v["pointer"] for v in json.loads(done.stdout)["violations"]]
+    assert any(place.startswith("/\x1b]0;title") for place in places)

@@ -120,7 +120,6 @@ def test_each_of_several_like_words_is_missed() -> None:
     ("shown", "not_shown", "lost"),
     [
         ("Two dogs sit in a row.", "Three balls roll in a line.", "in a line"),
-        ("Two boxes stand side by side.", "Two cars drive side by side.", "side by side"),
         (
             "Two trucks drive in a column. The leading truck brakes and the following truck "
             "crashes into it.",

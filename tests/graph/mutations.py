@@ -114,6 +114,8 @@ def schema(m: Maker) -> None:
         m.set("SCHEMA_TYPE", (*base, "is_movable"), "yes", "ACTOR_IMMOVABLE")
         m.set("JSON_NOT_FINITE", (*base, "expected_mass_kg"), float("nan"))
         m.set("JSON_NOT_FINITE", (*base, "expected_dimensions_cm", 1), float("inf"))
+        m.set("JSON_NUMBER_RANGE", (*base, "expected_mass_kg"), 10**400)
+        m.set("JSON_NUMBER_RANGE", (*base, "expected_mass_kg"), -1e18, note="float")
     for i, _ in enumerate(get(raw, BINARY)):
         m.set("SCHEMA_VALUE", (*BINARY, i, "relation_type"), "next_to")
     for region in get(raw, (*GRAPH, "semantic_regions")):
@@ -934,6 +936,73 @@ def casting(m: Maker) -> None:
     m.add("STAGE_ORDER", ("choreography",), still, "TIMELINE_MISSING")
 
 
+def joints(m: Maker) -> None:
+    """Joints of what is not there, that cannot move anything, or that say too much or too little."""
+    if m.base != "finished":
+        return
+    jointed = m.raw
+    for key in ("bin", "table"):
+        mounts = [{"name": "pivot", "position_cm": [0, 0, 10], "axis": [0, 1, 0]}]
+        jointed = put(jointed, ("asset_configurations", key, "mounts"), mounts)
+    hinge = {
+        "id": "hinge", "kind": "hinge", "child": "trashbin_1", "child_mount": "pivot",
+        "parent": "picnic_table_1", "parent_mount": "pivot", "lower": -90, "upper": 90,
+        "position": 30, "damping": 0.1, "motor": {"speed": 20, "limit": 5},
+    }  # fmt: skip
+    path = (*GRAPH, "joints")
+    here = (*path, 0)
+
+    def told(code: str, *also: str, at: str, note: str = "", **change: Any) -> None:
+        broken = {k: v for k, v in {**hinge, **change}.items() if v is not None}
+        m.add(code, (*here, at), put(jointed, path, [broken]), *also, note=note or at)
+
+    m.add("JOINT_TWICE", (*path, 1, "id"), put(jointed, path, [hinge, hinge]))
+    told("JOINT_UNKNOWN", at="child", child="ghost")
+    told("JOINT_UNKNOWN", at="parent", parent="ghost")
+    told("JOINT_CHILD", at="child", note="itself", child="picnic_table_1")
+    told(
+        "JOINT_CHILD",
+        "JOINT_MOUNT",
+        at="child",
+        note="fixed",
+        child="ground_1",
+        child_mount="pivot",
+    )
+    told("JOINT_MOUNT", at="child_mount", child_mount="ghost")
+    told("JOINT_MOUNT", at="parent_mount", parent_mount="ghost")
+    told("JOINT_FIELD", at="parent", parent=None)
+    plain = {"lower": None, "position": 0, "motor": None}
+    told("JOINT_FIELD", at="lower", kind="rope", **{**plain, "lower": 1})
+    told("JOINT_FIELD", at="motor", kind="rope", **{**plain, "motor": {"speed": 1}})
+    told("JOINT_FIELD", at="upper", kind="rope", **plain, upper=None)
+    told("JOINT_FIELD", at="parent_mount", kind="rope", **plain, parent_mount=None)
+    told("JOINT_FIELD", at="stiffness", kind="spring", **plain)
+    told("JOINT_VALUE", at="upper", kind="rope", **plain, upper=-1)
+    told("JOINT_VALUE", at="damping", damping=-1)
+    told("JOINT_VALUE", at="break_impulse", break_impulse=-1)
+    told("JOINT_VALUE", at="motor", motor={"limit": -1})
+    told("JOINT_POSITION", at="position", position=91)
+    told("INTERVAL_REVERSED", at="lower", lower=91)
+    _moved_by_joints(m)
+    back = {**hinge, "id": "back", "child": "picnic_table_1", "parent": "trashbin_1"}
+    m.add("JOINT_CIRCLE", path, put(jointed, path, [hinge, back]))
+
+
+def _moved_by_joints(m: Maker) -> None:
+    """Events and segments of joints that nothing has."""
+    last = len(get(m.raw, EVENTS))
+    opens = event("opens", "Open", ["trashbin_1"], window=[5.0, 9.0])
+    led = [e for e in get(m.raw, SEGMENTS) if e["actor"] == "trashbin_1"]
+    joined = edge("joined", led[-1]["to"], "opens", "InertialConnector", "trashbin_1")
+    raw = put(m.raw, EVENTS, [*get(m.raw, EVENTS), opens])
+    raw = put(raw, SEGMENTS, [*get(m.raw, SEGMENTS), joined])
+    m.add("EVENT_NO_JOINT", (*EVENTS, last, "participants", 0), raw, "CONNECTOR_UPSTREAM")
+    for kind in ("Drive", "Release"):
+        k = next(i for i, e in enumerate(get(m.raw, SEGMENTS)) if e["event"] == "UniformMotion")
+        changed = put(put(m.raw, (*SEGMENTS, k, "event"), kind), (*SEGMENTS, k, "params"), {})
+        m.add("EDGE_NO_JOINT", (*SEGMENTS, k, "actor"), changed, note=kind)
+
+
 GENERATORS: tuple[Callable[[Maker], None], ...] = (
     schema,
     references,
@@ -947,6 +1016,7 @@ GENERATORS: tuple[Callable[[Maker], None], ...] = (
     stages,
     statements,
     casting,
+    joints,
 )
 
 

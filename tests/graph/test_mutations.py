@@ -11,7 +11,10 @@ from esg.graph import RULES, verify
 from tests.graph.mutations import Corruption, corruptions
 
 ALL = list(corruptions())
-FILE_CODES = {c for c in RULES if c.startswith("FILE_")} | {"JSON_DUPLICATE_KEY"}
+FILE_CODES = {c for c in RULES if c.startswith("FILE_")} | {
+    "JSON_DUPLICATE_KEY",
+    "DOCUMENT_TOO_LARGE",
+}
 
 
 def failures(cases: list[Corruption]) -> list[str]:

@@ -124,6 +124,7 @@ def test_looking_runs_nothing(
     """Report, view, render and exports show a scene; its class stays text."""
     marker = tmp_path / "ran"
     _in_a_static(scene, marker)
+    (scene / "SHA256SUMS").unlink()  # as whoever changes a class would
     monkeypatch.setattr(build, "_compile_unit", _never)
     if not recorded:
         for name in ("rollout.npz", "rollout.mcap"):
@@ -290,10 +291,10 @@ def test_a_pipelines_class_runs_in_its_own_process(
     made: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The document is the caller's own: no child is started for it."""
-    from esg.compile.trust import standing
+    from esg.compile.trust import written
     from esg.graph import load_document
 
-    monkeypatch.setattr(standing, "_remembered", {})
+    monkeypatch.setattr(written, "_written", {})
     monkeypatch.setattr("esg.compile.replay.play_confined", _never)
     replayed = replay_class(made, document=lambda: load_document(made / "esg.json"))
     assert replayed.scene is not None

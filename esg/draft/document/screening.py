@@ -69,7 +69,7 @@ def _is_english(word: str) -> bool:
     return (
         word in _WORDS
         or word in nouns
-        or lex.singular(word)[0] in nouns
+        or lex.singular(word)[0] in nouns.keys() | lex.word_set("people")
         or bool(verb_readings(word))
     )
 

@@ -14,6 +14,7 @@ from esg.draft.discourse.concurrence import one_time_each
 from esg.draft.discourse.core import aimable, amounts_of, entity_of, facts_of, kind_of, mark_used
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
+from esg.draft.discourse.jointed import loosen
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, refer_all
@@ -24,6 +25,7 @@ from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.courses import follow, keep_on, snapshot
+from esg.draft.events.hanging import sense_on_joint
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
 from esg.draft.events.senses.state import attachment, mass_of_load
@@ -96,6 +98,7 @@ def interpret(
     # references are resolved in the order of the text, events in the order of time
     d.told, d.attached = frames, attachments
     refer_all(d, frames)
+    loosen(d.scene, d.text)
     dodge(frames, d.text)
     goals = {id(p.mention) for f in frames if _tells_of_hands(f) for p in f.phrases}
     for m, p in attachments:
@@ -147,7 +150,7 @@ def read_frame(d: Discourse, f: Frame) -> None:
     parts = _parts(d, f)
     if any(step(d, f, parts) for step in STEPS):
         return
-    sense = _sense_here(f, parts)
+    sense = _sense_here(d, f, parts)
     handler = SENSES.get(sense)
     if handler is None:
         ignore(d, f, "no physical meaning")
@@ -299,8 +302,11 @@ STEPS: tuple[Step, ...] = (
 """What is found out about who a clause is about before its verb is read, in this order."""
 
 
-def _sense_here(f: Frame, parts: Parts) -> str:
+def _sense_here(d: Discourse, f: Frame, parts: Parts) -> str:
     """The sense to read the clause by: "ends up in", "breaks on a rock" have one of their own."""
+    on_joint = sense_on_joint(d, f, [*parts.subject, *parts.objects])
+    if on_joint is not None:
+        f.verb.sense = on_joint
     sense, lemma = f.verb.sense, f.verb.lemma
     handled = _HANDLED.get((sense, lemma))
     if handled is not None:

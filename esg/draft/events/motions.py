@@ -18,6 +18,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
 from esg.draft.discourse.timeline import LAUNCHES, START
 from esg.draft.discourse.tracks import Motion
+from esg.draft.events.hanging import hanging, let_go
 from esg.draft.events.lengths import distance
 from esg.draft.events.roles import filling, role
 from esg.draft.events.timing import SETS_OFF, moved_by_others, speed_after, time_of
@@ -161,6 +162,9 @@ def start_motion(
 ) -> None:
     for actor in actors:
         if not movable(d, actor):
+            continue
+        if hanging(d, [actor]):
+            let_go(d, f, [actor])
             continue
         chosen = mode or natural(d, actor)
         if f.verb.lemma in _IN_THE_AIR and flies_itself(d, actor):

@@ -7,10 +7,10 @@ from dataclasses import dataclass, field
 import re
 from typing import Any
 
-from esg.draft.discourse.core import entity_of, kind_of, structural
+from esg.draft.discourse.core import amounts_of, entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import GROUND, SELF_POWERED
+from esg.draft.discourse.scene import GROUND, SELF_POWERED, SPEEDS
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import (
     AT_ITS_OWN_PACE,
@@ -165,6 +165,23 @@ def _motion(book: _Book, clause: Clause) -> None:
             _said(book, clause, s, mover)
     for p in clause.frame.phrases:
         _support(book, clause, p)
+    if clause.frame.verb.sense == "accelerate":
+        for mover in clause.movers:
+            _gains(book, clause, mover)
+
+
+def _gains(book: _Book, clause: Clause, mover: str) -> None:
+    """ "A train accelerates": in the end it has at least the speed that its kind usually has."""
+    edges = list(_of(book.d, mover))
+    last = next((e for e in edges if e.event is EdgeEvent.ACCELERATED_MOTION), None)
+    end = book.d.timeline.node(last.to) if last is not None else None
+    usual = SPEEDS.get(kind_of(book.d, mover))
+    if end is None or not isinstance(usual, tuple) or amounts_of(book.d, clause.frame):
+        return  # numbers say it better
+    if measurable(end.event) or last is edges[-1]:
+        when = end.id if measurable(end.event) else "end"
+        book.add(Predicate.FASTER_THAN, *_span(clause.frame), object=(mover,), quantity="speed",
+                 value=usual[0], when=when)  # fmt: skip
 
 
 def _said(book: _Book, clause: Clause, s: Said, mover: str) -> None:
@@ -346,8 +363,9 @@ def _slope(book: _Book, s: Said, mover: str, where: str) -> None:
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(on),
                  direction="along", when=where)  # fmt: skip
     elif on:
-        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), direction=s.row.direction,
-                 when=where)  # fmt: skip
+        sloped = on if "incline" in entity_of(d, on[0]).noun.traits else []
+        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(sloped),
+                 direction=s.row.direction, when=where)  # fmt: skip
 
 
 def _met(d: Discourse, mover: str, others: list[str]) -> bool:

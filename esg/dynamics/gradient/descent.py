@@ -68,7 +68,7 @@ def descend(
     """
     coarse = panel.reference if strategy == "fd" else panel.surrogate
     theta, loss = coarse_start(plan, coarse, rng)
-    name = "newton" if strategy == "fd" else "surrogate"
+    name = "newton" if strategy == "fd" else panel.explorer
     panel.note("coarse", name, COARSE_POINTS, loss)
     found = Descent(theta, loss)
     if strategy in ("ad", "hybrid"):

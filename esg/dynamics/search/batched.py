@@ -170,7 +170,7 @@ def _elsewhere(
     if not len(thetas):
         return best
     shown = panel.preview(thetas)
-    panel.note("sample", "surrogate", SAMPLE, float(shown.worst.min()))
+    panel.note("sample", panel.explorer, SAMPLE, float(shown.worst.min()))
     for k in np.lexsort((shown.worst, ~shown.good))[:OTHERS]:
         if shown.good[k] and not best.good():
             best = min((best, panel.judge(thetas[k : k + 1])), key=lambda f: f.worst)
@@ -216,7 +216,7 @@ def _explore(plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int
         elites = cloud.learn(thetas, losses, pool.thetas[0] if pool.best < MISSED else None)
         pool.consider(elites[:FINALISTS], cloud.kept[:FINALISTS])
         history.append(pool.best)
-        panel.note("explore", "surrogate", POPULATION, pool.best)
+        panel.note("explore", panel.explorer, POPULATION, pool.best)
         ended = stalled(history, reached=pool.best < MISSED, gain=gain)
         if pool.good or (ended and pool.best < enough):
             return pool.explored(stalled=ended)
@@ -242,7 +242,7 @@ def _start(pool: Pool, starts: Floats, first: int = STARTS) -> Explored:
     pool.keep(starts[kept], shown.worst[kept], shown.good[kept])
     if not sure and len(starts) > first:
         pool.preview(starts[first:])
-    pool.panel.note("start", "surrogate", 1 if sure else len(starts), pool.best)
+    pool.panel.note("start", pool.panel.explorer, 1 if sure else len(starts), pool.best)
     return replace(pool.explored(stalled=False), left=starts[1:] if sure else None)
 
 
@@ -256,7 +256,7 @@ def _explore_widely(plan: Plan, pool: Pool, rng: np.random.Generator, rounds: in
         losses = pool.look(thetas)
         order = np.argsort(losses, kind="stable")[:FINALISTS]
         pool.consider(thetas[order], losses[order])
-        pool.panel.note("sample", "surrogate", count, pool.best)
+        pool.panel.note("sample", pool.panel.explorer, count, pool.best)
         if pool.good:
             return pool.explored(stalled=False)
     scale = broad(plan)
@@ -280,7 +280,7 @@ def _explore_widely(plan: Plan, pool: Pool, rng: np.random.Generator, rounds: in
                 order = np.argsort(own, kind="stable")[:2]
                 pool.consider(thetas[order], own[order])
         history.append(pool.best)
-        pool.panel.note("explore", "surrogate", len(pool.seen) - played, pool.best)
+        pool.panel.note("explore", pool.panel.explorer, len(pool.seen) - played, pool.best)
         ended = stalled(history, reached=pool.best < MISSED)
         if pool.good or ended:
             break

@@ -66,5 +66,5 @@ def _cast(plan: Plan) -> Bools:
         names.update(member for name in named for member in story.expand(name))
     batch = batch_programs([plan.compile(plan.initial())], scene.names)
     out = np.array([b.name in names or b.active for b in scene.bodies], bool)
-    out[batch.body] = True
+    out[batch.body[batch.body >= 0]] = True
     return out | batch.until.any(axis=0)

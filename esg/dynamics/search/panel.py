@@ -1,5 +1,7 @@
 """Who judges candidates during the search: the surrogate explores, the reference engine decides.
 
+The surrogate knows no joints: of a scene with joints the reference engine explores, too.
+
 Both play the same ensemble of perturbations. The surrogate adds two members that the reference
 engine would have to be built anew for: half the step, and round sides replaced by facets.
 """
@@ -20,13 +22,15 @@ from esg.dynamics.losses.horizon import expected_end, told_by
 from esg.dynamics.plan import Plan
 from esg.dynamics.search.simulate import ENSEMBLE, Simulator
 from esg.dynamics.story.proxies import faceted
-from esg.engines.base import Engine
+from esg.engines.base import SURROGATE, Engine
 from esg.engines.registry import get_engine
 from esg.graph.models import SearchStep
 
 Floats = NDArray[np.float64]
 
 REFERENCE_DT_S = 1.0 / 240.0
+COARSE = 2.0
+"""Steps of the reference engine where it explores, as a multiple of those where it decides."""
 GOOD_LOSS = 0.35
 """Worst-case loss at which the search stops: all events happen, residuals are small."""
 CENTRED_LOSS = 0.15
@@ -85,7 +89,8 @@ class Panel:
         engines: Name and device -> engine.
 
     Attributes:
-        breadth: Candidates that the surrogate plays in about the time of one.
+        explorer: Name of the engine that explores.
+        breadth: Candidates that it plays in about the time of one.
     """
 
     def __init__(
@@ -96,15 +101,19 @@ class Panel:
         dt: float,
         engines: Callable[[str, str], Engine] = get_engine,
     ) -> None:
-        engine = engines("surrogate", device)
+        self.explorer = "newton" if plan.scene.joints else SURROGATE
+        engine = engines(self.explorer, device)
         self.plan, self.device = plan, device
         self.reference = Simulator(plan, engines("newton", device), dt=dt, hold=True)
-        self.surrogate = Simulator(plan, engine, dt=dt)
+        step = dt if self.explorer == SURROGATE else COARSE * dt
+        self.surrogate = Simulator(plan, engine, dt=step)
         self.breadth: int = getattr(engine, "breadth", 1)
-        self._others = [Simulator(plan, engine, dt=0.5 * dt)]
-        scene = faceted(plan.scene)
-        if scene is not plan.scene:
-            self._others.append(Simulator(replace(plan, scene=scene), engine, dt=dt))
+        self._others: list[Simulator] = []
+        if self.explorer == SURROGATE:
+            self._others.append(Simulator(plan, engine, dt=0.5 * dt))
+            scene = faceted(plan.scene)
+            if scene is not plan.scene:
+                self._others.append(Simulator(replace(plan, scene=scene), engine, dt=dt))
         # An engine that is shared by many searches may play several rollouts at once.
         self._together: Callable[[list[Callable[[], Any]]], list[Any]] | None
         self._together = getattr(engine, "together", None)
@@ -126,7 +135,7 @@ class Panel:
 
     @property
     def explored(self) -> int:
-        """Rollouts of the surrogate."""
+        """Rollouts of what explores."""
         return self.surrogate.evaluations + sum(s.evaluations for s in self._others)
 
     def note(self, phase: str, engine: str, candidates: int, best: float) -> None:

@@ -234,7 +234,7 @@ def run_programs(
     now, pull = t + wp.float64(0.5) * dt, gravity[world][2] * float(dt)
     _feel(world, step, pull, dynamic, features, before, driven, tips, body_qd)
     for k in range(primitives[world]):
-        if done[world, k] != 0:
+        if done[world, k] != 0 or kind[world, k] == Action.DRIVE:
             continue
         b = body[world, k]
         target = dynamic[world, b]

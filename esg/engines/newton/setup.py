@@ -12,7 +12,8 @@ STEPS_PER_GRAPH, STEPS_PER_GRAPH_CPU = 4, 2
 """Even, so that the two states are back in place after one launch of the graph. On the CPU a launch
 costs next to nothing, while each step takes 12 ms to record for every scene."""
 
-ITERATIONS = 6
+ITERATIONS, LOOSE_ITERATIONS = 6, 24
+"""Sweeps of the solver; more where joints are made of contacts."""
 RESTITUTION_THRESHOLD_MPS = 0.2
 FIXED_POINT = 1.0e9
 """Units per N s (and N s m) of the integer sums; integers make atomic sums independent of order."""
@@ -21,8 +22,6 @@ BAUMGARTE = 0.2
 """Share of an overlap that the solver makes up for in a step."""
 DRIVE_GAIN = 1e9
 """Damping towards the speed of a motor or of what rubs [N m s or N s/m]: as good as rigid."""
-STIFF_PHASE = 0.25
-"""Square of the phase [rad^2] in a step from which on what draws back is integrated implicitly."""
 SPECULATIVE_GAP_M = 0.25
 """Fast bodies are seen as far ahead as they move in a step, up to this distance [m]."""
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from esg.engines.base import SURROGATE, VERIFY_DT_S, breadth
-from esg.engines.jobs import Job, finish, job_of
+from esg.engines.jobs import Job, finish, job_of, refuse_joints
 from esg.engines.newton.setup import cpu_threads, known_device
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import Rollout, SimScene, Variation
@@ -94,7 +94,12 @@ class SurrogateEngine:
 
 
 def scene_arrays(scene: SimScene, device: str) -> SceneArrays:
-    """The scene's shapes and bodies on a device; kept for the next call."""
+    """The scene's shapes and bodies on a device; kept for the next call.
+
+    Raises:
+        ValueError: If the scene has joints.
+    """
+    refuse_joints(scene)
     key = (scene.bodies, tuple(scene.gravity), device)
     with _lock:
         if key in _scenes:

@@ -19,6 +19,8 @@ MAX_DEPTH_CM = 1.0
 """What stands deeper in what carries it is moved."""
 STEPS = 12
 """Places tried along each side of a surface."""
+ASIDE_CM, ASIDE_STEPS = 1.0, 6
+"""Of what is stacked, the steps off the middle that are tried, and how many of them each way."""
 
 
 def set_on_supports(
@@ -81,6 +83,18 @@ def _depth(support: Support, parent: Shape, child: Shape, at: Pose2) -> float:
         ),
         default=0.0,
     )
+
+
+def step_aside(support: Support, below: Shape, above: Shape) -> Pose2:
+    """Where, seen from the one below, something stands that is stacked on it.
+
+    In its middle, or the shortest way off it where it clears what stands up there: of stacked
+    chairs the upper one's legs stand before the lower one's backrest.
+    """
+    steps = [s * k * ASIDE_CM for k in range(ASIDE_STEPS + 1) for s in (1.0, -1.0)]
+    places = [(x, 0.0, 0.0) for x in steps] + [(0.0, y, 0.0) for y in steps]
+    free = (p for p in places if _depth(support, below, above, p) < MAX_DEPTH_CM)
+    return min(free, key=lambda p: abs(p[0]) + abs(p[1]), default=(0.0, 0.0, 0.0))
 
 
 def _nearest(

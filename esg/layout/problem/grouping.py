@@ -10,7 +10,7 @@ import math
 import numpy as np
 
 from esg.graph.models import EsgDocument, RelationType
-from esg.layout.judge.setting import set_on_supports
+from esg.layout.judge.setting import set_on_supports, step_aside
 from esg.layout.problem.decals import lay_decals
 from esg.layout.problem.hints import Constellation, Corridor, StartHints, in_the_way
 from esg.layout.problem.joined import joined
@@ -86,9 +86,14 @@ class UnitBuilder:
         for name in self.nodes:
             if name not in self.taken:
                 self._add(Unit({name: (0.0, 0.0, 0.0)}, parent=self._base(name)))
+        piled = {n: self.taken[n].members[n] for n in (*self.stacked, *self.stacked.values())}
         for above, below in self.stacked.items():
             if self.supports.of[above].parent != below:
                 self.supports.of[above] = stand_on(self.shape[above], below, self.shape[below])
+            unit = self.taken[above]
+            if below in unit.members and piled[above] == piled[below]:
+                aside = step_aside(self.supports.of[above], self.shape[below], self.shape[above])
+                unit.members[above] = compose(unit.members[below], aside)
         falling = falling_nodes(self.doc) if planned else frozenset()
         for unit in planned:
             for name in set_on_supports(unit, self.supports, self.shape, falling):

@@ -13,7 +13,7 @@ import math
 import numpy as np
 
 from esg.graph.joints import Frame, child_frame, own_frame, placing_joints, start_frames
-from esg.graph.models import AssetConfiguration, EsgDocument, Joint, Proxy
+from esg.graph.models import AssetConfiguration, EsgDocument, Joint, Proxy, RelationType
 from esg.layout.problem.poses import Pose2, compose, inverse
 from esg.layout.problem.shapes import RECTANGLE, footprints
 from esg.units import euler_deg_from_quat, quat_from_euler_deg, quat_multiply, quat_rotate
@@ -75,6 +75,23 @@ def joined(doc: EsgDocument) -> Joined:
             nodes, assets = doc.spatial_relation_graph.nodes, doc.asset_configurations
             out.tilt[joint.child] = own_frame(joint, assets[nodes[joint.child].asset_id])
     return out
+
+
+def facing_as_one(doc: EsgDocument) -> EsgDocument:
+    """The document in which an open door faces as its frame does, not as its leaf stands."""
+    frames = start_frames(doc)
+    if not frames:
+        return doc
+    graph = doc.spatial_relation_graph
+    edges = tuple(
+        e.model_copy(update={"from_": frames[e.from_][0]})
+        if e.relation_type is RelationType.FACE and e.from_ in frames
+        else e
+        for e in graph.edges.binary_relations
+    )
+    edges_now = graph.edges.model_copy(update={"binary_relations": edges})
+    graph = graph.model_copy(update={"edges": edges_now})
+    return doc.model_copy(update={"spatial_relation_graph": graph})
 
 
 def posed(asset: AssetConfiguration, tilt: Frame) -> AssetConfiguration:

@@ -1,6 +1,7 @@
 """Doors, gates and drawers: what opens, and what it opens in.
 
 A leaf hangs on its right edge (-Y) and opens backwards (-X), away from who comes from the front.
+What it hangs in is drawn in proportion to its own extents, so that both fit at any size.
 """
 
 from __future__ import annotations
@@ -9,15 +10,14 @@ from esg.assets.builders import builder
 from esg.assets.builders.common import shade
 from esg.assets.geometry.sketch import CHROME, DARK, STEEL, Color, Sketch
 
-_JAMB = 6.0
-"""Width of a door frame's jambs and lintel [cm]."""
-_GAP = 0.5
-"""Air between a leaf and what it hangs in [cm]."""
-_SILL = 0.8
-"""Air below a door's leaf [cm]."""
-_POST = 10.0
-_LIFT = 8.0
-"""Air below a gate's leaf [cm]."""
+_JAMB, _GAP = 6.0 / 93.0, 0.5 / 93.0
+"""Jambs of a door frame and the air beside a leaf, over the frame's width."""
+_LINTEL, _SILL = 6.0 / 206.0, 0.8 / 206.0
+"""Lintel of a door frame and the air below a leaf, over the frame's height."""
+_POST, _AIR = 10.0 / 174.0, 2.0 / 174.0
+"""Posts of a gate and the air beside its leaf, over its width."""
+_LIFT = 8.0 / 130.0
+"""Air below a gate's leaf over the height of its posts."""
 
 
 @builder("door_leaf", "free")
@@ -39,12 +39,13 @@ def door_leaf(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("door_frame", "free")
 def door_frame(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Two jambs and a lintel; the leaf closes flush with their back."""
-    for y in ((-W / 2, -W / 2 + _JAMB), (W / 2 - _JAMB, W / 2)):
+    jamb, top = _JAMB * W, H - _LINTEL * H
+    inner = (-W / 2 + jamb, W / 2 - jamb)
+    for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
         s.slab((-L / 2, L / 2), y, (0, H), c, solid=1)
-    s.slab((-L / 2, L / 2), (-W / 2 + _JAMB, W / 2 - _JAMB), (H - _JAMB, H), c, solid=1)
-    inner = (-W / 2 + _JAMB, W / 2 - _JAMB)
-    s.region("inside", (-L / 2, L / 2), inner, (0, H - _JAMB), "area")
-    s.mount("hinge", (-L / 2, -W / 2 + _JAMB + _GAP, _SILL))
+    s.slab((-L / 2, L / 2), inner, (top, H), c, solid=1)
+    s.region("inside", (-L / 2, L / 2), inner, (0, top), "area")
+    s.mount("hinge", (-L / 2, inner[0] + _GAP * W, _SILL * H))
 
 
 @builder("gate_leaf", "free")
@@ -64,16 +65,16 @@ def gate_leaf(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("gate_posts", "free")
 def gate_posts(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Two posts with a gap between them, a hinge on the right one."""
-    post = min(L, _POST)
-    for y in ((-W / 2, -W / 2 + post), (W / 2 - post, W / 2)):
-        s.slab((-post / 2, post / 2), y, (0, H - 3), c, solid=1)
-        s.slab((-L / 2, L / 2), y, (H - 3, H), shade(c, 0.8))
-    for z in (0.2, 0.8):
-        y = -W / 2 + post
-        s.rod(1.2, (0, y, H * z), (0, y + 4 * _GAP, H * z), STEEL, metal=0.6, sections=12)
+    post, cap, air = _POST * W, 0.98 * H, _AIR * W
     inner = (-W / 2 + post, W / 2 - post)
+    for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
+        s.slab((-0.36 * L, 0.36 * L), y, (0, cap), c, solid=1)
+        s.slab((-L / 2, L / 2), y, (cap, H), shade(c, 0.8))
+    for z in (0.2, 0.8):
+        ends = ((0, inner[0], H * z), (0, inner[0] + air, H * z))
+        s.rod(0.1 * L, *ends, STEEL, metal=0.6, sections=12)
     s.region("inside", (-L / 2, L / 2), inner, (0, H), "area")
-    s.mount("hinge", (0.0, -W / 2 + post + 4 * _GAP, _LIFT))
+    s.mount("hinge", (0.0, inner[0] + air, _LIFT * H))
 
 
 @builder("sliding_drawer", "free")
@@ -96,15 +97,105 @@ def sliding_drawer(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
 @builder("drawer_chest", "free")
 def drawer_chest(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Chest with a bay for one drawer below its top, and a closed front under it."""
+    """Chest with a bay for one drawer at the bottom, and a closed front above it."""
     t = 0.045 * W
-    bay = (0.62 * H, 0.95 * H)
+    bay = (0.02 * H, 0.36 * H)
+    inner = (-W / 2 + t, W / 2 - t)
     s.slab((-L / 2, L / 2), (-W / 2, W / 2), (bay[1], H), c, solid=1)
-    s.slab((-L / 2, L / 2 - t), (-W / 2 + t, W / 2 - t), (0, bay[0] - t), shade(c, 0.9), solid=0.4)
-    s.slab((-L / 2, L / 2 - t), (-W / 2 + t, W / 2 - t), (bay[0] - t, bay[0]), DARK, solid=1)
+    s.slab((L / 2 - 0.1, L / 2 + 0.1), inner, (bay[1] + t, H - t), shade(c, 1.06))
     for y in ((-W / 2, -W / 2 + t), (W / 2 - t, W / 2)):
         s.slab((-L / 2, L / 2), y, (0, bay[1]), c, solid=1)
-    s.slab((-L / 2, -L / 2 + t), (-W / 2 + t, W / 2 - t), bay, c, solid=1)
-    s.slab((L / 2 - t, L / 2), (-W / 2 + t, W / 2 - t), (0.06 * H, bay[0] - t), shade(c, 1.06))
+    s.slab((-L / 2, -L / 2 + t), inner, (0, bay[1]), c, solid=1)
+    s.slab((-L / 2 + t, L / 2), inner, (0, bay[0]), DARK, solid=1)
     s.surface("top", H, (L / 2, W / 2))
     s.mount("runner", (L / 2, 0.0, bay[0] + 0.3), (1.0, 0.0, 0.0))
+
+
+@builder("cupboard_body", "free")
+def cupboard_body(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Cupboard that is open in front (+X), with a shelf; its door closes before it."""
+    t, foot = 0.04 * W, 0.05 * H
+    inner = (-W / 2 + t, W / 2 - t)
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, foot), shade(c, 0.8), solid=1)
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (H - t, H), c, solid=1)
+    s.slab((-L / 2, -L / 2 + t), inner, (foot, H - t), c, solid=1)
+    for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
+        s.slab((-L / 2, L / 2), y, (foot, H - t), c, solid=1)
+    s.slab((-L / 2 + t, 0.4 * L), inner, (0.55 * H, 0.55 * H + t), shade(c, 1.1), solid=1)
+    s.surface("top", H, (L / 2, W / 2))
+    s.region("inside", (-L / 2 + t, L / 2), inner, (foot, H - t))
+    s.mount("side", (L / 2, -W / 2, foot), (0.0, 0.0, -1.0))
+    s.mount("bottom", (L / 2, 0.0, foot), (0.0, 1.0, 0.0))
+
+
+@builder("cupboard_door", "free")
+def cupboard_door(s: Sketch, L: float, W: float, H: float, c: Color, hung: str = "side") -> None:
+    """Flat door with a bar to pull, hung on its right edge (-Y) or on its lower one."""
+    t = 0.2 * L
+    s.slab((-L / 2, t), (-W / 2, W / 2), (0, H), c, solid=1)
+    if hung == "side":
+        pull = ((0.44 * L, 0.42 * W, 0.4 * H), (0.44 * L, 0.42 * W, 0.65 * H))
+        s.mount("side", (-L / 2, -W / 2, 0.0), (0.0, 0.0, -1.0))
+    else:
+        pull = ((0.44 * L, -0.4 * W, 0.92 * H), (0.44 * L, 0.4 * W, 0.92 * H))
+        s.mount("bottom", (-L / 2, 0.0, 0.0), (0.0, 1.0, 0.0))
+    s.rod(0.05 * L, *pull, CHROME, metal=0.8, sections=12)
+    for x, y, z in pull:
+        s.rod(0.04 * L, (t, y, z), (x, y, z), CHROME, metal=0.8, sections=10)
+
+
+@builder("chest_body", "free")
+def chest_body(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Open box across Y; its lid hangs on the upper edge of its back."""
+    t = 0.05 * L
+    s.walls((-L / 2, L / 2), (-W / 2, W / 2), (0, H), t)
+    inner = (-W / 2 + t, W / 2 - t)
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, t), c)
+    for x in ((-L / 2, -L / 2 + t), (L / 2 - t, L / 2)):
+        s.slab(x, (-W / 2, W / 2), (t, H), c)
+    for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
+        s.slab((-L / 2 + t, L / 2 - t), y, (t, H), c)
+    for y in (-0.3 * W, 0.3 * W):
+        s.slab((L / 2, L / 2 + 0.01 * L), (y - t, y + t), (0, H), DARK, metal=0.5)
+    s.surface("lid", 1.302 * H, (L / 2, W / 2))
+    s.region("inside", (-L / 2 + t, L / 2 - t), inner, (t, H))
+    s.mount("hinge", (-L / 2, 0.0, 1.002 * H), (0.0, -1.0, 0.0))
+
+
+@builder("chest_lid", "free")
+def chest_lid(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Flat lid with a rim, hung on its rear lower edge."""
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H), shade(c, 0.95), solid=1)
+    for y in (-0.3 * W, 0.3 * W):
+        s.slab((-L / 2, L / 2 + 0.01 * L), (y - 0.05 * L, y + 0.05 * L), (0, 1.01 * H), DARK)
+    s.slab((L / 2, L / 2 + 0.02 * L), (-0.06 * W, 0.06 * W), (0, 0.6 * H), CHROME, metal=0.8)
+    s.mount("hinge", (-L / 2, 0.0, 0.0), (0.0, -1.0, 0.0))
+
+
+@builder("shutter_leaf", "free")
+def shutter_leaf(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Louvred leaf of a window shutter, hung on its right edge (-Y)."""
+    rim = 0.1 * W
+    for y in ((-W / 2, -W / 2 + rim), (W / 2 - rim, W / 2)):
+        s.slab((-L / 2, L / 2), y, (0, H), c)
+    for z in ((0, rim), (H - rim, H)):
+        s.slab((-L / 2, L / 2), (-W / 2 + rim, W / 2 - rim), z, c)
+    n = max(4, round((H - 2 * rim) / 6))
+    for k in range(n):
+        z = rim + (H - 2 * rim) * (k + 0.5) / n
+        slat = (0.4 * (H - 2 * rim) / n) / 2
+        s.slab((-L / 4, L / 4), (-W / 2 + rim, W / 2 - rim), (z - slat, z + slat), shade(c, 0.9))
+    s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
+    s.mount("hinge", (-L / 2, -W / 2, 0.0), (0.0, 0.0, -1.0))
+
+
+@builder("shutter_wall", "free")
+def shutter_wall(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Piece of a wall with a window that a shutter closes, flush with its front (+X)."""
+    side, sill, head = 0.2 * W, 0.4 * H, 0.9 * H
+    inner = (-W / 2 + side, W / 2 - side)
+    for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
+        s.slab((-L / 2, L / 2), y, (0, H), c, solid=1)
+    s.slab((-L / 2, L / 2), inner, (0, sill), c, solid=1)
+    s.slab((-L / 2, L / 2), inner, (head, H), c, solid=1)
+    s.mount("hinge", (L / 2, inner[0], sill), (0.0, 0.0, -1.0))

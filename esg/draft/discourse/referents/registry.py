@@ -213,7 +213,7 @@ def create(world: World, m: Mention) -> list[str]:
     if number > 1:
         words = [*[a for a in plain if a in lex.COLORS], plural(m.head)]
         group, label = unique(slug(" ".join(words)), world.groups), m.head
-        if m.group_word in _NAMED_GROUPS:
+        if m.group_word in _NAMED_GROUPS or (m.group_word and " of " not in m.text):
             label = f"{m.group_word} of {plural(m.head)}"
     ids = [
         add_entity(

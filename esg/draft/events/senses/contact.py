@@ -27,7 +27,7 @@ from esg.draft.events.roles import role
 from esg.draft.events.senses.launch import launch_by, motion_of_things, read_launch
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import enterable, moved_by_others, time_of
-from esg.draft.events.told import amount, at_rest, constrain, ignore, recent, things
+from esg.draft.events.told import amount, at_rest, constrain, ignore, last_of, recent, things
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
@@ -44,6 +44,7 @@ _BESIDE = re.compile(
     re.IGNORECASE,
 )
 """What may stand between a thing and its own speed."""
+_ARRIVING = ("hit", "strike", "touch", "meet")
 _BLOWS = ("hit", "strike", "tap", "smack", "whack")
 
 
@@ -182,10 +183,22 @@ def _hits_no_thing(d: Discourse, f: Frame, movers: list[str], targets: list[str]
     return True
 
 
+def _ends_its_fall(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> bool:
+    """ "Falls off a table and hits the floor": the end of the fall that was told."""
+    falls = [last_of(d, m) for m in movers]
+    told = [n.id for n in falls if n is not None and n.event in (NodeEvent.FALL, NodeEvent.TOPPLE)]
+    flat = bool(targets) and all(map(partial(structural, d), targets))
+    if not told or not flat or f.verb.lemma not in _ARRIVING:
+        return False
+    mark_used(d, f, told[-1])
+    return True
+
+
 _NO_HITS: tuple[Callable[[Discourse, Frame, list[str], list[str]], bool], ...] = (
     _strikes_ball,
     _runs_over,
     _crashes_down,
+    _ends_its_fall,
     _hits_no_thing,
 )
 """What a verb of contact may tell instead of a collision, in the order it is looked for."""

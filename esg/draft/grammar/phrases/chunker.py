@@ -31,6 +31,12 @@ from esg.draft.text.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
 
 _HEADINGS = lex.word_set("headings")
+_DATELINE = re.compile(
+    rf"[^.:;!?]{{0,60}}\b(?:may|{'|'.join(lex.word_set('months'))})\b[\s,.\d]{{0,12}}"
+    r"\b(?:19|20)\d\d\b[^.:;!?]{0,30}[.:]",
+    re.IGNORECASE,
+)
+"""Where and when a picture was taken, before it is described."""
 _TITLES = lex.word_set("titles (chunker)")
 _ASKED = lex.DETERMINERS | {"you", "we", "i", "it", "they", "there"}
 _ASKING = lex.word_set("asking (chunker)")
@@ -266,7 +272,10 @@ def _heading(c: Chunks, i: int) -> int | None:
 
 
 def _title(c: Chunks, i: int) -> int:
-    """ "Pushing task:", "Physics puzzle:": the words of a title and its colon."""
+    """ "Pushing task:", "Lima, Peru - May 2019:": the words of a title and its colon."""
+    dated = _DATELINE.match(c.text) if i == 0 else None
+    if dated is not None:
+        return sum(t.end <= dated.end() for t in c.tokens)
     for n in (2, 3, 4):
         colon = token_at(c, i + n)
         words = c.tokens[i : i + n]

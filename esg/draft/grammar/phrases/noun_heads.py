@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+import re
 from typing import NamedTuple
 
 from esg.draft import lexicon as lex
@@ -30,6 +31,7 @@ from esg.draft.grammar.phrases.noun_questions import (
     one_does,
     packed,
     part_alone,
+    people_here,
     piled,
     plain_noun,
     pronoun_here,
@@ -48,7 +50,7 @@ from esg.draft.grammar.phrases.reader import (
     unknown_noun,
 )
 from esg.draft.grammar.phrases.rows import inner_phrase, member_of_row, the_rest
-from esg.draft.text.elements import Mention
+from esg.draft.text.elements import ONE_OF_THESE, Mention
 from esg.draft.verbphrases import verb_readings
 
 _RUNNING_GEAR = lex.word_set("running gear")
@@ -170,6 +172,8 @@ def _compound(c: Chunks, j: int, noun: NounMatch, m: Mention) -> tuple[int, bool
             break
         if heap_of(c, k, entry) or wisp(c, k):
             break  # "a domino chain", "a lighthouse beam"
+        if entry.kind == "vehicle" and lex.singular(low_at(c, k))[0] in lex.PARTS:
+            break  # "a car roof"
         m.adjectives.extend(" ".join(t.low for t in c.tokens[first:k]).split())
         entry, n, plural, phrase = following
         first, k = k, k + n
@@ -227,13 +231,14 @@ def _stands(c: Chunks, j: int, m: Mention, plural: bool) -> int:
         m.adjectives.append("rear")
         j += 2
     elif low == "behind" and the and _ends_or_acts(c, j + 1):
-        m.adjectives.append("rear")
+        m.adjectives += ["rear", *_absolute(c, j + 1, m)]
         j += 1
     elif (low, low_at(c, j + 1)) == ("in", "front") and the and _of_it(c, j + 2):
-        m.adjectives.append("front")
         j += 4 if low_at(c, j + 2) == "of" else 2
+        m.adjectives += ["front", *_absolute(c, j, m)]
     on_top = 2 if low_at(c, j + 1) == "top" else 3 if low_at(c, j + 2) == "top" else 0
     top = on_top and low_at(c, j) in ("on", "at") and low_at(c, j + 1) in ("top", "the")
+    top = top and low_at(c, j + on_top) != "speed"
     of_all = low_at(c, j + on_top) != "of" or low_at(c, j + on_top + 2) in _STACKS
     if top and the and not plural and of_all:
         m.adjectives.append("top")
@@ -244,6 +249,14 @@ def _stands(c: Chunks, j: int, m: Mention, plural: bool) -> int:
         m.stacked = True
         j += 3
     return j
+
+
+def _absolute(c: Chunks, j: int, m: Mention) -> list[str]:
+    """ "A van and a bus drive along, the van in front.": no other van."""
+    token = token_at(c, j)
+    ends = token is None or token.low in (".", ";", "!")
+    opens = re.search(r",\s*(?:(?:and|with)\s+)?$", c.text[: m.start], re.IGNORECASE)
+    return [ONE_OF_THESE] if ends and opens else []
 
 
 def _of_it(c: Chunks, j: int) -> bool:
@@ -277,6 +290,22 @@ def _unknown_after(c: Chunks, j: int, m: Mention) -> int:
     else:
         return j
     return j + 1
+
+
+def _people(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "A couple", "the crowd", "rival gangs": persons, as many as the word means."""
+    word, several = lex.singular(p.low)
+    if not people_here(c, p.at):
+        return OTHER
+    told = m.determiner not in ("", "the") or m.count is not None
+    those = m.determiner == "the" and word in lex.GROUP_WORDS  # "the group": who was named
+    verb = several and m.determiner in ("a", "an")  # "an engine couples onto five wagons"
+    if m.group_word or those or verb or not (told or m.determiner or (several and m.adjectives)):
+        return OTHER
+    m.noun, m.head, m.plural, m.group_word = lex.nouns()["person"], "person", True, word
+    m.pattern = lex.GROUP_WORDS.get(word) or "scatter"
+    m.count = (m.count or 1) * lex.VAGUE_COUNTS[word] if word in lex.VAGUE_COUNTS else None
+    return Head(p.at + 1)
 
 
 def _rest(c: Chunks, p: Place, m: Mention) -> Head | None:
@@ -472,7 +501,8 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
         m.adjectives.append(low_at(c, k))
         k += 1
     known = match_noun(c, k + 1) if k + 1 < len(tokens) else None
-    clear = not verb_readings(low_at(c, k + 1)) or noun_not_verb(c, k + 1, m)
+    ends = bool(m.determiner) and ends_phrase(c, k + 1)  # "on the lab floor."
+    clear = ends or not verb_readings(low_at(c, k + 1)) or noun_not_verb(c, k + 1, m)
     if known is not None and clear and tokens[k].text != "'s":
         return _modifies(c, Place(p.first, k, low_at(c, k), None), m)
     m.head, m.plural = lex.singular(low_at(c, k))
@@ -523,6 +553,7 @@ def _verb_form(c: Chunks, p: Place, m: Mention) -> Head | None:
 
 HEADS: tuple[HeadReader, ...] = (
     _body_part,
+    _people,
     _wisp,
     _known,
     _rest,

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from esg.draft import lexicon as lex
 from esg.draft.grammar.phrases.chunks import Chunks
 from esg.draft.grammar.phrases.noun_heads import read_head
-from esg.draft.grammar.phrases.noun_questions import goes_off, is_she, side_acts
+from esg.draft.grammar.phrases.noun_questions import goes_off, is_she, people_here, side_acts
 from esg.draft.grammar.phrases.noun_starts import (
     EXTENTS,
     alone,
@@ -128,7 +128,7 @@ def _vague_count(c: Chunks, j: int, m: Mention) -> int:
     word = low_at(c, j)
     if word not in _VAGUE or word == m.determiner:
         return j
-    if word in lex.GROUP_WORDS and low_at(c, j + 1) == "of":
+    if word in lex.GROUP_WORDS and (low_at(c, j + 1) == "of" or people_here(c, j)):
         return j
     m.count, m.vague = lex.VAGUE_COUNTS[word], word not in ("couple", "dozen", "pair")
     return j + 1

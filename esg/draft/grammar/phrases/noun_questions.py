@@ -26,6 +26,7 @@ _MEASURES = lex.word_set("measures (noun questions)")
 _STACKS = frozenset({"stack", "pile", "heap"})
 _WISPS, _WISPS_OF = lex.word_set("wisps"), lex.word_set("wisps of")
 _SHINING = lex.word_set("shining")
+_PEOPLE = lex.word_set("people")
 _FLUIDS, _TAKING = lex.word_set("unseen fluids"), lex.word_set("taking")
 _HEAPED, _LINED_UP = lex.word_set("heaped"), lex.word_set("lined up")
 
@@ -235,6 +236,13 @@ def names_no_thing(word: str, *, bare: bool = False) -> bool:
     kinds = {no_things().get(word), no_things().get(single)}
     filling = bare and word == single and word in lex.SUBSTANCES
     return filling or bool(kinds & {"nothing", "substance"})
+
+
+def people_here(c: Chunks, j: int) -> bool:
+    """ "A couple dances", "two teams": not "a couple of cups", "a crowd barrier"."""
+    if lex.singular(low_at(c, j))[0] not in _PEOPLE or low_at(c, j + 1) == "of":
+        return False
+    return not noun_soon(c, j + 1) or bool(verb_readings(low_at(c, j + 1)))
 
 
 def packed(c: Chunks, word: str, m: Mention) -> lex.Noun | None:

@@ -281,6 +281,8 @@ def _goes_on(c: Chunks, w: _Word) -> bool | None:
         and (not verb_readings(w.next) or w.next == "open")
     ):
         return True  # ", which swings round": no plural without an article
+    if previous.kind == "adv" and "s" in w.forms and not told:
+        return True  # "a door slowly swings open"
     if w.noun is None:
         return True
     inflected = bool(w.forms & {"past", "pp", "ing"})

@@ -129,9 +129,11 @@ def _incline(e: Element) -> bool:
 def _garment(e: Element) -> bool:
     """Clothes, of which nothing else is said, and spectacles."""
     if isinstance(e, Mention) and e.head == "glass" and e.plural:
-        return not (e.determiner or e.count)
+        return "sun" in e.adjectives or not (e.determiner or e.count)
     if not isinstance(e, Mention) or e.amounts or e.possessor is not None or not e.head:
         return False
+    if "-".join([*e.adjectives[-1:], e.head]) in lex.GARMENTS:
+        return True  # "a bikini top"
     return "-".join(e.head.split()) in lex.GARMENTS or e.head.split()[-1] in lex.GARMENTS
 
 
