@@ -64,7 +64,7 @@ def missing(d: Discourse, clause: Clause) -> str:
             return row.missing
     note = d.scene.used.get((f.verb.start, f.verb.end), "")
     again = any(n.id == note for n in d.timeline.nodes)
-    told = clause.told or again or bool(clause.movers) or _leads_to_an_event(d, clause)
+    told = clause.told or again or bool(clause.movers)
     return "" if told or f.verb.sense in _STATES else NOTHING_MOVES
 
 
@@ -99,8 +99,7 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
 def _leads_to_an_event(d: Discourse, clause: Clause, kind: str = "") -> bool:
     """Whether an event that one could see, of a kind, is told of what a clause moves."""
     about = {*clause.movers}
-    own = {node for f, node in d.times.of_frame if f.verb is clause.frame.verb}
-    told = [n.event for n in d.timeline.nodes if about & {*n.participants} or n.id in own]
+    told = [n.event for n in d.timeline.nodes if about & {*n.participants}]
     return any(measurable(event) and kind in ("", event.value) for event in told)
 
 
