@@ -46,6 +46,7 @@ class Case:
         bodies, joints, commands: The scene and its program.
         seconds: It plays [s].
         scale: What an error is a share of; the exact values where empty.
+        beyond: Engines that cannot do it, of which it is only reported.
     """
 
     name: str
@@ -58,6 +59,7 @@ class Case:
     commands: tuple[Primitive, ...] = ()
     seconds: float = 10.0
     scale: tuple[float, ...] = ()
+    beyond: tuple[str, ...] = ()
 
     @property
     def scene(self) -> SimScene:
@@ -342,7 +344,10 @@ def hits() -> list[Case]:
 
 
 def cradles() -> list[Case]:
-    """Five balls on hinges; the first falls from 30 degrees. Touching ones are only reported."""
+    """Five balls on hinges; the first falls from 30 degrees. Touching ones are only reported.
+
+    Newton sees contacts ahead, so that the balls share a blow even 3 mm apart.
+    """
     out: list[Case] = []
     for name, gap, limit in (("3 mm apart", 3e-3, CRADLE), ("touching", 0.0, math.inf)):
         angle, arm = math.radians(30.0), 1.0
@@ -362,7 +367,7 @@ def cradles() -> list[Case]:
 
         out.append(Case(
             f"cradle of five, {name}", "speed of the last", (arm * spin,), last, (limit,),
-            tuple(balls), tuple(joints), seconds=0.8,
+            tuple(balls), tuple(joints), seconds=0.8, beyond=("newton",),
         ))  # fmt: skip
     return out
 
@@ -439,7 +444,8 @@ def too_far(rows: list[Row], engines: tuple[str, ...] = HELD_TO_IT) -> list[str]
     """What is over its limit in an engine that is held to it."""
     out: list[str] = []
     for row in rows:
-        for engine in (e for e in engines if e in row.error):
+        held = [e for e in engines if e in row.error and e not in row.case.beyond]
+        for engine in held:
             if not all(e <= m for e, m in zip(row.error[engine], row.case.limits, strict=True)):
                 out.append(
                     f"{row.case.name}: {engine} measured {row.measured[engine]}, "

@@ -48,6 +48,14 @@ def drive(p, body, s, dt, pull):
         speed = min(speed, p["max_speed"])
     heading, r = p["heading"] + p["turn_rate"] * s, 0.0 if "climb" in p else p["roll_radius"]
     vx, vy = speed * math.cos(heading), speed * math.sin(heading)
+    if "gains" in p:
+        (x, y, _), (c, n) = tuple(body.linvel), (math.cos(heading), math.sin(heading))
+        gains, loses, was = p["gains"] * dt, p["loses"] * dt, heading - p["turn_rate"] * dt
+        along = math.cos(was) * x + math.sin(was) * y
+        across = math.cos(was) * y - math.sin(was) * x
+        along += max(-loses, min(gains, speed - along))
+        across -= max(-loses, min(loses, across))
+        vx, vy = c * along - n * across, n * along + c * across
     body.linvel = (vx, vy, p["climb"] - pull if "climb" in p else tuple(body.linvel)[2])
     body.angvel = (-vy / r, vx / r, 0.0) if r else (0.0, 0.0, p["turn_rate"])
 

@@ -24,6 +24,7 @@ from typing import TYPE_CHECKING, Any
 from esg.outcomes import Outcome, UserError
 from esg.paths import cache_dir
 from esg.progress import StageEvent, emit
+from esg.scrubbing import scrub_all
 
 if TYPE_CHECKING:
     from esg.store.artifacts import ArtifactStore
@@ -222,8 +223,10 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
         if outcome is not None:
             state = replace(state, outcome=outcome, reason=reason)
     except UserError as error:
-        entry["error"] = str(error)
-        state = replace(state, outcome=Outcome.INVALID_DRAFT, reason=str(error), user_error=True)
+        entry["error"] = scrub_all(str(error))
+        state = replace(
+            state, outcome=Outcome.INVALID_DRAFT, reason=entry["error"], user_error=True
+        )
     except Exception as error:
         if may_pass(error):
             raise
@@ -232,7 +235,7 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
             raise explained(error, Path(error.filename or cache_dir())) from error
         state = crashed(state, error)
         entry["error"] = state.reason
-        entry["traceback"] = traceback.format_exc()
+        entry["traceback"] = scrub_all(traceback.format_exc())
     entry["seconds"] = round(time.perf_counter() - start, 4)
     if state.outcome is not None:
         entry["outcome"] = state.outcome.value
@@ -266,10 +269,10 @@ def _quiet_libraries(stage: str) -> None:
 
 def crashed(state: SceneState, error: BaseException, stage: str = "") -> SceneState:
     """The state of a scene ended by a defect; with `stage`, also logs it there."""
-    reason = f"{type(error).__name__}: {error}"
+    reason = scrub_all(f"{type(error).__name__}: {error}")
     state = replace(state, outcome=Outcome.CRASHED, reason=reason)
     if stage:
-        lines = "".join(traceback.format_exception(error))
+        lines = scrub_all("".join(traceback.format_exception(error)))
         entry = {
             "stage": stage,
             "cached": False,

@@ -15,6 +15,7 @@ from esg.files import explained, refused, safe_name
 from esg.outcomes import UserError
 from esg.pipeline import STAGES, SceneState
 from esg.stages import DOCUMENT, ROLLOUT
+from esg.strangers.sums import seal
 
 _DOCUMENT_STAGES = ("draft", "resolve", "cast", "layout", "optimize")
 _MARKS = ("prompt.txt", "log.jsonl")
@@ -49,6 +50,7 @@ def publish(state: SceneState, out: Path) -> Path:
     try:
         with refused(target):
             _fill(state, work)
+            seal(work)
             work.chmod(0o755)
             _replace(work, target)
     except BaseException:

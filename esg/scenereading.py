@@ -248,7 +248,8 @@ def read_rollout(path: Path, bodies: int) -> Rollout:
     except OSError as error:
         raise damaged(path, error.strerror or str(error)) from None
     except (ValueError, KeyError, TypeError, EOFError, zipfile.BadZipFile, zlib.error) as error:
-        raise damaged(path, f"not a recording: {type(error).__name__}") from None
+        said = f": {error}" if type(error) is ValueError else f": {type(error).__name__}"
+        raise damaged(path, f"not a recording{said}") from None
     frames = np.shape(rollout.time)
     want = (1, *frames, bodies)
     shapes = {

@@ -125,6 +125,9 @@ WIDE_M = 8.0
 SLOPE_SHARE = 0.25
 """What moves up or down something rises or sinks by this share of its height: shorter ways are a
 shake, longer ones leave out what starts half way."""
+SLOPE_GRADE = 0.05
+"""What moves up or down along a surface that is not named gains this share of its way: what is less
+steep is a walking surface, not a ramp (ADA Standards 403.3)."""
 AROUND_DEG, BEND_DEG = 120.0, 40.0
 """What moves around something sees it turn by so much while its course bends by so much: a straight
 way past sees up to 180 degrees and bends by none."""

@@ -12,6 +12,7 @@ from typing import Any, TextIO
 import warnings
 
 from esg.notices import UNPRINTABLE, warn
+from esg.scrubbing import scrub_all
 
 
 class Plain(io.TextIOWrapper):
@@ -82,6 +83,7 @@ def fail(message: str, exit_code: int, as_json: bool) -> int:
     Returns:
         The exit code.
     """
+    message = scrub_all(message)
     if as_json:
         emit({"error": message, "exit_code": exit_code})
         flush()

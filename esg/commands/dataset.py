@@ -141,7 +141,9 @@ def _source(
     from esg.commands.inputs import existing_file
     from esg.dataset.grammar import Distribution, load_distribution
     from esg.dataset.plan import MAX_SCENES, prompts_text, read_prompts
+    from esg.files import read_limited
     from esg.outcomes import UserError
+    from esg.yamlfile import MAX_CHARACTERS
 
     if (prompts is None) == (sample is None):
         raise UserError("give either --prompts FILE or --sample N")
@@ -158,7 +160,10 @@ def _source(
     mix = Distribution()
     if distribution is not None:
         path = existing_file(distribution, "--distribution")
-        mix = load_distribution(path.read_text("utf-8"), str(path))
+        try:
+            mix = load_distribution(read_limited(path, MAX_CHARACTERS).decode(), str(path))
+        except UnicodeDecodeError:
+            raise UserError(f"--distribution {path} is not UTF-8 text; save it as UTF-8") from None
     return [], {"source": "sample", "n": sample, "distribution": mix}
 
 

@@ -68,6 +68,37 @@ def ingest(*paths: Path, db: Path | None = None, json: _Json = False) -> int:
 
 
 @app.command
+def verify(*folders: Path, db: Path | None = None, json: _Json = False) -> int:
+    """Read all data with its checksums: the database, Parquet tables, recordings and rollouts.
+
+    Removes what killed writers left there a day ago or earlier. The exit code is 3 if something is
+    damaged; every such file is named with what makes it again.
+
+    Args:
+        folders: Folders of runs, parts or datasets; default that of the database.
+        db: The run database; default $ESG_DB or runs/esg.duckdb.
+        json: Print one JSON document.
+    """
+    from esg.commands.console import emit
+    from esg.runs import database_path
+    from esg.store.checking import verify as run
+
+    path = db or database_path()
+    found = run(path, list(folders) or [path.parent])
+    if json:
+        emit(
+            {
+                "files": found.files,
+                "damaged": list(found.problems),
+                "leftovers": found.leftovers,
+            }
+        )
+    else:
+        print("\n".join([f"{found.files} files, {len(found.problems)} damaged", *found.problems]))
+    return 3 if found.problems else 0
+
+
+@app.command
 def prune(
     *,
     keep_days: float,

@@ -68,6 +68,12 @@ def _compiler() -> str:
     return compiler()
 
 
+def _locks() -> str:
+    from esg.compile.trust.locks import available
+
+    return ", ".join(available())
+
+
 def _cuda() -> str:
     from esg.engines.newton import quiet_warp
 
@@ -146,6 +152,7 @@ _CHECKS: tuple[tuple[str, bool, Callable[[], str]], ...] = (
     ("physx", True, _engine("physx")),
     ("rapier", False, _engine("rapier")),
     ("C++ compiler", False, _compiler),
+    ("locks on classes", False, _locks),
     ("CUDA", False, _cuda),
     ("prefect", True, _package("prefect")),
     ("duckdb", True, _package("duckdb")),

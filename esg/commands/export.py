@@ -8,7 +8,6 @@ from typing import Annotated, Literal
 
 from cyclopts import Parameter
 
-MCAP_MAGIC = b"\x89MCAP0\r\n"
 """First and last bytes of a finished log."""
 
 
@@ -68,15 +67,20 @@ def _export(
 
 
 def _is_whole_mcap(path: Path) -> bool:
-    """Whether a log begins and ends as one does: a cut-off one is made again."""
+    """Whether a log is what its checksums say: a damaged one is made again."""
+    from esg.outcomes import UserError
     from esg.scenereading import damaged
+    from esg.store.checking import check_recording
 
     if path.is_dir():
         raise damaged(path, "a folder")
     if not path.is_file():
         return False
-    data = path.read_bytes()
-    return len(data) > 2 * len(MCAP_MAGIC) and data[:8] == data[-8:] == MCAP_MAGIC
+    try:
+        check_recording(path)
+    except UserError:
+        return False
+    return True
 
 
 def _mcap(folder: Path, target: Path) -> list[Path]:

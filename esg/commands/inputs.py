@@ -181,7 +181,7 @@ def check_device(device: str) -> str:
     if device == "cpu":
         return device
     kind, _, number = device.partition(":")
-    if kind != "cuda" or (number and not number.isdigit()):
+    if kind != "cuda" or (number and not (number.isdecimal() and len(number) < 4)):
         raise UserError(f"--device {device!r}: choose cpu or cuda:N")
     from esg.engines.newton import quiet_warp
 
@@ -192,11 +192,17 @@ def check_device(device: str) -> str:
 
 
 def find_scene(scene: str) -> Path:
-    """A scene folder by path or by id below ./runs.
+    """A scene folder by path or by id below ./runs, whatever is in which may be opened.
 
     Raises:
-        UserError: If there is none, or the id names several.
+        UserError: If there is none, the id names several, or something in it may not be opened.
     """
+    from esg.strangers.folders import admitted
+
+    return admitted(_scene_at(scene))
+
+
+def _scene_at(scene: str) -> Path:
     from esg.scenefolder import is_scene_folder
 
     if not scene.strip():

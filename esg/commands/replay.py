@@ -10,6 +10,7 @@ from cyclopts import Parameter
 
 if TYPE_CHECKING:
     from esg.compile.transfer import TransferRun, Trust
+    from esg.graph import EsgDocument
     from esg.metrics.models import Suite, SuiteScene
 
 MIN_RATE_HZ, MAX_RATE_HZ = 30, 4000
@@ -58,11 +59,12 @@ def replay(
             lambda: None if suite is None else load_suite(suite),
             lambda: stack.enter_context(open_scene(scene)),
         )
-        expected, against = expectation(folder, loaded)
+        doc = document_of(folder)
+        expected, against = expectation(folder, doc, loaded)
         if compare:
             result = matrix(folder, expected, against, vouched) | {"scene": scene}
         else:
-            result = run(folder, engine or "physx", step, expected, against, vouched)
+            result = run(folder, doc, engine or "physx", step, expected, against, vouched)
             result |= {"scene": scene}
     if json:
         emit(result)
@@ -94,23 +96,34 @@ def step_of(hz: int | None, dt: float | None) -> float:
     return 1.0 / DEFAULT_RATE_HZ if dt is None else dt
 
 
-def expectation(folder: Path, suite: Suite | None) -> tuple[SuiteScene, str]:
-    """What must happen in a scene, and where that is written.
-
-    Args:
-        folder: Scene folder.
-        suite: The suite, or None for the scene's own timeline.
+def document_of(folder: Path) -> EsgDocument:
+    """The document of a compiled scene.
 
     Raises:
-        UserError: If the folder holds no compiled scene or the suite does not hold its prompt.
+        UserError: If the folder holds no compiled scene.
     """
     from esg.graph import load_document
-    from esg.metrics import expectations_from_timeline
     from esg.outcomes import UserError
 
     if not (folder / "manifest.json").exists():
         raise UserError(f"{folder} holds no compiled scene; its log.jsonl says why")
-    doc = load_document(folder / "esg.json")
+    return load_document(folder / "esg.json")
+
+
+def expectation(folder: Path, doc: EsgDocument, suite: Suite | None) -> tuple[SuiteScene, str]:
+    """What must happen in a scene, and where that is written.
+
+    Args:
+        folder: Scene folder.
+        doc: Its document.
+        suite: The suite, or None for the scene's own timeline.
+
+    Raises:
+        UserError: If the suite does not hold its prompt.
+    """
+    from esg.metrics import expectations_from_timeline
+    from esg.outcomes import UserError
+
     if suite is None:
         return expectations_from_timeline(doc), "timeline"
     prompt = " ".join(doc.scene_definition.original_description.split())
@@ -124,6 +137,7 @@ def expectation(folder: Path, suite: Suite | None) -> tuple[SuiteScene, str]:
 
 def run(
     folder: Path,
+    doc: EsgDocument,
     engine: str,
     dt: float,
     expected: SuiteScene,
@@ -134,6 +148,7 @@ def run(
 
     Args:
         folder: Scene folder.
+        doc: Its document.
         engine: physx, rapier or newton.
         dt: Physics step [s].
         expected: What must happen.
@@ -145,13 +160,11 @@ def run(
     """
     from esg.compile.transfer import replay_scene
     from esg.engines.manifest import load_manifest
-    from esg.graph import load_document
     from esg.metrics import judge
     from esg.metrics.plausibility import assess, told_of
 
     manifest = load_manifest(folder / "manifest.json")
-    told = told_of(load_document(folder / "esg.json"))
-    rollout, proof = replay_scene(folder, manifest, engine, dt, trust=trust)
+    rollout, proof = replay_scene(folder, manifest, engine, dt, trust=trust, document=doc)
     verdict = judge(manifest.scene, manifest.program, rollout, expected)
     return {
         "scene": str(folder),
@@ -162,7 +175,7 @@ def run(
         "judged_against": against,
         "verified": verdict.verified,
         "verdict": verdict.to_json(),
-        "plausibility": assess(manifest.scene, manifest.program, rollout, told).to_json(),
+        "plausibility": assess(manifest.scene, manifest.program, rollout, told_of(doc)).to_json(),
     }
 
 
@@ -216,7 +229,7 @@ def verdict_table(result: dict[str, Any]) -> str:
         f"{result['scene']}: {result['engine']} at {1 / result['dt']:.0f} Hz, "
         f"proof: {result['proof']}, judged against {_source(result)}"
     )
-    head += _not_run(result["proof_note"])
+    head += _not_run(result.get("proof_note", ""))
     tail = f"layout {'valid' if verdict['slr'] else 'INVALID'}, "
     tail += f"{verdict['completed']} of {verdict['n_events']} events"
     if verdict["statements"]:

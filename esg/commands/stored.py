@@ -28,7 +28,9 @@ def open_scene(scene: str, *, meshes: bool = False) -> Generator[Path]:
     import tempfile
 
     from esg.commands.inputs import find_scene
+    from esg.notices import warn
     from esg.outcomes import UserError
+    from esg.strangers.sums import altered
 
     try:
         folder = find_scene(scene)
@@ -41,6 +43,7 @@ def open_scene(scene: str, *, meshes: bool = False) -> Generator[Path]:
             _materialize(row, folder, meshes)
             yield folder
         return
+    warn(altered(folder))
     yield folder
 
 

@@ -13,6 +13,7 @@ from typing import Any
 import numpy as np
 
 from esg.compile import build, frames
+from esg.compile.joint_records import ConstraintRecord, joints_of, motor_of
 from esg.compile.penetration import PenetrationProbe
 from esg.compile.records import (
     CUBE_ASSET,
@@ -45,6 +46,7 @@ _CALLBACKS = {
     "set_damping": C.CFUNCTYPE(None, C.c_int, C.c_double, C.c_double),
     "set_material": C.CFUNCTYPE(None, C.c_int, C.c_double, C.c_double),
     "penetration": C.CFUNCTYPE(C.c_double, C.c_int, C.c_int, _D, _D, _D),
+    "drive": C.CFUNCTYPE(None, C.c_int, C.c_int, C.c_double, C.c_double),
 }
 
 
@@ -79,6 +81,7 @@ class ClassRun:
         self._body_of: dict[int, int] = {}
         self._component_of: dict[int, int] = {}
         self._plane: dict[bool, int] = {}
+        self._joint_of: dict[int, int] = {}
         self._backend = _Backend()
         self._keep: list[Any] = []
         for name, kind in _CALLBACKS.items():
@@ -184,6 +187,13 @@ class ClassRun:
         depth = self._probe.depth(component, self._shapes[component], pose, probe, where)
         return depth * frames.CM_PER_M
 
+    def _drive(self, constraint: int, acts: int, speed: float, limit: float) -> None:
+        if constraint not in self._joint_of:
+            raise ReplayError("what draws a joint back changes during play, which is not replayed")
+        k = self._joint_of[constraint]
+        motor = motor_of(self.scene.joints[k].kind, bool(acts), speed, limit)
+        self._world.set_motor(k, motor)
+
     # Life of the class -----------------------------------------------------------------------
 
     def _entry(self, name: str, restype: Any = C.c_int, *argtypes: Any) -> Any:
@@ -262,6 +272,10 @@ class ClassRun:
         if normal.restitution != wheels.restitution:
             raise ReplayError("the two grounds differ in restitution")
         gravity = self._entry("gravity", C.c_double)()
+        joints, self._joint_of = joints_of(
+            self._constraints(),
+            {i: (bodies[k].name, self._offset[i]) for i, k in self._body_of.items()},
+        )
         return SimScene(
             scene_id=self._name,
             bodies=tuple(bodies[i] for i in range(len(bodies))),
@@ -269,7 +283,16 @@ class ClassRun:
             ground_friction=of_single(normal.friction),
             ground_restitution=of_single(normal.restitution),
             vehicle_ground_friction=of_single(wheels.friction),
+            joints=joints,
         )
+
+    def _constraints(self) -> list[ConstraintRecord]:
+        """What joins the bodies, as the class has left it."""
+        describe = self._entry("describe_constraint", C.c_int, C.c_int, C.POINTER(ConstraintRecord))
+        out = [ConstraintRecord() for _ in range(self._entry("constraint_count")())]
+        for i, record in enumerate(out):
+            self._check(describe(i, C.byref(record)))
+        return out
 
     def _mass_frames(self) -> Principal:
         """The very principal axes that the class states, by body.

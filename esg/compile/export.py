@@ -7,6 +7,7 @@ from pathlib import Path
 import tempfile
 from typing import Literal, get_args
 
+from esg.compile.transfer import check_length
 from esg.engines.manifest import Manifest, load_manifest
 from esg.engines.program import batch_programs
 from esg.engines.registry import get_engine
@@ -14,6 +15,7 @@ from esg.engines.scene import Rollout
 from esg.files import TEMPORARY
 from esg.outcomes import UserError
 from esg.scenereading import absent, read_rollout
+from esg.strangers.sums import seal
 
 Target = Literal["unreal", "usd", "mjcf", "glb"]
 FRAMES_PER_SECOND = 60
@@ -60,6 +62,8 @@ def export(
             path.parent.mkdir(parents=True, exist_ok=True)
             file.replace(path)
             files.append(path)
+    if target == folder:
+        seal(folder, files)
     return files
 
 
@@ -96,6 +100,7 @@ def animation(folder: Path, manifest: Manifest) -> Rollout:
     recorded = folder / "rollout.npz"
     if not absent(recorded):
         return thinned(read_rollout(recorded, len(manifest.scene.bodies)))
+    check_length(folder, manifest, manifest.dt)
     every = max(1, round(1.0 / (FRAMES_PER_SECOND * manifest.dt)))
     batch = batch_programs([manifest.program], manifest.scene.names)
     return get_engine("physx").rollout(manifest.scene, batch, dt=manifest.dt, record_every=every)

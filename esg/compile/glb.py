@@ -21,6 +21,7 @@ from numpy.typing import NDArray
 from esg.compile.assets import mesh_file
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.engines.wheels import about_axle, wheel_angles
+from esg.strangers.gltf import MOST_BYTES, read_glb
 from esg.units import quat_rotate
 
 _MAGIC, _JSON, _BIN = 0x46546C67, 0x4E4F534A, 0x004E4942
@@ -200,30 +201,6 @@ def _shift_textures(value: Any, by: int) -> None:
             _shift_textures(inner, by)
 
 
-def read_glb(data: bytes) -> tuple[dict[str, Any], bytes]:
-    """JSON and binary chunk of a GLB.
-
-    Raises:
-        ValueError: If it is no binary glTF 2, or cut off.
-    """
-    if len(data) < 20 or struct.unpack_from("<II", data) != (_MAGIC, 2):
-        raise ValueError("not a binary glTF 2 file")
-    if struct.unpack_from("<I", data, 8)[0] > len(data):
-        raise ValueError("a binary glTF 2 file that is cut off")
-    document: dict[str, Any] = {}
-    binary = b""
-    at = 12
-    while at + 8 <= len(data):
-        length, kind = struct.unpack_from("<II", data, at)
-        chunk = data[at + 8 : at + 8 + length]
-        if kind == _JSON:
-            document = json.loads(chunk)
-        elif kind == _BIN:
-            binary = chunk
-        at += 8 + length + (-length % 4)
-    return document, binary
-
-
 def scene_glb(scene: SimScene, rollout: Rollout, folder: Path, *, world: int = 0) -> bytes:
     """The replayed scene as an animated GLB.
 
@@ -304,7 +281,7 @@ def _unit32(q: Floats) -> NDArray[np.float32]:
 def mesh_of(body: Body, folder: Path) -> tuple[str, bytes | None]:
     """Key and GLB of a body's mesh; its collision shapes where the file is missing or broken."""
     path = mesh_file(folder, body.mesh)
-    if path is not None:
+    if path is not None and path.stat().st_size <= MOST_BYTES:
         data = path.read_bytes()
         try:
             read_glb(data)

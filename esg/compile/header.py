@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from esg.compile import frames
+from esg.compile import frames, joints
 from esg.compile.model import ScenePlan, UnrealBody
 
 
@@ -70,6 +70,29 @@ _TIME = Field("double", "Time", "0.0", "Since the scene started.", "s", "0", "36
 _START = Field("double", "Start", "0.0", "Since the scene started.", "s", "0", "3600")
 _END = Field("double", "End", "0.0", "Since the scene started.", "s", "0")
 
+JOINT_FIELDS = (
+    Field("FVector", "ChildAnchor", _ZERO, "In the frame of the child's mesh [cm]."),
+    Field("FQuat", "ChildFrame", _IDENTITY, "There; X is the joint's axis."),
+    Field("FVector", "ParentAnchor", _ZERO, "In that of the parent's mesh, or the world [cm]."),
+    Field("FQuat", "ParentFrame", _IDENTITY, "There; the joint is at 0 where both coincide."),
+    Field("bool", "bCollides", "false", "Whether the two bodies touch each other."),
+    Field("bool", "bLower", "false", "Whether Lower holds."),
+    Field("double", "Lower", "0.0", "Least position [deg or cm]."),
+    Field("bool", "bUpper", "false", "Whether Upper holds."),
+    Field("double", "Upper", "0.0", "Greatest; of a rope or spring its length [deg or cm]."),
+    Field("double", "Stiffness", "0.0", "Towards 0 [kg/s^2 or kg cm^2/s^2].", "", "0"),
+    Field("double", "Damping", "0.0", "Against its speed [kg/s or kg cm^2/s].", "", "0"),
+    Field("double", "Friction", "0.0", "Holds and brakes [kg cm/s^2 or times cm].", "", "0"),
+    Field("bool", "bMotor", "false", "Whether a motor drives it from the start on."),
+    Field("double", "MotorSpeed", "0.0", "[deg/s or cm/s]; to a place, the greatest, 0: any."),
+    Field("bool", "bMotorToPlace", "false", "Whether it drives to MotorPlace."),
+    Field("double", "MotorPlace", "0.0", "Position that it drives to [deg or cm]."),
+    Field("double", "MotorLimit", "0.0", "Greatest [kg cm/s^2 or times cm].", "", "0"),
+    Field("bool", "bBreaks", "false", "Whether it breaks."),
+    Field("double", "BreakImpulse", "0.0", "What it takes at most [kg cm/s].", "", "0"),
+)
+"""Of joints, in classes with them; positions are left-handed turns or ways along X."""
+
 PRIMITIVE_FIELDS = {
     "SetVelocity": (
         _TIME,
@@ -89,6 +112,14 @@ PRIMITIVE_FIELDS = {
         Field("float", "AngularDamping", "0.0f", "Per second.", "", "0", "1000"),
         Field("bool", "bSetFriction", "false", "Whether Friction is set."),
         Field("float", "Friction", "0.0f", "Friction coefficient.", "", "0", "4"),
+    ),
+    "DriveJoint": (
+        _TIME,
+        Field("bool", "bDrives", "false", "Whether a motor drives it from then on."),
+        Field("double", "Speed", "0.0", "[deg/s or cm/s]; to a place, the greatest, 0: any."),
+        Field("bool", "bToPlace", "false", "Whether it drives to Place."),
+        Field("double", "Place", "0.0", "Position that it drives to [deg or cm]."),
+        Field("double", "Limit", "0.0", "Greatest [kg cm/s^2 or times cm].", "", "0"),
     ),
     "HoldVelocity": (
         _START,
@@ -121,6 +152,13 @@ FLIGHT_FIELDS = (
 )
 """Of holds, in classes with powered flight."""
 
+TIME_FIELDS = (
+    Field("bool", "bTakesTime", "false", "Whether it comes to its speed by and by."),
+    Field("double", "Gains", "0.0", "How fast to a greater one [cm/s^2].", "", "0"),
+    Field("double", "Loses", "0.0", "How fast to a lesser one [cm/s^2].", "", "0"),
+)
+"""Of holds, in classes in which one takes its time."""
+
 BRAKE_FIELDS = (
     Field("bool", "bSetBraking", "false", "Whether Braking is set."),
     Field("double", "Braking", "0.0", "Deceleration by the brakes [cm/s^2].", "", "0", "100000"),
@@ -144,6 +182,7 @@ PRIMITIVE_TEXT = {
     "SetVelocity": "Sets a velocity once.",
     "ApplyImpulse": "Applies an impulse once.",
     "AdjustProperties": "Changes damping or friction once.",
+    "DriveJoint": "Drives a joint, or lets it go.",
     "HoldVelocity": "Drives a body until an end time or a touch.",
     "GuideAlong": "Moves a body along a path until it is let go, or touches.",
     "HoldSpin": "Keeps a body spinning until an end time or a touch.",
@@ -190,11 +229,15 @@ def emit_header(plan: ScenePlan) -> str:
     parts = [_preamble(plan), _struct(f"F{name}Body", "Physical values of one body.", body)]
     if plan.wheels:
         parts.append(_struct(f"F{name}Wheel", "A wheel: a picture that turns.", WHEEL_FIELDS))
+    if plan.joints:
+        parts.append(_struct(f"F{name}Joint", "What joins two bodies.", JOINT_FIELDS))
     for kind in PRIMITIVE_FIELDS:
         if kind in plan.kinds:
             fields = PRIMITIVE_FIELDS[kind]
             if kind == "HoldVelocity" and plan.flies:
                 fields = (*fields, *FLIGHT_FIELDS)
+            if kind == "HoldVelocity" and plan.takes_time:
+                fields = (*fields, *TIME_FIELDS)
             if kind == "AdjustProperties" and plan.brakes:
                 fields = (*fields, *BRAKE_FIELDS)
             parts.append(_struct(f"F{name}{kind}", PRIMITIVE_TEXT[kind], fields))
@@ -213,7 +256,7 @@ def _preamble(plan: ScenePlan) -> str:
 #include "{plan.name}.generated.h"
 
 class UPhysicalMaterial;
-class UPrimitiveComponent;
+{"class UPhysicsConstraintComponent;" + chr(10) if plan.joints else ""}class UPrimitiveComponent;
 class USceneComponent;
 class UStaticMeshComponent;
 struct FHitResult;
@@ -339,6 +382,7 @@ def _class(plan: ScenePlan) -> str:
     simulation = "\n".join(f.emit("ESG|Simulation") for f in simulation_fields(plan))
     acceptance = "\n".join(f.emit("ESG|Acceptance") for f in ACCEPTANCE_FIELDS)
     bodies = "\n".join(_body_members(plan, b) for b in plan.bodies)
+    bodies += "\n" + joints.members_of(plan.joints, name) if plan.joints else ""
     program = "\n".join(
         f'\tUPROPERTY(EditAnywhere, Category = "ESG|Program")\n\tF{name}{p.kind} {p.member};\n'
         for p in plan.primitives
@@ -380,7 +424,11 @@ private:
 	void CollectEvents();
 	void PinSimulation();
 	void DispatchProgram(double Due);
-{_runners(plan)}{_turning(plan)}{_WATCHING}"""
+{_joining(plan)}{_runners(plan)}{_turning(plan)}{_WATCHING}"""
+
+
+def _joining(plan: ScenePlan) -> str:
+    return joints.DECLARATIONS.replace("@CLASS@", plan.name) if plan.joints else ""
 
 
 def _turning(plan: ScenePlan) -> str:
@@ -404,7 +452,7 @@ def _runners(plan: ScenePlan) -> str:
     path = f"\tstatic FVector PathPoint(const F{plan.name}GuideAlong& Command, double Elapsed);\n"
     return (
         "".join(
-            f"\tvoid Run{kind}(UPrimitiveComponent* Body, const F{plan.name}{kind}& Command,"
+            f"\tvoid Run{kind}({_target(kind)}, const F{plan.name}{kind}& Command,"
             f" FCommandState& State, double Due);\n"
             for kind in PRIMITIVE_FIELDS
             if kind in plan.kinds
@@ -413,6 +461,10 @@ def _runners(plan: ScenePlan) -> str:
         + (_GROUND if plan.brakes or plan.tyres else "")
         + (_TYRES if plan.tyres else "")
     )
+
+
+def _target(kind: str) -> str:
+    return "FJointRef& Joint" if kind == "DriveJoint" else "UPrimitiveComponent* Body"
 
 
 def _body_members(plan: ScenePlan, body: UnrealBody) -> str:

@@ -21,6 +21,8 @@ HEADER_OF = {
     "AWorldSettings": "GameFramework/WorldSettings.h",
     "FApp": "Misc/App.h",
     "FPhysicsCommand": "Physics/PhysicsInterfaceCore.h",
+    "EConstraintFrame": "PhysicsEngine/ConstraintInstance.h",
+    "UPhysicsConstraintComponent": "PhysicsEngine/PhysicsConstraintComponent.h",
     "UPhysicalMaterial": "PhysicalMaterials/PhysicalMaterial.h",
     "FBodyInstance": "PhysicsEngine/BodyInstance.h",
     "ConstructorHelpers": "UObject/ConstructorHelpers.h",

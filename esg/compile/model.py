@@ -14,13 +14,15 @@ from numpy.typing import NDArray
 
 from esg.compile import frames, names
 from esg.compile.assets import MeshAsset, mesh_assets
+from esg.compile.joints import UnrealJoint, joint_key, motor_values, plan_joints
+from esg.engines.joints import Joint, Motor
 from esg.engines.program import (
     AdjustProperties,
     ApplyImpulse,
+    DriveJoint,
     GuideAlong,
     HoldSpin,
     Lasting,
-    Primitive,
     Program,
     SetVelocity,
     Vec,
@@ -30,6 +32,8 @@ from esg.engines.worlds import principal_axes
 from esg.units import quat_rotate
 
 Floats = NDArray[np.float64]
+OfBody = SetVelocity | ApplyImpulse | AdjustProperties | Lasting
+"""Primitives that act on a body."""
 
 UNLIMITED = 1.0e9
 """Unreal properties have no infinity: the end [s] of a hold that only a touch ends, the limit
@@ -134,7 +138,10 @@ class UnrealBody:
 
 @dataclass(frozen=True)
 class UnrealPrimitive:
-    """One primitive: the member that holds its numbers, and those numbers as (field, literal)."""
+    """One primitive: the member that holds its numbers, and those numbers as (field, literal).
+
+    `body` is what it acts on: the member of a component, or the joint in the class's list.
+    """
 
     member: str
     kind: str
@@ -178,6 +185,7 @@ class ScenePlan:
     vehicle_ground_friction: float
     time_step: float
     duration: float
+    joints: tuple[UnrealJoint, ...] = ()
 
     @property
     def kinds(self) -> frozenset[str]:
@@ -188,6 +196,11 @@ class ScenePlan:
     def flies(self) -> bool:
         """Whether a hold keeps its body in the air; classes without one say nothing of it."""
         return any(field == "bFlies" for p in self.primitives for field, _ in p.values)
+
+    @property
+    def takes_time(self) -> bool:
+        """Whether a hold comes to its speed; classes without one say nothing of it."""
+        return any(field == "bTakesTime" for p in self.primitives for field, _ in p.values)
 
     @property
     def wheels(self) -> tuple[tuple[UnrealBody, UnrealWheel], ...]:
@@ -233,10 +246,11 @@ def plan(
         raise ValueError(f"gravity {scene.gravity}: Unreal's world gravity has a Z component only")
     name = class_name(scene.scene_id)
     wheels = [_wheel_key(b, w) for b in scene.bodies for w in b.wheels]
-    idents = names.unique_identifiers((*scene.names, *wheels))
+    joints = map(joint_key, scene.joints)
+    idents = names.unique_identifiers((*scene.names, *wheels, *joints))
     assets = mesh_assets(scene, f"/Game/ESG/{name.removeprefix(CLASS_PREFIX + '_')}")
     bodies = tuple(_body(i, body, idents, assets[i]) for i, body in enumerate(scene.bodies))
-    primitives = _primitives(program, idents)
+    primitives = _primitives(program, idents, scene.joints)
     events = _events(watch, idents)
     notified = {n for e in events for n in e.first}
     notified |= {p.body for p in primitives if p.until}
@@ -255,6 +269,7 @@ def plan(
         vehicle_ground_friction=scene.vehicle_ground_friction,
         time_step=dt,
         duration=program.duration,
+        joints=plan_joints(scene, idents, {b.source.name: b.member for b in bodies}),
     )
 
 
@@ -303,16 +318,28 @@ def _known(idents: dict[str, str], name: str, what: str) -> str:
     return idents[name] + MESH
 
 
-def _primitives(program: Program, idents: dict[str, str]) -> tuple[UnrealPrimitive, ...]:
+def _primitives(
+    program: Program, idents: dict[str, str], joints: tuple[Joint, ...]
+) -> tuple[UnrealPrimitive, ...]:
+    numbers = {j.name: k for k, j in enumerate(joints)}
     counts: dict[tuple[str, str], int] = {}
     members: set[str] = {i.lower() for i in idents.values()}
     out: list[UnrealPrimitive] = []
     for p in program.primitives:
-        name = _known(idents, p.body, p.kind).removesuffix(MESH)
+        if isinstance(p, DriveJoint):
+            if p.joint not in numbers:
+                raise ValueError(f"{p.kind} names unknown joint {p.joint!r}")
+            joint = joints[numbers[p.joint]]
+            name, target = idents[joint_key(joint)], f"Joints[{numbers[p.joint]}]"
+            values = _drive(p, joint)
+        else:
+            target = _known(idents, p.body, p.kind)
+            name, values = target.removesuffix(MESH), _values(p)
         stem = {
             "SetVelocity": "Launch",
             "ApplyImpulse": "Impulse",
             "AdjustProperties": "Change",
+            "DriveJoint": "Motor",
             "HoldVelocity": "Drive",
             "GuideAlong": "Guide",
             "HoldSpin": "Spin",
@@ -326,11 +353,18 @@ def _primitives(program: Program, idents: dict[str, str]) -> tuple[UnrealPrimiti
         until: tuple[str, ...] = ()
         if isinstance(p, Lasting):
             until = tuple(_known(idents, n, f"hold of {p.body!r}") for n in p.until_contact)
-        out.append(UnrealPrimitive(member, p.kind, name + MESH, _values(p), until))
+        out.append(UnrealPrimitive(member, p.kind, target, values, until))
     return tuple(out)
 
 
-def _values(p: Primitive) -> tuple[tuple[str, str], ...]:
+def _drive(p: DriveJoint, joint: Joint) -> tuple[tuple[str, str], ...]:
+    motor = None
+    if p.speed is not None or p.position is not None:
+        motor = Motor(p.speed or 0.0, p.position, p.limit)
+    return ("Time", frames.literal(p.time)), *motor_values(joint.kind, motor, "bDrives")
+
+
+def _values(p: OfBody) -> tuple[tuple[str, str], ...]:
     if isinstance(p, SetVelocity):
         values = [
             ("Time", frames.literal(p.time)),
@@ -373,9 +407,15 @@ def _values(p: Primitive) -> tuple[tuple[str, str], ...]:
     if isinstance(p, HoldSpin):
         return (*span, ("Spin", frames.vector_literal(frames.angular_to_unreal(p.spin))))
     limit = min(p.max_speed * frames.CM_PER_M, UNLIMITED)
-    flight: list[tuple[str, str]] = []
+    more: list[tuple[str, str]] = []
     if p.climb is not None:
-        flight = [("bFlies", "true"), ("Climb", frames.literal(p.climb * frames.CM_PER_M))]
+        more = [("bFlies", "true"), ("Climb", frames.literal(p.climb * frames.CM_PER_M))]
+    if p.gains is not None and p.loses is not None:
+        more += [
+            ("bTakesTime", "true"),
+            ("Gains", frames.literal(p.gains * frames.CM_PER_M)),
+            ("Loses", frames.literal(p.loses * frames.CM_PER_M)),
+        ]
     return (
         *span,
         ("Speed", frames.literal(p.speed * frames.CM_PER_M)),
@@ -384,7 +424,7 @@ def _values(p: Primitive) -> tuple[tuple[str, str], ...]:
         ("MaxSpeed", frames.literal(limit)),
         ("TurnRate", frames.literal(frames.heading_to_unreal(p.turn_rate))),
         ("RollRadius", frames.literal(p.roll_radius * frames.CM_PER_M)),
-        *flight,
+        *more,
     )
 
 

@@ -19,6 +19,7 @@ from esg.compile.lint import lint
 from esg.compile.replay import load_imports
 from esg.outcomes import UserError
 from esg.scenereading import damaged
+from esg.strangers.gltf import read_glb
 
 PLUGIN = "ESGScenes"
 _TEMPLATES = Path(__file__).parent / "templates"
@@ -79,6 +80,10 @@ def _resource(folder: Path, asset: dict[str, Any], meshes: dict[str, bytes]) -> 
     node, rest = asset.get("node", ""), asset.get("without_nodes", [])
     source = mesh.relative_to(folder)
     data = mesh.read_bytes()
+    try:
+        read_glb(data)
+    except ValueError as error:
+        raise damaged(mesh, str(error)) from None
     if node:
         source = source.with_suffix(f".{names.identifier(node)}.glb")
         data = part_of(data, holders=[node])

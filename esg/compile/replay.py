@@ -81,7 +81,7 @@ def replay_class(
     record_every: int = 1,
     ground_contacts: bool = False,
     engine: Literal["physx", "rapier"] = "physx",
-    document: Callable[[], EsgDocument] | None = None,
+    document: EsgDocument | Callable[[], EsgDocument] | None = None,
     trust: bool = False,
 ) -> ClassReplay:
     """Compiles (or finds) the class of a scene folder and runs it in PhysX.
@@ -96,8 +96,8 @@ def replay_class(
         record_every: Steps per recorded frame.
         ground_contacts: Whether the contact log includes the ground.
         engine: Which physics runs under the shim.
-        document: Gives the caller's own document of the scene, which then counts instead of
-            `esg.json`.
+        document: What `esg.json` holds, if the caller has read it; or a function that gives the
+            caller's own document, which then counts instead.
         trust: Whether to run what is neither, in a child that shares nothing with this process.
 
     Raises:
@@ -127,6 +127,17 @@ def replay_class(
     )
     played = play(job) if standing is Standing.OWN else play_confined(job, fresh=foreign)
     return ClassReplay(played.rollout, played.log, library.seconds, played.scene)
+
+
+def standing_in(folder: Path) -> tuple[str, str]:
+    """Whose the class of a scene folder is, and for a foreign one why; empty without a class."""
+    if not (folder / "unreal").is_dir():
+        return "", ""
+    try:
+        standing, why = standing_of(*_read(folder), folder / "esg.json")
+    except UserError as error:
+        return Standing.FOREIGN.value, str(error).splitlines()[0]
+    return standing.value, why
 
 
 def require_ours(folder: Path) -> None:

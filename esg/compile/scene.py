@@ -9,7 +9,7 @@ from pathlib import Path
 
 from esg.compile.emit import EmittedClass, emit_class
 from esg.compile.model import WatchedEvent
-from esg.compile.trust.standing import remember
+from esg.compile.trust.written import remember
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.manifest import manifest_bytes, manifest_to_json
 from esg.engines.program import Program, program_from_json

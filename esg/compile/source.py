@@ -6,7 +6,7 @@ from functools import cache
 import math
 from pathlib import Path
 
-from esg.compile import frames, names
+from esg.compile import frames, joints, names
 from esg.compile.assets import MeshAsset, Probe, probes
 from esg.compile.header import PRIMITIVE_FIELDS
 from esg.compile.model import ScenePlan, UnrealBody, UnrealWheel
@@ -53,6 +53,25 @@ FLIGHT = """\
 \t\tVelocity.Z = Body->GetPhysicsLinearVelocity().Z;
 \t}"""
 """Vertical velocity of a hold, in classes with powered flight."""
+
+APPROACH = """\
+\tif (Command.bTakesTime)
+\t{
+\t\tconst double Step = (Due - SceneTime) / @CLASS@Detail::HalfStep;
+\t\tconst double Gains = Command.Gains * Step;
+\t\tconst double Loses = Command.Loses * Step;
+\t\tconst FVector Ahead(FMath::Cos(Heading), FMath::Sin(Heading), 0.0);
+\t\tconst FVector Aside(-Ahead.Y, Ahead.X, 0.0);
+\t\tconst double Turned = Heading - FMath::DegreesToRadians(Command.TurnRate) * Step;
+\t\tconst FVector Had = Body->GetPhysicsLinearVelocity();
+\t\tdouble Along = FMath::Cos(Turned) * Had.X + FMath::Sin(Turned) * Had.Y;
+\t\tdouble Across = FMath::Cos(Turned) * Had.Y - FMath::Sin(Turned) * Had.X;
+\t\tAlong += FMath::Clamp(Speed - Along, -Loses, Gains);
+\t\tAcross -= FMath::Clamp(Across, -Loses, Loses);
+\t\tVelocity = Ahead * Along + Aside * Across;
+\t}
+"""
+"""How a hold comes to its velocity, in classes in which one takes its time."""
 
 SET_BRAKING = """\
 	if (Command.bSetBraking)
@@ -164,6 +183,7 @@ def emit_source(plan: ScenePlan) -> str:
         *_traction(plan),
         _fixed(plan),
         *([_template("Wheels"), _collect_wheels(plan)] if plan.wheels else []),
+        *([_template("Joints"), joints.collect(plan.joints)] if plan.joints else []),
     ]
     text = "\n".join(part.strip("\n") + "\n" for part in parts)
     return text.replace("@CLASS@", plan.name)
@@ -177,6 +197,12 @@ def _fixed(plan: ScenePlan) -> str:
         ("@TURN_WHEELS@", "TurnWheels(Step);"),
     ):
         text = text.replace(f"\t{mark}\n", f"\t{call}\n" if plan.wheels else "")
+    for mark, call in (
+        ("\t@COLLECT_JOINTS@\n", "\tCollectJoints();\n"),
+        ("\t@DRIVE_JOINTS@\n", "\tDriveJoints(Step);\n"),
+        ("\t\t\t@JOINED@\n", joints.JOINED),
+    ):
+        text = text.replace(mark, call if plan.joints else "")
     return text
 
 
@@ -198,6 +224,7 @@ void A@CLASS@::CollectWheels()
 def _run(plan: ScenePlan, kind: str) -> str:
     """What executes primitives of a kind."""
     text = _template(f"Run{kind}")
+    text = text.replace("@APPROACH@\n", APPROACH if plan.takes_time else "")
     text = text.replace("@SET_BRAKING@\n", SET_BRAKING if plan.brakes else "")
     return text.replace("@ON_GROUND@", IN_FLIGHT if plan.flies else "").replace(
         "@RISE@", FLIGHT if plan.flies else KEPT_RISE
@@ -216,12 +243,14 @@ def _traction(plan: ScenePlan) -> list[str]:
 
 
 def _preamble(plan: ScenePlan) -> str:
-    includes = "\n".join(f'#include "{path}"' for path in INCLUDES)
+    paths = sorted((*INCLUDES, *joints.INCLUDES)) if plan.joints else INCLUDES
+    includes = "\n".join(f'#include "{path}"' for path in paths)
     tables = "\n".join(_probe_table(a) for a in plan.assets)
     constants = GUIDING if "GuideAlong" in plan.kinds else ""
     constants += FALLING_SHARE if plan.brakes or plan.tyres else ""
     constants += UPRIGHT_COSINE if plan.tyres else ""
     constants += WHEELS if plan.wheels else ""
+    constants += joints.CONSTANTS if plan.joints else ""
     return f"""#include "@CLASS@.h"
 
 {includes}
@@ -305,6 +334,8 @@ def _constructor(plan: ScenePlan) -> str:
     ]
     for body in plan.bodies:
         lines += ["", *_body_defaults(plan, body)]
+    for joint in plan.joints:
+        lines += ["", *joints.defaults_of(joint)]
     for p in plan.primitives:
         lines += ["", *(f"\t{p.member}.{field} = {value};" for field, value in p.values)]
     lines.append("}")
@@ -389,6 +420,8 @@ def _collect(plan: ScenePlan, shapes: dict[str, int]) -> str:
     )
     lines: list[str] = []
     for i, p in enumerate(plan.primitives):
+        if p.kind == "DriveJoint":
+            continue
         lines.append(f"\tCommands[{i}].Body = {p.body};")
         if (plan.brakes or plan.tyres) and p.kind in ("HoldVelocity", "GuideAlong"):
             lines.append(f"\tCommands[{i}].bDrives = true;")

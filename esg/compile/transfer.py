@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
-from esg.engines.base import ENGINES
+from esg.engines.base import ENGINES, MOST_STATES
 from esg.engines.manifest import Manifest, load_manifest
 from esg.engines.program import batch_programs
 from esg.engines.registry import get_engine
@@ -22,6 +22,7 @@ from esg.outcomes import UserError
 from esg.scenereading import damaged, first_line
 
 if TYPE_CHECKING:
+    from esg.graph import EsgDocument
     from esg.metrics.models import SceneVerdict, SuiteScene
 
 MATRIX_ENGINES = ("physx", "rapier", "newton")
@@ -89,7 +90,13 @@ class TransferRun:
 
 
 def replay_scene(
-    folder: Path, manifest: Manifest, engine: str, dt: float, *, trust: Trust = "equal"
+    folder: Path,
+    manifest: Manifest,
+    engine: str,
+    dt: float,
+    *,
+    trust: Trust = "equal",
+    document: EsgDocument | None = None,
 ) -> tuple[Rollout, Proof]:
     """One replay of a compiled scene: the class in PhysX, elsewhere its control program.
 
@@ -102,10 +109,12 @@ def replay_scene(
         engine: physx, rapier or newton.
         dt: Physics step [s].
         trust: Which classes are run.
+        document: What `esg.json` holds, if the caller has read it.
 
     Raises:
         UserError: If the folder holds no compiled scene or a damaged one, or for an unknown engine.
     """
+    check_length(folder, manifest, dt)
     note = ""
     if engine == "physx" and trust != "nothing":
         from esg.compile.build import ClassError, CompilerMissing
@@ -113,7 +122,9 @@ def replay_scene(
         from esg.compile.trust.confined import ClassStopped
 
         try:
-            return replay_class(folder, dt=dt, trust=trust == "anything").rollout, "class"
+            vouched = trust == "anything"
+            replay = replay_class(folder, dt=dt, document=document, trust=vouched)
+            return replay.rollout, "class"
         except CompilerMissing:
             pass
         except ForeignClass as error:
@@ -127,6 +138,20 @@ def replay_scene(
     batch = batch_programs([manifest.program], manifest.scene.names)
     rollout = get_engine(engine).rollout(manifest.scene, batch, dt=dt)
     return (replace(rollout, extra=rollout.extra | {"note": note}) if note else rollout), "program"
+
+
+def check_length(folder: Path, manifest: Manifest, dt: float) -> None:
+    """Makes sure that a replay can be held before it is begun.
+
+    Raises:
+        UserError: If not.
+    """
+    duration, bodies = manifest.program.duration, len(manifest.scene.bodies)
+    if duration / dt * bodies > MOST_STATES:
+        raise UserError(
+            f"{folder / 'manifest.json'}: {duration:g} s of {bodies} bodies in steps of {dt:g} s "
+            "are more than is recorded; replay it in larger steps (--hz)"
+        )
 
 
 def transfer_matrix(

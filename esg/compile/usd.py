@@ -10,6 +10,7 @@ plays.
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 from typing import Any
 
@@ -18,10 +19,20 @@ import numpy as np
 from esg.compile import names
 from esg.compile.glb import GltfMeshes, _continuous, mesh_of
 from esg.compile.mjcf import start_velocities
-from esg.compile.usd_physx import physx_body, physx_collider, physx_material, physx_scene
+from esg.compile.usd_physx import (
+    physx_body,
+    physx_collider,
+    physx_distance,
+    physx_joint,
+    physx_material,
+    physx_scene,
+)
 from esg.compile.usd_program import write_program
+from esg.engines.joint_rules import BREAK_WINDOW_S
+from esg.engines.joints import WORLD, Joint
 from esg.engines.manifest import Manifest
-from esg.engines.scene import Body, Rollout, Shape
+from esg.engines.physx_engine import position_iterations
+from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.engines.wheels import wheel_angles
 from esg.engines.worlds import principal_axes
 from esg.units import quat_rotate
@@ -31,8 +42,16 @@ GROUND_SIZE_M = 200.0
 
 GROUNDED = ("roll_radius", "wheeled", "tyre_friction", "tyre_drop", "tyre_foot")
 """Fields of a body that a player asks for who lets brakes and tyres act (docs/read_traction.py)."""
-_RESERVED = ("Ground", "VehicleGround", "Looks", "PhysicsScene", "Program")
+_RESERVED = ("Ground", "VehicleGround", "Looks", "PhysicsScene", "Program", "Joints")
+JOINTS_PATH = "/World/Joints"
+DRIVE_STRENGTH = 1e4
+"""Of a motor that its limit alone holds back [N s/m, N/m and by the radian]."""
 _RAD_TO_DEG = 180.0 / np.pi
+
+
+def _reserved(scene: SimScene) -> tuple[str, ...]:
+    """Names of prims that no body gets; without joints, none is kept for them."""
+    return _RESERVED if scene.joints else _RESERVED[:-1]
 
 
 def write_usd(manifest: Manifest, rollout: Rollout, folder: Path, out: Path) -> list[Path]:
@@ -72,7 +91,7 @@ def physics_layer(manifest: Manifest, folder: Path) -> str:
     physics.CreateGravityDirectionAttr(Gf.Vec3f(*map(float, down)))
     physics.CreateGravityMagnitudeAttr(strength)
     physx_scene(physics.GetPrim(), manifest.dt)
-    idents = names.unique_identifiers(scene.names, reserved=_RESERVED)
+    idents = names.unique_identifiers(scene.names, reserved=_reserved(scene))
     paths = {name: f"/World/{ident}" for name, ident in idents.items()}
     moving = [b for b in scene.bodies if b.collides and not b.static]
     wheeled = [idents[b.name] for b in moving if b.wheeled]
@@ -96,11 +115,107 @@ def physics_layer(manifest: Manifest, folder: Path) -> str:
             rigid.CreateAngularVelocityAttr(Gf.Vec3f(*(float(v) * _RAD_TO_DEG for v in angular)))
             # NVIDIA's PhysX takes velocities as the world's unless a body says otherwise.
             prim.SetCustomDataByKey("physics:localSpaceVelocities", True)
-            physx_body(prim, body)
-    write_program(stage, manifest.program, manifest.dt, paths)
+            physx_body(prim, body, position_iterations(scene))
+    joints = _joints(stage, manifest, paths)
+    write_program(stage, manifest.program, manifest.dt, paths, joints)
     layer = stage.GetRootLayer()
     assert isinstance(layer, Sdf.Layer)
     return layer.ExportToString()
+
+
+def _joints(stage: Any, manifest: Manifest, paths: dict[str, str]) -> dict[str, str]:
+    """Writes the joints; returns their prims' paths by name."""
+    from pxr import UsdGeom
+
+    scene = manifest.scene
+    if not scene.joints:
+        return {}
+    UsdGeom.Scope.Define(stage, JOINTS_PATH)
+    idents = names.unique_identifiers(j.name for j in scene.joints)
+    out = {name: f"{JOINTS_PATH}/{ident}" for name, ident in idents.items()}
+    offsets = {b.name: np.asarray(b.origin_offset, float) for b in scene.bodies}
+    for joint in scene.joints:
+        _joint(stage, out[joint.name], joint, paths, offsets)
+    return out
+
+
+def _joint(
+    stage: Any, path: str, joint: Joint, paths: dict[str, str], offsets: dict[str, Any]
+) -> None:
+    """One joint: body 0 is its parent, body 1 its child, X its axis."""
+    from pxr import Gf, UsdPhysics
+
+    kinds = {
+        "hinge": UsdPhysics.RevoluteJoint,
+        "slider": UsdPhysics.PrismaticJoint,
+        "ball": UsdPhysics.SphericalJoint,
+        "fixed": UsdPhysics.FixedJoint,
+    }
+    made = kinds.get(joint.kind, UsdPhysics.DistanceJoint).Define(stage, path)
+    prim = made.GetPrim()
+    prim.SetCustomDataByKey("esg:name", json.dumps(joint.name))
+    if joint.parent != WORLD:
+        made.CreateBody0Rel().SetTargets([paths[joint.parent]])
+    made.CreateBody1Rel().SetTargets([paths[joint.child]])
+    for name, anchor, turn, end in (
+        (joint.parent, joint.parent_anchor, joint.parent_rotation, 0),
+        (joint.child, joint.child_anchor, joint.child_rotation, 1),
+    ):
+        at = Gf.Vec3f(*map(float, np.asarray(anchor) - offsets.get(name, np.zeros(3))))
+        place, face = (
+            (made.CreateLocalPos0Attr, made.CreateLocalRot0Attr),
+            (made.CreateLocalPos1Attr, made.CreateLocalRot1Attr),
+        )[end]
+        place(at)
+        face(Gf.Quatf(_quatd(turn)))
+    made.CreateCollisionEnabledAttr(joint.collide)
+    if joint.break_impulse is not None:
+        made.CreateBreakForceAttr(joint.break_impulse / BREAK_WINDOW_S)
+    if joint.flexible:
+        made.CreateMinDistanceAttr(-1.0 if joint.kind == "rope" else joint.upper)
+        made.CreateMaxDistanceAttr(joint.upper)
+        physx_distance(prim, joint)
+        return
+    if joint.kind == "fixed":
+        return
+    made.CreateAxisAttr("X")
+    if joint.kind == "ball":
+        if joint.upper is not None:
+            cone = float(np.degrees(joint.upper))
+            made.CreateConeAngle0LimitAttr(cone)
+            made.CreateConeAngle1LimitAttr(cone)
+    else:
+        _limits(prim, made, joint)
+    physx_joint(prim, joint)
+
+
+def _limits(prim: Any, made: Any, joint: Joint) -> None:
+    """Limits and drive of a hinge (in degrees) or slider."""
+    from pxr import UsdPhysics
+
+    turns = joint.kind == "hinge"
+    unit = _RAD_TO_DEG if turns else 1.0
+    if joint.lower is not None:
+        made.CreateLowerLimitAttr(joint.lower * unit)
+    if joint.upper is not None:
+        made.CreateUpperLimitAttr(joint.upper * unit)
+    motor = joint.motor
+    if not (motor or joint.stiffness or joint.damping):
+        return
+    drive = UsdPhysics.DriveAPI.Apply(prim, "angular" if turns else "linear")
+    drive.CreateTypeAttr("force")
+    stiffness, damping, place, speed = joint.stiffness, joint.damping, 0.0, 0.0
+    if motor is not None and motor.position is None:
+        damping, speed = DRIVE_STRENGTH, motor.speed
+    elif motor is not None and motor.position is not None:
+        stiffness, damping, place = DRIVE_STRENGTH, DRIVE_STRENGTH, motor.position
+    # Strengths are said by the degree.
+    drive.CreateStiffnessAttr(stiffness / unit)
+    drive.CreateDampingAttr(damping / unit)
+    drive.CreateTargetPositionAttr(place * unit)
+    drive.CreateTargetVelocityAttr(speed * unit)
+    if motor is not None and math.isfinite(motor.limit):
+        drive.CreateMaxForceAttr(motor.limit)
 
 
 def _stage_metrics(stage: Any) -> None:
@@ -310,7 +425,7 @@ def _animation_layer(manifest: Manifest, rollout: Rollout, physics: str) -> str:
     from pxr import Sdf, Usd
 
     scene = manifest.scene
-    idents = names.unique_identifiers(scene.names, reserved=_RESERVED)
+    idents = names.unique_identifiers(scene.names, reserved=_reserved(scene))
     rate = 1.0 / (rollout.time[1] - rollout.time[0]) if len(rollout.time) > 1 else 1.0
     layer = Sdf.Layer.CreateAnonymous(".usda")
     stage = Usd.Stage.Open(layer)

@@ -11,10 +11,10 @@ from collections.abc import Mapping
 import math
 from typing import Any
 
+from esg.engines.joints import Joint
 from esg.engines.physx_engine import (
     BOUNCE_THRESHOLD_MPS,
     DEPENETRATION_MPS,
-    POSITION_ITERATIONS,
     VELOCITY_ITERATIONS,
 )
 from esg.engines.scene import Body
@@ -54,7 +54,7 @@ def physx_scene(prim: Any, dt: float) -> None:
     )
 
 
-def physx_body(prim: Any, body: Body) -> None:
+def physx_body(prim: Any, body: Body, iterations: int) -> None:
     """Damping [1/s], limits and solver of a moving body, and that its contacts are reported."""
     _apply(
         prim,
@@ -66,7 +66,7 @@ def physx_body(prim: Any, body: Body) -> None:
             "maxAngularVelocity": math.degrees(FASTEST_SPIN_RADPS),
             "maxDepenetrationVelocity": DEPENETRATION_MPS,
             "sleepThreshold": 0.0,
-            "solverPositionIterationCount": POSITION_ITERATIONS,
+            "solverPositionIterationCount": iterations,
             "solverVelocityIterationCount": VELOCITY_ITERATIONS,
             "enableGyroscopicForces": True,
         },
@@ -99,6 +99,26 @@ def physx_material(prim: Any) -> None:
         "physxMaterial",
         {"frictionCombineMode": "average", "restitutionCombineMode": "average"},
     )
+
+
+def physx_joint(prim: Any, joint: Joint) -> None:
+    """Friction of a hinge, slider or ball joint."""
+    _apply(prim, "PhysxJointAPI", "physxJoint", {"jointFriction": joint.friction})
+
+
+def physx_distance(prim: Any, joint: Joint) -> None:
+    """That a spring is one, by its stiffness [N/m] and damping [N s/m]."""
+    if joint.kind == "spring":
+        _apply(
+            prim,
+            "PhysxPhysicsDistanceJointAPI",
+            "physxPhysicsDistanceJoint",
+            {
+                "springEnabled": True,
+                "springStiffness": joint.stiffness,
+                "springDamping": joint.damping,
+            },
+        )
 
 
 def _apply(prim: Any, schema: str, prefix: str, values: Mapping[str, Any]) -> None:

@@ -10,11 +10,15 @@ from esg.engines.program import Program, program_to_json
 PROGRAM_PATH = "/World/Program"
 BODIES = {"body", "until_contact"}
 """Fields that name bodies; relationships in USD."""
+JOINT = "joint"
+"""The field that names a joint; a relationship, too."""
 _VECTORS = {"linear", "angular", "impulse", "axis"}
 _PATHS = {"points", "velocities"}
 
 
-def write_program(stage: Any, program: Program, dt: float, paths: dict[str, str]) -> None:
+def write_program(
+    stage: Any, program: Program, dt: float, paths: dict[str, str], joints: dict[str, str]
+) -> None:
     """Writes the fields of every command as typed attributes of the same name, in order.
 
     Args:
@@ -22,6 +26,7 @@ def write_program(stage: Any, program: Program, dt: float, paths: dict[str, str]
         program: Control program.
         dt: Physics step [s].
         paths: Prim paths by name of body.
+        joints: Prim paths by name of joint.
     """
     from pxr import Sdf, UsdGeom
 
@@ -34,10 +39,11 @@ def write_program(stage: Any, program: Program, dt: float, paths: dict[str, str]
     for number, command in enumerate(data["primitives"]):
         prim = UsdGeom.Scope.Define(stage, f"{PROGRAM_PATH}/Command{number}").GetPrim()
         for field, value in command.items():
-            if field in BODIES:
+            if field in BODIES or field == JOINT:
                 named = [value] if isinstance(value, str) else value
                 relation = prim.CreateRelationship(f"esg:{field}")
-                relation.SetTargets([Sdf.Path(paths[name]) for name in named])
+                known = joints if field == JOINT else paths
+                relation.SetTargets([Sdf.Path(known[name]) for name in named])
             elif value is not None:
                 kind, value = _typed(field, value)
                 prim.CreateAttribute(f"esg:{field}", kind).Set(value)

@@ -12,6 +12,9 @@ SURROGATE = "surrogate"
 """For searches only: it takes no part in verification, so `ENGINES` does not name it."""
 CUDA_BREADTH = 64
 """Candidates of one scene that the surrogate plays on a GPU in about the time of one."""
+MOST_STATES = 20_000_000
+"""Frames times bodies of one replay: a gigabyte of poses and velocities."""
+
 VERIFY_DT_S = 1.0 / 240.0
 
 

@@ -128,7 +128,7 @@ class Executor:
                 if self._is_active(k, now, hits):
                     pull = self._gravity_z * dt
                     if self._kind[k] is Action.HOLD:
-                        driven[body] = _hold(row, body, t, world, pull)
+                        driven[body] = _hold(row, body, t, dt, world, pull)
                     elif self._kind[k] is Action.GUIDE:
                         driven[body] = _guide(row, body, t, dt, world, pull)
                     else:
@@ -293,7 +293,9 @@ def _guide(
     return v[2] - pull
 
 
-def _hold(row: list[float], body: int, t: float, world: BodyAccess, pull: float) -> float:
+def _hold(
+    row: list[float], body: int, t: float, dt: float, world: BodyAccess, pull: float
+) -> float:
     """Drives a body; `pull` is what gravity adds to its vertical velocity in the step [m/s].
 
     Returns:
@@ -305,6 +307,16 @@ def _hold(row: list[float], body: int, t: float, world: BodyAccess, pull: float)
         speed = min(speed, row[Column.MAX_SPEED])
     heading = row[Column.HEADING] + row[Column.TURN_RATE] * s
     vx, vy = speed * math.cos(heading), speed * math.sin(heading)
+    if not math.isnan(row[Column.GAINS]):
+        x, y, _ = world.linear(body)
+        before = heading - row[Column.TURN_RATE] * dt
+        gains, loses = row[Column.GAINS] * dt, row[Column.LOSES] * dt
+        along = math.cos(before) * x + math.sin(before) * y
+        across = math.cos(before) * y - math.sin(before) * x
+        along += max(-loses, min(gains, speed - along))
+        across -= max(-loses, min(loses, across))
+        vx = math.cos(heading) * along - math.sin(heading) * across
+        vy = math.sin(heading) * along + math.cos(heading) * across
     radius, climb = row[Column.ROLL_RADIUS], row[Column.CLIMB]
     flies = not math.isnan(climb)
     rise = climb - pull if flies else world.linear(body)[2]

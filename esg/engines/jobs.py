@@ -74,6 +74,7 @@ class Job:
         asleep: Bodies that rest where they start, for the surrogate, shape [W, B].
         features: Of the bodies for the ground (`esg.engines.traction.features`), [B, FEATURES].
         kind, body, until, table: The programs (`ProgramBatch`).
+        joint: Number of the joint that a primitive drives, -1 for none, shape [P].
         ground_contacts: Whether the log includes contacts with the ground.
     """
 
@@ -96,6 +97,7 @@ class Job:
     body: Ints
     until: NDArray[np.bool_]
     table: NDArray[np.float64]
+    joint: Ints
     ground_contacts: bool = False
 
     @property
@@ -206,9 +208,8 @@ def job_of(
     Raises:
         ValueError: If the surrogate is asked for a scene with joints.
     """
-    if engine == SURROGATE and start.scene.joints:
-        names = [j.name for j in start.scene.joints]
-        raise ValueError(f"the surrogate knows no joints and the scene has {names}; ask newton")
+    if engine == SURROGATE:
+        refuse_joints(start.scene)
     v, batch, bodies, single = start.values, start.batch, start.scene.bodies, np.float32
     inertia = np.zeros((0,), single)
     asleep = np.zeros(v.mass.shape, bool)
@@ -237,8 +238,23 @@ def job_of(
         body=batch.body,
         until=batch.until,
         table=batch.table,
+        joint=_joints(start.scene, batch),
         ground_contacts=ground_contacts,
     )
+
+
+def refuse_joints(scene: SimScene) -> None:
+    """Raises a ValueError for a scene that the surrogate cannot simulate."""
+    if scene.joints:
+        raise ValueError(
+            f"{scene.scene_id!r} has joints, which the surrogate cannot simulate; take another"
+        )
+
+
+def _joints(scene: SimScene, batch: ProgramBatch) -> Ints:
+    index = {j.name: k for k, j in enumerate(scene.joints)}
+    named = batch.joint or ("",) * len(batch.kind)
+    return np.array([index.get(name, -1) for name in named], np.int32)
 
 
 def read(job: Job, start: Start, played: Played) -> Rollout:

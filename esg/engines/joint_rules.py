@@ -27,25 +27,26 @@ from typing import Any, Protocol
 import numpy as np
 
 from esg.engines.executor import Touch
-from esg.engines.joints import Floats, Joint, Motor, joint_state
+from esg.engines.joints import Floats, Joint, Motor
 from esg.engines.program import Vec
 from esg.engines.scene import SimScene
 from esg.engines.worlds import Principal, Values, moving, principal_axes
-from esg.units import quat_multiply, quat_rotate
 
 APPROACH_RATE = 10.0
 """A motor nears a place at no more than this times the way that is left [1/s]."""
-
-
 BREAK_WINDOW_S = 1.0 / 60.0
 """Over which what a joint takes adds up [s]: four steps at 240 Hz."""
-STOP_ROUNDS = 8
-"""How often the ropes and cones of a scene with several are gone through before a step."""
+STOP_ROUNDS, SETTLED = 8, 1e-9
+"""How often the ropes and cones of a scene with several are gone through before a step, at most:
+until none gives more than this share of the largest."""
 
 
 def stops(joint: Joint) -> bool:
     """Whether a rule stops it and not the engine: a rope, a cone."""
     return joint.kind == "rope" or (joint.kind == "ball" and joint.upper is not None)
+
+
+_ONE = np.eye(3)
 
 
 class Bodies(Protocol):
@@ -80,7 +81,7 @@ class Masses:
         inverse, inertia = np.zeros(n), np.zeros((n, 3, 3))
         for i in np.nonzero(moving(scene))[0].tolist():
             moments, axes = (principal or {}).get(i) or principal_axes(values.inertia[w, i])
-            columns = quat_rotate(np.tile(axes, (3, 1)), np.eye(3)).T
+            columns = _axes(*axes)
             inverse[i] = 1.0 / values.mass[w, i]
             inertia[i] = columns @ np.diag(1.0 / moments) @ columns.T
         where = values.position[w], values.quaternion[w]
@@ -123,19 +124,62 @@ def kick(stiffness: float, damping: float, inertia: float, dt: float) -> tuple[f
 
 @dataclass(frozen=True)
 class Placed:
-    """A body in the world: centre, rotation, velocities, and how easily it is moved."""
+    """A body in the world.
+
+    Args:
+        at: Centre [m], shape [3].
+        axes: Of its frame, as columns, shape [3, 3].
+        velocity: Linear and angular, shape [6].
+        inverse: Of its mass [1/kg].
+        inverse_inertia: In the world's axes [1/(kg m^2)], shape [3, 3].
+    """
 
     at: Floats
-    turn: Floats
-    linear: Floats
-    angular: Floats
+    axes: Floats
+    velocity: Floats
     inverse: float
     inverse_inertia: Floats
 
 
-_WORLD = Placed(
-    np.zeros(3), np.array([0.0, 0.0, 0.0, 1.0]), np.zeros(3), np.zeros(3), 0.0, np.zeros((3, 3))
-)
+def _still(at: Floats, axes: Floats) -> Placed:
+    return Placed(at, axes, np.zeros(6), 0.0, np.zeros((3, 3)))
+
+
+@dataclass(frozen=True)
+class _Held:
+    """A joint with its number, its bodies (child, parent; -1 is the world) and its frames there.
+
+    Args:
+        child_anchor, parent_anchor: [m], shape [3].
+        child_axes, parent_axes: As columns, shape [3, 3].
+    """
+
+    number: int
+    joint: Joint
+    ends: tuple[int, int]
+    child_anchor: Floats
+    parent_anchor: Floats
+    child_axes: Floats
+    parent_axes: Floats
+
+    @staticmethod
+    def of(number: int, joint: Joint, ends: tuple[int, int]) -> _Held:
+        frames = (_axes(*joint.child_rotation), _axes(*joint.parent_rotation))
+        anchors = np.array(joint.child_anchor, float), np.array(joint.parent_anchor, float)
+        return _Held(number, joint, ends, *anchors, *frames)
+
+    def position(self, child: Placed, parent: Placed) -> float:
+        """Of a hinge or slider, as `joint_state` tells it [rad or m]."""
+        frame = parent.axes @ self.parent_axes
+        if self.joint.kind == "slider":
+            return float(frame[:, 0] @ self.way(child, parent))
+        turned = frame.T @ child.axes @ self.child_axes
+        return math.atan2(turned[2, 1] - turned[1, 2], turned[1, 1] + turned[2, 2])
+
+    def way(self, child: Placed, parent: Placed) -> Floats:
+        """From the parent's anchor to the child's [m], shape [3]."""
+        end = child.at + child.axes @ self.child_anchor
+        return end - parent.at - parent.axes @ self.parent_anchor
 
 
 class JointRules:
@@ -172,9 +216,7 @@ class JointRules:
     def _drive(self, k: int, joint: Joint, world: Bodies) -> tuple[float, float]:
         motor, position = self.motors[k], 0.0
         if motor is not None and motor.position is not None:
-            child, parent = (self._forces.pose(world, body) for body in self.ends[k])
-            state = joint_state(joint, (child.at, child.turn), (parent.at, parent.turn))
-            position = float(state.position)
+            position = self._forces.position(k, world)
         return drive_of(joint, motor, position, self.dt)
 
     def after_step(self, world: Bodies, touches: Iterable[Touch]) -> list[int]:
@@ -192,11 +234,20 @@ class JointForces:
 
     def __init__(self, scene: SimScene, masses: Masses) -> None:
         self._masses, self._gravity = masses, np.array(scene.gravity)
+        self._still = {
+            i: _still(masses.position[i], _axes(*masses.quaternion[i]))
+            for i in np.nonzero(masses.inverse == 0.0)[0].tolist()
+        }
+        self._still[-1] = _still(np.zeros(3), _ONE)
         index = {name: i for i, name in enumerate(scene.names)}
-        ends = [(index[j.child], index.get(j.parent, -1)) for j in scene.joints]
-        every = [(k, j, e) for k, (j, e) in enumerate(zip(scene.joints, ends, strict=True))]
-        self._elastic = [row for row in every if row[1].stiffness > 0.0 or row[1].damping > 0.0]
-        self._stops = [row for row in every if stops(row[1])]
+        self._held = [
+            _Held.of(k, j, (index[j.child], index.get(j.parent, -1)))
+            for k, j in enumerate(scene.joints)
+        ]
+        elastic = [h for h in self._held if h.joint.stiffness > 0.0 or h.joint.damping > 0.0]
+        # The emitted class pushes its springs before the engine draws anything back.
+        self._elastic = sorted(elastic, key=lambda h: h.joint.kind != "spring")
+        self._stops = [h for h in self._held if stops(h.joint)]
 
     def act(self, dt: float, world: Bodies, gone: Iterable[int]) -> dict[int, float]:
         """Pushes the bodies before a step of `dt` seconds.
@@ -211,92 +262,107 @@ class JointForces:
         """
         out: dict[int, float] = {}
         lost = set(gone)
-        for k, joint, ends in self._elastic:
-            if k not in lost:
-                impulse = self._draw(joint, ends, dt, world)
-                if joint.kind == "spring":
-                    out[k] = impulse
-        taut = [row for row in self._stops if row[0] not in lost]
-        given = dict.fromkeys((k for k, _, _ in taut), 0.0)
-        for _ in range(STOP_ROUNDS if len(taut) > 1 else 1):
-            for k, joint, ends in taut:
-                given[k] += self._stop(joint, ends, dt, world, given[k])
-        out.update((k, given[k]) for k, joint, _ in taut if joint.kind == "rope")
+        for held in self._elastic:
+            if held.number not in lost:
+                impulse = self._draw(held, dt, world)
+                if held.joint.kind == "spring":
+                    out[held.number] = impulse
+        out.update(self._hold_back(dt, world, lost))
         return out
 
-    def _draw(self, joint: Joint, ends: tuple[int, int], dt: float, world: Bodies) -> float:
+    def position(self, joint: int, world: Bodies) -> float:
+        """Of a hinge or slider, by number [rad or m]."""
+        held = self._held[joint]
+        child, parent = (self._placed(world, i) for i in held.ends)
+        return held.position(child, parent)
+
+    def _draw(self, held: _Held, dt: float, world: Bodies) -> float:
         """Stiffness and damping of a joint; returns a spring's impulse [N s]."""
-        pair = self._pair(joint, ends, world)
+        pair = self._pair(held, world, stop=False)
         if not len(pair.free):
             return 0.0
         moves, axes = np.linalg.eigh(pair.free @ pair.pushed)
         impulse = np.zeros(len(pair.free))
         speeds = pair.free @ pair.velocity
-        for move, axis in zip(moves, axes.T, strict=True):
+        for move, axis in zip(moves.tolist(), axes.T, strict=True):
             if move > 0.0:
-                by_x, by_v = kick(joint.stiffness, joint.damping, 1.0 / move, dt)
+                by_x, by_v = kick(held.joint.stiffness, held.joint.damping, 1.0 / move, dt)
                 impulse += axis * (by_x * (axis @ pair.position) + by_v * (axis @ speeds))
-        self._push(pair, ends, impulse, world)
+        velocity = pair.velocity + pair.pushed @ impulse
+        self._set(world, held.ends[1], velocity[:6])
+        self._set(world, held.ends[0], velocity[6:])
         return float(impulse[0])
 
-    def _stop(
-        self, joint: Joint, ends: tuple[int, int], dt: float, world: Bodies, given: float
-    ) -> float:
-        """Holds a rope or a cone to its limit at the end of the step.
+    def _hold_back(self, dt: float, world: Bodies, gone: set[int]) -> dict[int, float]:
+        """Holds ropes and cones to their limits at the end of the step.
 
-        `given` is what it has in this step; no rope pushes. Returns what it gave besides [N s].
+        Returns what each rope gave [N s].
         """
-        pair = self._pair(joint, ends, world, stop=True)
-        if not len(pair.free):
-            return 0.0
-        falling = pair.velocity + pair.gravity(self._gravity * dt)
-        if len(pair.locked):
-            falling = falling - pair.held(pair.locked @ falling)
-        (position,), (move,) = pair.position, (pair.free @ pair.pushed)[0]
-        if not move > 0.0:
-            return 0.0
-        if joint.kind == "rope":
-            # The way of the anchors is straight, which its length along their line is not.
-            way = pair.way + dt * (pair.drift @ falling)
-            pull = dt * (pair.drift @ pair.pushed)[:, 0]
-            need = _shortened(way, pull, joint.upper or 0.0)
-        else:
-            need = -(position + dt * (pair.free @ falling)[0]) / (dt * move)
-        more = max(-need, -given)
-        if more != 0.0:
-            self._push(pair, ends, np.array([-more]), world)
-        return more
+        stops = [h for h in self._stops if h.number not in gone]
+        given = {h.number: 0.0 for h in stops}
+        near = [h for h in stops if not self._is_far(h, dt, world)]
+        pairs = [(h, self._pair(h, world, stop=True)) for h in near]
+        pairs = [(h, pair) for h, pair in pairs if len(pair.free)]
+        speeds: dict[int, Floats] = {}
+        for held, pair in pairs:
+            speeds[held.ends[1]], speeds[held.ends[0]] = pair.velocity[:6], pair.velocity[6:]
+        for _ in range(STOP_ROUNDS if len(pairs) > 1 else 1):
+            news = 0.0
+            for held, pair in pairs:
+                child, parent = held.ends
+                velocity = np.concatenate([speeds[parent], speeds[child]])
+                more = _pull(held.joint, pair, velocity, self._gravity, dt, given[held.number])
+                if more != 0.0:
+                    velocity -= pair.pushed[:, 0] * more
+                    speeds[parent], speeds[child] = velocity[:6], velocity[6:]
+                    given[held.number] += more
+                    news = max(news, abs(more))
+            if news <= SETTLED * max(map(abs, given.values()), default=0.0):
+                break
+        for body, speed in speeds.items() if any(given.values()) else ():
+            self._set(world, body, speed)
+        return {h.number: given[h.number] for h in stops if h.joint.kind == "rope"}
 
-    def _push(self, pair: _Pair, ends: tuple[int, int], impulse: Floats, world: Bodies) -> None:
-        change = pair.velocity + pair.pushed @ impulse
-        for n, i in enumerate(ends[::-1]):
-            if i >= 0 and self._masses.inverse[i] > 0.0:
-                world.set_linear(i, _vec(change[6 * n : 6 * n + 3]))
-                world.set_angular(i, _vec(change[6 * n + 3 : 6 * n + 6]))
+    def _is_far(self, held: _Held, dt: float, world: Bodies) -> bool:
+        """Whether a rope or cone cannot reach its limit in the step, whatever happens in it."""
+        child, parent = (self._placed(world, i) for i in held.ends)
+        limit = held.joint.upper or 0.0
+        if held.joint.kind == "rope":
+            arms = np.linalg.norm(held.child_anchor), np.linalg.norm(held.parent_anchor)
+            gain = sum(
+                float(np.linalg.norm(b.velocity[:3]) + arm * np.linalg.norm(b.velocity[3:]))
+                for b, arm in zip((child, parent), arms, strict=True)
+            )
+            gain += 2.0 * dt * float(np.linalg.norm(self._gravity))
+            return float(np.linalg.norm(held.way(child, parent))) + gain * dt < limit
+        own = child.axes @ held.child_axes[:, 0]
+        given = parent.axes @ held.parent_axes[:, 0]
+        spin = child.velocity[3:] - parent.velocity[3:]
+        angle = math.acos(max(-1.0, min(1.0, float(own @ given))))
+        return angle + dt * (float(np.linalg.norm(spin)) + 1.0) < limit
 
-    def _pair(
-        self, joint: Joint, ends: tuple[int, int], world: Bodies, *, stop: bool = False
-    ) -> _Pair:
-        child, parent = (self.pose(world, i) for i in ends)
-        return _pair(joint, child, parent, stop)
+    def _set(self, world: Bodies, body: int, velocity: Floats) -> None:
+        if body not in self._still:
+            x, y, z, a, b, c = velocity.tolist()
+            world.set_linear(body, (x, y, z))
+            world.set_angular(body, (a, b, c))
 
-    def pose(self, world: Bodies, body: int) -> Placed:
+    def _pair(self, held: _Held, world: Bodies, *, stop: bool) -> _Pair:
+        child, parent = (self._placed(world, i) for i in held.ends)
+        return _pair(held, child, parent, stop)
+
+    def _placed(self, world: Bodies, body: int) -> Placed:
         """A body as it is; -1 is the world."""
-        if body < 0:
-            return _WORLD
-        if not self._masses.inverse[body] > 0.0:
-            where = self._masses.position[body], self._masses.quaternion[body]
-            return replace(_WORLD, at=where[0], turn=where[1])
-        at, turn, linear, angular = world.read(body)
-        q = np.array([float(v) for v in turn])
-        columns = quat_rotate(np.tile(q, (3, 1)), np.eye(3)).T
+        if body in self._still:
+            return self._still[body]
+        at, (x, y, z, w), linear, angular = world.read(body)
+        axes = _axes(float(x), float(y), float(z), float(w))
         return Placed(
             np.array(at, float),
-            q,
-            np.array(linear, float),
-            np.array(angular, float),
+            axes,
+            np.array([*linear, *angular], float),
             float(self._masses.inverse[body]),
-            columns @ self._masses.inverse_inertia[body] @ columns.T,
+            axes @ self._masses.inverse_inertia[body] @ axes.T,
         )
 
 
@@ -326,32 +392,34 @@ class _Pair:
     def held(self, speeds: Floats) -> Floats:
         """Change of velocity that goes with taking speeds of what is locked away."""
         response = self.easy @ self.locked.T
-        return response @ np.linalg.lstsq(self.locked @ response, speeds, rcond=1e-12)[0]
+        return response @ np.linalg.solve(self.locked @ response, speeds)
 
     def gravity(self, gain: Floats) -> Floats:
         """What gravity adds to the velocity of what moves."""
-        moves = np.diag(self.easy)[[0, 6]] > 0.0
-        zero = np.zeros(3)
-        return np.concatenate([gain * moves[0], zero, gain * moves[1], zero])
+        out = np.zeros(12)
+        for n in (0, 6):
+            if self.easy[n, n] > 0.0:
+                out[n : n + 3] = gain
+        return out
 
 
-def _pair(joint: Joint, child: Placed, parent: Placed, stop: bool) -> _Pair:
-    to_child = quat_rotate(child.turn, np.array(joint.child_anchor))
-    to_parent = quat_rotate(parent.turn, np.array(joint.parent_anchor))
-    way = child.at + to_child - parent.at - to_parent
-    drift = _shifts(np.eye(3), to_child, to_parent)
-    if joint.flexible:
-        free, locked, position = _along(joint, way, drift)
+def _pair(held: _Held, child: Placed, parent: Placed, stop: bool) -> _Pair:
+    to_child = child.axes @ held.child_anchor
+    way = held.way(child, parent)
+    drift = _shifts(_ONE, to_child, parent.axes @ held.parent_anchor)
+    if held.joint.flexible:
+        free, locked, position = _along(held.joint, way, drift)
     elif stop:
-        free, locked, position = _beyond_cone(joint, child, parent, drift)
+        free, locked, position = _beyond_cone(held, child, parent, drift)
     else:
-        free, locked, position = _drawn(joint, child, parent, drift)
+        free, locked, position = _drawn(held, child, parent, drift)
     # Columns: linear and angular velocity of the parent, then of the child.
     easy = np.zeros((12, 12))
-    for n, body in enumerate((parent, child)):
-        easy[6 * n : 6 * n + 3, 6 * n : 6 * n + 3] = body.inverse * np.eye(3)
-        easy[6 * n + 3 : 6 * n + 6, 6 * n + 3 : 6 * n + 6] = body.inverse_inertia
-    velocity = np.concatenate([parent.linear, parent.angular, child.linear, child.angular])
+    for n, body in ((0, parent), (6, child)):
+        if body.inverse > 0.0:
+            easy[n : n + 3, n : n + 3] = body.inverse * _ONE
+            easy[n + 3 : n + 6, n + 3 : n + 6] = body.inverse_inertia
+    velocity = np.concatenate([parent.velocity, child.velocity])
     pushed = easy @ free.T
     out = _Pair(velocity, free, locked, position, easy, pushed, way, drift)
     if len(locked) and len(free):
@@ -372,36 +440,62 @@ def _along(joint: Joint, way: Floats, drift: Floats) -> Rows:
     return (way / length)[None] @ drift, _NONE, np.array([length - (joint.upper or 0.0)])
 
 
-def _beyond_cone(joint: Joint, child: Placed, parent: Placed, drift: Floats) -> Rows:
+def _beyond_cone(held: _Held, child: Placed, parent: Placed, drift: Floats) -> Rows:
     """Of a ball joint: the turn that opens the angle between its axes."""
-    x = np.array([1.0, 0.0, 0.0])
-    own = quat_rotate(quat_multiply(child.turn, np.array(joint.child_rotation)), x)
-    given = quat_rotate(quat_multiply(parent.turn, np.array(joint.parent_rotation)), x)
-    axis = np.cross(given, own)
+    own = child.axes @ held.child_axes[:, 0]
+    given = parent.axes @ held.parent_axes[:, 0]
+    axis = _cross(given) @ own
     size = float(np.linalg.norm(axis))
     if size < 1e-9:
         return _NONE, drift, np.zeros(0)
     angle = math.atan2(size, float(given @ own))
-    return _turns((axis / size)[None]), drift, np.array([angle - (joint.upper or 0.0)])
+    return _turns((axis / size)[None]), drift, np.array([angle - (held.joint.upper or 0.0)])
 
 
-def _drawn(joint: Joint, child: Placed, parent: Placed, drift: Floats) -> Rows:
+def _drawn(held: _Held, child: Placed, parent: Placed, drift: Floats) -> Rows:
     """Of the other kinds: what they leave free."""
-    frame = quat_rotate(
-        np.tile(quat_multiply(parent.turn, np.array(joint.parent_rotation)), (3, 1)), np.eye(3)
-    )
-    state = joint_state(joint, (child.at, child.turn), (parent.at, parent.turn))
-    position = np.array([float(state.position)])
-    if joint.kind == "slider":
+    kind = held.joint.kind
+    if kind == "ball":
+        return _turns(_ONE), drift, np.zeros(3)
+    if kind not in ("hinge", "slider"):
+        return _NONE, _NONE, np.zeros(0)
+    frame = (parent.axes @ held.parent_axes).T
+    position = np.array([held.position(child, parent)])
+    if kind == "slider":
         # The rail pushes where the child is.
-        to_child = quat_rotate(child.turn, np.array(joint.child_anchor))
+        to_child = child.axes @ held.child_anchor
         shifts = _shifts(frame, to_child, child.at + to_child - parent.at)
-        return shifts[:1], np.concatenate([shifts[1:], _turns(np.eye(3))]), position
-    if joint.kind == "hinge":
-        return _turns(frame[:1]), np.concatenate([drift, _turns(frame[1:])]), position
-    if joint.kind == "ball":
-        return _turns(np.eye(3)), drift, np.zeros(3)
-    return _NONE, _NONE, np.zeros(0)
+        return shifts[:1], np.concatenate([shifts[1:], _turns(_ONE)]), position
+    return _turns(frame[:1]), np.concatenate([drift, _turns(frame[1:])]), position
+
+
+def _pull(
+    joint: Joint, pair: _Pair, velocity: Floats, gravity: Floats, dt: float, given: float
+) -> float:
+    """What a rope or cone has to give besides `given`, against what is free [N s or N m s].
+
+    Args:
+        joint: It.
+        pair: Its bodies as they stand.
+        velocity: Of parent and child, shape [12].
+        gravity: [m/s^2], shape [3].
+        dt: The step [s].
+        given: In this step so far; no rope pushes.
+    """
+    falling = velocity + pair.gravity(gravity * dt)
+    if len(pair.locked):
+        falling = falling - pair.held(pair.locked @ falling)
+    move = float(pair.free[0] @ pair.pushed[:, 0])
+    if not move > 0.0:
+        return 0.0
+    if joint.kind == "rope":
+        # The way of the anchors is straight, which its length along their line is not.
+        way = pair.way + dt * (pair.drift @ falling)
+        pull = dt * (pair.drift @ pair.pushed[:, 0])
+        need = _shortened(way, pull, joint.upper or 0.0)
+    else:
+        need = -(float(pair.position[0]) + dt * float(pair.free[0] @ falling)) / (dt * move)
+    return max(-need, -given)
 
 
 def _shortened(way: Floats, pull: Floats, length: float) -> float:
@@ -418,15 +512,31 @@ def _shortened(way: Floats, pull: Floats, length: float) -> float:
 
 def _shifts(axes: Floats, to_child: Floats, to_parent: Floats) -> Floats:
     """Speed of the child's anchor against the parent's along axes, shape [n, 12]."""
-    return np.concatenate(
-        [-axes, -np.cross(to_parent, axes), axes, np.cross(to_child, axes)], axis=1
-    )
+    return np.concatenate([-axes, axes @ _cross(to_parent), axes, -axes @ _cross(to_child)], axis=1)
 
 
 def _turns(axes: Floats) -> Floats:
     """Spin of the child against the parent about axes, shape [n, 12]."""
-    zero = np.zeros_like(axes)
-    return np.concatenate([zero, -axes, zero, axes], axis=1)
+    out = np.zeros((len(axes), 12))
+    out[:, 3:6], out[:, 9:] = -axes, axes
+    return out
+
+
+def _cross(v: Floats) -> Floats:
+    """The matrix that multiplies a vector by v from the left, shape [3, 3]."""
+    x, y, z = v.tolist()
+    return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
+
+
+def _axes(x: float, y: float, z: float, w: float) -> Floats:
+    """Axes of a frame turned by a quaternion, as columns, shape [3, 3]."""
+    return np.array(
+        [
+            [1.0 - 2.0 * (y * y + z * z), 2.0 * (x * y - w * z), 2.0 * (x * z + w * y)],
+            [2.0 * (x * y + w * z), 1.0 - 2.0 * (x * x + z * z), 2.0 * (y * z - w * x)],
+            [2.0 * (x * z - w * y), 2.0 * (y * z + w * x), 1.0 - 2.0 * (x * x + y * y)],
+        ]
+    )
 
 
 class JointLoads:
@@ -466,7 +576,7 @@ class JointLoads:
                 for body, sign in zip(ends, (1.0, -1.0), strict=True):
                     if body in rows:
                         gives[rows[body], k] = sign
-        return np.linalg.pinv(gives)
+        return np.asarray(np.linalg.pinv(gives), np.float64)
 
     def before(self, world: Bodies) -> None:
         """Looks at the bodies once everything that acts before the step has acted."""
@@ -506,7 +616,3 @@ class JointLoads:
             self.gone.update(out)
             self._share = self._shares()
         return out
-
-
-def _vec(v: Floats) -> Vec:
-    return float(v[0]), float(v[1]), float(v[2])

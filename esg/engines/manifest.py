@@ -23,6 +23,7 @@ from esg.engines.manifest_model import (
     CLIMB_CONVENTION,
     CONVENTIONS,
     DRIVE_CONVENTION,
+    GAINS_CONVENTION,
     GUIDE_CONVENTION,
     JOINTS_CONVENTION,
     MANIFEST_FORMAT,
@@ -135,6 +136,8 @@ def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
     for p in program.primitives:
         if isinstance(p, HoldVelocity) and p.climb is not None:
             out["climb"] = CLIMB_CONVENTION
+        if isinstance(p, HoldVelocity) and p.gains is not None:
+            out["gains"] = GAINS_CONVENTION
         elif isinstance(p, GuideAlong):
             out["guide"] = GUIDE_CONVENTION
         elif isinstance(p, HoldSpin):

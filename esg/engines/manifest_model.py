@@ -54,6 +54,13 @@ CLIMB_CONVENTION = (
     "vertical velocity is kept"
 )
 """Stands under `climb` of the conventions of a manifest whose program has one."""
+GAINS_CONVENTION = (
+    "a HoldVelocity with gains and loses [m/s^2] does not set its horizontal velocity at once: the "
+    "body's own is turned by turn_rate dt, its part along the heading changes towards speed by at "
+    "most gains dt upwards and loses dt downwards, the part across it towards 0 by at most loses "
+    "dt; the angular velocity of what rolls follows that"
+)
+"""Stands under `gains` of the conventions of a manifest whose program has them."""
 
 GUIDE_CONVENTION = (
     "a GuideAlong is active as a HoldVelocity is, until start + its last time; its path P is the "
@@ -94,7 +101,7 @@ TYRES_CONVENTION = (
     "clipped to [-limit, limit]; a = (front + rear) / 2, b = (front - rear) / 2; v loses a s, w "
     "loses q a f + b / k z. If tyre_drop > 0 and the horizontal velocity has changed by more than "
     f"{BLOW_MPS:g} m/s in the last step (from after all this to before the program acts again), it "
-    "tips over in the next step in which the tyres act, unless it is driven before: |w.f| is raised "
+    "tips over in the next step in which the tyres act, unless driven before: |w.f| is raised "
     f"to the square root of {TIPPING_RAD_S**2:g} + 2 m {GRAVITY_MPS2:g} (r - c) / (Ixx + m r^2) "
     "[rad/s], c = tyre_drop, d = tyre_foot and r = |(c, d)|, keeping its sign, or if |w.f| <= "
     f"{LEAST_LEAN_RAD_S:g} with the sign that tilts it further (positive up to a tilt of 0.001 "
@@ -315,13 +322,20 @@ class HoldVelocityModel(_Model):
     climb: Number | None = Field(
         None, description="Vertical velocity held against gravity [m/s]; absent: it is kept"
     )
+    gains: NonNegative | None = Field(
+        None, description="How fast it comes to a greater speed [m/s^2]; absent: at once"
+    )
+    loses: NonNegative | None = Field(
+        None, description="How fast it comes to a lesser speed [m/s^2]; absent: at once"
+    )
 
     @model_serializer(mode="wrap")
     def _without_none(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        # Programs without powered flight read as they always did.
+        # Programs without powered flight, and without what takes its time, read as they always did.
         data = handler(self)
-        if data["climb"] is None:
-            del data["climb"]
+        for name in ("climb", "gains", "loses"):
+            if data[name] is None:
+                del data[name]
         return data
 
 

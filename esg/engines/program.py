@@ -14,6 +14,9 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   otherwise that of rolling without slipping, (-vy, vx, 0) / roll_radius.
   With a `climb` (powered flight) the vertical velocity becomes climb - g_z dt, which the gravity
   of the step turns into `climb`; the body does not roll, whatever its roll_radius.
+  With `gains` and `loses` the horizontal velocity comes to that one by and by, from what the body
+  has: turned by turn_rate dt, along the heading by at most gains dt a step, or loses dt where it
+  is too fast, and across it by loses dt. So what a hit has slowed down takes its time to go on.
 * A `GuideAlong` is active as a hold is, with end = start + times[-1]. Its path P(s) is the cubic
   Hermite curve through `points` with `velocities` at `times`, and straight on with the first or
   last velocity outside of them. While active it sets, with s = t - start and x the centre of mass,
@@ -150,6 +153,8 @@ class HoldVelocity:
         until_contact: Names of bodies whose touch ends the hold.
         climb: Vertical velocity held against gravity [m/s], 0 in level flight; None keeps the
             vertical velocity the body has.
+        gains, loses: How fast it comes to that speed, at most, where that is faster, or slower or
+            another way [m/s^2]; None for at once. Both or none.
     """
 
     kind: ClassVar[str] = "HoldVelocity"
@@ -164,6 +169,8 @@ class HoldVelocity:
     roll_radius: float = 0.0
     until_contact: tuple[str, ...] = ()
     climb: float | None = None
+    gains: float | None = None
+    loses: float | None = None
 
     @property
     def time(self) -> float:
@@ -336,7 +343,7 @@ class Column(IntEnum):
     MOTOR_SPEED = 2
     MOTOR_POSITION = 3
     MOTOR_LIMIT = 4
-    # HOLD: a climb of NaN keeps the vertical velocity.
+    # HOLD: a climb of NaN keeps the vertical velocity, gains of NaN ask for no time.
     SPEED = 2
     HEADING = 3
     ACCELERATION = 4
@@ -344,6 +351,8 @@ class Column(IntEnum):
     TURN_RATE = 6
     ROLL_RADIUS = 7
     CLIMB = 8
+    GAINS = 9
+    LOSES = 10
     # GUIDE: turn rate, number of points, then per point its time, place and velocity.
     GUIDE_TURN_RATE = 2
     KNOTS = 3
@@ -352,7 +361,7 @@ class Column(IntEnum):
     SPIN = 2
 
 
-OPTIONAL = frozenset({"climb", "braking"})
+OPTIONAL = frozenset({"climb", "braking", "gains", "loses"})
 """Fields that programs without them do not mention."""
 
 KNOT_FIELDS = 7
@@ -482,7 +491,7 @@ def _row(p: Primitive) -> NDArray[np.float64]:
         values = p.spin
     else:
         values = (p.speed, p.heading, p.acceleration, p.max_speed, p.turn_rate, p.roll_radius,
-                  p.climb)  # fmt: skip
+                  p.climb, p.gains, p.loses)  # fmt: skip
     # The columns of every action follow each other in this order.
     row[Column.END + 1 : Column.END + 1 + len(values)] = [nan if v is None else v for v in values]
     return row

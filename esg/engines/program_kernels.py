@@ -33,12 +33,41 @@ def vector(table: wp.array3d(dtype=wp.float64), w: int, k: int, column: int) -> 
 
 
 @wp.func
+def approached(
+    table: wp.array3d(dtype=wp.float64),
+    w: int,
+    k: int,
+    speed: float,
+    heading: float,
+    v: wp.vec3,
+    dt: float,
+) -> wp.vec3:
+    """Horizontal velocity that a hold gives what moves at `v`, nearer to what it asks for."""
+    gains = float(table[w, k, Column.GAINS]) * dt
+    loses = float(table[w, k, Column.LOSES]) * dt
+    ahead = wp.vec3(wp.cos(heading), wp.sin(heading), 0.0)
+    aside = wp.vec3(-ahead[1], ahead[0], 0.0)
+    before = heading - float(table[w, k, Column.TURN_RATE]) * dt
+    along = wp.cos(before) * v[0] + wp.sin(before) * v[1]
+    across = wp.cos(before) * v[1] - wp.sin(before) * v[0]
+    along = along + wp.clamp(speed - along, -loses, gains)
+    across = across - wp.clamp(across, -loses, loses)
+    return ahead * along + aside * across
+
+
+@wp.func
 def held_velocity(
-    table: wp.array3d(dtype=wp.float64), w: int, k: int, t: wp.float64, vertical: float, pull: float
+    table: wp.array3d(dtype=wp.float64),
+    w: int,
+    k: int,
+    t: wp.float64,
+    dt: wp.float64,
+    v: wp.vec3,
+    pull: float,
 ) -> wp.vec3:
     """Velocity that a hold asks for before the step from time `t`.
 
-    `vertical` is what the body has, and `pull` what gravity adds to it in the step.
+    `v` is what the body has, and `pull` what gravity adds to it in the step.
     """
     s = t - table[w, k, Column.START]
     acceleration = table[w, k, Column.ACCELERATION]
@@ -46,9 +75,12 @@ def held_velocity(
     if acceleration > wp.float64(0.0):
         speed = wp.min(speed, table[w, k, Column.MAX_SPEED])
     heading = table[w, k, Column.HEADING] + table[w, k, Column.TURN_RATE] * s
-    up = float(vertical)
+    up = float(v[2])
     if not wp.isnan(table[w, k, Column.CLIMB]):
         up = float(table[w, k, Column.CLIMB]) - pull
+    if not wp.isnan(table[w, k, Column.GAINS]):
+        near = approached(table, w, k, float(speed), float(heading), v, float(dt))
+        return wp.vec3(near[0], near[1], up)
     return wp.vec3(float(speed * wp.cos(heading)), float(speed * wp.sin(heading)), up)
 
 

@@ -8,8 +8,11 @@ import zipfile
 import numpy as np
 
 from esg.engines.scene import ContactLog, Rollout
+from esg.strangers.arrays import check_npz
 
 _ARRAYS = ("time", "position", "quaternion", "linear_velocity", "angular_velocity", "valid")
+MOST_BYTES = 2**30
+"""Of all arrays of a rollout: an hour of fifteen bodies."""
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 
 
@@ -33,7 +36,12 @@ def save_rollout(rollout: Rollout, path: Path) -> None:
 
 
 def load_rollout(path: Path) -> Rollout:
-    """Reads what `save_rollout` wrote."""
+    """Reads what `save_rollout` wrote.
+
+    Raises:
+        ValueError: If its arrays are not what they say, or too large.
+    """
+    check_npz(path, MOST_BYTES)
     with np.load(path, allow_pickle=False) as data:
         contacts = {n: data[f"contacts.{n}"] for n in ContactLog.__dataclass_fields__}
         return Rollout(

@@ -39,6 +39,9 @@ def start_velocities(batch: ProgramBatch, mass: Floats, dt: float) -> tuple[Floa
             push = row[:, Column.IMPULSE : Column.IMPULSE + 3]
             linear[w, body] += push / mass[w, body][:, None]
         elif action is Action.HOLD:
+            # What takes its time has not moved yet.
+            w = w[np.isnan(row[:, Column.GAINS])]
+            row = batch.table[w, k]
             climb = row[:, Column.CLIMB]
             flies = ~np.isnan(climb)
             speed = np.maximum(row[:, Column.SPEED], 0.0)

@@ -65,7 +65,7 @@ def mount_of(asset: AssetConfiguration, name: str | None) -> Mount | None:
 def placing_joints(doc: EsgDocument) -> dict[str, Joint]:
     """The joint that puts each node where it is, by child: the first that names both mounts.
 
-    Joints whose mounts the assets do not have place nothing, nor does one that would close a circle.
+    Joints whose mounts the assets do not have place nothing, nor do those that close a circle.
     """
     graph, assets = doc.spatial_relation_graph, doc.asset_configurations
     out: dict[str, Joint] = {}
@@ -150,7 +150,7 @@ def _started(joint: Joint, axis: Floats) -> Floats:
 
 
 def drawn_back_about(joint: Joint, axis: Floats) -> Floats:
-    """Unit axis about which what hangs is drawn back: across, or at right angles to a cone's axis."""
+    """Unit axis about which what hangs is drawn back: across, and of a cone athwart its axis."""
     across = np.asarray(ACROSS, float)
     if joint.kind != "ball":
         return across

@@ -296,7 +296,7 @@ _VECTORS = ("linear", "angular", "impulse", "axis")
 _PATHS = ("points", "velocities")
 _ADJUSTED = ("linear_damping", "angular_damping", "friction", "braking")
 _MOTOR = ("speed", "position", "limit")
-_MAY_BE_NULL = ("end", "angular", *_ADJUSTED, "climb", *_MOTOR)
+_MAY_BE_NULL = ("end", "angular", *_ADJUSTED, "climb", "gains", "loses", *_MOTOR)
 
 
 def _program_types(program: dict[str, Any]) -> None:

@@ -26,6 +26,7 @@ class Articulation:
         with_part: Part that is added.
         carries: Which of them is the parent.
         count: How many are added.
+        above_cm: Height of the named part above the ground, if it is the one that moves.
         serves: Nouns in the prompt that stand for the added part.
         kind: Of the joint.
         parent_mount: Of the parent; `{n}` counts the added parts from 1.
@@ -43,6 +44,7 @@ class Articulation:
     with_part: str
     carries: Literal["becomes", "with"]
     count: int
+    above_cm: float
     serves: tuple[str, ...]
     kind: JointKind
     parent_mount: str
@@ -56,6 +58,17 @@ class Articulation:
     damping: float | None
     friction: float | None
     source: str
+
+    @property
+    def hangs(self) -> bool:
+        """Whether it hangs by one point or bar, so that a ceiling does as well as its stand."""
+        return self.drawn is not None and self.carries == "with" and self.kind in ("ball", "hinge")
+
+    @property
+    def turns(self) -> bool:
+        """Whether it turns on and on, neither opening nor hanging."""
+        free = self.lower is None and self.upper is None
+        return self.kind == "hinge" and free and self.opened is None and self.drawn is None
 
 
 @cache
@@ -79,6 +92,7 @@ def _row(line: dict[str, str]) -> Articulation:
         with_part=line["with"],
         carries=line["carries"],  # type: ignore[arg-type]  # tested
         count=int(line["count"]),
+        above_cm=number("above_cm") or 0.0,
         serves=tuple(w for w in line["serves"].split(";") if w),
         kind=line["kind"],  # type: ignore[arg-type]  # tested
         parent_mount=line["parent_mount"],

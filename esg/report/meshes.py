@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Collection
+from dataclasses import replace
 import hashlib
 from pathlib import Path
 
@@ -40,7 +41,13 @@ class MeshLibrary:
             return ""
         key = hashlib.sha256(data).hexdigest()[:16]
         if key not in self.chunks:
-            self.chunks[key] = mesh_chunk(data, [w.name for w in body.wheels])
+            try:
+                self.chunks[key] = mesh_chunk(data, [w.name for w in body.wheels])
+            except Exception as error:  # whatever a reader of models meets in a damaged one
+                if source != body.mesh or problems is None:
+                    raise
+                problems.append(str(damaged(path, f"{error}: its collision shapes are shown")))
+                return self.add(replace(body, mesh=""), folder, problems)
         if source == body.mesh:
             self._keys[str(folder), body.mesh] = key
         return key

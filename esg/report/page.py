@@ -17,11 +17,12 @@ from pathlib import Path
 from typing import Any
 
 from esg.files import refused
+from esg.outcomes import UserError
 from esg.report.meshes import MeshLibrary
 from esg.report.payload import index_entry, scene_chunk, thumbnail
 from esg.report.replays import replays_of
 from esg.report.run import Run, SceneEntry
-from esg.scenereading import collected
+from esg.scenereading import collected, first_line
 
 STATIC = Path(__file__).parent / "static"
 
@@ -151,15 +152,26 @@ def _chunks(
     meshes = MeshLibrary()
     for number, scene in enumerate(scenes):
         told: list[str] = []
-        thumb = collected(told, lambda s=scene: thumbnail(s.folder), "")
+        thumb = "" if scene.refused else collected(told, lambda s=scene: thumbnail(s.folder), "")
         if thumb:
             yield f"thumb-{number}", thumb
-        replays = replays_of(scene.folder, scene.metrics, engines, told)
-        yield f"scene-{number}", scene_chunk(scene, replays, meshes, told)
+        yield f"scene-{number}", _chunk(scene, engines, meshes, told)
         problems[number].extend(dict.fromkeys([*scene.problems, *told]))
         on_scene(number)
     for key, text in meshes.chunks.items():
         yield f"mesh-{key}", text
+
+
+def _chunk(scene: SceneEntry, engines: Sequence[str], meshes: MeshLibrary, told: list[str]) -> str:
+    """A scene's part of the page; without its motion if that is too much or makes no sense."""
+    try:
+        replays = replays_of(scene.folder, scene.metrics, engines, told)
+        return scene_chunk(scene, replays, meshes, told)
+    except (ArithmeticError, AttributeError, LookupError, MemoryError, RecursionError, TypeError,
+            UserError, ValueError) as error:  # fmt: skip
+        # One scene that cannot be shown must not cost the page of all others.
+        told.append(f"{scene.folder} cannot be played: {first_line(error)}")
+        return scene_chunk(scene, [], meshes, told)
 
 
 def _key(run: Run, scene: SceneEntry) -> str:

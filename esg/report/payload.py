@@ -26,6 +26,10 @@ MAX_CONTACTS = 400
 MIN_IMPULSE_NS = 0.01
 THUMB_PX = (320, 214)
 SHEET_PX = 1100
+PICTURES = ("PNG", "WEBP")
+MOST_PIXELS = 64_000_000
+MOST_TEXT_CHARS = 4_000_000
+"""Of a file that a page quotes."""
 _MOVED_M, _TURNED = 1e-4, 1e-4
 
 
@@ -107,9 +111,11 @@ def scene_chunk(
             "statements": scene.statements,
             "asked": scene.asked,
             "log": list(scene.log),
-            "files": files_of(scene.folder),
-            "texts": texts_of(scene.folder),
-            "sheet": collected(told, lambda: picture(sheet, SHEET_PX, quality=62), ""),
+            "files": [] if scene.refused else files_of(scene.folder),
+            "texts": {} if scene.refused else texts_of(scene.folder),
+            "sheet": ""
+            if scene.refused
+            else collected(told, lambda: picture(sheet, SHEET_PX, quality=62), ""),
             "bodies": [],
             "replays": [],
         }
@@ -300,10 +306,16 @@ def files_of(folder: Path) -> list[list[Any]]:
 
 
 def texts_of(folder: Path) -> dict[str, str]:
-    """The emitted class and the manifest, in full."""
+    """The emitted class and the manifest."""
     paths = [*sorted((folder / "unreal").glob("*.h")), *sorted((folder / "unreal").glob("*.cpp"))]
     texts = [*paths, folder / "manifest.json", folder / "violations.json"]
-    return {p.name: p.read_text(encoding="utf-8", errors="replace") for p in texts if p.is_file()}
+    return {p.name: _beginning(p) for p in texts if p.is_file()}
+
+
+def _beginning(path: Path) -> str:
+    with path.open(encoding="utf-8", errors="replace") as file:
+        text = file.read(MOST_TEXT_CHARS)
+        return text + ("\n[cut off]" if file.read(1) else "")
 
 
 def thumbnail(folder: Path) -> str:
@@ -319,7 +331,8 @@ def thumbnail(folder: Path) -> str:
 
     from esg.view.sheet import panel_boxes
 
-    with _reading(path), Image.open(path) as image:
+    with _reading(path), Image.open(path, formats=PICTURES) as image:
+        _bearable(image)
         boxes = panel_boxes(image)
         crop = image.convert("RGB").crop(boxes[min(1, len(boxes) - 1)]) if boxes else image
         return _webp(crop.convert("RGB"), THUMB_PX, 60)
@@ -335,9 +348,16 @@ def picture(path: Path, width: int, *, quality: int) -> str:
         return ""
     from PIL import Image
 
-    with _reading(path), Image.open(path) as image:
+    with _reading(path), Image.open(path, formats=PICTURES) as image:
+        _bearable(image)
         height = max(1, round(image.height * min(1.0, width / image.width)))
         return _webp(image.convert("RGB"), (width, height), quality)
+
+
+def _bearable(image: Any) -> None:
+    """Looks at the size that a picture declares before it is decoded."""
+    if image.width * image.height > MOST_PIXELS:
+        raise ValueError(f"{image.width} x {image.height} pixels, at most {MOST_PIXELS} are read")
 
 
 @contextlib.contextmanager

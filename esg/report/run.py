@@ -21,6 +21,8 @@ from esg.scenereading import (
     read_object,
     read_text,
 )
+from esg.strangers.folders import file_in, lies_in, oddity
+from esg.strangers.sums import altered
 
 RUN_FILE = "run.json"
 """The results document that a benchmark leaves beside its scene folders."""
@@ -28,6 +30,7 @@ _TOTALS = ("ecr_mean", "ecr_std", "slr", "ppa", "ppa_strict", "ppa_lenient", "se
 _FACTS = ("suite", "strategy", "engine")
 _WRITTEN = (("draft", "esg.json"), ("compile", "manifest.json"), ("judge", "metrics.json"))
 """Stages and the file of the scene folder that each leaves."""
+_MOST_PROMPT_CHARS = 100_000
 _MADE = ("solved", "partial", "nearest_feasible", "infeasible", "not_converged")
 
 
@@ -41,6 +44,7 @@ class SceneEntry:
         metrics: `metrics.json`; empty if there was nothing to judge.
         log: Entries of `log.jsonl`, the last one with the outcome.
         problems: Files that could not be used, each with the reason and the remedy.
+        refused: Whether nothing of it is read because of what is in it (esg.strangers.folders).
     """
 
     folder: Path
@@ -48,6 +52,7 @@ class SceneEntry:
     metrics: dict[str, Any]
     log: tuple[dict[str, Any], ...]
     problems: tuple[str, ...] = ()
+    refused: bool = False
 
     @property
     def name(self) -> str:
@@ -62,8 +67,10 @@ class SceneEntry:
     @property
     def prompt(self) -> str:
         """What was asked for."""
-        text = (self.folder / "prompt.txt").read_text(encoding="utf-8", errors="replace")
-        return text.removesuffix("\n")
+        if self.refused:
+            return ""
+        with (self.folder / "prompt.txt").open(encoding="utf-8", errors="replace") as file:
+            return file.read(_MOST_PROMPT_CHARS).removesuffix("\n")
 
     @property
     def outcome(self) -> str:
@@ -166,7 +173,9 @@ def load_run(folder: Path, *, against: Path | None = None, database: Path | None
     scenes = tuple(read_scene(path) for path in paths)
     problems: list[str] = []
     document: dict[str, Any] = {}
-    if (folder / RUN_FILE).exists():
+    if (folder / RUN_FILE).exists() and file_in(folder, RUN_FILE) is None:
+        problems.append(str(damaged(folder / RUN_FILE, "no file of this folder")))
+    elif (folder / RUN_FILE).exists():
         document = collected(problems, lambda: _results(folder / RUN_FILE), document)
     rows = tuple(document.get("scenes") or _rows(scenes))
     facts = {k: document[k] for k in ("suite", "strategy", "engine", "runs", "dt") if k in document}
@@ -192,6 +201,8 @@ def find_scenes(folder: Path) -> list[Path]:
     near = [p for p in folder.iterdir() if is_scene_folder(p)]
     if not near:
         near = [p for p in folder.glob("*/*") if is_scene_folder(p)]
+    # A link in a stranger's run may lead to anything that looks like a scene.
+    near = [p for p in near if lies_in(p, folder)]
     return sorted(near, key=lambda p: natural(str(p.relative_to(folder))))
 
 
@@ -203,6 +214,9 @@ def natural(text: str) -> list[tuple[int, int, str]]:
 
 def read_scene(folder: Path) -> SceneEntry:
     """Reads a scene folder; what is missing or damaged is left empty, and damage is told."""
+    odd = oddity(folder)
+    if odd:
+        return SceneEntry(folder, {}, {}, (), (odd,), refused=True)
     problems: list[str] = []
     # What can be read of a log that was cut off still says what the scene did until then.
     text = collected(problems, lambda: read_text(folder / "log.jsonl"), "")
@@ -216,6 +230,7 @@ def read_scene(folder: Path) -> SceneEntry:
     for stage, name in _WRITTEN:
         if stage in finished and not (folder / name).exists() and log[-1].get("outcome") in _MADE:
             problems.append(str(damaged(folder / name, "missing")))
+    problems = problems or altered(folder)
     return SceneEntry(folder, document, metrics, log, tuple(problems))
 
 

@@ -4,22 +4,25 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from functools import partial
-from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
+import shutil
 import threading
 from typing import Any
+import urllib.parse
 
 from esg.outcomes import UserError
+from esg.strangers.folders import file_in
 
 HOST = "127.0.0.1"
 
 
-class _Handler(SimpleHTTPRequestHandler):
+class _Handler(BaseHTTPRequestHandler):
     """The page at `/`, and below `/files/` the scene folder, read only."""
 
     def __init__(self, *args: Any, page: bytes, folder: Path, **kwargs: Any) -> None:
-        self._page = page
-        super().__init__(*args, directory=str(folder), **kwargs)
+        self._page, self._folder = page, folder
+        super().__init__(*args, **kwargs)
 
     def do_GET(self) -> None:
         if not self._local():
@@ -32,10 +35,38 @@ class _Handler(SimpleHTTPRequestHandler):
             self.end_headers()
             self.wfile.write(self._page)
         elif self.path.startswith("/files/"):
-            self.path = self.path.removeprefix("/files")
-            super().do_GET()
+            self._send_file(urllib.parse.unquote(self.path.removeprefix("/files/")))
         else:
             self.send_error(404)
+
+    def _send_file(self, relative: str) -> None:
+        """A file of the folder, to be kept and not to be shown: its maker may be anybody."""
+        path = file_in(self._folder, relative)
+        try:
+            file = None if path is None else path.open("rb")
+        except OSError:
+            file = None
+        if path is None or file is None:
+            self.send_error(404)
+            return
+        with file:
+            name = urllib.parse.quote(path.name)
+            self.send_response(200)
+            self.send_header("Content-Type", "application/octet-stream")
+            self.send_header("Content-Length", str(path.stat().st_size))
+            self.send_header("Content-Disposition", f"attachment; filename*=UTF-8''{name}")
+            self.end_headers()
+            shutil.copyfileobj(file, self.wfile)
+
+    def end_headers(self) -> None:
+        """Every answer is what it says it is, and shown, if at all, as if from nowhere."""
+        self.send_header("X-Content-Type-Options", "nosniff")
+        self.send_header("Cross-Origin-Resource-Policy", "same-origin")
+        self.send_header("Referrer-Policy", "no-referrer")
+        self.send_header("X-Frame-Options", "DENY")
+        if self.path not in ("/", "/index.html"):  # the page brings a stricter policy of its own
+            self.send_header("Content-Security-Policy", "default-src 'none'; sandbox")
+        super().end_headers()
 
     def do_HEAD(self) -> None:
         self.send_error(405)
@@ -47,9 +78,6 @@ class _Handler(SimpleHTTPRequestHandler):
             return True
         self.send_error(421)
         return False
-
-    def list_directory(self, path: Any) -> None:
-        self.send_error(404)
 
     def log_message(self, format: str, *args: Any) -> None:
         """Requests are nobody's news."""

@@ -129,6 +129,9 @@ def _ingest(
             wanted.setdefault(table, []).append(file)
             marks.append((str(file), table, facts.st_size, facts.st_mtime_ns))
     rows: dict[str, int] = {}
+    damaged = _damaged(wanted)
+    if damaged:
+        raise UserError("nothing was ingested:\n" + "\n".join(f"  {p}" for p in damaged))
     connection.execute("BEGIN")
     try:
         for table, found in wanted.items():
@@ -195,14 +198,20 @@ def _columns_of(connection: DuckDBPyConnection, files: Sequence[Path]) -> set[st
     return {row[0] for row in found.fetchall()}
 
 
-def _blame(files: dict[str, list[Path]], error: BaseException) -> str:
-    """Which files made an ingest fail, found by reading each."""
+def _damaged(files: dict[str, list[Path]]) -> list[str]:
+    """What is wrong with files, found by reading each with its checksums, which DuckDB does not."""
     problems: list[str] = []
     for file in (f for found in files.values() for f in found):
         try:
             read_table(file)
         except UserError as problem:
             problems.append(str(problem))
+    return problems
+
+
+def _blame(files: dict[str, list[Path]], error: BaseException) -> str:
+    """Which files made an ingest fail, found by reading each again."""
+    problems = _damaged(files)
     if not problems:
         why = final_names(first_line(error))
         problems = [f"the database is damaged ({why}); rebuild it from Parquet (esg db rebuild)"]

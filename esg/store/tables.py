@@ -13,14 +13,18 @@ from typing import TYPE_CHECKING, Any
 
 from esg.files import atomic_write
 from esg.outcomes import UserError
+from esg.store.checking import DIGEST_KEY, content_digest
 
 if TYPE_CHECKING:
     import pyarrow as pa
+    import pyarrow.parquet as pq
 
     from esg.store.records import SceneRecord
 
 FORMAT_VERSION = "1.4.0"
 ROW_GROUP_SCENES = 100
+MOST_VALUES = 1_000_000_000
+"""Of one file that is read: 8 GB of numbers. Our own have a tenth of it."""
 COMPRESSION = "zstd"
 
 KEYS: dict[str, tuple[str, ...]] = {
@@ -172,10 +176,13 @@ def write_part(data: pa.Table, path: Path, *, row_group: int = ROW_GROUP_SCENES)
     """
     import pyarrow.parquet as pq
 
+    facts = {**(data.schema.metadata or {}), DIGEST_KEY: content_digest(data)}
+    data = data.replace_schema_metadata(facts)
+
     def write(temporary: Path) -> None:
         pq.write_table(
             data, _local(temporary), compression=COMPRESSION, row_group_size=max(1, row_group),
-            store_schema=True,
+            store_schema=True, write_page_checksum=True,
         )  # fmt: skip
 
     atomic_write(path, write)
@@ -217,25 +224,38 @@ def table_of(path: Path) -> str:
     Raises:
         UserError: If the file is damaged, no Parquet file or not one of this project's.
     """
-    import pyarrow as pa
     import pyarrow.parquet as pq
 
     try:
-        metadata = pq.read_schema(_local(path)).metadata or {}
+        facts = pq.read_metadata(_local(path))
+        metadata = facts.schema.to_arrow_schema().metadata or {}
+        values = _values(facts)
     except FileNotFoundError:
         raise UserError(f"{path} does not exist; check the path") from None
-    except (pa.ArrowInvalid, OSError) as error:
+    except Exception as error:  # whatever the reader meets in a damaged footer
+        why = (str(error).splitlines() or [type(error).__name__])[0]
         raise UserError(
-            f"{path} is damaged or no Parquet file ({str(error).splitlines()[0]}); delete it and "
-            "run again to write it anew"
+            f"{path} is damaged or no Parquet file ({why}); delete it and run again to write it "
+            "anew"
         ) from None
-    table = metadata.get(b"esg.table", b"").decode()
+    table = metadata.get(b"esg.table", b"").decode("utf-8", "replace")
     if table not in COLUMNS:
         raise UserError(f"{path} is not a table of this project (no esg.table metadata)")
-    version = metadata.get(b"esg.format", b"").decode()
+    version = metadata.get(b"esg.format", b"").decode("utf-8", "replace")
     if version.split(".")[0] != FORMAT_VERSION.split(".")[0]:
         raise UserError(f"{path} has format {version}; this software reads {FORMAT_VERSION}")
+    if values > MOST_VALUES:
+        raise UserError(f"{path} says it holds {values} values, at most {MOST_VALUES} are read")
     return table
+
+
+def _values(facts: pq.FileMetaData) -> int:
+    """Values of all columns together, elements of lists counted."""
+    return sum(
+        facts.row_group(group).column(column).num_values
+        for group in range(facts.num_row_groups)
+        for column in range(facts.num_columns)
+    )
 
 
 def read_table(path: Path, columns: Sequence[str] | None = None) -> pa.Table:
@@ -253,11 +273,17 @@ def read_table(path: Path, columns: Sequence[str] | None = None) -> pa.Table:
 
     table = table_of(path)
     try:
-        data = pq.read_table(_local(path), columns=None if columns is None else list(columns))
-    except (pa.ArrowInvalid, OSError) as error:
-        raise UserError(
-            f"{path} is damaged ({str(error).splitlines()[0]}); delete it and run again"
-        ) from None
+        data = pq.read_table(
+            _local(path),
+            columns=None if columns is None else list(columns),
+            page_checksum_verification=True,
+        )
+        digest = (data.schema.metadata or {}).get(DIGEST_KEY)
+        if columns is None and digest not in (None, content_digest(data)):
+            raise ValueError("its digest does not fit")
+    except Exception as error:  # whatever the reader meets in a damaged file
+        why = (str(error).splitlines() or [type(error).__name__])[0]
+        raise UserError(f"{path} is damaged ({why}); delete it and run again") from None
     if columns is not None:
         return data
     missing = [c for c in COLUMNS[table] if c not in data.column_names]

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 _SIGNATURE = b"\x89PNG\r\n\x1a\n"
 _GRAY, _RGB = 0, 2
+_MOST_BYTES = 2**29
 
 
 def encode(image: NDArray[Any], level: int = 4) -> bytes:
@@ -61,7 +62,13 @@ def decode(data: bytes) -> NDArray[Any]:
         at += 12 + length
     width, height, bits, kind = head[:4]
     channels = 3 if kind == _RGB else 1
-    raw = np.frombuffer(zlib.decompress(packed), np.uint8).reshape(height, -1)
+    size = height * (1 + width * channels * bits // 8)
+    if not 0 < size <= _MOST_BYTES:
+        raise ValueError(f"{width} x {height} pixels of {bits} bits are not read")
+    unpacked = zlib.decompressobj().decompress(packed, size + 1)
+    if len(unpacked) != size:
+        raise ValueError("a PNG that does not hold what it says")
+    raw = np.frombuffer(unpacked, np.uint8).reshape(height, -1)
     if kind not in (_GRAY, _RGB) or (raw[:, 0] != 2).any():
         raise ValueError("not a PNG that this module wrote")
     rows = np.cumsum(raw[:, 1:], axis=0, dtype=np.uint8)

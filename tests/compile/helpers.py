@@ -8,7 +8,7 @@ from esg.compile import WatchedEvent, emit_class, replay_class
 from esg.compile.build import read_classes
 from esg.compile.replay import ClassReplay
 from esg.compile.scene import write_class
-from esg.compile.trust.standing import remember
+from esg.compile.trust.written import remember
 from esg.engines.program import Program, batch_programs
 from esg.engines.registry import get_engine
 from esg.engines.scene import Rollout, SimScene

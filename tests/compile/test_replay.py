@@ -275,6 +275,33 @@ def test_the_class_of_powered_flight_flies_as_its_program(tmp_path: Path, dt: fl
     assert float(hit["t"]) == pytest.approx(1.8, abs=0.05)
 
 
+def test_the_class_of_a_hold_that_takes_its_time_plays_as_its_program(tmp_path: Path) -> None:
+    """A sledge hits a post, slides back, and goes round it at its own pace."""
+    scene = SimScene(
+        "sledge",
+        (
+            box("sledge_1", (0.0, 0.0, 0.1), (0.2, 0.2, 0.1), 5.0, friction=0.0),
+            box("post_1", (2.0, 0.0, 0.5), (0.1, 0.1, 0.5), 0.0, static=True),
+        ),
+        ground_friction=0.0,
+    )
+    drive = HoldVelocity("sledge_1", 0.0, 99.0, 3.0, 0.0, until_contact=("post_1",))
+    again = HoldVelocity("sledge_1", 1.0, 2.5, 2.0, 1.2, gains=2.5, loses=4.0)
+    turns = HoldVelocity("sledge_1", 3.0, 4.0, 1.0, 1.2, turn_rate=0.5, gains=2.5, loses=0.5)
+    replayed, rollout = both(tmp_path, scene, Program((drive, again, turns), 4.0))
+    assert_same(replayed.rollout, rollout)
+    v = replayed.rollout.linear_velocity[0, :, 0]
+    gains = np.diff(np.hypot(v[:, 0], v[:, 1]))[round(0.9 * 240) :] * 240
+    assert gains.max() == pytest.approx(2.5, rel=0.02)
+    at = v[round(2.9 * 240), :2]
+    np.testing.assert_allclose(at, (2.0 * math.cos(1.2), 2.0 * math.sin(1.2)), atol=0.01)
+    # Too fast for what is asked, it goes round the turn as it is.
+    assert math.atan2(v[-1, 1], v[-1, 0]) == pytest.approx(1.7, abs=0.01)
+    assert np.hypot(*v[-1, :2]) == pytest.approx(1.5, abs=0.02)
+    emitted = emit_class(scene, Program((drive,), 3.0))
+    assert "bTakesTime" not in emitted.header + emitted.source
+
+
 def test_only_classes_with_flight_speak_of_it() -> None:
     scene, program, _ = drone()
     flying = emit_class(scene, program)

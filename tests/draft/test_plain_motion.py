@@ -29,7 +29,11 @@ from tests.draft.told import events
         # a verb in -s after "which" is no plural
         (
             "A van rolls into a gate, which swings open and hits a bin.",
-            [("Collision", "van_1", "gate_1"), ("Collision", "bin_1", "gate_1")],
+            [
+                ("Collision", "van_1", "gate_1"),
+                ("Open", "gate_1"),
+                ("Collision", "bin_1", "gate_1"),
+            ],
         ),
         # what a plural does backwards
         ("Two vans back into each other.", [("Collision", "van_1", "van_2")]),

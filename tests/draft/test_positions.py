@@ -6,6 +6,8 @@ from typing import Any
 
 import pytest
 
+from esg.draft import draft
+from esg.graph.models import Predicate
 from tests.draft.told import events
 
 
@@ -84,3 +86,36 @@ def test_members_by_position(prompt: str, told: list[tuple[Any, ...]]) -> None:
 def test_phrases_that_were_subjects_and_verbs(prompt: str, told: list[tuple[Any, ...]]) -> None:
     """Read "from behind a van", "stacked barrels" and "the green" as what they are."""
     assert events(prompt) == told
+
+
+@pytest.mark.parametrize(
+    ("prompt", "told"),
+    [
+        (
+            "A car and a truck drive along a road, the truck in front. The truck brakes and the "
+            "car hits it.",
+            [("Collision", "car_1", "truck_1")],
+        ),
+        (
+            "A delivery van and a cyclist move along a street, the van in front. The van stops and "
+            "the cyclist runs into the back of the van.",
+            [("Stop", "delivery_van_1"), ("Collision", "cyclist_1", "delivery_van_1")],
+        ),
+        (
+            "A red ball and a blue ball roll along a lane, the red ball behind. The blue ball stops "
+            "and the red ball hits it.",
+            [("Stop", "blue_ball_1"), ("Collision", "red_ball_1", "blue_ball_1")],
+        ),
+    ],
+)
+def test_a_place_after_a_comma_is_of_one_of_those_just_told_of(
+    prompt: str, told: list[tuple[str, ...]]
+) -> None:
+    assert events(prompt) == told
+    assert "front" not in " ".join(draft(prompt).spatial_relation_graph.nodes)
+
+
+def test_a_place_that_nothing_shows_is_owned_up_to() -> None:
+    doc = draft("A car and a truck drive along a road, the truck in front.")
+    lost = [s.text for s in doc.statements or () if s.predicate is Predicate.NOT_REPRESENTED]
+    assert lost == ["the truck in front"]

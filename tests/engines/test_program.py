@@ -111,10 +111,11 @@ def random_program(rng, signature):
             out.append(HoldSpin(body, t, end, x[1], tuple(x[2:5])))
         else:
             end = math.inf if rng.random() < 0.3 else t + abs(x[0]) * 0.2
+            rates = {"gains": abs(x[5]) * 4, "loses": abs(x[4]) * 4} if rng.random() < 0.5 else {}
             out.append(
                 HoldVelocity(
                     body, t, end, abs(x[1]), x[2], acceleration=x[3] * 3, max_speed=1.5,
-                    turn_rate=x[4], roll_radius=0.1 if rng.random() < 0.3 else 0.0,
+                    turn_rate=x[4], roll_radius=0.1 if rng.random() < 0.3 else 0.0, **rates,
                 )
             )  # fmt: skip
     return Program(tuple(out), 0.7)
@@ -240,6 +241,28 @@ def test_hold_keeps_the_vertical_velocity_and_never_reverses():
     points.v[0, 2] = -3.0
     executor.before_step(0.5, DT, (), points)
     assert points.linear(0) == (0.0, 0.0, -3.0)
+
+
+@pytest.mark.parametrize("name", (*ENGINES, "surrogate"))
+def test_a_hold_that_takes_its_time_starts_at_the_speed_that_a_body_has(name):
+    """One stands and comes to 2 m/s, one comes down to it; what a hit took comes back likewise."""
+    places = ((0.0, 0.0, 0.1), (0.0, 10.0, 0.1), (0.0, 20.0, 0.1))
+    sledges = (
+        box(n, (0.2, 0.2, 0.1), 1.0, x, friction=0.0) for n, x in zip("abc", places, strict=True)
+    )
+    scene = SimScene("ice", tuple(sledges), ground_friction=0.0)
+    holds = (HoldVelocity(n, 0.1, 9.0, 2.0, 0.0, gains=4.0, loses=3.0) for n in "abc")
+    hit = SetVelocity("c", 0.0, (2.0, 0.0, 0.0)), SetVelocity("c", 1.0, (0.0, -1.0, 0.0))
+    program = Program((SetVelocity("b", 0.0, (5.0, 0.0, 0.0)), *hit, *holds), 2.0)
+    rollout = get_engine(name).rollout(scene, batch_programs([program], scene.names))
+    v = rollout.linear_velocity[0]
+    at = [round(t / DT) for t in (0.1, 0.35, 0.6, 1.1, 1.6)]
+    np.testing.assert_allclose(v[at, 0, 0], (0.0, 1.0, 2.0, 2.0, 2.0), atol=0.03)
+    np.testing.assert_allclose(v[at, 1, 0], (5.0, 4.25, 3.5, 2.0, 2.0), atol=0.03)
+    assert v[round(0.9 / DT), 2, 0] == pytest.approx(2.0, abs=1e-3)
+    change = np.diff(v[:, 2, :2], axis=0)[round(1.02 / DT) :] / DT
+    np.testing.assert_allclose(np.abs(change).max(axis=0), (4.0, 3.0), rtol=0.02)
+    np.testing.assert_allclose(v[-1, 2, :2], (2.0, 0.0), atol=1e-3)
 
 
 def flying(dt):

@@ -960,7 +960,14 @@ def joints(m: Maker) -> None:
     told("JOINT_UNKNOWN", at="child", child="ghost")
     told("JOINT_UNKNOWN", at="parent", parent="ghost")
     told("JOINT_CHILD", at="child", note="itself", child="picnic_table_1")
-    told("JOINT_CHILD", "JOINT_MOUNT", at="child", note="fixed", child="ground_1", child_mount="pivot")
+    told(
+        "JOINT_CHILD",
+        "JOINT_MOUNT",
+        at="child",
+        note="fixed",
+        child="ground_1",
+        child_mount="pivot",
+    )
     told("JOINT_MOUNT", at="child_mount", child_mount="ghost")
     told("JOINT_MOUNT", at="parent_mount", parent_mount="ghost")
     told("JOINT_FIELD", at="parent", parent=None)
@@ -976,8 +983,24 @@ def joints(m: Maker) -> None:
     told("JOINT_VALUE", at="motor", motor={"limit": -1})
     told("JOINT_POSITION", at="position", position=91)
     told("INTERVAL_REVERSED", at="lower", lower=91)
+    _moved_by_joints(m)
     back = {**hinge, "id": "back", "child": "picnic_table_1", "parent": "trashbin_1"}
     m.add("JOINT_CIRCLE", path, put(jointed, path, [hinge, back]))
+
+
+def _moved_by_joints(m: Maker) -> None:
+    """Events and segments of joints that nothing has."""
+    last = len(get(m.raw, EVENTS))
+    opens = event("opens", "Open", ["trashbin_1"], window=[5.0, 9.0])
+    led = [e for e in get(m.raw, SEGMENTS) if e["actor"] == "trashbin_1"]
+    joined = edge("joined", led[-1]["to"], "opens", "InertialConnector", "trashbin_1")
+    raw = put(m.raw, EVENTS, [*get(m.raw, EVENTS), opens])
+    raw = put(raw, SEGMENTS, [*get(m.raw, SEGMENTS), joined])
+    m.add("EVENT_NO_JOINT", (*EVENTS, last, "participants", 0), raw, "CONNECTOR_UPSTREAM")
+    for kind in ("Drive", "Release"):
+        k = next(i for i, e in enumerate(get(m.raw, SEGMENTS)) if e["event"] == "UniformMotion")
+        changed = put(put(m.raw, (*SEGMENTS, k, "event"), kind), (*SEGMENTS, k, "params"), {})
+        m.add("EDGE_NO_JOINT", (*SEGMENTS, k, "actor"), changed, note=kind)
 
 
 GENERATORS: tuple[Callable[[Maker], None], ...] = (

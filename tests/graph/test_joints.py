@@ -40,7 +40,10 @@ def test_hinge_turns_its_child_about_the_mounts(degrees: float) -> None:
     at = child_frame(joint("hinge", position=degrees), frame, leaf)
     turned = math.radians(degrees)
     # the leaf's origin is (2, 40, 0) from its mount
-    x, y = 2 * math.cos(turned) - 40 * math.sin(turned), 2 * math.sin(turned) + 40 * math.cos(turned)
+    x, y = (
+        2 * math.cos(turned) - 40 * math.sin(turned),
+        2 * math.sin(turned) + 40 * math.cos(turned),
+    )
     assert at.position == pytest.approx([-5 + x, -40 + y, 1])
     assert euler_deg_from_quat(at.quaternion) == pytest.approx((degrees, 0, 0), abs=1e-9)
 

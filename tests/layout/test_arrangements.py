@@ -242,3 +242,18 @@ def test_two_hundred_balls_on_a_table_for_twenty() -> None:
     assert result is not None and not result.feasible
     assert "table_1 is too small: 200 objects need 8.00 m2 of 0.96 m2" in result.reason
     assert len(result.poses) == 202
+
+
+def test_stacked_chairs_lean_off_each_others_backrests() -> None:
+    """The legs of the upper chair stand on the seat of the lower one, before its backrest."""
+    parts = [((23.0, 22.0, 1.5), (2.0, 0.0, 44.5)), ((2.0, 22.0, 21.0), (-23.0, 0.0, 67.0))]
+    parts += [((2.0, 2.0, 21.5), (x, y, 21.5)) for x in (-22.0, 22.0) for y in (-20.0, 20.0)]
+    proxies = tuple(Proxy(kind=ProxyKind.BOX, size_cm=size, position_cm=at) for size, at in parts)
+    seat = SupportSurface(name="seat", center_cm=(2.0, 0.0, 46.0), half_extents_cm=(20.0, 20.0))
+    chair = asset("chair", proxies, (50.0, 44.0, 88.0), support_surfaces=(seat,))
+    member = {"group": "chairs", "group_pattern": "stack"}
+    out = solve(document({"chair": chair}, {f"chair_{k}": ("chair", member) for k in range(3)}))
+    assert out.layout_result is not None and out.layout_result.feasible
+    at = _poses(out)
+    steps = [math.dist(at[f"chair_{k}"][:2], at[f"chair_{k + 1}"][:2]) for k in range(2)]
+    assert all(0.0 < s < 5.0 for s in steps)

@@ -249,3 +249,28 @@ def test_the_ground_reaches_beyond_the_ways_as_far_as_things_roll_on(prompt: str
     points = [p for c in told.constellations for k in c.corridors for p in k.points_cm]
     fastest = max(v for k, v in told.nominal.items() if k.endswith("/speed"))
     assert side >= max(math.dist(points[0], p) for p in points) + 2.0 * 200.0 * fastest - 100.0
+
+
+def test_who_stops_at_a_bus_stop_stops_beside_it() -> None:
+    """It does not stand in the way on which the bus drives on."""
+    doc = laid("A bus stops at a bus stop for 2 seconds, then drives on.")
+    _, across, _, reach = on_street(doc, "road_1", "bus_stop_1")
+    assert abs(across) - reach > half_width(doc, "road_1")
+    assert in_its_lane(doc, "road_1", "bus_1")
+
+
+@pytest.mark.parametrize("who", ["skateboarder", "dog"])
+def test_the_kerb_is_where_those_without_wheels_meet_what_stands_at_it(who: str) -> None:
+    doc = laid(f"A {who} moves along the street and hits a mailbox.")
+    _, across, _, reach = on_street(doc, "street_1", "mailbox_1")
+    assert abs(across) - reach > half_width(doc, "street_1")
+    assert abs(on_street(doc, "street_1", f"{who}_1")[1]) < half_width(doc, "street_1")
+
+
+def test_a_street_lies_under_who_goes_along_it_not_under_who_comes_across() -> None:
+    doc = laid("A car drives along a street, and a truck crashes into the side of it.")
+    _, _, car, _ = on_street(doc, "street_1", "car_1")
+    _, _, truck, _ = on_street(doc, "street_1", "truck_1")
+    assert abs(math.remainder(car, 180.0)) < 15.0
+    assert abs(abs(truck) - 90.0) < 15.0
+    assert in_its_lane(doc, "street_1", "car_1")

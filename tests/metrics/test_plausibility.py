@@ -306,6 +306,18 @@ def test_nothing_moves_before_it_is_touched(drift: float, ok: bool) -> None:
     assert checked(settles)["motion_before"].ok
 
 
+@pytest.mark.parametrize(("hit", "ok"), [(True, True), (False, False)])
+def test_what_is_hit_passes_it_on_before_it_has_gone_a_centimetre(hit: bool, ok: bool) -> None:
+    """Of two dominoes in touch the second one moves off as soon as a marble hits the first."""
+    row = World().add(ball("marble_1"), x=line(-3.0, 3.0), y=5.0)
+    row.add(body("domino_1"), x=line(0.0, 0.5, 1.0, 1.01)).touch(0.2, "domino_1", "domino_2")
+    row.add(body("domino_2"), x=line(0.2, 1.0, 1.0, 1.5)).touch(1.004, "domino_1", "domino_2")
+    row.run(SetVelocity("marble_1", 0.0, (3.0, 0.0, 0.0)))
+    if hit:
+        row.touch(1.0, "marble_1", "domino_1")
+    assert checked(row)["motion_before"].ok is ok
+
+
 def paved() -> World:
     ground = body("ground_1", static=True, shapes=(), half_extents=(20.0, 20.0, 0.01))
     road = replace(ground, name="road_1", category="road", half_extents=(20.0, 4.0, 0.01))

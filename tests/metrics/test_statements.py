@@ -107,6 +107,18 @@ ON = {"object": "ball", "target": "table"}
 TO = {"object": "ball", "target": "crate"}
 CAR = {"object": "car"}
 Make = Callable[[], World]
+BUS = Shape("box", (2.0, 0.5, 0.5))
+
+
+def struck(x: float, y: float, facing_deg: float, z: float = 0.5) -> World:
+    """A bus that looks to the front (+Y) is touched at a place in its own axes [m].
+
+    Its surface there looks `facing_deg` to the left of its front.
+    """
+    world = World(2.0).add(body("bus_1", BUS), yaw_deg=90.0).add(body("car_1"), x=9.0)
+    out = math.radians(90.0 + facing_deg)
+    at, normal = (-y, x, z), (-math.cos(out), -math.sin(out), 0.0)
+    return world.touch(1.0, "bus_1", "car_1", at=at, normal=normal)
 
 
 def case(says: str, kept: Make, broken: Make, why: str, **fields: object):
@@ -271,6 +283,18 @@ CASES = [
          "moves by 4 cm", **CAR),
     case("touches", lambda: pair(0.0).touch(1.0, "ball_1", "crate_1", 0.01), pair,
          "never touches crate", **TO),
+    case("struck_on", lambda: struck(0.3, 0.5, 90), lambda: struck(2.0, 0.3, 0),
+         "struck on its front", side="side", object="bus", target="car"),
+    case("struck_on", lambda: struck(-2.0, 0.4, 180), lambda: struck(-1.9, 0.5, 90),
+         "struck on its left, 90 degrees off its rear", side="rear", object="bus", target="car"),
+    case("struck_on", lambda: struck(0.3, -0.5, -90), lambda: struck(0.3, 0.5, 90),
+         "180 degrees off its right", side="right", object="bus", target="car"),
+    case("struck_on", lambda: struck(1.9, 0.2, 20), lambda: struck(0.5, 0.5, 20),
+         "struck on its left", side="front", object="bus", target="car"),
+    case("struck_on", lambda: struck(2.0, 0.0, 0), lambda: struck(2.0, 0.0, 0, z=9.0),
+         "struck on its top", side="any_side", object="bus", target="car"),
+    case("struck_on", lambda: struck(2.0, 0.0, 0), lambda: World().add(body("bus_1", BUS)).add(
+         body("car_1"), x=9.0), "is not touched by car", side="front", object="bus", target="car"),
     case("never_touches", pair, lambda: pair(0.0).touch(1.0, "ball_1", "crate_1", 0.01),
          "touches crate_1 at 1.00 s", **TO),
     case("never_touches", lambda: moving(z=1.0), lambda: moving(z=falling), "touches ground at 0.6",
@@ -523,6 +547,14 @@ def on_slope(drop: float) -> World:
     return World(2.0).add(ramp).add(ball("ball_1"), x=line(0, 1), z=line(1.1, -drop / 2))
 
 
+def down_a_grade(share: float) -> World:
+    """A ball that touches something all the way down a slope that is not named."""
+    world = World(2.0).add(body("plank_1")).add(ball("ball_1"), x=line(0, 1), z=line(1, -share))
+    for k in range(101):
+        world.touch(0.02 * k, "plank_1", "ball_1")
+    return world
+
+
 def tilted(pitch_deg: float) -> World:
     made = body("plank_1", Shape("box", (0.1, 0.1, 0.5)))
     reach = 0.1 * math.cos(math.radians(pitch_deg)) + 0.5 * math.sin(math.radians(pitch_deg))
@@ -542,6 +574,8 @@ BALL = {"object": "ball"}
         ("leans_on", lambda: tilted(6), lambda: tilted(4), {"object": "plank", "target": "wall"}),
         ("moves", lambda: on_slope(0.27), lambda: on_slope(0.23),
          {"direction": "down", "object": "ball", "target": "ramp"}),
+        ("moves", lambda: down_a_grade(0.055), lambda: down_a_grade(0.045),
+         {"direction": "down", "object": "ball"}),
         ("carried_by", lambda: moving(line(0, 1)).add(ball("ball_1"), x=line(0, 1.02), z=0.3),
          lambda: moving(line(0, 1)).add(ball("ball_1"), x=line(0, 1.03), z=0.3),
          {"object": "ball", "target": "car"}),

@@ -229,6 +229,7 @@ def test_statements_are_read_in_base_units():
             "{id: s6, says: size, object: ball, as: melon}",
             "{id: s7, says: count, noun: pin, value: 10}",
             "{id: s8, says: touches, a: car, b: box, when: e1}",
+            "{id: s9, says: struck_on, object: box, target: car, side: rear, when: e1}",
         )
     ).scenes
     by_id = {s.id: s for s in scene.statements}
@@ -240,6 +241,7 @@ def test_statements_are_read_in_base_units():
     assert by_id["s6"].alike == "melon"
     assert by_id["s7"].value == 10
     assert by_id["s8"].participants == ("car", "box")
+    assert by_id["s9"].side == "rear"
 
 
 def test_all_mistakes_of_statements_are_reported_at_once():
@@ -256,10 +258,12 @@ def test_all_mistakes_of_statements_are_reported_at_once():
             "{id: s9, says: count, noun: pin, value: -1}",
             "{says: absent, noun: tray}",
             "{id: s11, says: slower_than, object: ball, value: 3, unit: kg}",
+            "{id: s12, says: struck_on, object: ball, target: car, side: front left}",
         )
     )
     for line in (
         "/statements/0/says: 'roles' is no statement; did you mean 'rolls'?",
+        "/statements/11/side: 'front left' is no side; ",
         "/statements/1/target: is missing in a 'supported_by' statement",
         "/statements/2/direction: 'lef' is no direction; did you mean 'left'?",
         "/statements/2/id: id 's2' is used twice",

@@ -58,6 +58,7 @@ class World:
         self.turns: list[np.ndarray] = []
         self.spins: list[np.ndarray] = []
         self.contacts: list[tuple[float, str, str, float, float]] = []
+        self.places: dict[tuple[float, str, str], tuple[Sequence[float], Sequence[float]]] = {}
         self.primitives: list[Primitive] = []
         self.regions: list[Region] = []
         self.joints: list[Joint] = []
@@ -98,9 +99,19 @@ class World:
             return np.asarray(value(self.time), float)
         return np.full(len(self.time), float(value))
 
-    def touch(self, time: float, a: str, b: str, impulse: float = 1.0, depth: float = 0.0) -> World:
-        """Writes one row of the contact log."""
+    def touch(
+        self,
+        time: float,
+        a: str,
+        b: str,
+        impulse: float = 1.0,
+        depth: float = 0.0,
+        at: Sequence[float] = (0.0, 0.0, 0.0),
+        normal: Sequence[float] = (0.0, 0.0, 0.0),
+    ) -> World:
+        """Writes one row of the contact log; the normal points from b, added later, to a."""
         self.contacts.append((time, a, b, impulse, depth))
+        self.places[time, a, b] = at, normal
         return self
 
     def run(self, *primitives: Primitive) -> World:
@@ -140,10 +151,11 @@ class World:
             j = -1 if b == "ground" else scene.index(b)
             if j >= 0:
                 i, j = min(i, j), max(i, j)
-            rows.append((round(time / self.dt), i, j, time, impulse, depth))
+            at, normal = self.places[time, a, b]
+            rows.append((round(time / self.dt), i, j, time, impulse, depth, *at, *normal))
         rows.sort(key=lambda r: (r[0], r[1], r[2]))
         n = len(rows)
-        table = np.array(rows, float).reshape(n, 6)
+        table = np.array(rows, float).reshape(n, 12)
         log = ContactLog(
             world=np.zeros(n, np.int32),
             frame=table[:, 0].astype(np.int32),
@@ -152,8 +164,8 @@ class World:
             time=table[:, 3],
             impulse=table[:, 4],
             depth=table[:, 5],
-            point=np.zeros((n, 3)),
-            normal=np.zeros((n, 3)),
+            point=table[:, 6:9],
+            normal=table[:, 9:12],
         )
         quaternion = np.stack(self.turns, axis=1)[None]
         return Rollout(

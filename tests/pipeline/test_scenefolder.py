@@ -15,6 +15,7 @@ from esg.outcomes import Outcome, UserError
 from esg.pipeline import SceneRequest, SceneState, artifact_store, scratch_store
 from esg.scenefolder import check_writable, folder_name, is_scene_folder, publish, safe_name
 from esg.store.artifacts import artifact_key
+from esg.strangers.sums import SUMS, Differences, differences
 from tests.disks import small_files
 
 
@@ -58,7 +59,9 @@ def test_no_name_leaves_the_folder_it_is_for() -> None:
 def test_publishes_documents_log_and_prompt(state: SceneState, tmp_path: Path) -> None:
     folder = publish(state, tmp_path / "out")
     names = {p.relative_to(folder).as_posix() for p in folder.rglob("*") if p.is_file()}
-    assert names == {"prompt.txt", "esg.json", "stages/1-draft.json", "metrics.json", "log.jsonl"}
+    listed = {"prompt.txt", "esg.json", "stages/1-draft.json", "metrics.json", "log.jsonl"}
+    assert names == {*listed, SUMS}
+    assert differences(folder) == Differences()
     assert (folder / "prompt.txt").read_text() == "A ball.\n"
     last = json.loads((folder / "log.jsonl").read_text().splitlines()[-1])
     assert last == {"outcome": "solved", "reason": ""}

@@ -33,9 +33,9 @@ def made(tmp_path_factory: pytest.TempPathFactory) -> Path:
 @pytest.fixture
 def scene(made: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
     """A copy that came from a stranger: this process did not write its class."""
-    from esg.compile.trust import standing
+    from esg.compile.trust import written
 
-    monkeypatch.setattr(standing, "_remembered", {})
+    monkeypatch.setattr(written, "_written", {})
     return Path(shutil.copytree(made, tmp_path / "scene"))
 
 

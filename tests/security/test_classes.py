@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 import json
+import os
 from pathlib import Path
 import socket
 import threading
@@ -124,6 +125,7 @@ def test_looking_runs_nothing(
     """Report, view, render and exports show a scene; its class stays text."""
     marker = tmp_path / "ran"
     _in_a_static(scene, marker)
+    (scene / "SHA256SUMS").unlink()  # as whoever changes a class would
     monkeypatch.setattr(build, "_compile_unit", _never)
     if not recorded:
         for name in ("rollout.npz", "rollout.mcap"):
@@ -210,6 +212,22 @@ def test_a_class_that_misbehaves_is_told_in_one_sentence(
         replay(str(scene), trust=True)
 
 
+def test_an_interrupt_leaves_no_child_behind(scene: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whoever gives up waiting does not leave a loop running."""
+    in_tick(scene, "for (volatile int I = 0;;) { I = I + 1; }")
+    pids: list[int] = []
+
+    def interrupted(running: confined._Child, *_: object) -> None:
+        pids.append(running.pid)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(confined, "_collect", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        replay_class(scene, trust=True)
+    with pytest.raises(ProcessLookupError):
+        os.kill(pids[0], 0)
+
+
 def _logged(scene: Path) -> str:
     return "\n".join(replay_class(scene, trust=True, duration=0.02).log)
 
@@ -290,10 +308,10 @@ def test_a_pipelines_class_runs_in_its_own_process(
     made: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """The document is the caller's own: no child is started for it."""
-    from esg.compile.trust import standing
+    from esg.compile.trust import written
     from esg.graph import load_document
 
-    monkeypatch.setattr(standing, "_remembered", {})
+    monkeypatch.setattr(written, "_written", {})
     monkeypatch.setattr("esg.compile.replay.play_confined", _never)
     replayed = replay_class(made, document=lambda: load_document(made / "esg.json"))
     assert replayed.scene is not None

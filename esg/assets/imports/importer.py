@@ -17,14 +17,18 @@ from typing import Any
 import numpy as np
 
 from esg.assets.imports.sources import Source, read_folder, read_sh3f, slug
-from esg.assets.imports.store import library_root, write_index
+from esg.assets.imports.store import library_root, read_record, write_index
 from esg.files import atomic_file, explained, refused, unwritable
 from esg.outcomes import UserError
+from esg.strangers import gltf
+from esg.strangers.folders import lies_in
 
 IMPORT_VERSION = 2
 MAX_FACES = 60_000
 MAX_TEXTURE = 1024
 _SANE_CM = (0.2, 6000.0)
+_ROTATION_ERROR = 0.01
+"""By which a rotation matrix may miss: catalogues give three digits."""
 
 
 @dataclass
@@ -111,7 +115,7 @@ def _sources(path: Path, unpacked: Path) -> Iterator[Source]:
 
 def _source_hash(source: Source, convex: bool) -> str:
     digest = hashlib.sha256(f"{IMPORT_VERSION} {convex}".encode())
-    meta = {k: v for k, v in source.__dict__.items() if k != "path"}
+    meta = {k: v for k, v in source.__dict__.items() if k not in ("path", "root")}
     digest.update(json.dumps(meta, sort_keys=True, default=str).encode())
     digest.update(source.path.read_bytes())
     return digest.hexdigest()
@@ -119,9 +123,12 @@ def _source_hash(source: Source, convex: bool) -> str:
 
 def _import_one(source: Source, folder: Path, report: ImportReport, convex: bool) -> None:
     record = folder / "assets" / f"{source.key}.json"
+    if not lies_in(source.path, source.home):
+        report.problems.append((source.key, "its model file lies outside the library"))
+        return
     try:
         key = _source_hash(source, convex)
-        if record.is_file() and json.loads(record.read_text())["source_hash"] == key:
+        if _recorded_hash(record) == key:
             report.unchanged.append(source.key)
             return
         data, notes = convert(source, convex=convex, cache=folder / "convex")
@@ -138,6 +145,14 @@ def _import_one(source: Source, folder: Path, report: ImportReport, convex: bool
         if unwritable(error):
             raise
         report.problems.append((source.key, f"{type(error).__name__}: {error}"))
+
+
+def _recorded_hash(record: Path) -> str:
+    """Of what a record was made; empty if there is none, or a damaged one, which is made anew."""
+    try:
+        return str(read_record(record).get("source_hash")) if record.is_file() else ""
+    except UserError:
+        return ""
 
 
 def write_file(path: Path, data: bytes) -> None:
@@ -176,7 +191,7 @@ def convert(
     from esg.assets.imports.describe import describe
 
     notes = [f"texture {name} is missing" for name in missing_textures(source.path)]
-    scene = trimesh.load_scene(source.path, process=False)
+    scene = _loaded(source)
     meshes = [m for m in scene.dump() if isinstance(m, trimesh.Trimesh) and len(m.faces)]
     if not meshes:
         raise ValueError("no triangles in the model")
@@ -184,6 +199,8 @@ def convert(
         raise ValueError("vertices are not finite")
     matrix = np.eye(4)
     turn = np.reshape(source.rotation, (3, 3)) if source.rotation else np.eye(3)
+    if not np.allclose(turn @ turn.T, np.eye(3), atol=_ROTATION_ERROR):
+        raise ValueError(f"modelRotation {source.rotation} is no rotation")
     matrix[:3, :3] = frame(source.up, source.front) @ turn
     low, high = _bounds(meshes, matrix)
     extents = np.maximum(high - low, 1e-9)
@@ -216,6 +233,37 @@ def convert(
     record["mesh_sha256"] = hashlib.sha256(glb).hexdigest()
     record["glb"] = glb
     return record, notes
+
+
+def _loaded(source: Source) -> Any:
+    """A model file as a scene of meshes; what it names is read only from its library.
+
+    Raises:
+        ValueError: If it is too large, or declares what it does not hold.
+    """
+    import trimesh
+    from trimesh import resolvers
+
+    size = source.path.stat().st_size
+    if size > gltf.MOST_BYTES:
+        raise ValueError(f"it has {size} bytes, at most {gltf.MOST_BYTES} are read")
+
+    class Inside(resolvers.FilePathResolver):  # type: ignore[reportUntypedBaseClass]  # no stubs
+        """Reads what a model names, unless that lies outside its library."""
+
+        def get(self, name: str) -> bytes:
+            path = source.path.parent / name.strip()
+            if not lies_in(path, source.home):
+                raise ValueError(f"it names a file outside its library: {name.strip()[:80]!r}")
+            return super().get(name)
+
+    resolver = Inside(str(source.path))
+    suffix = source.path.suffix.lower()
+    if suffix == ".glb":
+        gltf.read_glb(source.path.read_bytes())
+    elif suffix == ".gltf":
+        gltf.check(gltf.parsed(source.path.read_bytes()), b"", resolver.get)
+    return trimesh.load_scene(source.path, process=False, resolver=resolver)
 
 
 def missing_textures(path: Path) -> list[str]:

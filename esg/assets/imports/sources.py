@@ -4,17 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 import csv
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 import json
+import math
 from pathlib import Path, PurePosixPath
 import re
 from typing import Any
 import zipfile
+import zlib
 
+from esg.files import read_limited
 from esg.outcomes import UserError
+from esg.strangers.arrays import check_archive
 
+MOST_UNPACKED_BYTES = 8 * 2**30
 MESH_SUFFIXES = (".glb", ".gltf", ".obj", ".stl", ".ply")
 CATALOGUE_FILES = ("catalogue.csv", "catalog.csv", "catalogue.json", "catalog.json")
+MAX_CATALOGUE = 64 * 2**20
+"""Bytes of a catalogue."""
 _NUMBER_FIELDS = ("length_cm", "width_cm", "height_cm", "mass_kg")
 _TEXT_FIELDS = (
     "file", "name", "category", "tags", "description", "material", "license", "creator", "source",
@@ -44,6 +51,7 @@ class Source:
         front: Model axis that its front faces: +x, -x, +y, -y, +z, -z.
         unit_cm: Size of the model's unit; None guesses.
         rotation: Extra rotation of the model, shape [3, 3], row-major, or empty.
+        root: Folder of its library; default the file's own.
     """
 
     key: str
@@ -62,6 +70,12 @@ class Source:
     front: str = "+z"
     unit_cm: float | None = None
     rotation: tuple[float, ...] = ()
+    root: Path | None = None
+
+    @property
+    def home(self) -> Path:
+        """The folder that nothing of the model may lie outside of."""
+        return self.root or self.path.parent
 
 
 def slug(text: str) -> str:
@@ -89,10 +103,11 @@ def read_sh3f(archive: Path, unpack_to: Path) -> Iterator[Source]:
     Its models are Y-up with fronts towards +Z; the catalogue gives width, depth and height in cm.
 
     Raises:
-        UserError: If the file is not such a library.
+        UserError: If the file is not such a library, or unpacks to more than MOST_UNPACKED_BYTES.
     """
     try:
         with zipfile.ZipFile(archive) as bundle:
+            check_archive(bundle, MOST_UNPACKED_BYTES)
             names = set(bundle.namelist())
             listing = next((n for n in names if n.endswith("FurnitureCatalog.properties")), None)
             if listing is None:
@@ -104,36 +119,46 @@ def read_sh3f(archive: Path, unpack_to: Path) -> Iterator[Source]:
                 if target.is_relative_to(unpack_to.resolve()):
                     bundle.extract(name, unpack_to)
             table = parse_properties(bundle.read(listing).decode("latin-1"))
-    except (zipfile.BadZipFile, OSError) as error:
+    except (zipfile.BadZipFile, OSError, EOFError, RuntimeError, ValueError, zlib.error) as error:
+        # A damaged archive, an encrypted one, an unknown compression, names that are none.
         raise UserError(f"{archive}: cannot be read as a .sh3f library ({error})") from None
-    numbers = sorted(int(k.split("#")[1]) for k in table if re.fullmatch(r"name#\d+", k))
+    numbers = sorted(int(k.split("#")[1]) for k in table if re.fullmatch(r"name#\d{1,9}", k))
     for i in numbers:
 
         def get(field: str, i: int = i) -> str:
             return table.get(f"{field}#{i}", "")
 
         size = [_number(get(f)) for f in ("depth", "width", "height")]
-        rotation = tuple(float(v) for v in get("modelRotation").split())
         yield Source(
             key=f"{slug(archive.stem)}_{slug(get('id').split('#')[-1] or get('name'))}",
             name=get("name"),
             path=unpack_to / PurePosixPath(get("model").lstrip("/")),
+            root=unpack_to,
             dimensions_cm=None if None in size else tuple(size),  # type: ignore[arg-type]
             tags=tuple(t.strip() for t in get("tags").split(",") if t.strip()),
             category=get("category"),
             license=get("license") or table.get("license", ""),
             creator=get("creator") or table.get("provider", ""),
             origin=f"Sweet Home 3D, {table.get('name', archive.stem)}",
-            rotation=rotation if len(rotation) == 9 else (),
+            rotation=_rotation(get("modelRotation")),
         )
 
 
 def _number(text: Any) -> float | None:
     try:
         value = float(text)
-    except (TypeError, ValueError):
+    except (TypeError, ValueError, OverflowError):
         return None
-    return value if value > 0 else None
+    return value if 0 < value < math.inf else None
+
+
+def _rotation(text: str) -> tuple[float, ...]:
+    """Nine numbers, or none; what cannot be read is a matrix of NaN, which turns no model."""
+    try:
+        values = tuple(float(v) for v in text.split())
+    except ValueError:
+        return (math.nan,) * 9
+    return values if len(values) in (0, 9) else (math.nan,) * 9
 
 
 def read_folder(folder: Path) -> Iterator[Source]:
@@ -147,7 +172,8 @@ def read_folder(folder: Path) -> Iterator[Source]:
     files = sorted(p for p in folder.rglob("*") if p.suffix.lower() in MESH_SUFFIXES)
     for path in files:
         inside = path.relative_to(folder)
-        yield _described(path, inside, rows.get(inside.as_posix()) or rows.get(path.name) or {})
+        row = rows.get(inside.as_posix()) or rows.get(path.name) or {}
+        yield replace(_described(path, inside, row), root=folder)
 
 
 def _described(path: Path, inside: Path, row: dict[str, Any]) -> Source:
@@ -180,13 +206,19 @@ def _described(path: Path, inside: Path, row: dict[str, Any]) -> Source:
 
 
 def _read_catalogue(path: Path) -> list[dict[str, Any]]:
-    text = path.read_text(encoding="utf-8-sig")
     try:
+        text = read_limited(path, MAX_CATALOGUE).decode("utf-8-sig")
         rows = (
             json.loads(text) if path.suffix == ".json" else list(csv.DictReader(text.splitlines()))
         )
     except json.JSONDecodeError as error:
         raise UserError(f"{path}: not JSON, line {error.lineno}: {error.msg}") from None
+    except UnicodeDecodeError:
+        raise UserError(f"{path}: not UTF-8 text; save it as UTF-8") from None
+    except OSError as error:
+        raise UserError(f"{path} cannot be read: {error.strerror}") from None
+    except (csv.Error, ValueError, RecursionError) as error:
+        raise UserError(f"{path}: cannot be read ({error}); correct it") from None
     if isinstance(rows, dict):
         rows = rows.get("assets", [])
     if not isinstance(rows, list) or not all(isinstance(r, dict) for r in rows):
@@ -195,16 +227,20 @@ def _read_catalogue(path: Path) -> list[dict[str, Any]]:
     for n, row in enumerate(rows):
         if not row.get("file"):
             faults.append(f"row {n + 1}: no `file`")
+        for name in _TEXT_FIELDS:
+            if row.get(name) is not None and not isinstance(row[name], str):
+                faults.append(f"row {n + 1}: {name} is {row[name]!r:.60}, expected a text")
         unknown = set(row) - set(_NUMBER_FIELDS) - set(_TEXT_FIELDS)
         if unknown:
             faults.append(f"row {n + 1}: unknown columns {sorted(map(str, unknown))}")
         for name in _NUMBER_FIELDS:
             if row.get(name) not in (None, "") and _number(row[name]) is None:
-                faults.append(f"row {n + 1}: {name} is {row[name]!r}, expected a positive number")
+                given = f"{row[name]!r:.60}"
+                faults.append(f"row {n + 1}: {name} is {given}, expected a positive number")
         if (row.get("up") or "y") not in ("y", "z"):
-            faults.append(f"row {n + 1}: up is {row['up']!r}, expected y or z")
+            faults.append(f"row {n + 1}: up is {row['up']!r:.60}, expected y or z")
         if not re.fullmatch(r"[+-][xyz]", str(row.get("front") or "+z")):
-            faults.append(f"row {n + 1}: front is {row['front']!r}, expected e.g. +z")
+            faults.append(f"row {n + 1}: front is {row['front']!r:.60}, expected e.g. +z")
     if faults:
         raise UserError(f"{path}: " + "; ".join(faults[:20]))
     return rows

@@ -6,11 +6,13 @@ A library is a folder below the root (`ESG_ASSET_LIBRARY`, else the user's data 
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import lru_cache
 import hashlib
 import json
 import os
 from pathlib import Path
+import re
 from typing import Any
 
 import numpy as np
@@ -24,6 +26,8 @@ from esg.assets.library.index import (
     pack,
     unpack,
 )
+from esg.assets.materials import MATERIALS
+from esg.outcomes import UserError
 
 INDEX_NAME = "index.npz"
 
@@ -44,8 +48,67 @@ def library_folders() -> list[Path]:
 
 
 def read_records(folder: Path) -> list[dict[str, Any]]:
-    """Records of a library, sorted by key."""
-    return [json.loads(p.read_text()) for p in sorted((folder / "assets").glob("*.json"))]
+    """Records of a library, sorted by key.
+
+    Raises:
+        UserError: For a damaged one.
+    """
+    return [read_record(p) for p in sorted((folder / "assets").glob("*.json"))]
+
+
+def read_record(path: Path) -> dict[str, Any]:
+    """One record of a library, as `esg.assets.imports.importer` writes it.
+
+    Raises:
+        UserError: Naming what is wrong with it.
+    """
+    record: Any = None
+    try:
+        record = json.loads(path.read_bytes())
+        wrong = [n for n, sound in _FIELDS.items() if not sound(record[n])]
+    except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
+        wrong = [f"{type(error).__name__}: {error}"]
+    if wrong:
+        raise UserError(
+            f"{path} is damaged ({', '.join(wrong)}); import its library again, or delete the file"
+        )
+    return record
+
+
+def _texts(value: Any) -> bool:
+    return isinstance(value, list) and all(isinstance(v, str) for v in value)
+
+
+def _three(value: Any) -> bool:
+    return (
+        isinstance(value, list) and len(value) == 3 and all(_positive(v) or v == 0 for v in value)
+    )
+
+
+def _positive(value: Any) -> bool:
+    return isinstance(value, int | float) and 0 < value < 1e9 and not isinstance(value, bool)
+
+
+def _word(value: Any) -> bool:
+    return isinstance(value, str)
+
+
+_FIELDS: dict[str, Callable[[Any], bool]] = {
+    "key": lambda v: _word(v) and bool(v),
+    "name": _word,
+    "parents": _texts,
+    "dimensions_cm": lambda v: _three(v) and all(v),
+    "mass_kg": _positive,
+    "material": lambda v: v in MATERIALS,
+    "color_rgb": _three,
+    "flags": _texts,
+    "tags": _texts,
+    "description": _word,
+    "mesh_sha256": lambda v: _word(v) and re.fullmatch(r"[0-9a-f]{64}", v) is not None,
+    "license": lambda v: v is None or _word(v),
+    "attribution": _word,
+}
+"""What every record has, and whether a value will do."""
 
 
 def as_entry(record: dict[str, Any], library: str) -> Entry:
@@ -116,4 +179,4 @@ def find_record(qualified: str) -> tuple[Path, dict[str, Any]] | None:
     path = folder / "assets" / f"{key}.json"
     if not key or ".." in qualified or not path.is_file():
         return None
-    return folder, json.loads(path.read_text())
+    return folder, read_record(path)

@@ -12,6 +12,8 @@ import hashlib
 from importlib.resources import files
 import io
 from pathlib import Path
+from zipfile import BadZipFile
+import zlib
 
 import numpy as np
 from numpy.typing import NDArray
@@ -92,11 +94,16 @@ def pack(entries: tuple[Entry, ...]) -> bytes:
 
 
 def unpack(data: bytes, entries: tuple[Entry, ...]) -> NDArray[np.float32] | None:
-    """Stored vectors, or None if they stand for other texts."""
-    with np.load(io.BytesIO(data), allow_pickle=False) as archive:
-        if str(archive["hash"]) != texts_hash(entries):
-            return None
-        return archive["vectors"].astype(np.float32)
+    """Stored vectors, or None if they stand for other texts or are damaged: they are made again."""
+    try:
+        with np.load(io.BytesIO(data), allow_pickle=False) as archive:
+            if str(archive["hash"]) != texts_hash(entries):
+                return None
+            vectors = archive["vectors"].astype(np.float32)
+    except (OSError, ValueError, KeyError, TypeError, EOFError, BadZipFile, zlib.error):
+        return None
+    whole = vectors.ndim == 2 and len(vectors) == len(owners(entries))
+    return vectors if whole and np.isfinite(vectors).all() else None
 
 
 @lru_cache(maxsize=1)

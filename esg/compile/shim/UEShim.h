@@ -34,6 +34,7 @@ class AActor;
 class UObject;
 class UPrimitiveComponent;
 class USceneComponent;
+class UPhysicsConstraintComponent;
 
 namespace Shim
 {
@@ -79,6 +80,26 @@ namespace Shim
 		int Movable;
 	};
 
+	/** One constraint as the class leaves it: frames in the components' or the world's frame. */
+	struct FConstraint
+	{
+		const char* Name;
+		int First;
+		int Second;
+		double Location[2][3];
+		double Rotation[2][4];
+		int Linear[3];
+		double LinearLimit[3];
+		/** Twist, first swing, second swing. */
+		int Angular[3];
+		double AngularLimit[3];
+		int Collides;
+		double BreakForce;
+		int DrawsBack;
+		double Stiffness;
+		double Damping;
+	};
+
 	/** Filled by the host before the class is created. */
 	struct Backend
 	{
@@ -92,6 +113,7 @@ namespace Shim
 		void (*SetDamping)(int Body, double Linear, double Angular);
 		void (*SetMaterial)(int Body, double Friction, double Restitution);
 		double (*Penetration)(int Body, int Kind, const double* Size, const double* Location, const double* Rotation);
+		void (*Drive)(int Constraint, int Acts, double Speed, double Limit);
 	};
 
 	struct FState
@@ -104,6 +126,7 @@ namespace Shim
 		double FixedStep = 0.0;
 		std::vector<std::unique_ptr<UObject>> Pool;
 		std::vector<UPrimitiveComponent*> Bodies;
+		std::vector<UPhysicsConstraintComponent*> Constraints;
 	};
 
 	FState& State();
@@ -143,6 +166,20 @@ struct FMath
 	static double Sqrt(double V) { return std::sqrt(V); }
 	static double Sin(double V) { return std::sin(V); }
 	static double Cos(double V) { return std::cos(V); }
+	static double Exp(double V) { return std::exp(V); }
+	static double Atan2(double Y, double X) { return std::atan2(Y, X); }
+	static double UnwindDegrees(double V)
+	{
+		while (V > 180.0)
+		{
+			V -= 360.0;
+		}
+		while (V < -180.0)
+		{
+			V += 360.0;
+		}
+		return V;
+	}
 	static double DegreesToRadians(double V) { return V * (M_PI / 180.0); }
 	static double RadiansToDegrees(double V) { return V * (180.0 / M_PI); }
 };
@@ -190,6 +227,7 @@ struct FQuat
 		const FVector T = FVector::CrossProduct(U, V) * 2.0;
 		return V + T * W + FVector::CrossProduct(U, T);
 	}
+	FQuat Inverse() const { return FQuat(-X, -Y, -Z, W); }
 	static const FQuat Identity;
 };
 inline const FQuat FQuat::Identity{};
@@ -814,6 +852,111 @@ public:
 	UStaticMesh* ShimMesh = nullptr;
 };
 
+enum ELinearConstraintMotion { LCM_Free, LCM_Limited, LCM_Locked };
+enum EAngularConstraintMotion { ACM_Free, ACM_Limited, ACM_Locked };
+namespace EConstraintFrame { enum Type { Frame1, Frame2 }; }
+namespace EAngularDriveMode { enum Type { SLERP, TwistAndSwing }; }
+
+/** Speeds of angular drives are turns per second, as Unreal's are. */
+class UPhysicsConstraintComponent : public USceneComponent
+{
+public:
+	void SetLinearXLimit(ELinearConstraintMotion Motion, float Limit) { ShimLinear(0, Motion, Limit); }
+	void SetLinearYLimit(ELinearConstraintMotion Motion, float Limit) { ShimLinear(1, Motion, Limit); }
+	void SetLinearZLimit(ELinearConstraintMotion Motion, float Limit) { ShimLinear(2, Motion, Limit); }
+	void SetAngularTwistLimit(EAngularConstraintMotion Motion, float Limit) { ShimAngular(0, Motion, Limit); }
+	void SetAngularSwing1Limit(EAngularConstraintMotion Motion, float Limit) { ShimAngular(1, Motion, Limit); }
+	void SetAngularSwing2Limit(EAngularConstraintMotion Motion, float Limit) { ShimAngular(2, Motion, Limit); }
+	void SetDisableCollision(bool bDisable) { ShimHeld.Collides = !bDisable; }
+	void SetLinearBreakable(bool bBreaks, float Force) { ShimHeld.BreakForce = bBreaks ? Force : -1.0; }
+	void SetConstrainedComponents(UPrimitiveComponent* First, FName, UPrimitiveComponent* Second, FName)
+	{
+		if (Shim::State().Phase != Shim::EPhase::Playing || ShimLive)
+		{
+			Shim::Fatal("SetConstrainedComponents of " + ShimName + " outside BeginPlay");
+		}
+		if (!First || !First->ShimSimulates)
+		{
+			Shim::Fatal("the first component of " + ShimName + " does not simulate physics");
+		}
+		ShimHeld.First = First->ShimId;
+		ShimHeld.Second = Second ? Second->ShimId : -1;
+		ShimFrames = 0;
+	}
+	/** Unreal finds frames of its own when components are joined; these are set after. */
+	void SetConstraintReferenceFrame(EConstraintFrame::Type Frame, const FTransform& Pose)
+	{
+		const FVector& At = Pose.Translation;
+		const FQuat& Turn = Pose.Rotation;
+		const double Location[3] = {At.X, At.Y, At.Z}, Rotation[4] = {Turn.X, Turn.Y, Turn.Z, Turn.W};
+		std::copy(Location, Location + 3, ShimHeld.Location[Frame]);
+		std::copy(Rotation, Rotation + 4, ShimHeld.Rotation[Frame]);
+		ShimFrames |= 1 << Frame;
+	}
+	void SetAngularDriveMode(EAngularDriveMode::Type Mode) { bShimSlerp = Mode == EAngularDriveMode::SLERP; }
+	void SetLinearDriveAccelerationMode(bool bUse) { ShimForceBased |= bUse ? 0 : 1; }
+	void SetAngularDriveAccelerationMode(bool bUse) { ShimForceBased |= bUse ? 0 : 2; }
+	void SetLinearPositionDrive(bool bX, bool bY, bool bZ) { ShimDraws(bX, bY || bZ); }
+	void SetLinearVelocityDrive(bool bX, bool bY, bool bZ) { ShimActs(bShimLinear, bX, bY || bZ); }
+	void SetOrientationDriveTwistAndSwing(bool bTwist, bool bSwing) { ShimDraws(bTwist, bSwing); }
+	void SetAngularVelocityDriveTwistAndSwing(bool bTwist, bool bSwing) { ShimActs(bShimTwist, bTwist, bSwing); }
+	void SetAngularVelocityDriveSLERP(bool bUse) { ShimActs(bShimBall, bUse, false); }
+	void SetLinearVelocityTarget(const FVector& Speed) { ShimSpeed = Speed.X; }
+	void SetAngularVelocityTarget(const FVector& Speed) { ShimSpeed = Speed.X; }
+	void SetLinearDriveParams(float Spring, float Damping, float Limit) { ShimDrive(Spring, Damping, Limit); }
+	void SetAngularDriveParams(float Spring, float Damping, float Limit) { ShimDrive(Spring, Damping, Limit); }
+
+	Shim::FConstraint ShimHeld{};
+	int ShimId = -1, ShimFrames = 0, ShimForceBased = 0, ShimStated = 0;
+	bool ShimLive = false, bShimSlerp = false, bShimDraws = false, bShimLinear = false, bShimTwist = false, bShimBall = false;
+	double ShimSpeed = 0.0;
+
+private:
+	void ShimLinear(int Axis, int Motion, double Limit)
+	{
+		ShimHeld.Linear[Axis] = Motion;
+		ShimHeld.LinearLimit[Axis] = Limit;
+		ShimStated |= 1 << Axis;
+	}
+	void ShimAngular(int Axis, int Motion, double Limit)
+	{
+		ShimHeld.Angular[Axis] = Motion;
+		ShimHeld.AngularLimit[Axis] = Limit;
+		ShimStated |= 8 << Axis;
+	}
+	void ShimDraws(bool bUse, bool bOther)
+	{
+		if (bOther || ShimLive)
+		{
+			Shim::Fatal("a drive of " + ShimName + " that the replay does not know");
+		}
+		bShimDraws = bUse;
+	}
+	void ShimActs(bool& bHere, bool bUse, bool bOther)
+	{
+		if (bOther)
+		{
+			Shim::Fatal("a drive of " + ShimName + " that the replay does not know");
+		}
+		bHere = bUse;
+	}
+	void ShimDrive(double Spring, double Damping, double Limit)
+	{
+		if (ShimForceBased != 3)
+		{
+			Shim::Fatal("the drives of " + ShimName + " are not told to be forces");
+		}
+		if (ShimLive)
+		{
+			Shim::State().Host->Drive(ShimId, bShimLinear || bShimTwist || bShimBall, ShimSpeed, Limit);
+			return;
+		}
+		ShimHeld.DrawsBack = 1;
+		ShimHeld.Stiffness = bShimDraws ? Spring : 0.0;
+		ShimHeld.Damping = Damping;
+	}
+};
+
 struct FActorTickFunction
 {
 	bool bCanEverTick = false;
@@ -892,6 +1035,7 @@ SHIM_TEMPLATE UPhysicalMaterial* NewObject<UPhysicalMaterial>(UObject*);
 SHIM_TEMPLATE struct ConstructorHelpers::FObjectFinder<UStaticMesh>;
 SHIM_TEMPLATE USceneComponent* AActor::CreateDefaultSubobject<USceneComponent>(FName);
 SHIM_TEMPLATE UStaticMeshComponent* AActor::CreateDefaultSubobject<UStaticMeshComponent>(FName);
+SHIM_TEMPLATE UPhysicsConstraintComponent* AActor::CreateDefaultSubobject<UPhysicsConstraintComponent>(FName);
 SHIM_TEMPLATE class TArray<UPrimitiveComponent*>;
 SHIM_TEMPLATE class TArray<int32>;
 SHIM_TEMPLATE class TArray<TObjectPtr<UPhysicalMaterial>>;

@@ -148,6 +148,11 @@ extern "C"
 					Component->ShimId = static_cast<int>(Shim::State().Bodies.size());
 					Shim::State().Bodies.push_back(Component);
 				}
+				if (auto* Constraint = dynamic_cast<UPhysicsConstraintComponent*>(Object))
+				{
+					Constraint->ShimId = static_cast<int>(Shim::State().Constraints.size());
+					Shim::State().Constraints.push_back(Constraint);
+				}
 			}
 		});
 	}
@@ -162,6 +167,27 @@ extern "C"
 	{
 		using namespace ShimGlue;
 		return Guard([&] { *Out = Describe(*Shim::State().Bodies.at(static_cast<size_t>(Index))); });
+	}
+
+	int esg_constraint_count()
+	{
+		return static_cast<int>(Shim::State().Constraints.size());
+	}
+
+	/** Fills in a constraint; complete only after esg_begin_play. */
+	int esg_describe_constraint(int Index, Shim::FConstraint* Out)
+	{
+		using namespace ShimGlue;
+		return Guard([&]
+		{
+			const auto* Constraint = Shim::State().Constraints.at(static_cast<size_t>(Index));
+			if (Constraint->ShimFrames != 3 || Constraint->ShimStated != 63)
+			{
+				Shim::Fatal(Constraint->ShimName + " relies on defaults for its frames or motions");
+			}
+			*Out = Constraint->ShimHeld;
+			Out->Name = Constraint->ShimName.c_str();
+		});
 	}
 
 	int esg_begin_play()
@@ -202,6 +228,10 @@ extern "C"
 		for (UPrimitiveComponent* Component : Shim::State().Bodies)
 		{
 			Component->ShimLive = Component->ShimCollides;
+		}
+		for (UPhysicsConstraintComponent* Constraint : Shim::State().Constraints)
+		{
+			Constraint->ShimLive = true;
 		}
 	}
 

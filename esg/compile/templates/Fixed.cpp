@@ -82,6 +82,7 @@ void A@CLASS@::BeginPlay()
 			Body.Component->OnComponentHit.AddDynamic(this, &A@CLASS@::OnBodyHit);
 		}
 	}
+	@COLLECT_JOINTS@
 	UE_LOG(
 		Log@CLASS@, Display, TEXT("SCENE_START bodies=%d commands=%d events=%d step=%.6f"), Bodies.Num(),
 		Commands.Num(), Events.Num(), FixedTimeStep);
@@ -148,6 +149,7 @@ void A@CLASS@::Tick(float DeltaTime)
 	const double Step = bPinned ? FixedTimeStep : Given;
 	RecheckEvents();
 	DispatchProgram(SceneTime + @CLASS@Detail::HalfStep * Step);
+	@DRIVE_JOINTS@
 	@TURN_WHEELS@
 	SceneTime += Step;
 	if (!bFinished && SceneTime >= SceneDuration)
@@ -289,6 +291,7 @@ void A@CLASS@::CheckLayout()
 			{
 				continue;
 			}
+			@JOINED@
 			if (!A.Component->Bounds.GetBox().Intersect(B.Component->Bounds.GetBox()))
 			{
 				continue;

@@ -28,6 +28,7 @@ void A@CLASS@::RunHoldVelocity(
 	}
 	const double Heading = FMath::DegreesToRadians(Command.Heading + Command.TurnRate * Elapsed);
 	FVector Velocity(Speed * FMath::Cos(Heading), Speed * FMath::Sin(Heading), 0.0);
+@APPROACH@
 	// Rolling without slipping, or turning on the spot about the vertical.
 	const FVector Spin = Command.RollRadius > 0.0@ON_GROUND@
 		? FVector(-Velocity.Y, Velocity.X, 0.0) * FMath::RadiansToDegrees(1.0 / Command.RollRadius)

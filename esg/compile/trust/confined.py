@@ -10,6 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 import contextlib
 from dataclasses import asdict, dataclass
+import gc
 import json
 import os
 import selectors
@@ -22,7 +23,7 @@ import time
 from esg.compile.records import ReplayError
 from esg.compile.trust import child, wire
 from esg.compile.trust.playing import Job, Played
-from esg.engines.base import VERIFY_DT_S
+from esg.engines.base import MOST_STATES, VERIFY_DT_S
 
 MEMORY_BYTES = 2 * 2**30
 """What a class may take beside what Python and the engine have."""
@@ -30,8 +31,6 @@ START_S, SECONDS_A_STEP = 30.0, 0.05
 """Time that a replay may take: to start, and a step of 1/240 s. A step of a hundred bodies takes
 0.01 s."""
 MOST_SECONDS = 3600.0
-MOST_STATES = 200_000_000
-"""Frames times bodies of one replay: 10 GB of poses and velocities."""
 
 _MOST_SAID = 65536
 _BOOT = (
@@ -72,7 +71,11 @@ def play_confined(job: Job, *, fresh: bool) -> Played:
         child.warm(job.engine)
         starting = _forked(job, limit)
     with starting as running:
-        data, said, late = _collect(running, limit, wire.most_bytes(job))
+        try:
+            data, said, late = _collect(running, limit, wire.most_bytes(job))
+        except BaseException:  # an interrupt: nobody waits for the child any more
+            _end(running, True)
+            raise
         status = _end(running, late)
     return _told(job, data, said, None if late else status, limit)
 
@@ -102,6 +105,7 @@ def _forked(job: Job, limit: float) -> Generator[_Child]:
 def _in_fork(work: Callable[[], None], tell: int, complain: int) -> None:
     """In the child: nothing of the parent's is open any more, and it never returns."""
     code = 1
+    gc.disable()  # it would touch, and so copy, all that the parent has
     try:
         silence = os.open(os.devnull, os.O_RDWR)
         os.set_blocking(complain, False)

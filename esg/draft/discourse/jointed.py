@@ -5,33 +5,58 @@ from __future__ import annotations
 from dataclasses import replace
 import re
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.scene import Scene
 from esg.lexicon.articulations import Articulation, articulations
 
+_WHOLES = frozenset(
+    {"appliance", "box", "container", "electronics", "flyer", "furniture", "toyvehicle", "vehicle"}
+)
+"""Kinds of things whose doors and lids are parts of them: a car door is no door of a room."""
+
 
 def articulation_of(scene: Scene, text: str, e: Entity) -> Articulation | None:
-    """The row of a thing; None for what hangs on something that the prompt names, or is its part.
+    """The row of a thing; None for what is a part of something, or attached to it.
 
-    "The door of a car" and "the drawer of a desk" stay as they are.
+    "The door of a car" stays as it is; "the door of a cupboard" and "a cupboard door" have a row of
+    their own, and so has a lamp below a ceiling, which hangs.
     """
-    row = articulations().get(head_of(e))
-    return None if row is None or e.id in scene.attached or _is_part(text, e) else row
+    table = articulations()
+    row = next((table[name] for name in _names(scene, text, e) if name in table), None)
+    if row is None or (e.id in scene.attached and not (row.hangs and _below_ceiling(scene, e))):
+        return None
+    return row
+
+
+def _names(scene: Scene, text: str, e: Entity) -> list[str]:
+    """What the table may call a thing, the most precise first."""
+    head = head_of(e)
+    told = rf"\b{re.escape(e.head)}s? of (?:an?|the|his|her|its|their|my) ((?:[\w-]+ ?){{1,4}})"
+    whole = re.search(told, text, re.IGNORECASE)
+    if whole is not None:
+        things = {head_of(x) for x in scene.world.entities.values() if x is not e}
+        return [f"{x} {head}" for x in sorted(things) if x in whole[1].lower()]
+    nouns = lex.nouns()
+    compounds = [f"{a} {head}" for a in e.adjectives]
+    if any(a in nouns and nouns[a].kind in _WHOLES for a in e.adjectives):
+        return compounds
+    return [*compounds, *([f"hanging {head}"] if _below_ceiling(scene, e) else []), head]
+
+
+def _below_ceiling(scene: Scene, e: Entity) -> bool:
+    host = scene.world.entities.get(scene.attached.get(e.id, ""))
+    return host is not None and host.noun.kind == "ceiling"
 
 
 def loosen(scene: Scene, text: str) -> None:
-    """What moves on a joint is not fixed: a door, a swing, though their frames are."""
+    """What hangs is not fixed, though what it hangs on is: a swing, a bell."""
     for e in scene.world.entities.values():
         row = articulation_of(scene, text, e)
-        if row is not None and row.carries == "with":
+        if row is not None and row.drawn is not None and row.carries == "with":
             e.noun = replace(e.noun, traits=e.noun.traits - {"fixed", "structural"})
 
 
 def head_of(e: Entity) -> str:
     """The noun as the table has it: tokens part a possessive ("newton 's cradle")."""
     return e.head.lower().replace(" 's", "'s")
-
-
-def _is_part(text: str, e: Entity) -> bool:
-    told = rf"\b{re.escape(e.head)}s? of (?:an?|the|his|her|its|their|my)\b"
-    return re.search(told, text, re.IGNORECASE) is not None

@@ -156,7 +156,7 @@ def _hang(scene: Scene) -> None:
     """What hangs at first and then moves is no fixture; circles go round their support."""
     moved = {a for a, track in scene.timeline.tracks.items() if track.motion or track.hit}
     for e in scene.world.entities.values():
-        e.static = e.id in scene.attached and e.id not in moved
+        e.static = e.id in scene.attached and e.id not in moved and not e.part
         host = scene.supported_by.get(e.id)
         if e.pattern == "ring" and host is not None and e.id not in scene.inside_of:
             scene.relations.append(Relation(e.id, host, "surround"))

@@ -10,6 +10,7 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.decks import is_driven, lay_decks
+from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.scene import Scene
 from esg.draft.document.joining import join_parts
@@ -101,7 +102,10 @@ def _is_raised(scene: Scene, edge: TimelineEdge, told: bool) -> bool:
     host = entities.get(supports.get(edge.target, ""))
     if host is not None and host.noun.dimensions_cm[2] > RAISED_CM:
         return "support" in host.noun.traits and "incline" not in host.noun.traits
-    return entities[edge.target].noun.kind == "hoop" and not told
+    row = articulation_of(scene, scene.text, entities[edge.target])
+    low = entities[edge.actor].noun.dimensions_cm[2]
+    hangs = row is not None and row.above_cm > low
+    return (hangs or entities[edge.target].noun.kind == "hoop") and not told
 
 
 def _is_low(scene: Scene, edge: TimelineEdge) -> bool:

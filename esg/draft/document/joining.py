@@ -14,11 +14,13 @@ from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import Scene
-from esg.graph.models import Joint
+from esg.graph.models import EdgeEvent, Joint
 from esg.lexicon.articulations import Articulation
 
 _OPEN = {"open": 1.0, "opened": 1.0, "wide-open": 1.0, "half-open": 0.5, "ajar": 0.25}
 """Share of how far a thing opens at which it starts, by what it is called."""
+
+_MOTIONS = (EdgeEvent.DRIVE, EdgeEvent.RELEASE)
 
 
 def join_parts(scene: Scene) -> list[str]:
@@ -28,12 +30,18 @@ def join_parts(scene: Scene) -> list[str]:
     what something else enters stays as it is.
     """
     reasons: list[str] = []
+    acting = {i for n in scene.timeline.nodes for i in n.participants}
     entered = {n.extra.get("region") for n in scene.timeline.nodes}
     for e in list(scene.world.entities.values()):
         row = articulation_of(scene, scene.text, e)
-        if row is None or f"{e.id}/inside" in entered:
+        fixed = e.id in scene.attached and e.id not in acting  # nothing happens to it
+        if row is None or fixed or f"{e.id}/inside" in entered:
             continue
         ratio = _become(e, row.becomes)
+        if e.id in scene.attached:
+            held = _joint(scene, row, e, scene.world.entities[scene.attached[e.id]], 1, ratio)
+            scene.joints.append(held.model_copy(update={"parent_mount": None}))
+            continue
         added = _served(scene, row) or []
         for _ in range(row.count - len(added)):
             noun = lex.part(row.with_part)
@@ -51,7 +59,22 @@ def join_parts(scene: Scene) -> list[str]:
                 elif e.id in places:
                     places.setdefault(part.id, places[e.id])
             scene.joints.append(_joint(scene, row, e, part, n, ratio))
+        if row.carries == "becomes":
+            _hand_over(scene, e.id, added[0].id)
     return reasons
+
+
+def _hand_over(scene: Scene, named: str, part: str) -> None:
+    """Lets the part that turns do what is told of the whole: a chest opens, a cradle swings."""
+    timeline = scene.timeline
+    if not any(x.actor == named and x.event in _MOTIONS for x in timeline.edges):
+        return
+    timeline.tracks[part] = timeline.tracks.pop(named)
+    timeline.edges[:] = [
+        x.model_copy(update={"actor": part}) if x.actor == named else x for x in timeline.edges
+    ]
+    for node in timeline.nodes:
+        node.participants = tuple(part if p == named else p for p in node.participants)
 
 
 def _become(e: Entity, name: str) -> list[float]:
@@ -73,7 +96,7 @@ def _become(e: Entity, name: str) -> list[float]:
 
 
 def _served(scene: Scene, row: Articulation) -> list[Entity]:
-    """A thing of the prompt that another hangs on, made that part; empty if there is none."""
+    """A thing of the prompt that serves as the other part, made that; empty if there is none."""
     taken = {name for j in scene.joints for name in (j.child, j.parent)}
     for e in scene.world.entities.values():
         if head_of(e) in row.serves and e.id not in taken and row.count == 1:
@@ -86,10 +109,15 @@ def _joint(
     scene: Scene, row: Articulation, named: Entity, added: Entity, n: int, ratio: list[float]
 ) -> Joint:
     parent, child = (named, added) if row.carries == "becomes" else (added, named)
-    long = math.prod(ratio) ** (1.0 / 3.0) if row.kind in ("slider", "rope", "spring") else 1.0
+    size = math.prod(ratio) ** (1.0 / 3.0)
+    turns = row.kind in ("hinge", "ball")
+    long = 1.0 if turns else size
     words = (*named.adjectives, *named.head.lower().split())
     start = max((_OPEN.get(a, 0.0) for a in words), default=0.0)
     start = (row.opened or 0.0) * start or row.start
+
+    # of several, the first is let go and meets the others
+    opening = scene.openings.get(named.id, start) if n == 1 else row.start
 
     def sized(value: float | None) -> float | None:
         return None if value is None else round(value * long, 3)
@@ -103,8 +131,13 @@ def _joint(
         parent_mount=row.parent_mount.format(n=n),
         lower=sized(row.lower),
         upper=sized(row.upper),
-        position=sized(scene.openings.get(named.id, start)) or 0.0,
+        position=opening if row.kind == "rope" else sized(opening) or 0.0,
         stiffness=row.stiffness,
-        damping=row.damping,
-        friction=row.friction,
+        damping=_grown(row.damping, size ** (5 if turns else 3)),
+        friction=_grown(row.friction, size ** (4 if turns else 3)),
     )
+
+
+def _grown(value: float | None, factor: float) -> float | None:
+    """What resists a thing of another size: friction as its weight grows, damping its inertia."""
+    return None if value is None else float(f"{value * factor:.6g}")

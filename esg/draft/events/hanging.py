@@ -1,16 +1,26 @@
-"""What hangs on a joint and is let go: it starts drawn back."""
+"""What a clause tells of turns or slides on a joint: it opens, or hangs and is let go."""
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, mark_used
 from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.timing import moved_by_others
-from esg.draft.events.told import amount
+from esg.draft.events.told import amount, at_rest
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import ForceDirection
 from esg.lexicon.articulations import Articulation
+
+SHUTTING = lex.word_set("shutting") | {"closed"}
+_TURNING = lex.word_set("turning on an axle")
+_OPENING = SHUTTING | {"open"}
+_SWINGING = {
+    ("noop", "sway"): "swing",
+    ("noop", "oscillate"): "swing",
+    ("drop", "release"): "let_go",
+}
 
 
 def row_of(d: Discourse, node: str) -> Articulation | None:
@@ -25,12 +35,33 @@ def hanging(d: Discourse, bodies: list[str]) -> list[str]:
     return [b for b in bodies if (row := row_of(d, b)) is not None and row.drawn is not None]
 
 
+def openable(d: Discourse, bodies: list[str]) -> list[str]:
+    """Those that open and close."""
+    return [b for b in bodies if (row := row_of(d, b)) is not None and row.opened is not None]
+
+
+def turning(d: Discourse, bodies: list[str]) -> list[str]:
+    """Those that turn on and on about an axle: a merry-go-round, the sails of a windmill."""
+    rows = ((b, row_of(d, b)) for b in bodies)
+    return [b for b, row in rows if row is not None and row.turns]
+
+
+def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
+    """The sense of a verb of what moves on a joint; None if nothing of the kind is told of."""
+    opens = f.verb.sense == "noop" and f.verb.lemma in _OPENING
+    if (opens or "result" in f.verb.extra) and openable(d, bodies):
+        return "open"
+    if f.verb.lemma in _TURNING and turning(d, bodies):
+        return "spin"
+    return _SWINGING.get((f.verb.sense, f.verb.lemma)) if hanging(d, bodies) else None
+
+
 def let_go(d: Discourse, f: Frame, bodies: list[str]) -> None:
     """What hangs and nothing has moved yet starts drawn back: by a stated angle or a usual one."""
     angle = amount(d, f, "angle")
     for body in bodies:
         row = row_of(d, body)
-        if row is None or moved_by_others(d, body) or body in d.timeline.tracks:
+        if row is None or moved_by_others(d, body) or not at_rest(d, body):
             continue
         d.scene.openings[body] = (row.drawn or 0.0) if angle is None else angle.high
         if angle is not None:

@@ -25,6 +25,7 @@ from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.courses import follow, keep_on, snapshot
+from esg.draft.events.hanging import sense_on_joint
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
 from esg.draft.events.senses.state import attachment, mass_of_load
@@ -149,7 +150,7 @@ def read_frame(d: Discourse, f: Frame) -> None:
     parts = _parts(d, f)
     if any(step(d, f, parts) for step in STEPS):
         return
-    sense = _sense_here(f, parts)
+    sense = _sense_here(d, f, parts)
     handler = SENSES.get(sense)
     if handler is None:
         ignore(d, f, "no physical meaning")
@@ -301,8 +302,11 @@ STEPS: tuple[Step, ...] = (
 """What is found out about who a clause is about before its verb is read, in this order."""
 
 
-def _sense_here(f: Frame, parts: Parts) -> str:
+def _sense_here(d: Discourse, f: Frame, parts: Parts) -> str:
     """The sense to read the clause by: "ends up in", "breaks on a rock" have one of their own."""
+    on_joint = sense_on_joint(d, f, [*parts.subject, *parts.objects])
+    if on_joint is not None:
+        f.verb.sense = on_joint
     sense, lemma = f.verb.sense, f.verb.lemma
     handled = _HANDLED.get((sense, lemma))
     if handled is not None:

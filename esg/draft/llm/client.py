@@ -12,6 +12,7 @@ from typing import Any, Protocol
 
 from esg.draft.llm.settings import LlmSettings
 from esg.outcomes import UserError
+from esg.scrubbing import scrub
 
 MAX_PAUSE_S = 30.0
 
@@ -104,11 +105,6 @@ class Client(Protocol):
             ModelFailure: If there is none.
         """
         ...
-
-
-def scrub(text: str, secret: str) -> str:
-    """The text without the secret."""
-    return text.replace(secret, "[secret]") if secret else text
 
 
 class EndpointClient:

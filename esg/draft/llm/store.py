@@ -10,8 +10,9 @@ from pathlib import Path
 import tempfile
 from typing import Any, Literal
 
-from esg.draft.llm.client import Call, Client, ModelFailure, Reply, scrub
+from esg.draft.llm.client import Call, Client, ModelFailure, Reply
 from esg.outcomes import UserError
+from esg.scrubbing import scrub
 
 VERSION = 1
 

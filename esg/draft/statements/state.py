@@ -363,8 +363,9 @@ def _slope(book: _Book, s: Said, mover: str, where: str) -> None:
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(on),
                  direction="along", when=where)  # fmt: skip
     elif on:
-        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), direction=s.row.direction,
-                 when=where)  # fmt: skip
+        sloped = on if "incline" in entity_of(d, on[0]).noun.traits else []
+        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(sloped),
+                 direction=s.row.direction, when=where)  # fmt: skip
 
 
 def _met(d: Discourse, mover: str, others: list[str]) -> bool:

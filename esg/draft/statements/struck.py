@@ -29,6 +29,7 @@ _ROUND = ("ball", "billiard", "barrel", "bottle", "cone", "pin", "wheel")
 """Kinds that look alike from all sides."""
 
 _HANDS = ("left", "right")
+_ITS = ("its", "his", "her")
 
 
 @dataclass(frozen=True)
@@ -88,8 +89,9 @@ def _parts(d: Discourse, f: Frame, n: Draft) -> Iterator[Struck]:
         who = _whose(f, n, p, m)
         part = m.part or (m.head if m.attribute or m.noun is None else "")
         if who is not None and part:
+            side = _side_of(d, who, " ".join([*m.adjectives, part])) or _side_of(d, who, part)
             at = (start_of(p, d.text) if p.prep else m.start, m.end)
-            yield from _on(d, n, who, _side_of(d, who, part), *at)
+            yield from _on(d, n, who, side, *at)
 
 
 def _whose(f: Frame, n: Draft, p: Phrase, m: Mention) -> str | None:
@@ -97,10 +99,11 @@ def _whose(f: Frame, n: Draft, p: Phrase, m: Mention) -> str | None:
     own = [i for i in m.entities if i in n.participants]
     if own:
         return own[0]
-    if m.entities or not m.attribute or p.prep not in ("in", "on", "at", "with"):
+    its = not p.prep and m.determiner in _ITS
+    if m.entities or not m.attribute or not (its or p.prep in ("in", "on", "at", "with")):
         return None
-    with_it = p.prep == "with" and not f.verb.passive
-    return n.participants[0 if with_it else 1]
+    hits = p.prep == "with" or m is f.subject
+    return n.participants[0 if hits and not f.verb.passive else 1]
 
 
 def _side_of(d: Discourse, who: str, part: str) -> Side | None:

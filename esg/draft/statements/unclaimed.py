@@ -11,10 +11,12 @@ from collections.abc import Callable, Iterator
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, movable, structural
+from esg.draft.discourse.record import Discourse
 from esg.draft.statements.account import NOTHING, PASSED_OVER, Account, Gap, nodes_of
 from esg.draft.statements.adverbs import adverbs
 from esg.draft.statements.arguments import arguments, idle, left_behind
 from esg.draft.statements.phrases import phrases
+from esg.draft.text.elements import ONE_OF_THESE
 from esg.draft.verbphrases import verb_readings
 
 _QUALITIES = lex.word_set("unseen qualities")
@@ -38,6 +40,8 @@ def _qualities(a: Account) -> Iterator[Gap]:
         ids = nodes_of(a.d, m)
         if not ids or structural(a.d, ids[0]):
             continue
+        if ONE_OF_THESE in m.adjectives and not _in_order(a.d, ids[0]):
+            yield Gap(m.start, m.end, NOTHING, tuple(ids))
         for t in a.tokens:
             if not m.start <= t.start < m.end or t.low not in m.adjectives:
                 continue
@@ -45,6 +49,12 @@ def _qualities(a: Account) -> Iterator[Gap]:
             named = t.low in entity_of(a.d, ids[0]).noun.name
             if t.low in _QUALITIES or (going and not named and not {*ids} & moving):
                 yield Gap(t.start, t.end, NOTHING, tuple(ids))
+
+
+def _in_order(d: Discourse, who: str) -> bool:
+    """Whether what is ahead of another one, or behind it, is gone for by it, or goes for it."""
+    movers = {e.actor for e in d.timeline.edges}
+    return any(who in {e.actor, e.target} <= movers for e in d.timeline.edges)
 
 
 def _motion(word: str) -> bool:

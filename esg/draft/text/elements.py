@@ -28,6 +28,10 @@ class Token:
         self.low = self.text.lower()
 
 
+ONE_OF_THESE = "@one of these"
+"""Adjective of a phrase that says where one of those just told of is (", the van in front")."""
+
+
 @dataclass
 class Mention:
     """A noun phrase."""

@@ -1,10 +1,11 @@
-"""Ice: pucks and curling stones slide on it, and so does what a prompt has slide on the ice."""
+"""Ice: pucks, curling stones and skaters slide on it, and what a prompt has slide on the ice."""
 
 from __future__ import annotations
 
-from esg.dynamics.story.stagecraft import prop, support_of
+from esg.dynamics.story.stagecraft import ground_friction, prop, support_of
 from esg.dynamics.story.story import Story
 from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument
+from esg.metrics.plausibility.limits import limit, motion_of
 
 ICE = 0.04
 """Friction of ice and of what slides on it."""
@@ -23,6 +24,9 @@ def fit_ice(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
     wording = doc.scene_definition.wording
     said = wording is not None and wording.surface == "ice"
     slid = {a for a in story.phases if _slides(doc, story, a) and (said or _of_ice(doc, a))}
+    icy = said or ground_friction(doc) < limit("icy ground")
+    # Who skates or walks on ice goes on sliding when he has fallen.
+    slid |= {n for n in nodes if icy and _walks(doc, n)}
     if not slid:
         return {}
     kinds = {nodes[a].asset_id for a in slid}
@@ -44,6 +48,13 @@ def _slides(doc: EsgDocument, story: Story, actor: str) -> bool:
     body, first = prop(doc, actor), story.phases[actor][0]
     launched = first.edge.event is EdgeEvent.TOWARD and not story.flies(actor)
     return launched and not (body.rolls or body.wheeled) and support_of(doc, actor) is None
+
+
+def _walks(doc: EsgDocument, name: str) -> bool:
+    """Whether a thing moves on feet."""
+    node = doc.spatial_relation_graph.nodes[name]
+    category = doc.asset_configurations[node.asset_id].category
+    return not node.is_structural and motion_of(node.label, category).moves == "legs"
 
 
 def _of_ice(doc: EsgDocument, name: str) -> bool:

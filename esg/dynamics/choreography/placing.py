@@ -5,8 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.choreography.hovering import cruise
-from esg.dynamics.choreography.kerbs import kerb_passed
-from esg.dynamics.choreography.sides import stated_turn
+from esg.dynamics.choreography.kerbs import Kerb, kerb_passed
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.throws import is_swung
 from esg.dynamics.story.kinematics import (
@@ -102,7 +101,7 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> 
             way = sent(stage, b, max(wait, 0.0))
             bx, by = bx - way * math.cos(heading), by - way * math.sin(heading)
         else:
-            turn = None if byaw is None else stated_turn(stage, node, b, a)
+            turn = None if byaw is None else stage.stated_turn(node, b, a)
             heading = stage.free_heading(bx, by) if turn is None else (byaw or 0.0) - turn
         reach = pa.half_length + half_along(pb.length, pb.width, heading - (byaw or 0.0)) + gap
         if node.event is NodeEvent.REACH:
@@ -173,7 +172,7 @@ def _place_target(
     """Puts b where a arrives: ahead of it, past it for a Miss, short of it for a Reach."""
     pb = stage.prop(b)
     sets_off = _sets_off(stage, node, b)
-    turn = stated_turn(stage, node, b, a)
+    turn = stage.stated_turn(node, b, a)
     if turn is None:
         along = sets_off or rolls_on(stage, node, b)
         yaw = heading if along else target_yaw(pb, heading, stage.rng, pa)
@@ -189,15 +188,16 @@ def _place_target(
         off = beside_the_middle(pa, pb, heading - yaw)
         lateral = -off if off else lateral
     front = pa.half_length + half_along(pb.length, pb.width, yaw - heading) + ahead
-    if node.event is NodeEvent.MISS:
+    passed = node.event is NodeEvent.MISS
+    kerb = kerb_passed(stage, a, b) if passed or ahead > 0.0 else None
+    if passed:
         gap = asked_distance(stage, node, a) or 0.25
         lateral = pa.half_width + pb.half_lateral(yaw - heading) + gap
         front = 0.0
-        kerb = kerb_passed(stage, a, b)
-        if kerb is not None:
-            yaw = heading + kerb.turned
-            gap = asked_distance(stage, node, a) or kerb.gap_m(pa)
-            lateral = kerb.side * (pa.half_width + pb.half_lateral(yaw - heading) + gap)
+    if kerb is not None:
+        asked = asked_distance(stage, node, a) if passed else ahead
+        yaw = heading + kerb.turned
+        front, lateral = _at_kerb(kerb, pa, pb, asked, passed=passed)
     if node.event is NodeEvent.REACH:
         front += _room_to_stop(stage, node, a)
     cx = x + front * math.cos(heading) - lateral * math.sin(heading)
@@ -206,6 +206,28 @@ def _place_target(
     if sets_off:
         stage.frames[b] = Frame(cx, cy, heading if turn is None else yaw)
     bring_support(stage, b, cx, cy, heading)
+
+
+def _at_kerb(
+    kerb: Kerb, pa: Prop, pb: Prop, gap: float | None, *, passed: bool
+) -> tuple[float, float]:
+    """How far [m] ahead of a vehicle and to its left something stands at the kerb.
+
+    Args:
+        kerb: The kerb.
+        pa, pb: The vehicle, and what stands there.
+        gap: Between the two [m], None for the usual one.
+        passed: The vehicle drives past it; else it stops beside it, or so far before it.
+    """
+    aside = kerb.gap_m(pa) if gap is None else gap
+    if not passed:
+        aside = min(kerb.gap_m(pa), aside)
+    lateral = kerb.side * (pa.half_width + pb.half_lateral(kerb.turned) + aside)
+    if passed:
+        return 0.0, lateral
+    before = math.sqrt(max((gap or 0.0) ** 2 - aside**2, 0.0))
+    length = half_along(pb.length, pb.width, kerb.turned)
+    return pa.half_length + (before + length if before > 0.0 else -length), lateral
 
 
 def stays_there(stage: Stage, node: TimelineNode, a: str) -> bool:

@@ -28,7 +28,7 @@ from esg.dynamics.story.paces import (
     usual_brake,
     usual_halt,
 )
-from esg.dynamics.story.stagecraft import prop, stacked_with, support_of
+from esg.dynamics.story.stagecraft import coasting_drag, prop, stacked_with, support_of
 from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, turn_of
 from esg.engines.program import (
     AdjustProperties,
@@ -57,6 +57,8 @@ RUN_OUT_MPS2 = 5.0
 HELD_ON_S = 8.0
 """What nothing ends is held on for so long after a search has seen enough: the recording plays on
 until the others rest (`search.ending`)."""
+LEAST_SHARE = 0.2
+"""Of its brakes, which what slows down to a speed after a hit puts on at least."""
 STANDING_SLACK, MOVING_SLACK = 1.05, 1.3
 """A spin is kept up so much longer than its turns take: of what moves, friction takes a part."""
 
@@ -233,6 +235,7 @@ class Composer:
                 # Nothing may hold it upright or on its course any more.
                 course.out = [_until(p, start) for p in course.out]
             leg = _Leg(phase, v, start, end, k == 0, k + 1 == len(phases), duration)
+            done = len(course.out)
             if phase.edge.event is EdgeEvent.GUIDE:
                 self._guide(course, leg)
             elif phase.edge.event is EdgeEvent.SPIN:
@@ -251,7 +254,39 @@ class Composer:
                 self._brake(course, leg)
             else:
                 self._drive(course, leg)
+            if any(p.end.event not in UNDISTURBED for p in phases[:k]):
+                course.out[done:] = [self._by_and_by(p) for p in course.out[done:]]
+            elif k == 0 and on_foot(prop(self.doc, actor)) and support_of(self.doc, actor):
+                course.out[done:] = [q for p in course.out[done:] for q in self._down(p)]
         return course.out
+
+    def _down(self, primitive: Primitive) -> list[Primitive]:
+        """What runs off a thing lands on its feet, which takes of its speed what friction does."""
+        if not isinstance(primitive, HoldVelocity) or primitive.climb is not None:
+            return [primitive]
+        end = primitive.start + LEAST_S
+        if primitive.start > 0.0 or primitive.end <= end:
+            return [primitive]
+        later = replace(
+            primitive,
+            start=end,
+            speed=max(primitive.speed + primitive.acceleration * LEAST_S, 0.0),
+            heading=primitive.heading + primitive.turn_rate * LEAST_S,
+        )
+        return [replace(primitive, end=end), self._by_and_by(later)]
+
+    def _by_and_by(self, primitive: Primitive) -> Primitive:
+        """A hold of what something may have met, at the pace at which its kind comes to a speed.
+
+        How fast a hit has left it only the engine knows. What the ground takes of a body that does
+        not roll, its feet make up for.
+        """
+        if not isinstance(primitive, HoldVelocity):
+            return primitive
+        usual = pace(self.doc, primitive.body)
+        rubs = 0.0 if primitive.climb is not None else coasting_drag(prop(self.doc, primitive.body))
+        gains, loses = max(usual.gains, primitive.acceleration), usual.brakes - rubs
+        return replace(primitive, gains=gains + rubs, loses=max(loses, LEAST_SHARE * usual.brakes))
 
     def _let_go(self, course: _Course, leg: _Leg) -> None:
         """A throw, a kick, a push: its velocity is set once."""
@@ -317,6 +352,9 @@ class Composer:
             return
         here = course.opening if not leg.first else opening_at_start(self.scene, joint)
         goal, lasts = goal_of(joint, leg.phase, here), leg.v[f"{edge.id}/duration"]
+        if leg.phase.end.event is NodeEvent.SPIN and leg.last:
+            # It is turned on and on.
+            goal, lasts = here + (goal - here) * HELD_ON_S / lasts, HELD_ON_S
         course.out.append(driven(self.scene, joint, leg.start, here, goal, lasts))
         course.clock, course.opening = leg.start + lasts, goal
 
@@ -332,19 +370,12 @@ class Composer:
         ]
         course.clock, course.speed = leg.start + count * period, 0.0
         if leg.last and speed > 0.0 and self.scene.body(course.actor).roll_radius == 0.0:
-            # On its feet again it runs out; left to friction it would go head over heels.
+            # On its feet again it runs out from what the landing leaves it; left to friction it
+            # would go head over heels.
             landing = course.clock - BETWEEN_JUMPS_S
-            lasts = speed / RUN_OUT_MPS2
-            course.out.append(
-                HoldVelocity(
-                    course.actor,
-                    landing,
-                    landing + lasts,
-                    speed,
-                    course.heading,
-                    acceleration=-RUN_OUT_MPS2,
-                )
-            )
+            end = landing + speed / RUN_OUT_MPS2
+            stands = HoldVelocity(course.actor, landing, end, 0.0, course.heading)
+            course.out.append(self._by_and_by(stands))
 
     def _stop_in_time(self, course: _Course, leg: _Leg) -> None:
         """It slows down step by step, to rest."""

@@ -20,6 +20,7 @@ from esg.dynamics.plan.aim import aim_point
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.story.paces import hardest_brake, slows_by, stated_rate, top_speed, usual_brake
 from esg.dynamics.story.story import CRUISES, ON_THE_SPOT, UNDISTURBED, Phase, bounds, middle
+from esg.dynamics.story.suspension import joint_of
 from esg.dynamics.story.tipping import FLIES_AT
 from esg.engines.scene import Body, Region
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineEdge, TimelineNode
@@ -156,6 +157,10 @@ class Declarations:
             self.declare_jump(phase)
         elif edge.event in (EdgeEvent.GUIDE, EdgeEvent.DRIVE):
             self.declare_way(phase)
+        elif edge.event is EdgeEvent.RELEASE:
+            joint = joint_of(self.cast.doc, actor)
+            angle = math.radians(joint.position if joint is not None else 0.0)
+            self.add(f"{edge.id}/angle", angle, angle, angle, angle, 0.0, "rad", fixed=True)
         elif edge.event is EdgeEvent.TOWARD and self.story.flies(actor):
             self.declare_throw(actor, body, phase)
         elif edge.event in (

@@ -15,7 +15,8 @@ from esg.dynamics.plan import Plan
 from esg.dynamics.search.simulate import Simulator
 from esg.engines.program import AdjustProperties, Lasting
 from esg.engines.scene import Rollout
-from esg.metrics.plausibility.grounds import beyond, flats
+from esg.metrics.plausibility.grounds import ROADS, beyond, flats
+from esg.metrics.plausibility.limits import motion_of
 from esg.thresholds import AT_REST_MPS
 
 LONGEST_S = 6.0
@@ -39,7 +40,8 @@ def until_rest(plan: Plan, reference: Simulator, theta: Floats, last: float, lea
     Returns:
         When every body is slower than `AT_REST_MPS` and stays so, between `least` and `LONGEST_S`
         after the last event. What drives or flies on has no end and is not waited for; nor is what
-        rolls off the ground that is drawn: the recording ends before it does.
+        rolls off the ground that is drawn, or to the end of the road that it set out on: the
+        recording ends before it does.
     """
     longest = last + LONGEST_S
     if longest <= least:
@@ -62,14 +64,19 @@ def until_rest(plan: Plan, reference: Simulator, theta: Floats, last: float, lea
 
 
 def _leaves(plan: Plan, rollout: Rollout) -> float:
-    """When the first body leaves the drawn ground [s], a million if none does."""
+    """When the first body leaves the drawn ground, or its road [s], a million if none does."""
     scene = plan.scene
     drawn = flats(scene)
-    out = [
-        beyond(scene, rollout.position[0, :, i].astype(float), drawn) > 0.0
-        for i, body in enumerate(scene.bodies)
-        if not body.static and body.collides
-    ]
+    roads = [k for k in drawn if scene.bodies[k].category in ROADS]
+    out: list[NDArray[np.bool_]] = []
+    for i, body in enumerate(scene.bodies):
+        if body.static or not body.collides:
+            continue
+        way = rollout.position[0, :, i].astype(float)
+        out.append(beyond(scene, way, drawn) > 0.0)
+        if roads and motion_of(body.label, body.category).moves == "road":
+            off = beyond(scene, way, roads) > 0.0
+            out.append(off & (not off[0]))
     frames = np.flatnonzero(np.any(out, axis=0))
     return float(rollout.time[frames[0]]) if len(frames) else 1e6
 

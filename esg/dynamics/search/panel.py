@@ -29,6 +29,8 @@ from esg.graph.models import SearchStep
 Floats = NDArray[np.float64]
 
 REFERENCE_DT_S = 1.0 / 240.0
+COARSE = 2.0
+"""Steps of the reference engine where it explores, as a multiple of those where it decides."""
 GOOD_LOSS = 0.35
 """Worst-case loss at which the search stops: all events happen, residuals are small."""
 CENTRED_LOSS = 0.15
@@ -103,7 +105,8 @@ class Panel:
         engine = engines(self.explorer, device)
         self.plan, self.device = plan, device
         self.reference = Simulator(plan, engines("newton", device), dt=dt, hold=True)
-        self.surrogate = Simulator(plan, engine, dt=dt)
+        step = dt if self.explorer == SURROGATE else COARSE * dt
+        self.surrogate = Simulator(plan, engine, dt=step)
         self.breadth: int = getattr(engine, "breadth", 1)
         self._others: list[Simulator] = []
         if self.explorer == SURROGATE:

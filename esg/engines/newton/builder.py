@@ -10,9 +10,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.joints import Joint
-from esg.engines.newton.setup import CONTACT_GAP_M, DRIVE_GAIN, quiet_warp
-from esg.engines.newton.trees import Link, drives, plan_trees
+from esg.engines.newton.setup import CONTACT_GAP_M, quiet_warp
+from esg.engines.newton.trees import Link, plan_trees
 from esg.engines.shapes import Hull, SceneShapes
 
 Wanted = tuple[tuple[int, int, int], ...]
@@ -169,14 +168,8 @@ def _add_joint(wp: Any, world: Any, link: Link, number: dict[int, int]) -> int:
         armature=0.0,
         friction=0.0,
         target_ke=0.0,
-        target_kd=DRIVE_GAIN if drives(record) else 0.0,
-        effort_limit=_effort(record) if drives(record) else 0.0,
+        target_kd=0.0,
     )
-
-
-def _effort(joint: Joint) -> float:
-    """What keeps an axis at its speed, at most [N m or N]; the solver takes 0 for no limit."""
-    return max(joint.friction if joint.motor is None else joint.motor.limit, 1e-9)
 
 
 def _add_shape(

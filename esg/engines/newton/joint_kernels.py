@@ -11,6 +11,8 @@ from __future__ import annotations
 # pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 import warp as wp
 
+from esg.engines.program import Column
+
 CLOSING_M = wp.constant(5e-3)
 """A rope that is too long is shortened by no more than this in a step."""
 
@@ -165,6 +167,44 @@ def pull_springs(
 
 
 @wp.kernel(enable_backward=False)
+def run_drives(
+    clock: wp.array(dtype=int),
+    grid: wp.array(dtype=wp.float64),
+    primitives: wp.array(dtype=int),
+    axis: wp.array2d(dtype=int),
+    table: wp.array3d(dtype=wp.float64),
+    done: wp.array2d(dtype=int),
+    dof: wp.array(dtype=int),
+    sign: wp.array(dtype=float),
+    friction: wp.array(dtype=float),
+    gain: float,
+    speed: wp.array(dtype=float),
+    place: wp.array(dtype=float),
+    effort: wp.array(dtype=float),
+    damping: wp.array(dtype=float),
+):
+    """One thread per world gives joints the motors that its program has for them by now."""
+    world = wp.tid()
+    now = (wp.float64(clock[0]) + wp.float64(0.5)) * grid[0]
+    for k in range(primitives[world]):
+        i = axis[world, k]
+        if i < 0 or done[world, k] != 0 or table[world, k, Column.START] > now:
+            continue
+        done[world, k] = 1
+        pace = float(table[world, k, Column.MOTOR_SPEED])
+        goal = float(table[world, k, Column.MOTOR_POSITION])
+        most = friction[i]
+        if not (wp.isnan(pace) and wp.isnan(goal)):
+            most = float(table[world, k, Column.MOTOR_LIMIT])
+        if wp.isnan(pace):
+            pace = 0.0
+        speed[i] = sign[i] * pace
+        place[i] = sign[i] * goal
+        effort[dof[i]] = most
+        damping[dof[i]] = wp.where(most > 0.0, gain, 0.0)
+
+
+@wp.kernel(enable_backward=False)
 def drive_axes(
     grid: wp.array(dtype=wp.float64),
     coordinate: wp.array(dtype=int),
@@ -199,9 +239,12 @@ def drive_axes(
 
 @wp.kernel(enable_backward=False)
 def brake_balls(
+    first: wp.array(dtype=int),
     grid: wp.array(dtype=wp.float64),
     body_a: wp.array(dtype=int),
     body_b: wp.array(dtype=int),
+    group: wp.array(dtype=int),
+    broken: wp.array(dtype=int),
     damping: wp.array(dtype=float),
     friction: wp.array(dtype=float),
     inertia: wp.array(dtype=wp.mat33),
@@ -209,9 +252,15 @@ def brake_balls(
     body_qd: wp.array(dtype=wp.spatial_vector),
     body_f: wp.array(dtype=wp.spatial_vector),
 ):
-    """One thread brakes all ball joints: by no more than stops the child in a step."""
+    """One thread per world brakes its ball joints: by no more than stops the child in a step."""
+    world = wp.tid()
     dt = float(grid[0])
-    for i in range(body_a.shape[0]):
+    for i in range(first[world], first[world + 1]):
+        gone = int(0)  # noqa: UP018, RUF046  # a variable to Warp, not a constant
+        if group[i] >= 0:
+            gone = broken[group[i]]
+        if gone != 0:
+            continue
         a = body_a[i]
         b = body_b[i]
         w = wp.spatial_bottom(body_qd[b])
@@ -236,18 +285,60 @@ def count_solid(count: wp.array(dtype=int), solid: wp.array(dtype=int)):
 
 
 @wp.kernel(enable_backward=False)
-def hold_ropes(
+def part_joined(
+    solid: wp.array(dtype=int),
+    first_group: wp.array(dtype=int),
+    apart: wp.array2d(dtype=int),
+    broken: wp.array(dtype=int),
+    shape_world: wp.array(dtype=int),
+    shape_body: wp.array(dtype=int),
+    contact_shape0: wp.array(dtype=int),
+    contact_shape1: wp.array(dtype=int),
+):
+    """One thread per contact drops it if a joint that has not broken keeps its bodies apart."""
+    i = wp.tid()
+    if i >= solid[0]:
+        return
+    s0 = contact_shape0[i]
+    s1 = contact_shape1[i]
+    if s0 < 0 or s1 < 0:
+        return
+    world = shape_world[s0]
+    a = shape_body[s0]
+    b = shape_body[s1]
+    for g in range(first_group[world], first_group[world + 1]):
+        same = apart[g, 0] == a and apart[g, 1] == b
+        if broken[g] == 0 and (same or (apart[g, 0] == b and apart[g, 1] == a)):
+            contact_shape0[i] = -1
+            contact_shape1[i] = -1
+
+
+@wp.func
+def _left_of_rope(one: End, two: End, n: wp.vec3, length: float, longest: float, dt: float):
+    """What a rope has left at the end of a step if nothing pulls [m]."""
+    v = two.v - one.v
+    across = v - wp.dot(v, n) * n
+    leaving = 0.5 * dt * dt * wp.dot(n, two.turning - one.turning)
+    if length > 1.0e-6:
+        leaving += 0.5 * dt * dt * wp.dot(across, across) / length
+    return wp.max(longest - length, -CLOSING_M) - leaving
+
+
+@wp.kernel(enable_backward=False)
+def hold_ties(
     solid: wp.array(dtype=int),
     grid: wp.array(dtype=wp.float64),
     gravity: wp.array(dtype=wp.vec3),
     share: float,
     world: wp.array(dtype=int),
+    group: wp.array(dtype=int),
     body_a: wp.array(dtype=int),
     body_b: wp.array(dtype=int),
-    shape_a: wp.array(dtype=int),
-    shape_b: wp.array(dtype=int),
+    mark_a: wp.array(dtype=int),
+    mark_b: wp.array(dtype=int),
     point_a: wp.array(dtype=wp.vec3),
     point_b: wp.array(dtype=wp.vec3),
+    direction: wp.array(dtype=wp.vec3),
     longest: wp.array(dtype=float),
     broken: wp.array(dtype=int),
     body_q: wp.array(dtype=wp.transform),
@@ -261,13 +352,15 @@ def hold_ropes(
     contact_margin0: wp.array(dtype=float),
     contact_margin1: wp.array(dtype=float),
 ):
-    """One thread per rope tells the solver of it as of a contact without friction.
+    """One thread per tie tells the solver of it as of a contact without friction.
 
-    Its normal leads from the child back to the parent, and its gap is what the rope has left at the
-    end of the step if nothing pulls: points that move across it, or on bodies that turn, leave it
-    on a curve. So a taut rope ends every step as long as it is (SHAKE: Ryckaert, Ciccotti and
-    Berendsen, J. Comput. Phys. 23, 1977), and a pendulum keeps its energy. The solver makes up for
-    a `share` of what is missing, so that so much more is told.
+    The normal of a rope leads from the child back to the parent, and its gap is what the rope has
+    left at the end of the step if nothing pulls: points that move across it, or on bodies that
+    turn, leave it on a curve. So a taut rope ends every step as long as it is (SHAKE: Ryckaert,
+    Ciccotti and Berendsen, J. Comput. Phys. 23, 1977), and a pendulum keeps its energy. A tie with
+    a direction is one half of a pair that keeps a point of the child where one of the parent is;
+    both act on the child's, so that what slides along the parent is held where it is. The solver
+    makes up for a `share` of what is missing, so that so much more is told.
     """
     i = wp.tid()
     slot = solid[0] + i
@@ -275,56 +368,70 @@ def hold_ropes(
         count[0] = solid[0] + world.shape[0]
     if slot >= contact_shape0.shape[0]:
         return
+    a = body_a[i]
+    b = body_b[i]
     dt = float(grid[0])
     pull = gravity[world[i]] * dt
-    one = _end(body_a[i], point_a[i], body_q, body_qd, pull)
-    two = _end(body_b[i], point_b[i], body_q, body_qd, pull)
+    one = _end(a, point_a[i], body_q, body_qd, pull)
+    two = _end(b, point_b[i], body_q, body_qd, pull)
     off = two.at - one.at
     length = wp.length(off)
-    n = wp.vec3(0.0, 0.0, 1.0)
-    if length > 1.0e-6:
-        n = off / length
-    v = two.v - one.v
-    across = v - wp.dot(v, n) * n
-    leaving = 0.5 * dt * dt * wp.dot(n, two.turning - one.turning)
-    if length > 1.0e-6:
-        leaving += 0.5 * dt * dt * wp.dot(across, across) / length
-    left = wp.max(longest[i] - length, -CLOSING_M) - leaving
+    normal = wp.vec3(0.0, 0.0, 1.0)
+    here = point_a[i]
+    if wp.length_sq(direction[i]) > 0.0:
+        normal = direction[i]
+        if b >= 0:
+            normal = wp.quat_rotate(wp.transform_get_rotation(body_q[b]), normal)
+        here = two.at
+        if a >= 0:
+            here = wp.transform_point(wp.transform_inverse(body_q[a]), two.at)
+        left = wp.clamp(wp.dot(normal, off), -CLOSING_M, CLOSING_M)
+        left += 0.5 * dt * dt * wp.dot(normal, two.turning - one.turning)
+        length = 0.0
+    else:
+        if length > 1.0e-6:
+            normal = -off / length
+        left = _left_of_rope(one, two, -normal, length, longest[i], dt)
     if left < 0.0:
         left = left / share
-    contact_shape0[slot] = shape_a[i]
-    contact_shape1[slot] = shape_b[i]
-    if broken[i] != 0:
+    contact_shape0[slot] = mark_a[i]
+    contact_shape1[slot] = mark_b[i]
+    if broken[group[i]] != 0:
         contact_shape0[slot] = -1
         contact_shape1[slot] = -1
-    contact_point0[slot] = point_a[i]
+    contact_point0[slot] = here
     contact_point1[slot] = point_b[i]
-    contact_normal[slot] = -n
+    contact_normal[slot] = normal
     contact_margin0[slot] = -length - left
     contact_margin1[slot] = 0.0
 
 
 @wp.kernel(enable_backward=False)
-def break_ropes(
+def break_joints(
     clock: wp.array(dtype=int),
     solid: wp.array(dtype=int),
     grid: wp.array(dtype=wp.float64),
     window: float,
+    first_tie: wp.array(dtype=int),
     strength: wp.array(dtype=float),
     force: wp.array(dtype=wp.spatial_vector),
-    taken: wp.array2d(dtype=float),
+    taken: wp.array2d(dtype=wp.vec3),
     broken: wp.array(dtype=int),
 ):
-    """One thread per rope lets it go once it has taken too much within a window [s]."""
-    i = wp.tid()
-    slot = solid[0] + i
-    if slot >= force.shape[0]:
+    """One thread per joint of ties lets it go once it has taken too much within a window [s]."""
+    g = wp.tid()
+    if not wp.isfinite(strength[g]):
         return
     dt = float(grid[0])
     steps = wp.clamp(int(wp.rint(window / dt)), 1, taken.shape[1])
-    taken[i, clock[0] % steps] = wp.length(wp.spatial_top(force[slot])) * dt
-    total = float(0.0)  # noqa: UP018  # a variable to Warp, not a constant
+    now = wp.vec3(0.0, 0.0, 0.0)
+    for i in range(first_tie[g], first_tie[g + 1]):
+        slot = solid[0] + i
+        if slot < force.shape[0]:
+            now += wp.spatial_top(force[slot]) * dt
+    taken[g, clock[0] % steps] = now
+    total = wp.vec3(0.0, 0.0, 0.0)
     for k in range(steps):
-        total += taken[i, k]
-    if total > strength[i]:
-        broken[i] = 1
+        total += taken[g, k]
+    if wp.length(total) > strength[g]:
+        broken[g] = 1

@@ -75,7 +75,7 @@ def _kept_up(
 ) -> wp.spatial_vector:
     """Linear and angular velocity that a primitive that lasts gives a body at x that moves at v."""
     if kind == Action.HOLD:
-        held = held_velocity(table, world, k, t, v[2], pull)
+        held = held_velocity(table, world, k, t, dt, v, pull)
         return wp.spatial_vector(held, held_spin(table, world, k, held))
     if kind == Action.GUIDE:
         turn = wp.vec3(0.0, 0.0, float(table[world, k, Column.GUIDE_TURN_RATE]))

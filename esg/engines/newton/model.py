@@ -18,8 +18,9 @@ from numpy.typing import NDArray
 from esg.engines.jobs import Buffer, Job, Pieces, Played
 from esg.engines.newton.builder import MARK, Blueprint, Wanted
 from esg.engines.newton.jointed import Jointed
+from esg.engines.newton.places import Places
 from esg.engines.newton.setup import FIXED_POINT
-from esg.engines.newton.trees import AXES, drives, plan_trees
+from esg.engines.newton.trees import AXES, plan_trees
 from esg.engines.newton.worlds import AxisRows, NewtonWorlds, Singles
 from esg.engines.program import FIELDS, Action, Column
 from esg.engines.scene import ContactLog
@@ -102,7 +103,8 @@ class NewtonModel(NewtonWorlds):
             first = self.first_shapes[w] + np.nonzero(self.owners[k] == MARK)[0]
             tied = [b for b in self.plans[k].tied if local[k][b] >= 0]
             marks.append(dict(zip(tied, first.tolist(), strict=True)))
-        return Jointed(self, self.plans, self.scene_of, self.first_body, local, marks)
+        places = Places.of(self.model, self.plans, self.scene_of, self.first_body, local)
+        return Jointed(self.model, places, marks)
 
     def _axis_rows(self) -> AxisRows | None:
         if not any(s.joints for s in self.shapes):
@@ -115,7 +117,7 @@ class NewtonModel(NewtonWorlds):
         return AxisRows(
             axes=3 * max(len(of) for of in axes),
             limits=any(limited),
-            drives=any(drives(r) for of in axes for r in of),
+            loose=any(plan.loose for plan in self.plans),
         )
 
     def _build(self, blueprint: Blueprint, room: Points) -> None:
@@ -300,6 +302,8 @@ class NewtonModel(NewtonWorlds):
             at += j.n_worlds
         self._load_programs(kind, body, until, table, count)
         self.has_friction_change = changes
+        if self.jointed is not None and self.jointed.load_drives([j.joint for j in jobs], p):
+            self._graphs.clear()
 
     def _run(self, graph: Any, frames: int, every: int) -> Iterator[int]:
         """Plays all frames chunk by chunk and gathers the pairs that touched."""

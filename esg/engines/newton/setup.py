@@ -12,7 +12,8 @@ STEPS_PER_GRAPH, STEPS_PER_GRAPH_CPU = 4, 2
 """Even, so that the two states are back in place after one launch of the graph. On the CPU a launch
 costs next to nothing, while each step takes 12 ms to record for every scene."""
 
-ITERATIONS = 6
+ITERATIONS, LOOSE_ITERATIONS = 6, 24
+"""Sweeps of the solver; more where joints are made of contacts."""
 RESTITUTION_THRESHOLD_MPS = 0.2
 FIXED_POINT = 1.0e9
 """Units per N s (and N s m) of the integer sums; integers make atomic sums independent of order."""

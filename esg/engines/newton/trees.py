@@ -1,8 +1,10 @@
-"""Joints of a scene as Newton takes them: trees of links, and ties that only keep a length.
+"""Joints of a scene as Newton takes them: trees of links, ties and springs.
 
 A hinge, slider, ball or fixed joint is a branch of a tree, which keeps it exactly. What is static
 is part of the world. A rope is a tie: two points that stay within a length. So is the limit of a
-ball joint, which keeps the tips of two unit vectors together. A spring is a force on two points.
+ball joint, which keeps the tips of two unit vectors together. What closes a ring, or may break,
+cannot be a branch: it is made of pairs of ties that keep two points together along a direction. A
+spring is a force on two points.
 """
 
 from __future__ import annotations
@@ -14,7 +16,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.joints import Joint
+from esg.engines.joints import GAP_M, Joint
 from esg.units import quat_inverse, quat_multiply, quat_rotate
 
 Floats = NDArray[np.float64]
@@ -23,7 +25,6 @@ Poses = tuple[Floats, Floats]
 
 AXES = ("hinge", "slider")
 """Joints with one coordinate, which motors drive and what rubs holds."""
-_X = (1.0, 0.0, 0.0)
 
 
 @dataclass(frozen=True)
@@ -47,15 +48,14 @@ class Link:
 
 @dataclass(frozen=True)
 class Tie:
-    """Two points of two bodies that stay within a length, or are drawn together.
+    """Two points of two bodies that stay together or within a length, or are drawn together.
 
     Args:
         joint: Number of the scene's joint.
         a, b: Parent and child; -1 for the world.
         point_a, point_b: In their body frames, or in the world [m].
         length: Greatest distance, or rest length of a spring [m].
-        stiffness, damping: Of a spring [N/m, N s/m]; 0 and 0 for what only holds.
-        break_impulse: [N s]; infinite if it never breaks.
+        direction: Along which b's point may not be behind a's, in b's body frame; None for ropes.
     """
 
     joint: int
@@ -63,10 +63,8 @@ class Tie:
     b: int
     point_a: Floats
     point_b: Floats
-    length: float
-    stiffness: float = 0.0
-    damping: float = 0.0
-    break_impulse: float = math.inf
+    length: float = 0.0
+    direction: Floats | None = None
 
 
 @dataclass(frozen=True)
@@ -74,16 +72,22 @@ class Trees:
     """All joints of a scene.
 
     Args:
+        joints: All of them.
         trees: Links of each tree, parents first.
-        ties: What keeps a length.
-        springs: What pulls.
-        apart: Pairs of bodies that do not touch each other, -1 for none.
+        ties: Ropes, cones, and what is in no tree, those of a joint one after the other.
+        springs: Joints that pull.
+        loose: Joints whose bodies turn against each other outside of trees.
+        apart: Pairs of bodies that never touch each other.
+        brittle: Joints that may break; till then their bodies do not touch unless they may.
     """
 
+    joints: tuple[Joint, ...]
     trees: tuple[tuple[Link, ...], ...]
     ties: tuple[Tie, ...]
     springs: tuple[Tie, ...]
+    loose: tuple[int, ...]
     apart: tuple[tuple[int, int], ...]
+    brittle: tuple[int, ...]
 
     @property
     def links(self) -> list[Link]:
@@ -106,80 +110,106 @@ def plan_trees(
         dynamic: Bodies that move, shape [B].
 
     Raises:
-        ValueError: For a ring of joints, and for a joint other than a rope that may break.
+        ValueError: For what can neither be a branch of a tree nor be made of ties.
     """
-    brittle = [j.name for j in joints if j.kind != "rope" and j.break_impulse is not None]
-    if brittle:
-        raise ValueError(
-            f"Newton cannot break {', '.join(map(repr, brittle))}: a joint of its trees stays; "
-            "leave out break_impulse, use a rope, or simulate in physx"
-        )
+    trees, rings = _grow(joints, ends, dynamic)
+    brittle = [k for k, j in enumerate(joints) if j.break_impulse is not None]
+    loose = sorted({*rings, *(k for k in brittle if not joints[k].flexible)})
+    many = [joints[k] for k in loose if _more_than_ties(joints[k])]
+    _refuse(many, "which closes a ring or may break, with a motor, limits or stiffness, or with "
+            "what slows a slider down")  # fmt: skip
+    _refuse([joints[k] for k in brittle if joints[k].kind == "spring"], "a spring that may break")
+    named = list(zip(joints, ends, strict=True))
     return Trees(
-        trees=_grow(joints, ends, dynamic),
-        ties=tuple(
-            tie for k, (j, pair) in enumerate(zip(joints, ends, strict=True))
-            for tie in _ties(k, j, pair)
-        ),
+        joints=joints,
+        trees=trees,
+        ties=tuple(t for k, (j, e) in enumerate(named) for t in _ties(k, j, e, k in loose)),
         springs=tuple(
-            Tie(k, *pair, np.array(j.parent_anchor), np.array(j.child_anchor), j.upper or 0.0,
-                j.stiffness, j.damping)
-            for k, (j, pair) in enumerate(zip(joints, ends, strict=True))
+            Tie(k, *e, np.array(j.parent_anchor), np.array(j.child_anchor), j.upper or 0.0)
+            for k, (j, e) in enumerate(named)
             if j.kind == "spring"
         ),
+        loose=tuple(loose),
         apart=tuple(
-            pair for pair, j in zip(ends, joints, strict=True) if not j.collide and pair[0] >= 0
+            e for k, (j, e) in enumerate(named) if not j.collide and e[0] >= 0 and k not in brittle
         ),
-    )  # fmt: skip
+        brittle=tuple(brittle),
+    )
+
+
+def _refuse(joints: list[Joint], what: str) -> None:
+    if joints:
+        names = ", ".join(repr(j.name) for j in joints)
+        raise ValueError(f"Newton cannot simulate {names}, {what}; simulate in physx")
+
+
+def _more_than_ties(joint: Joint) -> bool:
+    """Whether it does what needs a coordinate."""
+    if joint.motor is not None or joint.stiffness > 0.0 or joint.lower is not None:
+        return True
+    slows = joint.damping > 0.0 or joint.friction > 0.0
+    return (joint.kind != "ball" and joint.upper is not None) or (joint.kind == "slider" and slows)
 
 
 def _grow(
     joints: tuple[Joint, ...], ends: tuple[tuple[int, int], ...], dynamic: NDArray[np.bool_]
-) -> tuple[tuple[Link, ...], ...]:
-    """Trees of stiff joints: those that hang on what does not move, then those that float."""
+) -> tuple[tuple[tuple[Link, ...], ...], set[int]]:
+    """Trees of stiff joints, on what does not move and floating ones, and what would close rings.
+
+    What needs a coordinate comes before what does not, so that the latter closes a ring.
+    """
     around: dict[int, list[int]] = {}
     nodes = [tuple(b if b >= 0 and dynamic[b] else -1 for b in pair) for pair in ends]
-    for k, pair in enumerate(nodes):
-        if not joints[k].flexible and pair != (-1, -1):
-            for end in pair:
+    for k in sorted(range(len(joints)), key=lambda k: (not _more_than_ties(joints[k]), k)):
+        stiff = not joints[k].flexible and joints[k].break_impulse is None
+        if stiff and nodes[k] != (-1, -1):
+            for end in nodes[k]:
                 around.setdefault(end, []).append(k)
     used: set[int] = set()
+    rings: set[int] = set()
     seen = {-1}
 
-    def link(k: int, at: int) -> Link:
-        used.add(k)
-        parent, child = nodes[k]
-        along = at == parent
-        there = child if along else parent
-        if there in seen:
-            raise ValueError(
-                f"Newton cannot close the ring that {joints[k].name!r} makes with other joints of "
-                f"{joints[k].child!r}; leave one of them out, or simulate in physx"
-            )
-        seen.add(there)
-        record = joints[k] if along else turned_around(joints[k])
-        return Link(there, at, ends[k][0 if along else 1], k, record)
-
-    def grown(root: Link) -> tuple[Link, ...]:
-        links = [root]
-        for last in links:
-            links += [link(k, last.child) for k in around[last.child] if k not in used]
+    def grown(start: int, root: Link | None) -> tuple[Link, ...]:
+        """What hangs on a body; on the world one tree only, the others are asked for again."""
+        links, reached = [] if root is None else [root], [start]
+        for at in reached:
+            for k in around[at]:
+                if k in used or (at == -1 and links):
+                    continue
+                used.add(k)
+                along = at == nodes[k][0]
+                there = nodes[k][1 if along else 0]
+                if there in seen:
+                    same = (joints[m] for m in used - {k} if ends[m] == ends[k])
+                    more = _more_than_ties(joints[k])
+                    if more or not any(_on_one_axis(joints[k], other) for other in same):
+                        rings.add(k)
+                    continue
+                seen.add(there)
+                record = joints[k] if along else turned_around(joints[k])
+                links.append(Link(there, at, ends[k][0 if along else 1], k, record))
+                reached.append(there)
         return tuple(links)
 
     trees: list[tuple[Link, ...]] = []
-    for k in around.get(-1, ()):
-        if k not in used:
-            trees.append(grown(link(k, -1)))
+    while tree := grown(-1, None) if -1 in around else ():
+        trees.append(tree)
     children = {nodes[k][1] for ks in around.values() for k in ks}
     for body in sorted(around, key=lambda b: (b in children, b)):
         if body not in seen:
             seen.add(body)
-            trees.append(grown(Link(body, -1, -1, -1, None)))
-    return tuple(trees)
+            trees.append(grown(body, Link(body, -1, -1, -1, None)))
+    return tuple(trees), rings
 
 
-def drives(joint: Joint) -> bool:
-    """Whether the solver has to keep an axis at a speed: a motor's, or none where it rubs."""
-    return joint.kind in AXES and (joint.motor is not None or joint.friction > 0.0)
+def _on_one_axis(one: Joint, two: Joint) -> bool:
+    """Whether two joints are hinges of the same bodies about one axis: either is enough."""
+    if one.kind != "hinge" or two.kind != "hinge":
+        return False
+    axis, other = (quat_rotate(np.array(j.parent_rotation), np.eye(3)[0]) for j in (one, two))
+    between = np.array(two.parent_anchor) - np.array(one.parent_anchor)
+    off = max(float(np.abs(np.cross(axis, v)).max()) for v in (other, between))
+    return off < GAP_M
 
 
 def turned_around(joint: Joint) -> Joint:
@@ -208,16 +238,45 @@ def turned_around(joint: Joint) -> Joint:
     )
 
 
-def _ties(k: int, joint: Joint, ends: tuple[int, int]) -> list[Tie]:
+def _ties(k: int, joint: Joint, ends: tuple[int, int], loose: bool) -> list[Tie]:
     start, end = np.array(joint.parent_anchor), np.array(joint.child_anchor)
-    broken = math.inf if joint.break_impulse is None else joint.break_impulse
     if joint.kind == "rope":
-        return [Tie(k, *ends, start, end, joint.upper or 0.0, break_impulse=broken)]
+        return [Tie(k, *ends, start, end, joint.upper or 0.0)]
+    given, own = (
+        quat_rotate(np.tile(np.array(r), (3, 1)), np.eye(3))
+        for r in (joint.parent_rotation, joint.child_rotation)
+    )
+    out: list[Tie] = []
+    if loose:
+        # Points further along X and Y keep it from turning; of a slider none is kept along X.
+        kept = {"ball": ("xyz",), "hinge": ("xyz", "yz"), "slider": ("yz", "yz", "z"),
+                "fixed": ("xyz", "yz", "z")}[joint.kind]  # fmt: skip
+        for n, (shift, axes) in enumerate(zip((None, 0, 1), kept, strict=False)):
+            there, here = (
+                (start, end) if shift is None else (start + given[shift], end + own[shift])
+            )
+            basis = _basis(end, own[0]) if joint.kind == "ball" and n == 0 else own
+            for axis in axes:
+                along = basis["xyz".index(axis)]
+                out += [Tie(k, *ends, there, here, direction=d) for d in (along, -along)]
     if joint.kind == "ball" and joint.upper is not None and joint.upper < math.pi:
-        tip = quat_rotate(np.array(joint.parent_rotation), np.array(_X))
-        other = quat_rotate(np.array(joint.child_rotation), np.array(_X))
-        return [Tie(k, *ends, start + tip, end + other, 2.0 * math.sin(0.5 * joint.upper))]
-    return []
+        length = 2.0 * math.sin(0.5 * joint.upper)
+        out.append(Tie(k, *ends, start + given[0], end + own[0], length))
+    return out
+
+
+def _basis(arm: Floats, other: Floats) -> Floats:
+    """Three orthogonal directions, the first along an arm, so that they hardly disturb each other.
+
+    Args:
+        arm: From the centre of mass [m]; `other` serves where it is none.
+        other: Unit vector.
+    """
+    first = arm if float(arm @ arm) > 1e-12 else other
+    first = first / np.linalg.norm(first)
+    second = np.cross(first, np.eye(3)[int(np.argmin(np.abs(first)))])
+    second = second / np.linalg.norm(second)
+    return np.array([first, second, np.cross(first, second)], float)
 
 
 # -- coordinates -----------------------------------------------------------------------------------

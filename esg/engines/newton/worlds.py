@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from esg.engines.newton.setup import (
     BAUMGARTE,
     ITERATIONS,
+    LOOSE_ITERATIONS,
     RESTITUTION_THRESHOLD_MPS,
     SPECULATIVE_GAP_M,
     STEPS_PER_GRAPH,
@@ -35,12 +36,13 @@ class AxisRows:
 
     Args:
         axes: Rows of the axes of a world, at most.
-        limits, drives: Whether an axis has limits, a motor or friction.
+        limits: Whether an axis has limits.
+        loose: Whether a joint is in no tree.
     """
 
     axes: int
     limits: bool
-    drives: bool
+    loose: bool
 
 
 class NewtonWorlds:
@@ -115,14 +117,14 @@ class NewtonWorlds:
         self.contacts = self.pipeline.contacts()
         self.solver = newton.solvers.SolverSteel(
             model,
-            iterations=ITERATIONS,
+            iterations=ITERATIONS if rows is None or not rows.loose else LOOSE_ITERATIONS,
             friction_anchor_beta=0.2,
             restitution_velocity_threshold=RESTITUTION_THRESHOLD_MPS,
             # One row along the normal and two for friction.
             free_body_constraint_max=3 * points_per_world,
             articulation_constraint_max=1 if rows is None else rows.axes + 3 * points_per_world,
             enable_joint_limits=rows is not None and rows.limits,
-            drive_mode="rows" if rows is not None and rows.drives else "augmented",
+            drive_mode="augmented" if rows is None or rows.axes == 0 else "rows",
             baumgarte=BAUMGARTE,
             warn_constraint_overflow=False,
             deterministic=mode.RUN_TO_RUN if cuda else mode.NOT_GUARANTEED,
@@ -318,7 +320,7 @@ class NewtonWorlds:
 
     def _joint_states(self) -> list[Any]:
         joints = self.jointed
-        return [] if joints is None else [*self._dampings(), joints.broken]
+        return [] if joints is None else joints.states()
 
     def _step(self) -> None:
         import newton
@@ -347,9 +349,9 @@ class NewtonWorlds:
         if joints is not None:
             joints.push(self, s)
         self.pipeline.collide(s, c, dt=self.dt)
-        count = c.rigid_contact_count if joints is None else joints.solid
+        count = c.rigid_contact_count if joints is None else joints.ties.solid
         if joints is not None:
-            joints.hold(self, s)
+            joints.ties.hold(self, s)
         wp.launch(
             kernels.touch_movers,
             dim=c.rigid_contact_max,
@@ -373,7 +375,7 @@ class NewtonWorlds:
             ],
         )  # fmt: skip
         if joints is not None:
-            joints.end(self)
+            joints.ties.end(self)
         self.state, self.other = self.other, self.state
         wp.launch(
             kernels.record_frames,

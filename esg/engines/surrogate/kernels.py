@@ -88,7 +88,7 @@ def _hold(model: Model, state: State, w: int, k: int, step: int, t: wp.float64, 
         state.driven[w, i] = step + 1
         state.tips[w, i] = 0
     if model.action[k] == Action.HOLD:
-        v = held_velocity(model.table, w, k, t, state.v[w, i][2], pull)
+        v = held_velocity(model.table, w, k, t, dt, state.v[w, i], pull)
         state.v[w, i] = v
         state.o[w, i] = held_spin(model.table, w, k, v)
     elif model.action[k] == Action.GUIDE:

@@ -15,6 +15,7 @@ import warp as wp
 
 from esg.engines.program import Action, Column
 from esg.engines.program_kernels import (
+    approached,
     grounded,
     guided_velocity,
     path_knot,
@@ -94,6 +95,10 @@ def _act(
         vx = float(speed * wp.cos(heading))
         vy = float(speed * wp.sin(heading))
         radius = float(table[w, k, Column.ROLL_RADIUS])
+        if not wp.isnan(frozen[w, k, Column.GAINS]):
+            near = approached(table, w, k, float(speed), float(heading), v, float(dt))
+            vx = near[0]
+            vy = near[1]
         flies = not wp.isnan(frozen[w, k, Column.CLIMB])
         if flies:
             # What it flies with once gravity has acted counts for the moment it begins.

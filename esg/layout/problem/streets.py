@@ -14,7 +14,7 @@ import math
 
 import numpy as np
 
-from esg.graph.models import EsgDocument, NodeEvent, RelationType
+from esg.graph.models import EsgDocument, NodeEvent, Predicate, RelationType
 from esg.layout.problem.poses import Pose2, compose, inverse
 from esg.layout.problem.supports import Shape, SupportMap
 from esg.layout.problem.units import Unit
@@ -25,7 +25,10 @@ PAVEMENTS = frozenset({"pavement", "sidewalk"})
 """Categories of the strips beside a street."""
 CROSSINGS = frozenset({"crosswalk"})
 """Categories of what leads across it."""
-RIDERS = frozenset({"cyclist", "bicyclist", "biker", "motorcyclist", "moped", "rider"})
+RIDERS = frozenset({
+    "bicyclist", "biker", "cyclist", "moped", "motorcyclist", "rider", "rollerblader",
+    "skateboarder", "skater",
+})  # fmt: skip
 """Words for who rides without what is ridden being drawn."""
 FACE_TRAFFIC = frozenset({"sign", "traffic_light", "billboard", "meter"})
 """Words of categories that are read by who drives, not by who walks."""
@@ -195,9 +198,13 @@ def users(
 ) -> Users:
     """Sorts the members of a planned unit by what they have to do with a street."""
     out = Users({}, {}, {}, {})
-    active = drivers(doc, unit, shape)
-    for name, pose in unit.members.items():
+    active = drivers(doc, unit, shape) or drivers(doc, unit, shape, afoot=True)
+    along = _one_way_or_the_other(doc, {n: active[n] for n in unit.members if n in active})
+    members = sorted(unit.members.items(), key=lambda m: m[0] not in list(along)[:1])
+    for name, pose in members:
         body = Body(pose, (shape[name].hx, shape[name].hy))
+        if name in active and name not in along:
+            continue  # it comes across
         if name in active:
             heading = active[name]
             out.drivers[name] = Body((pose[0], pose[1], heading), body.half)
@@ -209,6 +216,17 @@ def users(
             out.on_it[name] = body
     out.stops.update(_stops(doc, unit, out))
     return out
+
+
+def _one_way_or_the_other(doc: EsgDocument, active: dict[str, float]) -> dict[str, float]:
+    """Those of the drivers who go along a street: who is said to, and who goes that way, or back.
+
+    Whoever comes across has no part in where the street lies.
+    """
+    order = sorted(active, key=lambda name: not goes_along(doc, name))
+    first = active[order[0]] if order else 0.0
+    off = {n: abs(math.remainder(active[n] - first, math.pi)) for n in order}
+    return {n: active[n] for n in order if off[n] <= math.radians(TURNED_DEG)}
 
 
 def _stops(doc: EsgDocument, unit: Unit, who: Users) -> dict[str, Body]:
@@ -229,8 +247,17 @@ def _stops(doc: EsgDocument, unit: Unit, who: Users) -> dict[str, Body]:
     return out
 
 
-def drivers(doc: EsgDocument, unit: Unit, shape: dict[str, Shape]) -> dict[str, float]:
-    """Vehicles that drive by themselves and the headings in which they set off [rad]."""
+def drivers(
+    doc: EsgDocument, unit: Unit, shape: dict[str, Shape], *, afoot: bool = False
+) -> dict[str, float]:
+    """Vehicles that drive by themselves and the headings in which they set off [rad].
+
+    Args:
+        doc: The document.
+        unit: Who is planned.
+        shape: Geometry of every node.
+        afoot: Whatever is told to go along a street without wheels, instead.
+    """
     timeline = doc.timeline_system
     acting = {} if timeline is None else {e.actor for e in timeline.sequence_graph.edges
                                           if e.event.value != "InertialConnector"}  # fmt: skip
@@ -240,6 +267,8 @@ def drivers(doc: EsgDocument, unit: Unit, shape: dict[str, Shape]) -> dict[str, 
         onward = next((p for p in rest if math.dist(p, start) > 1.0), None)
         for name, (x, y, _) in unit.members.items():
             rides = shape[name].config.is_wheeled or words_of(doc, name) & RIDERS
+            if afoot:
+                rides = goes_along(doc, name)
             if (
                 onward
                 and rides
@@ -249,6 +278,16 @@ def drivers(doc: EsgDocument, unit: Unit, shape: dict[str, Shape]) -> dict[str, 
             ):
                 out[name] = math.atan2(onward[1] - start[1], onward[0] - start[0])
     return out
+
+
+def goes_along(doc: EsgDocument, name: str) -> bool:
+    """Whether a thing is said to move along a street."""
+    streets = streets_in(doc)
+    return any(
+        s.predicate is Predicate.MOVES and s.direction == "along" and name in s.object
+        and any(t in streets for t in s.target)
+        for s in doc.statements or ()
+    )  # fmt: skip
 
 
 def lay_beside_parked(street: Street, who: Users, unit: Unit) -> Pose2 | None:

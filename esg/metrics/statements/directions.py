@@ -12,7 +12,7 @@ from esg.metrics.events.space import inside_volume, volumes
 from esg.metrics.geometry import gets_ahead
 from esg.metrics.replay import Floats, Replay
 from esg.metrics.statements.query import Kept, StatementQuery
-from esg.metrics.support import bounds, local_position
+from esg.metrics.support import bounds, local_position, touching
 from esg.thresholds import (
     ACROSS_LENGTHS,
     ACROSS_SHARE,
@@ -20,8 +20,10 @@ from esg.thresholds import (
     AROUND_DEG,
     BEND_DEG,
     DIRECTION_DEG,
+    MOST,
     PASS_M,
     PASS_SIZES,
+    SLOPE_GRADE,
     SLOPE_SHARE,
     STILL_M,
     WIDE_M,
@@ -105,12 +107,19 @@ def _of_own(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
 
 
 def _upright(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
-    """Up to its highest point, or down to its lowest; up or down something, along with it."""
+    """Up to its highest point, or down to its lowest; up or down something, along with it.
+
+    What touches something most of the way goes along a slope, however flat: it gains height.
+    """
     direction = q.statement.direction or ""
     sign = 1.0 if direction == "up" else -1.0
     turn = int(np.argmax(sign * path[:, 2]))
     shift = path[turn] - path[0]
     slopes = [j for j in q.target.bodies if j != body]
+    if not slopes and touching(replay, body)[q.window.frames][: turn + 1].mean() >= MOST:
+        gained, level = sign * float(shift[2]), float(np.hypot(*shift[:2]))
+        if gained >= max(STILL_M, SLOPE_GRADE * level):
+            return Kept(True, {"rises_m": sign * gained})
     if not slopes:
         return _off(shift, angle_deg(shift, np.array(_VIEWER[direction])), repr(direction))
     boxes = [bounds(replay, j, q.window.first) for j in slopes]

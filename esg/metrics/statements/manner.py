@@ -8,6 +8,7 @@ from esg.engines.scene import Body
 from esg.metrics.binding import Binding
 from esg.metrics.events import names, pairs
 from esg.metrics.events.space import is_over
+from esg.metrics.joined import held, joined
 from esg.metrics.replay import GROUND_INDEX, Floats, Replay
 from esg.metrics.statements.place import mostly
 from esg.metrics.statements.query import Kept, StatementQuery
@@ -44,7 +45,9 @@ def _spin_share(
 ) -> Kept:
     frames = q.window.frames
     moves = (replay.speed[:, body] > STOPPED_MPS)[frames]
-    counted = moves & touching(replay, body)[frames]
+    on_rails = [j for j in joined(replay) if j.joint.kind == "slider"]
+    guided = held(tuple(on_rails), body, len(replay.time))
+    counted = moves & (touching(replay, body) | guided)[frames]
     if not counted.any():
         reason = "never touches anything while it moves" if moves.any() else "does not move"
         return Kept(False, reason=reason)

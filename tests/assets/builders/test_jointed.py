@@ -70,6 +70,8 @@ def test_parts_fit_each_other(row: Articulation, factor: float) -> None:
         )
         assert deepest <= SLACK_CM * factor, f"{row.nouns[0]}: {deepest:.1f} cm deep"
     assert min(low) > 0.0, "it hangs into the ground"
+    if row.carries == "with":
+        assert row.above_cm == pytest.approx(min(low) / factor, abs=1.0)
 
 
 @pytest.mark.parametrize("name", sorted(parts()))

@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from esg.assets import search
-from esg.assets.library.catalogue import catalogue, entries_by_name, lexicon, singular
+from esg.assets.library.catalogue import catalogue, lexicon, singular
 from esg.assets.library.embed import embed
 from esg.assets.library.index import INDEX_FILE, texts_hash, unpack
 from esg.assets.library.lookup import exact, head_match
@@ -68,7 +68,7 @@ def test_singular() -> None:
 
 
 def test_lexicon_leads_to_known_entries() -> None:
-    assert set(lexicon().values()) == set(entries_by_name())
+    assert set(lexicon().values()) == {e.name for e in catalogue()}
 
 
 @pytest.mark.slow

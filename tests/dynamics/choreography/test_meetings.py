@@ -21,6 +21,7 @@ PROMPTS = {
     "who overtook before": "A motorbike overtakes a bus, cuts in front of it and brakes; the bus "
     "hits the motorbike.",
     "one runs into the back": "The red car rear-ends the blue car after the blue car brakes.",
+    "one runs into the side": "A car drives along, and a truck hits its side.",
     "they run, or are thrown": "Two trams collide in a depot.",
     "a was set in motion": "Ball A hits ball B. B hits ball C.",
     "a left its support": "A pumpkin rolls off a hay bale and hits a milk can.",
@@ -29,6 +30,7 @@ PROMPTS = {
     "a is thrown at the board": "A basketball bounces off the backboard and goes through the hoop.",
     "a comes down on the top": "A ball is dropped from 3 m onto a table, bounces off and lands in a "
     "basket.",
+    "a hangs drawn back": "A pendulum is released and hits a box.",
     "a is let go over b": "A basketball is dropped onto a wooden crate.",
     "a comes down a ramp": "A ball rolls down a ramp and hits a box.",
     "a brakes": "A sled slides at 7 m/s, brakes and hits a snowman.",

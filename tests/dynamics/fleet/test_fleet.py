@@ -8,8 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
+from esg.dynamics import start_hints
 from esg.dynamics.fleet import many
 from esg.dynamics.fleet.many import Clock, optimize_many
+from esg.dynamics.plan import build_scene
 from esg.dynamics.search import batched
 from esg.dynamics.strategies import optimize
 from esg.engines.fleet import FleetNewton, FleetSurrogate
@@ -20,6 +22,7 @@ from esg.engines.registry import get_engine
 from esg.engines.scene import Body, Rollout, Shape, SimScene, Variation
 from esg.engines.shapes import SceneShapes
 from esg.graph.models import EsgDocument
+from esg.layout import solve
 from esg.outcomes import UserError
 from tests.dynamics import stories
 from tests.dynamics.stage import lay_out
@@ -249,3 +252,17 @@ def test_surrogate_grants_more_room(monkeypatch: pytest.MonkeyPatch) -> None:
     assert job.shapes is not None
     fleet.play([job], [job.shapes], Buffer(np.zeros(20_000_000, np.uint8)))
     assert fleet.contacts[7] > 12
+
+
+def test_jointed_scenes_are_searched_beside_others() -> None:
+    """What has joints explores in Newton, in passes of its own; all come out as alone."""
+    door = stories.cast("A ball hits a swinging door.")
+    door = solve(door, seed=0, hints=start_hints(door, seed=0))
+    assert build_scene(door).joints
+    docs = [lay_out(stories.three_balls(), 1), door]
+    together = optimize_many(docs, [0, 1], max_rounds=3)
+    for k, (doc, other) in enumerate(zip(docs, together, strict=True)):
+        alone = optimize(doc, seed=k, max_rounds=3)
+        assert alone.model_dump_json() == other.model_dump_json()
+    explored = together[1].dynamics_result
+    assert explored is not None and {s.engine for s in explored.steps} == {"newton"}

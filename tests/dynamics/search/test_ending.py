@@ -73,6 +73,12 @@ def test_a_recording_ends_before_something_rolls_off_the_drawn_ground() -> None:
     reference: Any = SimpleNamespace(play_on=play_on)
     found = until_rest(plan, reference, np.zeros(0), LAST, LEAST)
     assert found == pytest.approx(4.0 - STILL_S, abs=0.11)
+    road = replace(floor, name="road", category="road", half_extents=(6.0, 2.0, 0.005))
+    for kind, leaves in (("car", 3.0), ("ball", 4.0)):
+        driver = replace(scene.bodies[0], category=kind, label=kind)
+        plan.scene = scene.with_bodies((driver, *scene.bodies[1:], road))
+        found = until_rest(plan, reference, np.zeros(0), LAST, LEAST)
+        assert found == pytest.approx(leaves - STILL_S, abs=0.11), kind
     assert until_rest(plan, reference, np.zeros(0), LAST, 5.0) == 5.0
 
 

@@ -109,3 +109,93 @@ def drawer_chest(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.slab((-L / 2 + t, L / 2), inner, (0, bay[0]), DARK, solid=1)
     s.surface("top", H, (L / 2, W / 2))
     s.mount("runner", (L / 2, 0.0, bay[0] + 0.3), (1.0, 0.0, 0.0))
+
+
+@builder("cupboard_body", "free")
+def cupboard_body(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Cupboard that is open in front (+X), with a shelf; its door closes before it."""
+    t, foot = 0.04 * W, 0.05 * H
+    inner = (-W / 2 + t, W / 2 - t)
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, foot), shade(c, 0.8), solid=1)
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (H - t, H), c, solid=1)
+    s.slab((-L / 2, -L / 2 + t), inner, (foot, H - t), c, solid=1)
+    for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
+        s.slab((-L / 2, L / 2), y, (foot, H - t), c, solid=1)
+    s.slab((-L / 2 + t, 0.4 * L), inner, (0.55 * H, 0.55 * H + t), shade(c, 1.1), solid=1)
+    s.surface("top", H, (L / 2, W / 2))
+    s.region("inside", (-L / 2 + t, L / 2), inner, (foot, H - t))
+    s.mount("side", (L / 2, -W / 2, foot), (0.0, 0.0, -1.0))
+    s.mount("bottom", (L / 2, 0.0, foot), (0.0, 1.0, 0.0))
+
+
+@builder("cupboard_door", "free")
+def cupboard_door(s: Sketch, L: float, W: float, H: float, c: Color, hung: str = "side") -> None:
+    """Flat door with a bar to pull, hung on its right edge (-Y) or on its lower one."""
+    t = 0.2 * L
+    s.slab((-L / 2, t), (-W / 2, W / 2), (0, H), c, solid=1)
+    if hung == "side":
+        pull = ((0.44 * L, 0.42 * W, 0.4 * H), (0.44 * L, 0.42 * W, 0.65 * H))
+        s.mount("side", (-L / 2, -W / 2, 0.0), (0.0, 0.0, -1.0))
+    else:
+        pull = ((0.44 * L, -0.4 * W, 0.92 * H), (0.44 * L, 0.4 * W, 0.92 * H))
+        s.mount("bottom", (-L / 2, 0.0, 0.0), (0.0, 1.0, 0.0))
+    s.rod(0.05 * L, *pull, CHROME, metal=0.8, sections=12)
+    for x, y, z in pull:
+        s.rod(0.04 * L, (t, y, z), (x, y, z), CHROME, metal=0.8, sections=10)
+
+
+@builder("chest_body", "free")
+def chest_body(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Open box across Y; its lid hangs on the upper edge of its back."""
+    t = 0.05 * L
+    s.walls((-L / 2, L / 2), (-W / 2, W / 2), (0, H), t)
+    inner = (-W / 2 + t, W / 2 - t)
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, t), c)
+    for x in ((-L / 2, -L / 2 + t), (L / 2 - t, L / 2)):
+        s.slab(x, (-W / 2, W / 2), (t, H), c)
+    for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
+        s.slab((-L / 2 + t, L / 2 - t), y, (t, H), c)
+    for y in (-0.3 * W, 0.3 * W):
+        s.slab((L / 2, L / 2 + 0.01 * L), (y - t, y + t), (0, H), DARK, metal=0.5)
+    s.surface("lid", 1.302 * H, (L / 2, W / 2))
+    s.region("inside", (-L / 2 + t, L / 2 - t), inner, (t, H))
+    s.mount("hinge", (-L / 2, 0.0, 1.002 * H), (0.0, -1.0, 0.0))
+
+
+@builder("chest_lid", "free")
+def chest_lid(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Flat lid with a rim, hung on its rear lower edge."""
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H), shade(c, 0.95), solid=1)
+    for y in (-0.3 * W, 0.3 * W):
+        s.slab((-L / 2, L / 2 + 0.01 * L), (y - 0.05 * L, y + 0.05 * L), (0, 1.01 * H), DARK)
+    s.slab((L / 2, L / 2 + 0.02 * L), (-0.06 * W, 0.06 * W), (0, 0.6 * H), CHROME, metal=0.8)
+    s.mount("hinge", (-L / 2, 0.0, 0.0), (0.0, -1.0, 0.0))
+
+
+@builder("shutter_leaf", "free")
+def shutter_leaf(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Louvred leaf of a window shutter, hung on its right edge (-Y)."""
+    rim = 0.1 * W
+    for y in ((-W / 2, -W / 2 + rim), (W / 2 - rim, W / 2)):
+        s.slab((-L / 2, L / 2), y, (0, H), c)
+    for z in ((0, rim), (H - rim, H)):
+        s.slab((-L / 2, L / 2), (-W / 2 + rim, W / 2 - rim), z, c)
+    n = max(4, round((H - 2 * rim) / 6))
+    for k in range(n):
+        z = rim + (H - 2 * rim) * (k + 0.5) / n
+        slat = (0.4 * (H - 2 * rim) / n) / 2
+        s.slab((-L / 4, L / 4), (-W / 2 + rim, W / 2 - rim), (z - slat, z + slat), shade(c, 0.9))
+    s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
+    s.mount("hinge", (-L / 2, -W / 2, 0.0), (0.0, 0.0, -1.0))
+
+
+@builder("shutter_wall", "free")
+def shutter_wall(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Piece of a wall with a window that a shutter closes, flush with its front (+X)."""
+    side, sill, head = 0.2 * W, 0.4 * H, 0.9 * H
+    inner = (-W / 2 + side, W / 2 - side)
+    for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
+        s.slab((-L / 2, L / 2), y, (0, H), c, solid=1)
+    s.slab((-L / 2, L / 2), inner, (0, sill), c, solid=1)
+    s.slab((-L / 2, L / 2), inner, (head, H), c, solid=1)
+    s.mount("hinge", (L / 2, inner[0], sill), (0.0, 0.0, -1.0))

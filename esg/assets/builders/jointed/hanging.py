@@ -1,16 +1,19 @@
-"""What hangs and what it hangs on: pendulums, wrecking balls, cradles, swings, bags.
+"""What hangs and what it hangs on: pendulums, wrecking balls, cradles, swings, bags, lamps.
 
 Things swing along X, about an axis along Y; stands leave that way open and reach up beside it.
 """
 
 from __future__ import annotations
 
+import math
+
 from esg.assets.builders import builder
-from esg.assets.builders.common import shade
+from esg.assets.builders.common import LEAF, shade
 from esg.assets.geometry.sketch import (
     BRASS,
     DARK,
     DARK_WOOD,
+    PALE_WOOD,
     STEEL,
     YELLOW,
     Color,
@@ -92,7 +95,7 @@ def cradle_frame(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             s.rod(0.6, (x * 16, y * 8, 2), (x * 16, y * 8, 29.4), c, solid=1, metal=0.8)
         s.rod(0.6, (-16.6, y * 8, 29.4), (16.6, y * 8, 29.4), c, solid=1, metal=0.8)
     for k in range(5):
-        s.mount(f"pivot {k + 1}", (5.02 * (2 - k), 0.0, 29.0), _ACROSS)
+        s.mount(f"pivot {k + 1}", (5.02 * (k - 2), 0.0, 29.0), _ACROSS)
 
 
 @builder("swing_seat")
@@ -132,13 +135,86 @@ def hanging_bag(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.mount("chain", (0.0, 0.0, 150.0), (0.0, 0.0, -1.0))
 
 
-@builder("bag_stand")
-def bag_stand(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Gallows with an arm to +Y that a heavy bag hangs on, drawn at 120 x 150 x 230."""
-    s.slab((-60, 60), (-75, -63), (0, 8), c, solid=1, metal=0.3)
-    s.slab((-6, 6), (-63, 40), (0, 6), c, solid=1, metal=0.3)
-    s.slab((-6, 6), (-75, -63), (8, 230), c, solid=1, metal=0.3)
-    s.slab((-5, 5), (-63, 75), (222, 230), c, solid=1, metal=0.3)
-    s.rod(2.0, (0, -66, 170), (0, -20, 224), c, metal=0.3, sections=12)
-    s.rod(0.8, (0, 55, 216), (0, 55, 222), STEEL, metal=0.7, sections=10)
-    s.mount("hook", (0.0, 55.0, 218.0), (0.0, 0.0, -1.0))
+@builder("gallows", "free")
+def gallows(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Post with an arm to +Y that something hangs on: freely (hook), or about the arm (bar)."""
+    t = 0.04 * min(W, H)
+    post = (-W / 2, -W / 2 + 2 * t)
+    s.slab((-L / 2, L / 2), post, (0, 1.4 * t), c, solid=1, metal=0.3)
+    s.slab((-t, t), (post[1], 0.26 * W), (0, t), c, solid=1, metal=0.3)
+    s.slab((-t, t), post, (1.4 * t, H), c, solid=1, metal=0.3)
+    s.slab((-0.8 * t, 0.8 * t), (post[1], W / 2), (H - 1.4 * t, H), c, solid=1, metal=0.3)
+    s.rod(0.35 * t, (0, post[1], 0.75 * H), (0, -0.13 * W, H - t), c, metal=0.3, sections=12)
+    y, z = 0.36 * W, H - 2 * t
+    s.rod(0.14 * t, (0, y, z), (0, y, H - 1.4 * t), STEEL, metal=0.7, sections=10)
+    s.mount("hook", (0.0, y, z), (0.0, 0.0, -1.0))
+    s.mount("bar", (0.0, y, z), _ACROSS)
+
+
+@builder("sign_board")
+def sign_board(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Painted board that faces X on two short rods, drawn at 4 x 60 x 50."""
+    s.slab((-1.5, 1.5), (-30, 30), (0, 40), c, solid=1)
+    for x in ((1.5, 1.7), (-1.7, -1.5)):
+        s.slab(x, (-26, 26), (5, 35), PALE_WOOD)
+    for y in (-20, 20):
+        s.rod(0.6, (0, y, 40), (0, y, 50), STEEL, metal=0.7, sections=10)
+    s.mount("bar", (0.0, 0.0, 50.0), _ACROSS)
+
+
+@builder("hanging_bell")
+def hanging_bell(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Bronze bell below a yoke, drawn at 44 x 44 x 60."""
+    outer = [(0, 46), (6, 45), (11, 40), (13, 28), (15, 14), (19, 4), (22, 0)]
+    inner = [(20, 0), (17.5, 4), (13.5, 14), (11.5, 28), (9, 40), (0, 43)]
+    s.lathe([*outer, *inner], c, metal=0.9, rough=0.3)
+    s.ball(4, (0, 0, 4), DARK, metal=0.6)
+    s.rod(0.9, (0, 0, 6), (0, 0, 44), DARK, sections=10)
+    s.slab((-3, 3), (-14, 14), (46, 54), DARK_WOOD)
+    s.torus(3, 0.8, (0, 0, 56.2), STEEL, axis="x", metal=0.7)
+    s.proxy_cylinder(20, (0, 14))
+    s.proxy_cylinder(14, (14, 54))
+    s.mount("bar", (0.0, 0.0, 60.0), _ACROSS)
+
+
+@builder("hanging_lamp")
+def hanging_lamp(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Lamp with a shade on a cord, drawn at 40 x 40 x 90."""
+    s.lathe([(0, 26), (5, 26), (20, 4), (20, 0), (19, 0), (4, 24), (0, 24)], c, rough=0.4)
+    s.ball(5, (0, 0, 12), (1.0, 0.95, 0.8), rough=0.2)
+    s.rod(2.5, (0, 0, 25), (0, 0, 31), DARK)
+    s.rod(0.4, (0, 0, 31), (0, 0, 90), DARK, sections=8)
+    s.proxy_cylinder(20, (0, 10))
+    s.proxy_cylinder(12, (10, 28))
+    s.mount("cord", (0.0, 0.0, 90.0), (0.0, 0.0, -1.0))
+
+
+@builder("hanging_pot")
+def hanging_pot(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Flower pot on three cords, drawn at 28 x 28 x 65."""
+    s.lathe([(0, 0), (9, 0), (13, 20), (14, 20), (14, 23), (12, 23), (12, 18), (0, 18)], c)
+    for k in range(5):
+        a = 2.0 * math.pi * k / 5
+        s.ball(6, (6 * math.cos(a), 6 * math.sin(a), 25), LEAF, detail=2)
+    for k in range(3):
+        a = 2.0 * math.pi * k / 3
+        s.rod(0.25, (13 * math.cos(a), 13 * math.sin(a), 22), (0, 0, 65), DARK_WOOD, sections=6)
+    s.proxy_cylinder(12.5, (0, 23))
+    s.mount("cord", (0.0, 0.0, 65.0), (0.0, 0.0, -1.0))
+
+
+@builder("tether_ball")
+def tether_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Ball with an eye on top, drawn at 21 x 21 x 23."""
+    s.ball(10.5, (0, 0, 10.5), c, solid=1, rough=0.5)
+    s.torus(1.0, 0.3, (0, 0, 21.8), STEEL, axis="y", metal=0.6)
+    s.mount("eye", (0.0, 0.0, 22.0), _ACROSS)
+
+
+@builder("tether_pole")
+def tether_pole(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Pole with a bracket at its top, drawn at 60 x 60 x 310."""
+    s.rod(30, (0, 0, 0), (0, 0, 4), DARK, solid=1)
+    s.rod(2.5, (0, 0, 4), (0, 0, 310), c, solid=1, metal=0.5)
+    s.rod(1, (0, 0, 306), (18, 0, 306), c, metal=0.5, sections=12)
+    s.mount("hook", (18.0, 0.0, 304.0), _ACROSS)

@@ -26,7 +26,7 @@ from esg.draft.discourse.referents.registry import (
 )
 from esg.draft.discourse.referents.thinghood import names_nothing
 from esg.draft.discourse.referents.wholes import whole_of
-from esg.draft.text.elements import Mention
+from esg.draft.text.elements import ONE_OF_THESE, Mention
 
 _STACKS = lex.word_set("stacks (resolution)")
 _OF_A_TRADE = lex.word_set("of a trade")
@@ -103,7 +103,13 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
         resolve(world, owner)  # "the man's hat": the man is there too
     found = existing(world, m, avoid)
     another = OTHER & {*m.adjectives} or owner is not None
-    if found and set(found) <= {*avoid} and (another or world.entities[found[0]].head != m.head):
+    told = ONE_OF_THESE in m.adjectives
+    if (
+        found
+        and not told
+        and set(found) <= {*avoid}
+        and (another or world.entities[found[0]].head != m.head)
+    ):
         found = []  # "a curling stone hits the guard stone": not itself
     enrich(world, m, found)
     return found or create(world, m)
@@ -219,6 +225,8 @@ def _by_place(world: World, m: Mention, names: list[Entity], avoid: list[str]) -
         return found
     word = place_word(m)
     alike = [e for e in world.entities.values() if same_kind(m, e)]
+    if ONE_OF_THESE in m.adjectives and len(names or alike) == 1:
+        return [(names or alike)[0].id]
     rows = m.stacked or (m.noun is not None and m.noun.kind in ("pin", "domino"))
     if word and rows and not alike:
         row = Mention(m.start, m.end, head=m.head, noun=m.noun, plural=True)

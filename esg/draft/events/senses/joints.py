@@ -4,44 +4,36 @@ from __future__ import annotations
 
 import re
 
-from esg.draft import lexicon as lex
 from esg.draft.discourse.core import kind_of, mark_used, movable
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, add_hit
 from esg.draft.events.consequences import already_hit, struck_before
-from esg.draft.events.hanging import hanging, let_go, row_of
+from esg.draft.events.hanging import SHUTTING, hanging, let_go, openable, row_of
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.senses.contact import hit_targets
 from esg.draft.events.senses.handling import so_often
 from esg.draft.events.stated import place_of
 from esg.draft.events.table import read_as, sense
-from esg.draft.events.timing import hand_on, moved_by_others, time_of
-from esg.draft.events.told import at_rest, ignore
+from esg.draft.events.timing import moved_by_others, time_of
+from esg.draft.events.told import at_rest
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import ForceDirection, NodeEvent
 
-_SHUT = lex.word_set("shutting") | {"closed"}
 _BACK_AND_FORTH = re.compile(r"back and forth|to and fro|from side to side", re.IGNORECASE)
 _TO_AND_FRO = 3
 """How often what swings back and forth passes its lowest point, at least."""
-
-
-def _openable(d: Discourse, bodies: list[str]) -> list[str]:
-    return [b for b in bodies if (row := row_of(d, b)) is not None and row.opened is not None]
 
 
 @sense("open")
 def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "The gate swings open", "a ball pushes the door open", "the drawer closes"."""
     doers, moved = doer_and_done(f, s, o) if o or f.verb.passive else ([], s)
-    moved = _openable(d, moved)
-    if not moved:
-        ignore(d, f, "no physical meaning")
-        hand_on(d, f)
-        return
-    shut = f.verb.extra.get("result", f.verb.lemma) in _SHUT
+    moved = openable(d, moved)
+    last = d.text[f.verb.start : f.verb.end].lower().split()[-1]
+    shut = bool({f.verb.extra.get("result", f.verb.lemma), last} & SHUTTING)
     event = NodeEvent.CLOSE if shut else NodeEvent.OPEN
+    note = "opens or closes"
     things = [i for i in doers if movable(d, i) and kind_of(d, i) != "person" and i not in moved]
     for body in moved:
         if shut and body not in d.timeline.tracks:
@@ -52,9 +44,8 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     for body in moved:
         if at_rest(d, body) and not moved_by_others(d, body):
             d.timeline.move(body, Motion("drive"), ForceDirection.ANY_3D)
-        add_event(d, event, (body,), f, time_of(d, f))
+        note = add_event(d, event, (body,), f, time_of(d, f))
         d.timeline.track(body).motion = None
-    note = "closes" if shut else "opens"
     mark_used(d, f, note)
     for word in (f.verb.extra.get("result"), "further", "wide"):
         at = place_of(word, d.text, f) if word in f.adverbs else None
@@ -68,7 +59,9 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     doers, hung = doer_and_done(f, s, o) if o or f.verb.passive else ([], s)
     hung = hanging(d, hung)
     if not hung:
-        read_as(d, "open" if _openable(d, o or s) else "swing_round", f, s, o)
+        if openable(d, o or s):
+            f.verb.sense = "open"
+        read_as(d, "open" if openable(d, o or s) else "swing_round", f, s, o)
         return
     things = [i for i in doers if movable(d, i) and i not in hung]
     if things and not already_hit(d, f, things, hung):
@@ -78,17 +71,18 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     let_go(d, f, hung)
     met = f.phrase("at", "into", "against", "through", "on") is not None
     target = [i for i in hit_targets(f, s, o) if i not in hung] if met else []
+    note = "swings"
     if target:
         add_hit(d, f, hung[:1], target, time_of(d, f))
     else:
         for body in hung:
-            node = add_event(d, NodeEvent.SWING, (body,), f, time_of(d, f))
+            note = node = add_event(d, NodeEvent.SWING, (body,), f, time_of(d, f))
             so_often(d, f, node)
             draft, often = d.timeline.node(node), _BACK_AND_FORTH.search(d.text, f.verb.end)
             if draft is not None and often is not None:
                 draft.extra.setdefault("times", _TO_AND_FRO)
                 d.scene.used[often.span()] = node
-    mark_used(d, f, "swings")
+    mark_used(d, f, note)
 
 
 @sense("let_go")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+import re
 from typing import NamedTuple
 
 from esg.draft import lexicon as lex
@@ -49,7 +50,7 @@ from esg.draft.grammar.phrases.reader import (
     unknown_noun,
 )
 from esg.draft.grammar.phrases.rows import inner_phrase, member_of_row, the_rest
-from esg.draft.text.elements import Mention
+from esg.draft.text.elements import ONE_OF_THESE, Mention
 from esg.draft.verbphrases import verb_readings
 
 _RUNNING_GEAR = lex.word_set("running gear")
@@ -230,11 +231,11 @@ def _stands(c: Chunks, j: int, m: Mention, plural: bool) -> int:
         m.adjectives.append("rear")
         j += 2
     elif low == "behind" and the and _ends_or_acts(c, j + 1):
-        m.adjectives.append("rear")
+        m.adjectives += ["rear", *_absolute(c, j + 1, m)]
         j += 1
     elif (low, low_at(c, j + 1)) == ("in", "front") and the and _of_it(c, j + 2):
-        m.adjectives.append("front")
         j += 4 if low_at(c, j + 2) == "of" else 2
+        m.adjectives += ["front", *_absolute(c, j, m)]
     on_top = 2 if low_at(c, j + 1) == "top" else 3 if low_at(c, j + 2) == "top" else 0
     top = on_top and low_at(c, j) in ("on", "at") and low_at(c, j + 1) in ("top", "the")
     top = top and low_at(c, j + on_top) != "speed"
@@ -248,6 +249,14 @@ def _stands(c: Chunks, j: int, m: Mention, plural: bool) -> int:
         m.stacked = True
         j += 3
     return j
+
+
+def _absolute(c: Chunks, j: int, m: Mention) -> list[str]:
+    """ "A van and a bus drive along, the van in front.": no other van."""
+    token = token_at(c, j)
+    ends = token is None or token.low in (".", ";", "!")
+    opens = re.search(r",\s*(?:(?:and|with)\s+)?$", c.text[: m.start], re.IGNORECASE)
+    return [ONE_OF_THESE] if ends and opens else []
 
 
 def _of_it(c: Chunks, j: int) -> bool:

@@ -1,4 +1,4 @@
-"""What a verb leaves open or shut: "pushes the door open", "slams shut" is one verb of opening."""
+"""What a verb leaves open or shut: "pushes the door open", "slams shut" is one verb."""
 
 from __future__ import annotations
 
@@ -9,7 +9,7 @@ _RESULTS = lex.word_set("left open or shut")
 
 
 def join_results(elements: list[Element], text: str) -> list[Element]:
-    """Reads a verb and what it leaves its object in as one verb of the sense `open`.
+    """Notes with a verb what it leaves its object in, which then stands there as an adverb.
 
     Args:
         elements: Of a prompt.
@@ -20,7 +20,7 @@ def join_results(elements: list[Element], text: str) -> list[Element]:
         led = _leading(out) if isinstance(e, Verb) else None
         if led is not None and text[e.start : e.end].lower() in _RESULTS:
             result = text[e.start : e.end].lower()
-            led.sense, led.extra = "open", {**led.extra, "result": result}
+            led.extra = {**led.extra, "result": result}
             out.append(Word(e.start, e.end, "adv", result))
         else:
             out.append(e)
@@ -32,6 +32,6 @@ def _leading(before: list[Element]) -> Verb | None:
     for e in reversed(before):
         if isinstance(e, Verb):
             return None if e.sense in ("be", "have") else e
-        if not isinstance(e, Mention) and not (isinstance(e, Word) and e.kind == "adv"):
+        if not isinstance(e, Mention) and e.kind != "adv":
             return None
     return None

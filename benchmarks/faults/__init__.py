@@ -1,0 +1,1 @@
+"""What must hold when something breaks: damaged input and data, killed and interrupted work."""

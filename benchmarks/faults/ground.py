@@ -1,0 +1,216 @@
+"""Undisturbed work that faults are done to, and calls of the command line in copies of it."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+import os
+from pathlib import Path
+import re
+import resource
+import shutil
+import signal
+import subprocess
+import sys
+import time
+
+ROOT = Path(__file__).parents[2]
+PROMPT = "A toy truck rolls forward at 3 m/s and hits a wooden crate."
+SUITE = f"""\
+suite: faults
+source: benchmarks/faults
+scenes:
+  - id: truck
+    level: single
+    prompt: "{PROMPT}"
+    events:
+      - {{id: e1, type: collision, a: toy truck, b: wooden crate}}
+    constraints:
+      - {{kind: initial, quantity: speed, object: toy truck, value: 3, unit: m/s}}
+"""
+MEMORY_BYTES = 2 * 2**30
+"""What a command may allocate on malformed input."""
+PATIENCE_S = 30.0
+"""How long it may take."""
+UGLY = re.compile(r"Traceback \(most recent call last\)|a defect of this software|core dumped")
+
+
+@dataclass(frozen=True)
+class Ended:
+    """How a command ended.
+
+    Args:
+        code: Exit code; negative for a signal, None if it hung.
+        out: What it printed.
+        err: What it said on stderr.
+        seconds: How long it took [s].
+    """
+
+    code: int | None
+    out: str
+    err: str
+    seconds: float
+
+    def wrong(self, allowed: Sequence[int]) -> str:
+        """What is wrong with how it ended; empty if nothing is.
+
+        Args:
+            allowed: Exit codes that are right.
+        """
+        if self.code is None:
+            return f"hung for {self.seconds:.0f} s"
+        if UGLY.search(self.out + self.err):
+            return "a defect or a traceback: " + " ".join((self.err or self.out).split())[-300:]
+        if self.code not in allowed:
+            return f"exit code {self.code}: " + " ".join((self.err or self.out).split())[-300:]
+        if self.code in (1, 2) and not (self.out + self.err).strip():
+            return f"exit code {self.code} without a word"
+        return ""
+
+
+def environment(place: Path, cache: Path) -> dict[str, str]:
+    """The environment of a command that works in a folder with a cache of its own."""
+    variables = {k: v for k, v in os.environ.items() if not k.startswith(("ESG_", "PREFECT_"))}
+    return variables | {
+        "ESG_CACHE_DIR": str(cache),
+        "ESG_DB": str(place / "runs" / "esg.duckdb"),
+        "PYTHONPATH": str(ROOT),
+        "TMPDIR": str(place / "tmp"),
+        "XDG_DATA_HOME": str(place / "share"),
+    }
+
+
+def begin(arguments: Sequence[str], place: Path, cache: Path, **more: str) -> subprocess.Popen[str]:
+    """Starts a command in a folder; its own process group can be killed as a whole."""
+    (place / "tmp").mkdir(parents=True, exist_ok=True)
+    return subprocess.Popen(
+        [sys.executable, "-m", "esg", *arguments], cwd=place, text=True, errors="replace",
+        env=environment(place, cache) | more, start_new_session=True, stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE, stderr=subprocess.PIPE,
+    )  # fmt: skip
+
+
+def finish(command: subprocess.Popen[str], patience_s: float, started: float) -> Ended:
+    """Waits for a command; one that hangs is killed with all it started."""
+    try:
+        out, err = command.communicate(timeout=patience_s)
+    except subprocess.TimeoutExpired:
+        os.killpg(command.pid, signal.SIGKILL)
+        out, err = command.communicate()
+        return Ended(None, out, err, time.monotonic() - started)
+    return Ended(command.returncode, out, err, time.monotonic() - started)
+
+
+def esg(
+    arguments: Sequence[str], place: Path, cache: Path, patience_s: float = 600.0, **more: str
+) -> Ended:
+    """Runs a command to its end."""
+    started = time.monotonic()
+    return finish(begin(arguments, place, cache, **more), patience_s, started)
+
+
+def forked(arguments: Sequence[str], place: Path, cache: Path, **more: str) -> Ended:
+    """Runs a command in a fork of this process, which has the libraries loaded already.
+
+    Args:
+        arguments: Of the command line.
+        place: Where it runs.
+        cache: Its cache folder.
+        more: Further variables of its environment.
+    """
+    (place / "tmp").mkdir(parents=True, exist_ok=True)
+    out, err = place / "tmp" / "out", place / "tmp" / "err"
+    started = time.monotonic()
+    child = os.fork()
+    if child == 0:
+        os.setpgid(0, 0)
+        for number, path in ((1, out), (2, err)):
+            handle = os.open(path, os.O_CREAT | os.O_WRONLY | os.O_TRUNC, 0o600)
+            os.dup2(handle, number)
+        _child(arguments, place, environment(place, cache) | more)
+    code = _waited(child, started)
+    texts = [p.read_text(errors="replace") if p.exists() else "" for p in (out, err)]
+    return Ended(code, texts[0], texts[1], time.monotonic() - started)
+
+
+def _child(arguments: Sequence[str], place: Path, variables: dict[str, str]) -> None:
+    code = 99
+    try:
+        sys.stdout = open(1, "w", closefd=False)  # noqa: SIM115
+        sys.stderr = open(2, "w", closefd=False)  # noqa: SIM115
+        resource.setrlimit(resource.RLIMIT_DATA, (MEMORY_BYTES, MEMORY_BYTES))
+        resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
+        os.chdir(place)
+        os.environ.clear()
+        os.environ.update(variables)
+        sys.argv = ["esg", *arguments]
+        from esg.cli import main
+
+        main()
+    except SystemExit as ended:
+        code = ended.code if isinstance(ended.code, int) else 1
+    except BaseException:
+        import traceback
+
+        traceback.print_exc()
+    finally:
+        for stream in (sys.stdout, sys.stderr):
+            stream.flush()
+        os._exit(code)
+
+
+def _waited(child: int, started: float) -> int | None:
+    """The exit code of a child, None if it had to be killed."""
+    pause = 0.002
+    while True:
+        done, status = os.waitpid(child, os.WNOHANG)
+        if done:
+            return os.waitstatus_to_exitcode(status)
+        if time.monotonic() - started > PATIENCE_S:
+            os.killpg(child, signal.SIGKILL)
+            os.waitpid(child, 0)
+            return None
+        time.sleep(pause)
+        pause = min(2 * pause, 0.05)
+
+
+def prepared(folder: Path) -> Path:
+    """A folder in which a scene was made, a suite run and a small dataset built, undisturbed.
+
+    Args:
+        folder: Kept from call to call if it is complete.
+
+    Raises:
+        RuntimeError: If one of the commands fails.
+    """
+    done = folder / "complete"
+    if done.exists():
+        return folder
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    (folder / "faults.yaml").write_text(SUITE)
+    for arguments in (
+        ["setup"],
+        ["generate", PROMPT],
+        ["bench", "faults.yaml", "--runs", "1"],
+        ["dataset", "--sample", "4", "--out", "data", "--workers", "1", "--mcap", "all"],
+        ["report", "runs/bench-faults-batched-physx"],
+    ):
+        ended = esg(arguments, folder, folder / "cache")
+        if ended.code not in (0, 3):
+            raise RuntimeError(f"esg {' '.join(arguments)}: {ended.err or ended.out}")
+    shutil.rmtree(folder / "tmp", ignore_errors=True)
+    done.touch()
+    return folder
+
+
+def scene_of(folder: Path) -> Path:
+    """The scene folder of a prepared folder's single scene."""
+    return next(p.parent for p in sorted((folder / "runs").glob("*/prompt.txt")))
+
+
+def copied(source: Path, target: Path) -> Path:
+    """A copy of a prepared folder without its cache, which commands may share or copy."""
+    shutil.rmtree(target, ignore_errors=True)
+    shutil.copytree(source, target, ignore=shutil.ignore_patterns("cache", "tmp", "complete"))
+    return target

@@ -1,0 +1,203 @@
+"""Data that knows when it is damaged: digests of tables, checksums of recordings, the whole of it.
+
+Every page of a Parquet file has a checksum, and its footer the digest of all that the file says: a
+flipped bit in a footer changes types, counts or places without touching a page.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+import hashlib
+from pathlib import Path
+import struct
+from typing import TYPE_CHECKING, Any
+import zlib
+
+from esg.outcomes import UserError
+
+if TYPE_CHECKING:
+    import pyarrow as pa
+
+DIGEST_KEY = b"esg.digest"
+_MAGIC = b"\x89MCAP0\r\n"
+_FOOTER, _ATTACHMENT = 0x02, 0x09
+
+
+def content_digest(data: pa.Table) -> bytes:
+    """Digest of what a table says: names, types, values and gaps, however its memory is arranged.
+
+    Args:
+        data: The table.
+
+    Returns:
+        64 hex digits.
+    """
+    import pyarrow as pa
+
+    digest = hashlib.sha256()
+    for name, column in zip(data.column_names, data.columns, strict=True):
+        kind = column.type
+        # Parquet has its own name for what a list holds.
+        word = f"list of {kind.value_type}" if pa.types.is_list(kind) else str(kind)
+        digest.update(f"{name}: {word}, {len(column)}\n".encode())
+        _update(digest, column.combine_chunks())
+    return digest.hexdigest().encode()
+
+
+def _update(digest: Any, values: pa.Array) -> None:
+    import pyarrow as pa
+    import pyarrow.compute
+
+    pc: Any = pyarrow.compute  # its functions are made at run time
+    if isinstance(values, pa.ChunkedArray):  # of a column without rows, or a very long one
+        for chunk in values.chunks:
+            _update(digest, chunk)
+        return
+    digest.update(values.is_null().to_numpy(zero_copy_only=False).tobytes())
+    kind = values.type
+    if pa.types.is_list(kind):
+        lengths = pc.fill_null(pc.list_value_length(values), -1)
+        digest.update(lengths.to_numpy(zero_copy_only=False).tobytes())
+        _update(digest, values.flatten())
+    elif pa.types.is_string(kind):
+        lengths = pc.fill_null(pc.binary_length(values), -1)
+        digest.update(lengths.to_numpy(zero_copy_only=False).tobytes())
+        for text in values.cast(pa.binary()).to_pylist():
+            digest.update(text or b"")
+    else:
+        plain = values.cast(pa.int64()) if pa.types.is_timestamp(kind) else values
+        zero = False if pa.types.is_boolean(kind) else 0
+        filled = pc.fill_null(plain, pa.scalar(zero, plain.type))
+        digest.update(filled.to_numpy(zero_copy_only=False).tobytes())
+
+
+def check_recording(path: Path) -> None:
+    """Reads all checksums of an MCAP: of its chunks, its attachments and its summary.
+
+    Raises:
+        UserError: If one does not fit, or the file cannot be read as a recording.
+    """
+    from mcap.stream_reader import StreamReader
+
+    try:
+        data = path.read_bytes()
+        for kind, content in _records(data):
+            if kind == _ATTACHMENT and _crc(content[-4:]) not in (0, zlib.crc32(content[:-4])):
+                raise ValueError("the checksum of an attachment does not fit")
+        place = len(data) - len(_MAGIC) - 29  # of the footer: kind, size, two places, a checksum
+        start, wanted = struct.unpack_from("<Q", data, place + 9)[0], data[place + 25 : place + 29]
+        if data[place] != _FOOTER or _crc(wanted) not in (0, zlib.crc32(data[start : place + 25])):
+            raise ValueError("the checksum of the summary does not fit")
+        with path.open("rb") as file:
+            for _ in StreamReader(file, validate_crcs=True).records:
+                pass
+    except OSError as error:
+        raise UserError(f"{path} cannot be read: {error.strerror}") from None
+    except Exception as error:  # decoders of damaged data raise what they please
+        remedy = "make it again (esg export SCENE --to mcap)"
+        raise UserError(f"{path} is damaged ({error}); {remedy}") from None
+
+
+def _crc(four: bytes) -> int:
+    return struct.unpack("<I", four)[0]
+
+
+def _records(data: bytes) -> Iterator[tuple[int, bytes]]:
+    """Kind and content of every record outside of chunks."""
+    if not data.startswith(_MAGIC) or not data.endswith(_MAGIC):
+        raise ValueError("it is cut off, or no MCAP")
+    at, end = len(_MAGIC), len(data) - len(_MAGIC)
+    while at < end:
+        kind, size = struct.unpack_from("<BQ", data, at)
+        at += 9
+        if at + size > end:
+            raise ValueError("a record is longer than the file")
+        yield kind, data[at : at + size]
+        at += size
+
+
+@dataclass(frozen=True)
+class Verified:
+    """What a verification read.
+
+    Args:
+        files: Number of files read.
+        problems: What is damaged, a line each.
+        leftovers: Temporary files of killed writers that were removed.
+    """
+
+    files: int
+    problems: tuple[str, ...]
+    leftovers: int = 0
+
+
+def verify(db: Path | None, folders: Sequence[Path]) -> Verified:
+    """Reads all data below folders, and a database, with all their checksums.
+
+    Args:
+        db: The database; None, or one that does not exist, is left out.
+        folders: Searched for Parquet files, recordings (`.mcap`) and rollouts (`.npz`).
+
+    Raises:
+        UserError: If a folder does not exist.
+    """
+    from esg.files import sweep
+
+    missing = [str(f) for f in folders if not f.exists()]
+    if missing:
+        raise UserError(f"{', '.join(missing)}: no such file or folder; check the path")
+    problems: list[str] = []
+    paths = [p for f in folders for p in ([f] if f.is_file() else sorted(f.rglob("*")))]
+    paths = [p for p in paths if p.suffix in _CHECKS and p.name[0] != "." and p.is_file()]
+    paths = list(dict.fromkeys(paths))
+    leftovers = sum(sweep(folder) for f in folders if f.is_dir() for folder in _folders(f))
+    for path in paths:
+        try:
+            _CHECKS[path.suffix](path)
+        except UserError as error:
+            problems.append(str(error))
+    if db is None or not db.is_file():
+        return Verified(len(paths), tuple(problems), leftovers)
+    problems += _database_problems(db)
+    return Verified(len(paths) + 1, tuple(problems), leftovers)
+
+
+def _folders(root: Path) -> Iterator[Path]:
+    yield root
+    yield from (p for p in root.rglob("*") if p.is_dir() and not p.is_symlink())
+
+
+def _database_problems(db: Path) -> list[str]:
+    """Reads every value of every table; DuckDB's blocks have checksums."""
+    from esg.store.db import query
+    from esg.store.tables import TABLES
+
+    problems: list[str] = []
+    for table in TABLES:
+        try:
+            query(db, f"SELECT bit_xor(hash(t)) FROM {table} t", timeout_s=0.0)
+        except UserError as error:
+            problems.append(str(error) if str(db) in str(error) else f"{db}: {error}")
+    return list(dict.fromkeys(problems))
+
+
+def _check_rollout(path: Path) -> None:
+    import zipfile
+
+    try:
+        with zipfile.ZipFile(path) as archive:
+            bad = archive.testzip()
+    except (zipfile.BadZipFile, zlib.error, OSError, EOFError, ValueError, RuntimeError) as error:
+        bad = str(error)
+    if bad:
+        raise UserError(f"{path} is damaged ({bad}); run its scene again")
+
+
+def _check_table(path: Path) -> None:
+    from esg.store.tables import read_table
+
+    read_table(path)
+
+
+_CHECKS = {".parquet": _check_table, ".mcap": check_recording, ".npz": _check_rollout}

@@ -1,0 +1,173 @@
+"""Jointed things in prompts: what is named moves, what it hangs on is added."""
+
+from __future__ import annotations
+
+import pytest
+
+from esg.assets import resolve
+from esg.draft import draft
+from esg.graph import verify
+from esg.graph.models import EsgDocument, Joint
+from esg.lexicon.articulations import articulations
+
+
+def joints(doc: EsgDocument) -> tuple[Joint, ...]:
+    return doc.spatial_relation_graph.joints or ()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "child", "parent", "kind"),
+    [
+        ("A ball rolls into a door.", "door_1", "door_frame_1", "hinge"),
+        ("A tractor hits a gate.", "gate_1", "gate_posts_1", "hinge"),
+        ("A wrecking ball hits a stack of boxes.", "wrecking_ball_1", "wrecking_crane_1", "rope"),
+        ("A pendulum stands on a table.", "pendulum_1", "pendulum_portal_1", "hinge"),
+        ("A ball hits a seesaw.", "seesaw_1", "seesaw_stand_1", "hinge"),
+        ("A ball rolls into a swing.", "swing_1", "swing_posts_1", "hinge"),
+        ("A ball hits a punching bag.", "punching_bag_1", "bag_stand_1", "ball"),
+        ("A box slides into a drawer.", "drawer_1", "drawer_chest_1", "slider"),
+        ("A man walks into a turnstile.", "turnstile_1", "turnstile_post_1", "hinge"),
+        ("A ball hits a cupboard door.", "door_1", "cupboard_body_1", "hinge"),
+        ("A ball hits a fridge door.", "door_1", "fridge_body_1", "hinge"),
+        ("A ball hits an oven door.", "door_1", "oven_body_1", "hinge"),
+        ("A ball hits a window shutter.", "shutter_1", "shutter_wall_1", "hinge"),
+        ("A snowball hits a hanging sign.", "sign_1", "sign_gallows_1", "hinge"),
+        ("A hammer hits a church bell.", "bell_1", "bell_gallows_1", "hinge"),
+        ("A ball hits a hanging lamp.", "lamp_1", "lamp_gallows_1", "ball"),
+        ("A ball hits a hanging flower pot.", "flower_pot_1", "pot_gallows_1", "ball"),
+        ("A man hits a tetherball.", "tetherball_1", "tether_pole_1", "rope"),
+        ("A ball hits a merry-go-round.", "merry_go_round_1", "roundabout_foot_1", "hinge"),
+        ("A ball hits a windmill blade.", "blade_1", "mill_tower_1", "hinge"),
+        ("A car hits a boom gate.", "gate_1", "boom_post_1", "hinge"),
+        ("A ball hits a revolving door.", "door_1", "revolving_drum_1", "hinge"),
+    ],
+)
+def test_what_a_thing_hangs_on_is_added(prompt: str, child: str, parent: str, kind: str) -> None:
+    doc = draft(prompt)
+    assert [(j.child, j.parent, j.kind) for j in joints(doc)] == [(child, parent, kind)]
+    nodes = doc.spatial_relation_graph.nodes
+    assert nodes[child].mentioned and not nodes[child].is_static
+    assert nodes[parent].is_static and not nodes[parent].mentioned
+    assert f"added: {nodes[child].label} is joined to it" in (
+        doc.scene_definition.expanded_description
+    )
+    assert verify(resolve(doc)) == ()  # the mounts are there
+
+
+def test_a_cradle_has_five_balls() -> None:
+    doc = draft("A Newton's cradle stands on a desk.")
+    told = joints(doc)
+    assert [j.parent_mount for j in told] == [f"pivot {n}" for n in range(1, 6)]
+    assert {j.parent for j in told} == {"newton_s_cradle_1"}
+    assert verify(resolve(doc)) == ()
+
+
+def test_what_is_told_to_be_open_starts_open() -> None:
+    door = articulations()["door"]
+    assert joints(draft("A ball rolls past an open door."))[0].position == door.opened
+    assert joints(draft("A ball rolls past a door."))[0].position == 0.0
+
+
+def test_what_the_prompt_has_to_hang_on_is_taken() -> None:
+    doc = draft("A wrecking ball hangs near a crane and hits a wall.")
+    assert [(j.child, j.parent) for j in joints(doc)] == [("wrecking_ball_1", "crane_1")]
+    assert doc.asset_requirement[
+        doc.spatial_relation_graph.nodes["crane_1"].asset_id
+    ].asset_category
+    assert not any(n.startswith("wrecking_crane") for n in doc.spatial_relation_graph.nodes)
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A cyclist crashes into the open door of a parked car.",
+        "A ball hits a car door.",
+        "A ball hits a garage door.",
+        "A ball hits a sign.",
+        "A ball rolls into a wall.",
+        "A crane stands next to a box.",
+    ],
+)
+def test_parts_of_other_things_and_all_else_have_no_joints(prompt: str) -> None:
+    assert draft(prompt).spatial_relation_graph.joints is None
+
+
+def test_sizes_of_both_parts_go_together() -> None:
+    doc = draft("A ball rolls into a giant door.")
+    leaf, frame = (
+        doc.asset_requirement[doc.spatial_relation_graph.nodes[n].asset_id].expected_dimensions_cm
+        for n in ("door_1", "door_frame_1")
+    )
+    assert frame[1] / leaf[1] == pytest.approx(93 / 80, rel=1e-3)
+    assert leaf[2] == pytest.approx(2 * 198)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "child", "parent"),
+    [
+        ("A ball hits a chest.", "chest_lid_1", "chest_1"),
+        ("A ball hits a windmill.", "mill_sails_1", "windmill_1"),
+        ("A ball hits a catapult.", "catapult_arm_1", "catapult_1"),
+    ],
+)
+def test_what_carries_its_moving_part_keeps_its_name(prompt: str, child: str, parent: str) -> None:
+    doc = draft(prompt)
+    assert [(j.child, j.parent) for j in joints(doc)] == [(child, parent)]
+    assert doc.timeline_system is not None and parent in doc.timeline_system.actors
+    assert verify(resolve(doc)) == ()
+
+
+def test_the_part_that_turns_does_what_is_told_of_the_whole() -> None:
+    doc = draft("The lid of a wooden chest falls shut.")
+    assert joints(doc)[0].position == articulations()["chest"].opened
+    assert doc.timeline_system is not None
+    assert set(doc.timeline_system.actors) == {"chest_lid_1"}
+    assert verify(resolve(doc)) == ()
+
+
+def test_only_the_first_ball_of_a_cradle_is_let_go() -> None:
+    told = joints(draft("A Newton's cradle swings back and forth."))
+    assert [j.position for j in told] == [35.0, 0.0, 0.0, 0.0, 0.0]
+
+
+def test_the_door_of_a_thing_in_the_prompt_hangs_on_that_thing() -> None:
+    doc = draft("A soccer ball hits the open door of a locker.")
+    assert [(j.child, j.parent, j.position) for j in joints(doc)] == [("door_1", "locker_1", 90.0)]
+
+
+def test_what_hangs_below_a_ceiling_is_held_there() -> None:
+    doc = draft("A lamp hanging from the ceiling is hit by a tennis ball.")
+    (joint,) = joints(doc)
+    assert (joint.child, joint.kind, joint.parent) == ("lamp_1", "ball", "ceiling_1")
+    assert joint.parent_mount is None
+    assert not doc.spatial_relation_graph.nodes["lamp_1"].is_static
+    assert verify(resolve(doc)) == ()
+
+
+def test_smaller_things_resist_less() -> None:
+    """Half the size: 1/16 of the friction, 1/32 of the damping, and the same limits."""
+    whole, half = (joints(draft(f"A ball hits a {w}seesaw."))[0] for w in ("", "tiny "))
+    assert half.friction == pytest.approx((whole.friction or 0) / 16)
+    assert half.damping == pytest.approx((whole.damping or 0) / 32)
+    assert (half.lower, half.upper) == (whole.lower, whole.upper)
+    rope, short = (joints(draft(f"A {w}wrecking ball hits a wall."))[0] for w in ("", "tiny "))
+    assert short.upper == pytest.approx((rope.upper or 0) / 2)
+    assert short.position == rope.position
+
+
+@pytest.mark.parametrize(
+    ("prompt", "thrown"),
+    [
+        ("A snowball hits a hanging sign.", True),
+        ("A ball hits a hanging lamp.", True),
+        ("A ball hits a punching bag.", True),
+        ("A ball rolls into a punching bag.", False),
+        ("A ball hits a door.", False),
+        ("A ball hits a gate.", False),
+    ],
+)
+def test_what_hangs_out_of_reach_is_thrown_at(prompt: str, thrown: bool) -> None:
+    doc = draft(prompt)
+    assert doc.timeline_system is not None
+    edge = doc.timeline_system.sequence_graph.edges[0]
+    assert (edge.params.spin == "none") is thrown
