@@ -64,6 +64,12 @@ class Articulation:
         """Whether it hangs by one point or bar, so that a ceiling does as well as its stand."""
         return self.drawn is not None and self.carries == "with" and self.kind in ("ball", "hinge")
 
+    @property
+    def turns(self) -> bool:
+        """Whether it turns on and on, neither opening nor hanging."""
+        free = self.lower is None and self.upper is None
+        return self.kind == "hinge" and free and self.opened is None and self.drawn is None
+
 
 @cache
 def articulations() -> dict[str, Articulation]:

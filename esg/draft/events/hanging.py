@@ -14,6 +14,7 @@ from esg.graph.models import ForceDirection
 from esg.lexicon.articulations import Articulation
 
 SHUTTING = lex.word_set("shutting") | {"closed"}
+_TURNING = lex.word_set("turning on an axle")
 _OPENING = SHUTTING | {"open"}
 _SWINGING = {
     ("noop", "sway"): "swing",
@@ -39,11 +40,19 @@ def openable(d: Discourse, bodies: list[str]) -> list[str]:
     return [b for b in bodies if (row := row_of(d, b)) is not None and row.opened is not None]
 
 
+def turning(d: Discourse, bodies: list[str]) -> list[str]:
+    """Those that turn on and on about an axle: a merry-go-round, the sails of a windmill."""
+    rows = ((b, row_of(d, b)) for b in bodies)
+    return [b for b, row in rows if row is not None and row.turns]
+
+
 def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     """The sense of a verb of what moves on a joint; None if nothing of the kind is told of."""
     opens = f.verb.sense == "noop" and f.verb.lemma in _OPENING
     if (opens or "result" in f.verb.extra) and openable(d, bodies):
         return "open"
+    if f.verb.lemma in _TURNING and turning(d, bodies):
+        return "spin"
     return _SWINGING.get((f.verb.sense, f.verb.lemma)) if hanging(d, bodies) else None
 
 

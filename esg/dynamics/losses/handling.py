@@ -138,7 +138,10 @@ def _clears(rec: Recording, body: int, over: list[int], late: Bools) -> tuple[Bo
 def spin(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     body = rec.scene.index(node.participants[0])
     asked = math.radians(node.turn_degrees or 360.0)
+    axle = next((j for j in rec.scene.joints if j.child == node.participants[0]), None)
     yaw = np.unwrap(yaw_from_quat(rec.r.quaternion[:, :, body].astype(float)), axis=1)
+    if axle is not None and axle.kind == "hinge":
+        yaw = rec.opening(axle)
     late = _late(rec, earliest)
     begin = np.argmax(late, axis=1)
     turned = np.abs(yaw - yaw[np.arange(rec.n), begin][:, None])

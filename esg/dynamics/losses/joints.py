@@ -8,14 +8,14 @@ import numpy as np
 
 from esg.dynamics.losses.measures import AddTerm, Detected
 from esg.dynamics.losses.recording import Bools, Floats, Recording
-from esg.engines.joints import WORLD, Joint, joint_state
+from esg.engines.joints import Joint
 from esg.graph.models import TimelineNode
 from esg.metrics.models import EVENT_DEGREES
 from esg.thresholds import AT_REST_MPS, OPEN_SHARE, SHUT_SHARE
 
 SAFE_OPENING = 1.25
 """What opens by so many times what counts opens in every engine."""
-DIP_M = 0.02
+DIP_M = 0.008
 """A swing that passes its lowest point by so much on either side does so in every engine."""
 
 
@@ -23,17 +23,6 @@ def _joints(rec: Recording, name: str) -> list[Joint]:
     """Hinges and sliders by which a thing moves, or else those of its parts."""
     able = [j for j in rec.scene.joints if j.kind in ("hinge", "slider")]
     return [j for j in able if j.child == name] or [j for j in able if j.parent == name]
-
-
-def _position(rec: Recording, joint: Joint) -> Floats:
-    """Its position over time [rad or m], shape [W, T]."""
-    poses = [
-        None if name == WORLD else (rec.r.position[:, :, i], rec.r.quaternion[:, :, i])
-        for name in (joint.child, joint.parent)
-        for i in ((rec.scene.index(name) if name != WORLD else -1),)
-    ]
-    state = joint_state(joint, poses[0], poses[1])  # type: ignore[arg-type]  # a child is a body
-    return np.unwrap(state.position, axis=1) if joint.kind == "hinge" else state.position
 
 
 def _asked(rec: Recording, joint: Joint, node: TimelineNode) -> float:
@@ -52,7 +41,7 @@ def opened(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -
     time, far = np.full(rec.n, np.inf), np.full(rec.n, 8.0)
     for joint in _joints(rec, node.participants[0]):
         asked, late = _asked(rec, joint, node), _late(rec, earliest)
-        by = np.abs(_position(rec, joint))
+        by = np.abs(rec.opening(joint))
         start = np.where(late, by, np.inf)[np.arange(rec.n), np.argmax(late, axis=1)]
         needed = np.where(start < asked, asked, start + asked)
         time = np.minimum(time, rec.first(late & (by >= needed[:, None])))
@@ -69,7 +58,7 @@ def closed(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -
     time, far = np.full(rec.n, np.inf), np.full(rec.n, 8.0)
     for joint in _joints(rec, node.participants[0]):
         asked, late = _asked(rec, joint, node), _late(rec, earliest)
-        by = np.abs(_position(rec, joint))
+        by = np.abs(rec.opening(joint))
         most = np.maximum.accumulate(np.where(late, by, 0.0), axis=1)
         slow = rec.speed[:, :, rec.scene.index(joint.child)] < AT_REST_MPS
         shut = late & (by <= SHUT_SHARE * asked) & slow & (most - by >= (1 - SHUT_SHARE) * asked)

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.story.story import Story
+from esg.engines.joints import WORLD, Joint, joint_state
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import TimelineNode
 
@@ -44,6 +45,15 @@ class Recording:
     def members(self, name: str) -> list[int]:
         """Body indices of an object, or of all members of its group."""
         return [self.scene.index(n) for n in self.story.expand(name) if n in self.scene.names]
+
+    def opening(self, joint: Joint) -> Floats:
+        """Position of a hinge or slider over time [rad or m], shape [W, T]."""
+        poses = [
+            (self.r.position[:, :, i], self.r.quaternion[:, :, i])
+            for i in (self.scene.index(n) for n in (joint.child, joint.parent) if n != WORLD)
+        ]
+        state = joint_state(joint, poses[0], poses[1] if len(poses) > 1 else None)
+        return np.unwrap(state.position, axis=1) if joint.kind == "hinge" else state.position
 
     def first(self, mask: Bools) -> Floats:
         """Time of the first true frame, inf if none, shape [W]."""

@@ -59,6 +59,8 @@ def goal_of(joint: Joint, phase: Phase, here: float) -> float:
         return math.radians(stated) if hinge else stated / 100.0
     if phase.end.event is NodeEvent.CLOSE:
         return 0.0
+    if phase.end.event is NodeEvent.SPIN:
+        return here + SURELY * math.radians(phase.end.turn_degrees or 360.0)
     usual = OPENS_RAD if hinge else OPENS_M
     ends = [e for e in (joint.lower, joint.upper) if e is not None and abs(e) > 1e-6]
     far = max(ends, key=lambda e: abs(e - here), default=usual)

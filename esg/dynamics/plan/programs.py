@@ -352,6 +352,9 @@ class Composer:
             return
         here = course.opening if not leg.first else opening_at_start(self.scene, joint)
         goal, lasts = goal_of(joint, leg.phase, here), leg.v[f"{edge.id}/duration"]
+        if leg.phase.end.event is NodeEvent.SPIN and leg.last:
+            # It is turned on and on.
+            goal, lasts = here + (goal - here) * HELD_ON_S / lasts, HELD_ON_S
         course.out.append(driven(self.scene, joint, leg.start, here, goal, lasts))
         course.clock, course.opening = leg.start + lasts, goal
 

@@ -11,6 +11,7 @@ from esg.engines.program import Lasting
 from esg.metrics.binding import Binding
 from esg.metrics.detection import Found, Query, duration_of, runs
 from esg.metrics.events.space import inside_volume, is_over, volumes
+from esg.metrics.joined import Joined, joined, parts_of
 from esg.metrics.replay import Floats, Hit, Replay
 from esg.metrics.support import Bools, carried, lowest_curve, touching
 from esg.thresholds import (
@@ -208,10 +209,15 @@ def jumps(replay: Replay, q: Query) -> Iterator[Found]:
 
 
 def spins(replay: Replay, q: Query) -> Iterator[Found]:
-    """Turning about its vertical without leaving its place."""
-    begin = replay.after(q.since)
+    """Turning about its vertical without leaving its place, or about the axle that it hangs on."""
+    begin = min(replay.after(q.since), len(replay.time) - 1)
     step = max(1, round(SAMPLE_S / replay.frame_s))
+    joints = joined(replay)
     for i in q.bound["object"].bodies:
+        axles = [j for j in parts_of(joints, i) if j.joint.kind == "hinge"]
+        if axles:
+            yield from (_about_axle(replay, q, j, begin) for j in axles)
+            continue
         turned = np.degrees(np.cumsum(replay.spin[:, i, 2])) * replay.frame_s
         radius = max(replay.scene.bodies[i].half_extents[:2])
         place = replay.position[:, i, :2]
@@ -230,3 +236,14 @@ def spins(replay: Replay, q: Query) -> Iterator[Found]:
         else:
             asked = f"{q.event.degrees:.0f} asked"
             yield Found(None, (i,), f"turns by {most:.0f} degrees in its place, {asked}")
+
+
+def _about_axle(replay: Replay, q: Query, j: Joined, begin: int) -> Found:
+    angle = np.degrees(np.abs(j.position - j.position[begin]))[begin:]
+    frames = np.flatnonzero((angle >= q.event.degrees - 1e-3) & j.intact[begin:])
+    most = float(angle.max())
+    if len(frames):
+        time = float(replay.time[begin + int(frames[0])])
+        return Found(time, (j.child,), measured={"turned_deg": most})
+    asked = f"{q.event.degrees:.0f} asked"
+    return Found(None, (j.child,), f"turns by {most:.0f} degrees about its axle, {asked}")

@@ -281,6 +281,10 @@ def test_a_jump_has_the_height_and_time_of_its_leap():
     assert dog[:, 2].max() - dog[0, 2] == pytest.approx(rise**2 / (2 * 9.81), rel=0.03)
     assert times["jumped"] == pytest.approx(2 * rise / 9.81, abs=0.05)
     assert dog[0, 0] < fence[0, 0] < dog[-1, 0] and speed > 1.0
+    # Back on the ground it runs out from what the landing has left it, and is not sped up again.
+    v = np.hypot(*np.diff(dog[:, :2], axis=0).T) * 240.0
+    lands = round((times["jumped"] + 0.02) * 240)
+    assert (v[lands + 12 :] - v[lands:-12]).max() / 0.05 < 10.0
     np.testing.assert_allclose(dog[-1, 2], dog[0, 2], atol=0.01)  # on its feet
     np.testing.assert_allclose(fence[-1], fence[0], atol=1e-3)
 

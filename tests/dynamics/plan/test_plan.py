@@ -20,9 +20,11 @@ from esg.dynamics.story.kinematics import (
     braking_distance,
     frame_mapping,
 )
+from esg.dynamics.story.paces import pace
+from esg.dynamics.story.stagecraft import coasting_drag, prop
 from esg.dynamics.story.story import read_story
 from esg.engines import get_engine
-from esg.engines.program import Primitive, Program, batch_programs
+from esg.engines.program import HoldVelocity, Primitive, Program, batch_programs
 from esg.engines.scene import Body, Shape
 from tests.dynamics import stories
 from tests.dynamics.stage import lay_out
@@ -179,3 +181,35 @@ def test_story_knows_what_an_event_waits_for() -> None:
     """The second collision of a chain follows the first."""
     story = read_story(stories.car_bin_table())
     assert story.previous_outcome("e2") == "e1" and story.previous_outcome("e1") is None
+
+
+@pytest.mark.parametrize("prompt", [
+    "A car hits a barrel and then drives into a wall.",
+    "A cyclist bumps into a box, rides on and runs into a fence.",
+])  # fmt: skip
+def test_what_a_hit_has_met_goes_on_from_the_speed_that_it_left(prompt: str) -> None:
+    """Only the engine knows that speed: the hold comes to its own at the pace of its kind."""
+    doc = lay_out(stories.cast(prompt))
+    scene = with_tyres(doc, build_scene(doc))
+    plan = make_plan(doc, scene)
+    holds = [p for p in plan.compile(plan.initial()).primitives if isinstance(p, HoldVelocity)]
+    first, later = holds[0], holds[1:]
+    assert first.gains is None and later
+    usual = pace(doc, first.body)
+    for hold in later:
+        assert hold.gains is not None and hold.loses is not None
+        # What its feet rub off on the ground within a step comes back as well.
+        rubs = coasting_drag(prop(doc, hold.body))
+        assert hold.gains == pytest.approx(usual.gains + rubs)
+        assert 0.0 < hold.loses <= usual.brakes
+
+
+def test_what_runs_off_a_thing_lands_on_its_feet() -> None:
+    """Friction takes of its speed as it lands, and it does not have it back at once."""
+    doc = lay_out(stories.cast("A dog runs off a table."))
+    scene = build_scene(doc)
+    plan = make_plan(doc, scene)
+    holds = [p for p in plan.compile(plan.initial()).primitives if isinstance(p, HoldVelocity)]
+    assert [h.gains is None for h in holds[:2]] == [True, False]
+    assert holds[1].start == holds[0].end < 0.1
+    assert holds[1].speed == pytest.approx(holds[0].speed, rel=0.1)

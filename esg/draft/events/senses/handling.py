@@ -13,6 +13,7 @@ from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.scene import GROUND, SELF_POWERED, SPEEDS
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event
+from esg.draft.events.hanging import turning
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import enter, moved_by_others, time_of
@@ -170,7 +171,8 @@ def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 @sense("spin")
 def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "A top spins on the table", "the car spins around": it turns where it is."""
-    turned = [i for i in (o or s) if movable(d, i)]
+    on_axle = turning(d, o or s)
+    turned = [i for i in (o or s) if movable(d, i) or i in on_axle]
     into = f.phrase("into", "against", "off", "to")
     if into is not None and things(into) and turned:
         read_as(d, "slide" if moved_by_others(d, turned[0]) else "turn", f, s, o)
@@ -182,11 +184,14 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     on = things(f.phrase(*_PUT_ON))
     if turned and on and not structural(d, on[0]):
         place(d, turned, on, "on")
+    note = "spin"
     for body in turned:
         if not at_rest(d, body):
             continue
-        d.timeline.move(body, Motion("spin"), ForceDirection.HORIZONTAL_PLANE)
+        mode = Motion("drive" if body in on_axle else "spin")
+        d.timeline.move(body, mode, ForceDirection.HORIZONTAL_PLANE)
         node = add_event(d, NodeEvent.SPIN, (body,), f, time_of(d, f))
+        note = node if body in on_axle else note
         so_often(d, f, node)
         draft = d.timeline.node(node)
         if draft is not None and "times" in draft.extra:
@@ -195,7 +200,7 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             draft.extra["turn_degrees"] = angle.high
             mark_used(d, angle, "how far it turns")
         d.timeline.track(body).motion = None
-    mark_used(d, f, "spin")
+    mark_used(d, f, note)
 
 
 def bounces_on_ground(d: Discourse, f: Frame, s: list[str], met: list[str]) -> bool:
