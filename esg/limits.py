@@ -50,7 +50,7 @@ def stage_limits(text: str | None = None) -> Mapping[str, int]:
         stage, _, number = (p.strip() for p in pair.partition("="))
         if stage not in STAGES:
             problems.append(f"{pair!r}: no stage {stage!r}; stages are {', '.join(STAGES)}")
-        elif not number.isdecimal() or not 1 <= int(number) <= 1024:
+        elif not number.isdecimal() or len(number) > 4 or not 1 <= int(number) <= 1024:
             problems.append(f"{pair!r}: give a number from 1 to 1024, e.g. {stage}=2")
         else:
             out[stage] = int(number)

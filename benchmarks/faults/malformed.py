@@ -18,14 +18,91 @@ import zipfile
 from benchmarks.faults.ground import PATIENCE_S, PROMPT, SUITE, Ended, esg, forked, scene_of
 
 NASTY: tuple[Any, ...] = (  # every kind of value where another is wanted
-    None, True, -1, 0, 10**30, 1e308, -1e-308, float("nan"), float("inf"), "", " ", "\x00", "\x1b[31m",
-    "../../x", "/etc/passwd", "猫" * 40, "\ud800", "x" * 5000, "1e999", [], {}, [[]], [None], {"": {}},
-    [1, 2], [0, 0, 0, 0], [1e200] * 4, "SELECT 1", "a/b", {"a": {"b": {"c": {}}}},
-)  # fmt: skip
+    None,
+    True,
+    -1,
+    0,
+    10**30,
+    1e308,
+    -1e-308,
+    float("nan"),
+    float("inf"),
+    "",
+    " ",
+    "\x00",
+    "\x1b[31m",
+    "../../x",
+    "/etc/passwd",
+    "猫" * 40,
+    "\ud800",
+    "x" * 5000,
+    "1e999",
+    [],
+    {},
+    [[]],
+    [None],
+    {"": {}},
+    [1, 2],
+    [0, 0, 0, 0],
+    [1e200] * 4,
+    "SELECT 1",
+    "a/b",
+    {"a": {"b": {"c": {}}}},
+)
 WORDS = (
-    "car", "ball", "hits", "rolls", "at", "3 m/s", "-5", "1e400", "(", ")", '"', "'", "\\", "and", "then",
-    "on top of", "9" * 300, "\t", "\n", "…", "猫", "%s", "{}", "<b>", "é" * 30, "the the", "no", ";", "0 kg",
-)  # fmt: skip
+    "car",
+    "ball",
+    "hits",
+    "rolls",
+    "at",
+    "3 m/s",
+    "-5",
+    "1e400",
+    "(",
+    ")",
+    '"',
+    "'",
+    "\\",
+    "and",
+    "then",
+    "on top of",
+    "9" * 300,
+    "\t",
+    "\n",
+    "…",
+    "猫",
+    "%s",
+    "{}",
+    "<b>",
+    "é" * 30,
+    "the the",
+    "no",
+    ";",
+    "0 kg",
+)
+
+LIBRARIES = (
+    "duckdb",
+    "pyarrow.parquet",
+    "pydantic",
+    "yaml",
+    "cyclopts",
+    "numpy",
+    "scipy.spatial",
+    "trimesh",
+    "mcap.reader",
+    "spacy",
+    "esg.cli",
+    "esg.commands.bench",
+    "esg.graph.verifier",
+    "esg.metrics",
+    "esg.draft",
+    "esg.dataset.plan",
+    "esg.engines.manifest",
+    "esg.store",
+    "esg.report.run",
+    "esg.compile.export",
+)
 
 Case = tuple[list[str], dict[str, str], tuple[int, ...]]
 """Arguments of a command, further variables, and the exit codes that are right."""
@@ -186,10 +263,21 @@ def _sql(rng: random.Random, ground: Path, place: Path) -> Case:
 
 def _catalogue(rng: random.Random, ground: Path, place: Path) -> Case:
     record = {
-        "key": "mug_1", "name": "mug", "parents": ["cup"], "dimensions_cm": [8, 8, 10], "mass_kg": 0.3,
-        "material": "ceramic", "color_rgb": [1, 1, 1], "flags": [], "tags": [], "description": "a mug",
-        "mesh_sha256": "0" * 64, "license": "CC0-1.0", "attribution": "", "source": "x",
-    }  # fmt: skip
+        "key": "mug_1",
+        "name": "mug",
+        "parents": ["cup"],
+        "dimensions_cm": [8, 8, 10],
+        "mass_kg": 0.3,
+        "material": "ceramic",
+        "color_rgb": [1, 1, 1],
+        "flags": [],
+        "tags": [],
+        "description": "a mug",
+        "mesh_sha256": "0" * 64,
+        "license": "CC0-1.0",
+        "attribution": "",
+        "source": "x",
+    }
     folder = place / "library" / "own" / "assets"
     folder.mkdir(parents=True)
     (folder / "mug_1.json").write_bytes(mistaken(rng, json_text(record)))
@@ -214,15 +302,27 @@ def _listing(rng: random.Random, ground: Path, place: Path) -> Case:
     (place / "own").mkdir()
     if rng.random() < 0.5:
         lines = [
-            "id=own", "name=Own", "id#1=own#thing", "name#1=Thing", "model#1=thing.glb", "width#1=20",
-            "depth#1=20", "height#1=10", "modelRotation#1=1 0 0 0 1 0 0 0 1", "license#1=CC0",
-        ]  # fmt: skip
+            "id=own",
+            "name=Own",
+            "id#1=own#thing",
+            "name#1=Thing",
+            "model#1=thing.glb",
+            "width#1=20",
+            "depth#1=20",
+            "height#1=10",
+            "modelRotation#1=1 0 0 0 1 0 0 0 1",
+            "license#1=CC0",
+        ]
         at = rng.randrange(len(lines))
-        nasty = rng.choice(("nan", "1e400", "x y", "", "9" * 5000, "1 0 0", "9 9 9 9 9 9 9 9 9", "-3"))
+        nasty = rng.choice(
+            ("nan", "1e400", "x y", "", "9" * 5000, "1 0 0", "9 9 9 9 9 9 9 9 9", "-3")
+        )
         lines[at] = f"{lines[at].partition('=')[0]}={nasty}"
         text = "\n".join(lines).encode()
         with zipfile.ZipFile(place / "own" / "own.sh3f", "w") as bundle:
-            bundle.writestr("PluginFurnitureCatalog.properties", rng.choice((text, garbled(rng, text))))
+            bundle.writestr(
+                "PluginFurnitureCatalog.properties", rng.choice((text, garbled(rng, text)))
+            )
             bundle.write(mesh, "thing.glb")
         if rng.random() < 0.3:
             data = (place / "own" / "own.sh3f").read_bytes()
@@ -338,10 +438,7 @@ def load_libraries() -> None:
     """Imports what commands need, once for all forks."""
     import importlib
 
-    for name in ("duckdb", "pyarrow.parquet", "pydantic", "yaml", "cyclopts", "numpy", "scipy.spatial",
-                 "trimesh", "mcap.reader", "spacy", "esg.cli", "esg.commands.bench", "esg.graph.verifier",
-                 "esg.metrics", "esg.draft", "esg.dataset.plan", "esg.engines.manifest", "esg.store",
-                 "esg.report.run", "esg.compile.export"):  # fmt: skip
+    for name in LIBRARIES:
         importlib.import_module(name)
     from esg.draft import draft
 

@@ -181,7 +181,7 @@ def check_device(device: str) -> str:
     if device == "cpu":
         return device
     kind, _, number = device.partition(":")
-    if kind != "cuda" or (number and not number.isdigit()):
+    if kind != "cuda" or (number and not (number.isdecimal() and len(number) < 4)):
         raise UserError(f"--device {device!r}: choose cpu or cuda:N")
     from esg.engines.newton import quiet_warp
 

@@ -166,9 +166,11 @@ class Shard:
             UserError: If it is not that, or i is not between 1 and n.
         """
         first, slash, second = text.partition("/")
-        if slash and first.isdecimal() and second.isdecimal() and 1 <= int(first) <= int(second):
-            return Shard(int(first), int(second))
-        raise UserError(f"--shard {text!r}: give i/n with 1 <= i <= n, e.g. 1/4 to 4/4")
+        if slash and all(n.isdecimal() and len(n) < 10 for n in (first, second)):
+            index, count = int(first), int(second)
+            if 1 <= index <= count:
+                return Shard(index, count)
+        raise UserError(f"--shard {text!r:.60}: give i/n with 1 <= i <= n, e.g. 1/4 to 4/4")
 
     def batches(self, spec: DatasetSpec) -> list[int]:
         """Numbers of the batches of this shard; every batch is in exactly one shard."""

@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 import itertools
 import time
 
 from esg.engines.base import ENGINES
+from esg.engines.joints import joint_between
 from esg.engines.program import AdjustProperties, Program, SetVelocity, batch_programs
 from esg.engines.registry import get_engine
 from esg.engines.scene import Body, Shape, ShapeKind, SimScene
@@ -51,16 +53,15 @@ def warmup(
     """Runs a tiny scene for every combination of shapes that compiles kernels of its own.
 
     Newton specializes its narrow phase for the shape types of a model, so scenes of few kinds are
-    covered one by one and the mixture of all kinds last.
+    covered one by one, the mixture of all kinds after them and joints last.
     """
     engine = get_engine("newton", device)
-    steps = [kinds for n in (1, 2) for kinds in itertools.combinations(_KINDS, n)] + [_KINDS]
+    mixtures = [kinds for n in (1, 2) for kinds in itertools.combinations(_KINDS, n)] + [_KINDS]
+    steps = {" + ".join(kinds): _scene(kinds) for kinds in mixtures} | {"joints": _jointed()}
     seconds: dict[str, float] = {}
-    for i, kinds in enumerate(steps):
-        what = " + ".join(kinds)
+    for i, (what, scene) in enumerate(steps.items()):
         if progress is not None:
             progress(what, i, len(steps))
-        scene = _scene(kinds)
         name = scene.bodies[0].name
         program = Program(
             (SetVelocity(name, 0.0, (1.0, 0.0, 0.0)), AdjustProperties(name, 0.0, friction=0.4)),
@@ -93,3 +94,25 @@ def _scene(kinds: tuple[ShapeKind, ...]) -> SimScene:
         for k in range(2)
     ]
     return SimScene("warmup", tuple(bodies))
+
+
+def _jointed() -> SimScene:
+    """A joint in a tree with all that it can do, one that may break, a rope and a spring."""
+    scene = _scene(("sphere", "box"))
+    first, second, third, fourth = scene.bodies
+    joints = (
+        replace(
+            joint_between("hinge", "hinge", first, None, at=first.position),
+            upper=1.0, damping=0.1, friction=0.1,
+        ),
+        replace(
+            joint_between("ball", "ball", second, None, at=second.position),
+            upper=1.0, break_impulse=9.0,
+        ),
+        replace(joint_between("rope", "rope", third, None, at=third.position), upper=1.0),
+        replace(
+            joint_between("spring", "spring", fourth, None, at=fourth.position),
+            upper=0.1, stiffness=1.0,
+        ),
+    )  # fmt: skip
+    return replace(scene, joints=joints)

@@ -11,6 +11,7 @@ from esg.engines.joints import WORLD, Joint, joint_state
 from esg.metrics.replay import Floats, Replay
 from esg.metrics.support import Bools
 from esg.thresholds import PIECE_GAP_M
+from esg.units import quat_rotate
 
 
 @dataclass(frozen=True)
@@ -81,6 +82,15 @@ def chains(
             other = j.parent if at == j.child else j.child
             if at in j.bodies and other >= 0 and other not in passed:
                 ways.append(((*passed, other), (*way, j)))
+
+
+def hook(replay: Replay, j: Joined) -> Floats:
+    """Where a joint takes hold of its parent, over time [m], shape [T, 3]."""
+    anchor = np.asarray(j.joint.parent_anchor, float)
+    if j.parent < 0:
+        return np.broadcast_to(anchor, (len(replay.time), 3))
+    turned = quat_rotate(replay.quaternion[:, j.parent], anchor)
+    return replay.position[:, j.parent] + turned
 
 
 def together(replay: Replay, a: int, b: int) -> Bools:

@@ -129,7 +129,7 @@ def test_each_of_several_like_words_is_missed() -> None:
         ("Two cars hit each other.", "Two dogs run straight at each other.", "each other"),
         (
             "A taxi follows a van at 10 m/s and hits it from behind.",
-            "A taxi hits a van from behind.",
+            "A ball rolls to a box from behind.",
             "from behind",
         ),
         ("A car makes a U-turn and drives back.", "A car stops and drives back.", "back"),

@@ -8,7 +8,19 @@ import math
 import numpy as np
 import pytest
 
-from benchmarks.joints import Case, Row, breaks, cases, cradles, hits, markdown, run, too_far
+from benchmarks.analytic import Film
+from benchmarks.joints import (
+    Case,
+    Row,
+    breaks,
+    cases,
+    cradles,
+    hits,
+    markdown,
+    positions,
+    run,
+    too_far,
+)
 from esg.engines import get_engine
 from esg.engines.joint_rules import kick
 from esg.engines.joints import Joint, Motor, joint_between, joint_problems
@@ -198,10 +210,47 @@ def test_equal_scenes_give_equal_bytes(engine: str) -> None:
     assert one.position.tobytes() == two.position.tobytes()
 
 
-def test_only_scenes_with_joints_change_the_solver() -> None:
+def test_only_joints_that_physx_holds_change_its_solver() -> None:
     scene, _ = turning()
-    assert play("physx", scene, duration=0.1).extra["solver"] == "TGS"
-    assert play("physx", replace(scene, joints=()), duration=0.1).extra["solver"] == "PGS"
+    rope = joint_between("r", "rope", scene.bodies[0], None, at=(0, 0, 1), parent_at=(0, 0, 2))
+    for joints, expected in (
+        (scene.joints, ("TGS", [64, 1])),
+        ((replace(rope, upper=1.5),), ("PGS", [16, 1])),
+        ((), ("PGS", [16, 1])),
+    ):
+        extra = play("physx", replace(scene, joints=joints), duration=0.1).extra
+        assert (extra["solver"], extra["iterations"]) == expected
+
+
+@pytest.mark.parametrize("engine", STEPPED)
+def test_a_chain_that_carries_a_load_holds_together(engine: str) -> None:
+    links = [box(f"link {i}", (0.1, 0.03, 0.03), 0.5, (0.2 * i + 0.1, 0, 5)) for i in range(8)]
+    links.append(box("load", (0.1, 0.1, 0.1), 5.0, (1.7, 0.0, 5.0)))
+    ends: list[Body | None] = [None, *links[:-1]]
+    joints = tuple(
+        joint_between(f"j{i}", "ball", link, end, at=(0.2 * i, 0.0, 5.0))
+        for i, (link, end) in enumerate(zip(links, ends, strict=True))
+    )
+    scene = SimScene("s", tuple(links), joints=joints)
+    film = Film(scene, play(engine, scene, duration=3.0))
+    assert max(float(positions(film, j)[1].max()) for j in joints) < 1e-3
+
+
+@pytest.mark.parametrize("engine", STEPPED)
+def test_two_ropes_hold_a_seat_level(engine: str) -> None:
+    seat = box("seat", (0.25, 0.1, 0.02), 8.0, (0.0, 0.0, 1.0))
+    ropes = tuple(
+        replace(joint_between(f"r{x}", "rope", seat, None, at=(x, 0, 1.02), parent_at=(x, 0, 3)),
+                upper=1.98)
+        for x in (-0.2, 0.2)
+    )  # fmt: skip
+    scene = SimScene("s", (seat,), joints=ropes)
+    out = play(engine, scene, SetVelocity("seat", 0.0, (0.0, 2.0, 0.0)), duration=4.0)
+    film = Film(scene, out)
+    assert max(float(positions(film, r)[1].max()) for r in ropes) < 1e-3
+    energy = 0.5 * np.square(out.linear_velocity[0, :, 0]).sum(-1) + 9.81 * out.position[0, :, 0, 2]
+    assert energy[-200:].mean() - energy[0] == pytest.approx(0.0, abs=0.06 * 2.0)
+    assert np.abs(out.position[0, :, 0, 0]).max() < 1e-2
 
 
 def test_what_cannot_be_is_refused_with_its_reason() -> None:

@@ -8,6 +8,7 @@ import math
 import numpy as np
 import pytest
 
+from esg.engines.program import HoldVelocity
 from esg.engines.scene import Region, Shape
 from esg.graph.models import Predicate
 from esg.metrics import SuiteEvent, SuiteScene, SuiteStatement
@@ -607,3 +608,34 @@ def test_a_ramp_carries_and_a_wall_does_not(pitch_deg, kept):
     found = world.states("supported_by", object="ball", target="ramp")
     assert found.measured["gap_m"] == pytest.approx(0.0, abs=1e-4)
     assert found.kept is kept
+
+
+@pytest.mark.parametrize(
+    ("says", "value", "kept"),
+    [("faster_than", 4.0, True), ("faster_than", 6.0, False),
+     ("slower_than", 6.0, True), ("slower_than", 4.0, False)],
+)  # fmt: skip
+def test_how_hard_something_brakes_is_its_mean_deceleration_to_half_of_its_speed(
+    says: str, value: float, kept: bool
+) -> None:
+    """Measure 5 m/s^2 of a car that brakes from 10 m/s to rest in 2 s."""
+
+    def path(t: np.ndarray) -> np.ndarray:
+        s = np.clip(t - 1.0, 0.0, 2.0)
+        return 10.0 * np.minimum(t, 1.0) + 10.0 * s - 2.5 * s**2
+
+    world = World(4.0).add(body("car_1"), x=path)
+    world.run(
+        HoldVelocity("car_1", 0.0, 1.0, 10.0, 0.0),
+        HoldVelocity("car_1", 1.0, 3.0, 10.0, 0.0, acceleration=-5.0),
+    )
+    found = world.states(says, object="car", quantity="deceleration", value=value)
+    assert found.kept is kept
+    assert found.measured["deceleration_mps2"] == pytest.approx(5.0, abs=0.3)
+
+
+def test_what_never_brakes_brakes_neither_hard_nor_gently() -> None:
+    """Keep no statement on how hard something brakes that drives on."""
+    found = moving(line(0, 2)).states("faster_than", **CAR, quantity="deceleration", value=1.0)
+    assert found.kept is False
+    assert "never brakes" in found.reason

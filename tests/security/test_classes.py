@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 import json
+import os
 from pathlib import Path
 import socket
 import threading
@@ -209,6 +210,22 @@ def test_a_class_that_misbehaves_is_told_in_one_sentence(
     assert len(str(told.value).splitlines()) == 1
     with pytest.raises(UserError, match="leave out --trust"):
         replay(str(scene), trust=True)
+
+
+def test_an_interrupt_leaves_no_child_behind(scene: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Whoever gives up waiting does not leave a loop running."""
+    in_tick(scene, "for (volatile int I = 0;;) { I = I + 1; }")
+    pids: list[int] = []
+
+    def interrupted(running: confined._Child, *_: object) -> None:
+        pids.append(running.pid)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(confined, "_collect", interrupted)
+    with pytest.raises(KeyboardInterrupt):
+        replay_class(scene, trust=True)
+    with pytest.raises(ProcessLookupError):
+        os.kill(pids[0], 0)
 
 
 def _logged(scene: Path) -> str:

@@ -140,6 +140,21 @@ def test_a_run_does_not_show_scenes_from_elsewhere(tmp_path: Path) -> None:
     assert "nobody else" not in (tmp_path / "run" / "report.html").read_text()
 
 
+@pytest.mark.parametrize("how", ["link", "pipe"])
+def test_the_results_of_a_run_are_its_own(
+    how: str, tmp_path: Path, secret: Path, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Figures from elsewhere are not shown, and nobody waits for a pipe."""
+    write_scene(tmp_path / "run" / "S1")
+    path = tmp_path / "run" / "run.json"
+    if how == "pipe":
+        os.mkfifo(path)
+    else:
+        path.symlink_to(secret)
+    assert report(tmp_path / "run") == 3
+    assert "run.json is damaged (no file of this folder)" in capsys.readouterr().err
+
+
 def test_a_folder_of_too_much_is_refused(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """By number of files, by size of one, by size of all; sparse files cost nothing to declare."""
     scene = write_scene(tmp_path / "scene")

@@ -71,7 +71,11 @@ def play_confined(job: Job, *, fresh: bool) -> Played:
         child.warm(job.engine)
         starting = _forked(job, limit)
     with starting as running:
-        data, said, late = _collect(running, limit, wire.most_bytes(job))
+        try:
+            data, said, late = _collect(running, limit, wire.most_bytes(job))
+        except BaseException:  # an interrupt: nobody waits for the child any more
+            _end(running, True)
+            raise
         status = _end(running, late)
     return _told(job, data, said, None if late else status, limit)
 

@@ -125,7 +125,8 @@ def _limit(memory_bytes: int, seconds: int) -> bool:
     for kind, value in wanted.items():
         hard = resource.getrlimit(kind)[1]
         most = value if hard == resource.RLIM_INFINITY else min(value, hard)
-        resource.setrlimit(kind, (most, most))
+        with contextlib.suppress(OSError, ValueError):  # not every system knows every limit
+            resource.setrlimit(kind, (most, most))
     return True
 
 

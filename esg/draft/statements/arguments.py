@@ -30,6 +30,7 @@ def arguments(a: Account) -> Iterator[Gap]:
     for at in (scene.supported_by, scene.inside_of, scene.attached, scene.marked, scene.facing):
         taking |= {*at, *at.values()}
     taking |= {i for s in a.said for i in (*s.object, *s.target)} | {*d.moves.still}
+    taking |= {j.parent for j in scene.joints if j.child in taking and j.parent}
     for f in a.frames:
         if f.verb.sense in _STATES:
             continue

@@ -99,7 +99,8 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
 def _leads_to_an_event(d: Discourse, clause: Clause, kind: str = "") -> bool:
     """Whether an event that one could see, of a kind, is told of what a clause moves."""
     about = {*clause.movers}
-    told = [n.event for n in d.timeline.nodes if about & {*n.participants}]
+    own = d.scene.used.get((clause.frame.verb.start, clause.frame.verb.end))
+    told = [n.event for n in d.timeline.nodes if about & {*n.participants} or n.id == own]
     return any(measurable(event) and kind in ("", event.value) for event in told)
 
 

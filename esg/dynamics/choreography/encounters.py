@@ -8,7 +8,6 @@ from esg.dynamics.choreography import overtaking
 from esg.dynamics.choreography.braking import brake_into, shortest
 from esg.dynamics.choreography.placing import gap_at_start
 from esg.dynamics.choreography.setting_off import ride_of
-from esg.dynamics.choreography.sides import stated_side, stated_turn
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
 from esg.dynamics.choreography.throws import asked_height, drop_height, fallen, is_dropped
 from esg.dynamics.story.kinematics import (
@@ -17,13 +16,14 @@ from esg.dynamics.story.kinematics import (
     frame_mapping,
     half_along,
 )
+from esg.dynamics.story.sides import stated_side
 from esg.dynamics.story.stagecraft import (
     approach_distance,
     ground_restitution,
     min_hit_speed,
 )
 from esg.dynamics.story.story import Phase
-from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+from esg.graph.models import EdgeEvent, NodeEvent, Side, TimelineNode
 from esg.units import GRAVITY_MPS2
 
 SLOWEST_MPS = 0.3
@@ -128,15 +128,20 @@ def meet_across(stage: Stage, e: Encounter) -> None:
     """One runs into the side of the other, which is on its way across."""
     met = _across(stage, e)
     assert met is not None
-    turn = stated_turn(stage, met.node, met.b, met.a)
+    turn = stage.stated_turn(met.node, met.b, met.a)
     assert turn is not None
     _meet(stage, met, turn)
 
 
 def _across(stage: Stage, e: Encounter) -> Encounter | None:
     """The encounter with who is hit on its side as b, None if nobody is."""
-    found = (x for x in (e, e.turned()) if stated_side(stage, e.node, x.b, x.a) in FLANKS)
+    found = (x for x in (e, e.turned()) if _side(stage, x) in FLANKS)
     return next(found, None)
+
+
+def _side(stage: Stage, e: Encounter) -> Side | None:
+    """On which side the prompt has b hit by a."""
+    return stated_side(stage.doc, e.node.id, stage.member(e.b), stage.member(e.a))
 
 
 def _both_come(e: Encounter) -> bool:
@@ -147,7 +152,7 @@ def _in_line(stage: Stage, e: Encounter) -> Encounter | None:
     """The two with the rear one as a, None where they do not go the same way."""
     if e.phase is None or e.other is None:
         return None
-    struck = [stated_side(stage, e.node, *who) for who in ((e.b, e.a), (e.a, e.b))]
+    struck = [_side(stage, e), _side(stage, e.turned())]
     if "rear" in struck:
         return e if struck[0] == "rear" else e.turned()
     if any(side not in (None, "any_side") for side in struck):

@@ -7,7 +7,6 @@ import math
 from esg.dynamics.choreography.demands import KEPT
 from esg.dynamics.choreography.flights import hits_level, slowed, thrown_back
 from esg.dynamics.choreography.placing import bring_support, goes_on, hits_on, rolls_on
-from esg.dynamics.choreography.sides import stated_turn
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import (
     Frame,
@@ -193,7 +192,7 @@ def chain(stage: Stage, e: Encounter) -> None:
         return
     node, pa, pb = e.node, stage.prop(a), stage.prop(b)
     gap, rolled = _gap_to_next(stage, node, a, b, track)
-    turn = stated_turn(stage, node, b, a)
+    turn = stage.stated_turn(node, b, a)
     if turn is None:
         along = rolls_on(stage, node, b)
         yaw = track.heading if along else target_yaw(pb, track.heading, stage.rng, pa)

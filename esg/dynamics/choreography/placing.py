@@ -6,7 +6,6 @@ import math
 
 from esg.dynamics.choreography.hovering import cruise
 from esg.dynamics.choreography.kerbs import Kerb, kerb_passed
-from esg.dynamics.choreography.sides import stated_turn
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.throws import is_swung
 from esg.dynamics.story.kinematics import (
@@ -102,7 +101,7 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> 
             way = sent(stage, b, max(wait, 0.0))
             bx, by = bx - way * math.cos(heading), by - way * math.sin(heading)
         else:
-            turn = None if byaw is None else stated_turn(stage, node, b, a)
+            turn = None if byaw is None else stage.stated_turn(node, b, a)
             heading = stage.free_heading(bx, by) if turn is None else (byaw or 0.0) - turn
         reach = pa.half_length + half_along(pb.length, pb.width, heading - (byaw or 0.0)) + gap
         if node.event is NodeEvent.REACH:
@@ -173,7 +172,7 @@ def _place_target(
     """Puts b where a arrives: ahead of it, past it for a Miss, short of it for a Reach."""
     pb = stage.prop(b)
     sets_off = _sets_off(stage, node, b)
-    turn = stated_turn(stage, node, b, a)
+    turn = stage.stated_turn(node, b, a)
     if turn is None:
         along = sets_off or rolls_on(stage, node, b)
         yaw = heading if along else target_yaw(pb, heading, stage.rng, pa)

@@ -11,6 +11,7 @@ import numpy as np
 from esg.dynamics.story.edges import edge_of
 from esg.dynamics.story.kinematics import Frame, Track, wrap_angle
 from esg.dynamics.story.paces import EVERYDAY, on_foot, top_speed, usual_halt
+from esg.dynamics.story.sides import stated_turn
 from esg.dynamics.story.stagecraft import (
     Prop,
     climb_height,
@@ -324,6 +325,11 @@ class Stage:
         if node.time_is_prescribed and node.window is not None:
             return 0.5 * (node.window[0] + node.window[1])
         return None
+
+    def stated_turn(self, node: TimelineNode, struck: str, by: str) -> float | None:
+        """How the prompt has what is hit turned from what comes [rad]; None where that is open."""
+        one, other = self.member(struck), self.member(by)
+        return stated_turn(self.doc, node.id, one, other, self.rng)
 
     # -- room --------------------------------------------------------------------------------
 

@@ -15,7 +15,7 @@ from esg.thresholds import AT_REST_MPS, OPEN_SHARE, SHUT_SHARE
 
 SAFE_OPENING = 1.25
 """What opens by so many times what counts opens in every engine."""
-DIP_M = 0.02
+DIP_M = 0.008
 """A swing that passes its lowest point by so much on either side does so in every engine."""
 
 

@@ -86,14 +86,7 @@ class UnitBuilder:
         for name in self.nodes:
             if name not in self.taken:
                 self._add(Unit({name: (0.0, 0.0, 0.0)}, parent=self._base(name)))
-        piled = {n: self.taken[n].members[n] for n in (*self.stacked, *self.stacked.values())}
-        for above, below in self.stacked.items():
-            if self.supports.of[above].parent != below:
-                self.supports.of[above] = stand_on(self.shape[above], below, self.shape[below])
-            unit = self.taken[above]
-            if below in unit.members and piled[above] == piled[below]:
-                aside = step_aside(self.supports.of[above], self.shape[below], self.shape[above])
-                unit.members[above] = compose(unit.members[below], aside)
+        self._pile_up()
         falling = falling_nodes(self.doc) if planned else frozenset()
         for unit in planned:
             for name in set_on_supports(unit, self.supports, self.shape, falling):
@@ -108,6 +101,17 @@ class UnitBuilder:
     def _base(self, name: str) -> str | None:
         """What carries a node, or the jointed thing that it is a part of."""
         return self.supports.of[self.joined.root.get(name, name)].parent
+
+    def _pile_up(self) -> None:
+        """Stands the members of stacks on each other, clear of what stands up from them."""
+        piled = {n: self.taken[n].members[n] for n in (*self.stacked, *self.stacked.values())}
+        for above, below in self.stacked.items():
+            if self.supports.of[above].parent != below:
+                self.supports.of[above] = stand_on(self.shape[above], below, self.shape[below])
+            unit = self.taken[above]
+            if below in unit.members and piled[above] == piled[below]:
+                aside = step_aside(self.supports.of[above], self.shape[below], self.shape[above])
+                unit.members[above] = compose(unit.members[below], aside)
 
     def _is_queue(self, unit: Unit) -> bool:
         group = self.nodes[next(iter(unit.members))].group

@@ -7,7 +7,7 @@ from collections.abc import Callable
 import numpy as np
 
 from esg.metrics.events.space import inside_volume, is_over, surface_distance, volumes
-from esg.metrics.joined import together
+from esg.metrics.joined import chains, hook, joined, together
 from esg.metrics.replay import Replay
 from esg.metrics.statements.query import Kept, StatementQuery
 from esg.metrics.support import (
@@ -150,14 +150,15 @@ def hangs_from(replay: Replay, q: StatementQuery, body: int) -> Kept:
 def _held(replay: Replay, q: StatementQuery, body: int, *, lower: bool) -> Kept:
     """Joints hold them together, or both are fixed and touch."""
     samples = q.window.samples(replay)
-    name = replay.scene.bodies[body].name
+    first = int(samples[0])
+    name, centre = replay.scene.bodies[body].name, float(replay.position[first, body, 2])
     held = np.zeros(len(samples), bool)
+    below = max((float(replay.position[first, j, 2]) for j in q.target.bodies), default=centre)
+    below -= centre
     for other in (j for j in q.target.bodies if j != body):
         held |= together(replay, body, other)[samples]
-    below = max(
-        float(replay.position[samples[0], j, 2] - replay.position[samples[0], body, 2])
-        for j in q.target.bodies or (body,)
-    )
+        ends = [a for way in chains(replay, joined(replay), body, other) for a in way[-1:]]
+        below = max([below, *(float(hook(replay, j)[first, 2]) - centre for j in ends)])
     if held.any():
         if lower and below <= 0.0:
             return Kept(False, {"below_m": below}, f"is not below {q.goal}")

@@ -184,12 +184,14 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     on = things(f.phrase(*_PUT_ON))
     if turned and on and not structural(d, on[0]):
         place(d, turned, on, "on")
+    note = "spin"
     for body in turned:
         if not at_rest(d, body):
             continue
         mode = Motion("drive" if body in on_axle else "spin")
         d.timeline.move(body, mode, ForceDirection.HORIZONTAL_PLANE)
         node = add_event(d, NodeEvent.SPIN, (body,), f, time_of(d, f))
+        note = node if body in on_axle else note
         so_often(d, f, node)
         draft = d.timeline.node(node)
         if draft is not None and "times" in draft.extra:
@@ -198,7 +200,7 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             draft.extra["turn_degrees"] = angle.high
             mark_used(d, angle, "how far it turns")
         d.timeline.track(body).motion = None
-    mark_used(d, f, "spin")
+    mark_used(d, f, note)
 
 
 def bounces_on_ground(d: Discourse, f: Frame, s: list[str], met: list[str]) -> bool:

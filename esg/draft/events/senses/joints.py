@@ -33,6 +33,7 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     last = d.text[f.verb.start : f.verb.end].lower().split()[-1]
     shut = bool({f.verb.extra.get("result", f.verb.lemma), last} & SHUTTING)
     event = NodeEvent.CLOSE if shut else NodeEvent.OPEN
+    note = "opens or closes"
     things = [i for i in doers if movable(d, i) and kind_of(d, i) != "person" and i not in moved]
     for body in moved:
         if shut and body not in d.timeline.tracks:
@@ -43,9 +44,8 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     for body in moved:
         if at_rest(d, body) and not moved_by_others(d, body):
             d.timeline.move(body, Motion("drive"), ForceDirection.ANY_3D)
-        add_event(d, event, (body,), f, time_of(d, f))
+        note = add_event(d, event, (body,), f, time_of(d, f))
         d.timeline.track(body).motion = None
-    note = "closes" if shut else "opens"
     mark_used(d, f, note)
     for word in (f.verb.extra.get("result"), "further", "wide"):
         at = place_of(word, d.text, f) if word in f.adverbs else None
@@ -71,17 +71,18 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     let_go(d, f, hung)
     met = f.phrase("at", "into", "against", "through", "on") is not None
     target = [i for i in hit_targets(f, s, o) if i not in hung] if met else []
+    note = "swings"
     if target:
         add_hit(d, f, hung[:1], target, time_of(d, f))
     else:
         for body in hung:
-            node = add_event(d, NodeEvent.SWING, (body,), f, time_of(d, f))
+            note = node = add_event(d, NodeEvent.SWING, (body,), f, time_of(d, f))
             so_often(d, f, node)
             draft, often = d.timeline.node(node), _BACK_AND_FORTH.search(d.text, f.verb.end)
             if draft is not None and often is not None:
                 draft.extra.setdefault("times", _TO_AND_FRO)
                 d.scene.used[often.span()] = node
-    mark_used(d, f, "swings")
+    mark_used(d, f, note)
 
 
 @sense("let_go")
