@@ -24,7 +24,7 @@ from typing import TYPE_CHECKING, Any
 from esg.outcomes import Outcome, UserError
 from esg.paths import cache_dir
 from esg.progress import StageEvent, emit
-from esg.scrubbing import scrub_all
+from esg.strangers.scrubbing import scrub_all
 
 if TYPE_CHECKING:
     from esg.store.artifacts import ArtifactStore

@@ -12,7 +12,7 @@ from typing import Any, TextIO
 import warnings
 
 from esg.notices import UNPRINTABLE, warn
-from esg.scrubbing import scrub_all
+from esg.strangers.scrubbing import scrub_all
 
 
 class Plain(io.TextIOWrapper):

@@ -143,7 +143,7 @@ def _source(
     from esg.dataset.plan import MAX_SCENES, prompts_text, read_prompts
     from esg.files import read_limited
     from esg.outcomes import UserError
-    from esg.yamlfile import MAX_CHARACTERS
+    from esg.strangers.yamlfile import MAX_CHARACTERS
 
     if (prompts is None) == (sample is None):
         raise UserError("give either --prompts FILE or --sample N")

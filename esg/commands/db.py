@@ -81,7 +81,7 @@ def verify(*folders: Path, db: Path | None = None, json: _Json = False) -> int:
     """
     from esg.commands.console import emit
     from esg.runs import database_path
-    from esg.store.checking import verify as run
+    from esg.store.verifying import verify as run
 
     path = db or database_path()
     found = run(path, list(folders) or [path.parent])

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 
 if TYPE_CHECKING:
-    from esg.cron import Cron
+    from esg.commands.cron import Cron
 
 DEFAULT_SUITE = Path(__file__).parents[2] / "data" / "suites" / "paper.yaml"
 """The project's own copy, wherever the command is called."""
@@ -119,7 +119,7 @@ def check_cron(text: str) -> Cron:
     Raises:
         UserError: If it is none.
     """
-    from esg.cron import Cron
+    from esg.commands.cron import Cron
     from esg.outcomes import UserError
 
     try:

@@ -28,7 +28,7 @@ from esg.dataset.sentences import Rendered
 from esg.dataset.slots import Values
 from esg.metrics.models import SuiteScene
 from esg.outcomes import UserError
-from esg.yamlfile import read_yaml
+from esg.strangers.yamlfile import read_yaml
 
 GRAMMAR_VERSION = 1
 LEVELS = ("single", "chain", "multi_phase")

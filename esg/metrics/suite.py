@@ -29,8 +29,8 @@ from esg.metrics.suite_problems import (
 )
 from esg.metrics.suite_statements import read_statements
 from esg.outcomes import UserError
+from esg.strangers.yamlfile import MAX_CHARACTERS, read_yaml
 from esg.untyped import is_list, is_object
-from esg.yamlfile import MAX_CHARACTERS, read_yaml
 
 MAX_ITEMS = 200
 """Events, constraints, statements and objects of one scene, each."""

@@ -6,8 +6,7 @@ flipped bit in a footer changes types, counts or places without touching a page.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator
 import hashlib
 from pathlib import Path
 import struct
@@ -115,89 +114,3 @@ def _records(data: bytes) -> Iterator[tuple[int, bytes]]:
             raise ValueError("a record is longer than the file")
         yield kind, data[at : at + size]
         at += size
-
-
-@dataclass(frozen=True)
-class Verified:
-    """What a verification read.
-
-    Args:
-        files: Number of files read.
-        problems: What is damaged, a line each.
-        leftovers: Temporary files of killed writers that were removed.
-    """
-
-    files: int
-    problems: tuple[str, ...]
-    leftovers: int = 0
-
-
-def verify(db: Path | None, folders: Sequence[Path]) -> Verified:
-    """Reads all data below folders, and a database, with all their checksums.
-
-    Args:
-        db: The database; None, or one that does not exist, is left out.
-        folders: Searched for Parquet files, recordings (`.mcap`) and rollouts (`.npz`).
-
-    Raises:
-        UserError: If a folder does not exist.
-    """
-    from esg.files import sweep
-
-    missing = [str(f) for f in folders if not f.exists()]
-    if missing:
-        raise UserError(f"{', '.join(missing)}: no such file or folder; check the path")
-    problems: list[str] = []
-    paths = [p for f in folders for p in ([f] if f.is_file() else sorted(f.rglob("*")))]
-    paths = [p for p in paths if p.suffix in _CHECKS and p.name[0] != "." and p.is_file()]
-    paths = list(dict.fromkeys(paths))
-    leftovers = sum(sweep(folder) for f in folders if f.is_dir() for folder in _folders(f))
-    for path in paths:
-        try:
-            _CHECKS[path.suffix](path)
-        except UserError as error:
-            problems.append(str(error))
-    if db is None or not db.is_file():
-        return Verified(len(paths), tuple(problems), leftovers)
-    problems += _database_problems(db)
-    return Verified(len(paths) + 1, tuple(problems), leftovers)
-
-
-def _folders(root: Path) -> Iterator[Path]:
-    yield root
-    yield from (p for p in root.rglob("*") if p.is_dir() and not p.is_symlink())
-
-
-def _database_problems(db: Path) -> list[str]:
-    """Reads every value of every table; DuckDB's blocks have checksums."""
-    from esg.store.db import query
-    from esg.store.tables import TABLES
-
-    problems: list[str] = []
-    for table in TABLES:
-        try:
-            query(db, f"SELECT bit_xor(hash(t)) FROM {table} t", timeout_s=0.0)
-        except UserError as error:
-            problems.append(str(error) if str(db) in str(error) else f"{db}: {error}")
-    return list(dict.fromkeys(problems))
-
-
-def _check_rollout(path: Path) -> None:
-    import zipfile
-
-    try:
-        with zipfile.ZipFile(path) as archive:
-            bad = archive.testzip()
-    except (zipfile.BadZipFile, zlib.error, OSError, EOFError, ValueError, RuntimeError) as error:
-        bad = str(error)
-    if bad:
-        raise UserError(f"{path} is damaged ({bad}); run its scene again")
-
-
-def _check_table(path: Path) -> None:
-    from esg.store.tables import read_table
-
-    read_table(path)
-
-
-_CHECKS = {".parquet": _check_table, ".mcap": check_recording, ".npz": _check_rollout}

@@ -9,7 +9,7 @@ import pytest
 
 from esg.metrics.suite import parse_suite
 from esg.outcomes import UserError
-from esg.yamlfile import MAX_VALUES, read_yaml
+from esg.strangers.yamlfile import MAX_VALUES, read_yaml
 
 SCENE = "suite: x\nscenes:\n"
 

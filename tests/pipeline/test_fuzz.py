@@ -25,7 +25,7 @@ from esg.metrics.suite import parse_suite
 from esg.outcomes import UserError
 from esg.store import ingest, read_table
 from esg.store.checking import check_recording
-from esg.yamlfile import read_yaml
+from esg.strangers.yamlfile import read_yaml
 
 FEW = settings(
     max_examples=60,

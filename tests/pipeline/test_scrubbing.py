@@ -14,7 +14,7 @@ import pytest
 from esg.commands.console import fail
 from esg.outcomes import UserError
 from esg.pipeline import SceneRequest, SceneState, crashed, run_stage
-from esg.scrubbing import MARK, scrub, scrub_all
+from esg.strangers.scrubbing import MARK, scrub, scrub_all
 
 KEY = 'sk-"very/secret+\\0123=&x 456789'
 

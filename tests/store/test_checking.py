@@ -12,8 +12,9 @@ from esg.commands.db import verify as command
 from esg.files import TEMPORARY
 from esg.outcomes import UserError
 from esg.store import ingest, query, read_table, write_mcap, write_tables
-from esg.store.checking import check_recording, verify
+from esg.store.checking import check_recording
 from esg.store.tables import part_files
+from esg.store.verifying import verify
 from tests.store.samples import record, records, run_info, world
 
 FLIPS = 120

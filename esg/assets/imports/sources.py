@@ -206,11 +206,24 @@ def _described(path: Path, inside: Path, row: dict[str, Any]) -> Source:
 
 
 def _read_catalogue(path: Path) -> list[dict[str, Any]]:
+    rows = _parsed(path)
+    if isinstance(rows, dict):
+        rows = rows.get("assets", [])
+    if not isinstance(rows, list) or not all(isinstance(r, dict) for r in rows):
+        raise UserError(f'{path}: expected a list of objects (or {{"assets": [...]}})')
+    faults = [f"row {n + 1}: {fault}" for n, row in enumerate(rows) for fault in _faults(row)]
+    if faults:
+        raise UserError(f"{path}: " + "; ".join(faults[:20]))
+    return rows
+
+
+def _parsed(path: Path) -> Any:
+    """The rows of a catalogue, unchecked."""
     try:
         text = read_limited(path, MAX_CATALOGUE).decode("utf-8-sig")
-        rows = (
-            json.loads(text) if path.suffix == ".json" else list(csv.DictReader(text.splitlines()))
-        )
+        if path.suffix == ".json":
+            return json.loads(text)
+        return list(csv.DictReader(text.splitlines()))
     except json.JSONDecodeError as error:
         raise UserError(f"{path}: not JSON, line {error.lineno}: {error.msg}") from None
     except UnicodeDecodeError:
@@ -219,28 +232,22 @@ def _read_catalogue(path: Path) -> list[dict[str, Any]]:
         raise UserError(f"{path} cannot be read: {error.strerror}") from None
     except (csv.Error, ValueError, RecursionError) as error:
         raise UserError(f"{path}: cannot be read ({error}); correct it") from None
-    if isinstance(rows, dict):
-        rows = rows.get("assets", [])
-    if not isinstance(rows, list) or not all(isinstance(r, dict) for r in rows):
-        raise UserError(f'{path}: expected a list of objects (or {{"assets": [...]}})')
-    faults = []
-    for n, row in enumerate(rows):
-        if not row.get("file"):
-            faults.append(f"row {n + 1}: no `file`")
-        for name in _TEXT_FIELDS:
-            if row.get(name) is not None and not isinstance(row[name], str):
-                faults.append(f"row {n + 1}: {name} is {row[name]!r:.60}, expected a text")
-        unknown = set(row) - set(_NUMBER_FIELDS) - set(_TEXT_FIELDS)
-        if unknown:
-            faults.append(f"row {n + 1}: unknown columns {sorted(map(str, unknown))}")
-        for name in _NUMBER_FIELDS:
-            if row.get(name) not in (None, "") and _number(row[name]) is None:
-                given = f"{row[name]!r:.60}"
-                faults.append(f"row {n + 1}: {name} is {given}, expected a positive number")
-        if (row.get("up") or "y") not in ("y", "z"):
-            faults.append(f"row {n + 1}: up is {row['up']!r:.60}, expected y or z")
-        if not re.fullmatch(r"[+-][xyz]", str(row.get("front") or "+z")):
-            faults.append(f"row {n + 1}: front is {row['front']!r:.60}, expected e.g. +z")
-    if faults:
-        raise UserError(f"{path}: " + "; ".join(faults[:20]))
-    return rows
+
+
+def _faults(row: dict[str, Any]) -> Iterator[str]:
+    """What is wrong with a row of a catalogue."""
+    if not row.get("file"):
+        yield "no `file`"
+    for name in _TEXT_FIELDS:
+        if row.get(name) is not None and not isinstance(row[name], str):
+            yield f"{name} is {row[name]!r:.60}, expected a text"
+    if unknown := set(row) - set(_NUMBER_FIELDS) - set(_TEXT_FIELDS):
+        yield f"unknown columns {sorted(map(str, unknown))}"
+    for name in _NUMBER_FIELDS:
+        if row.get(name) not in (None, "") and _number(row[name]) is None:
+            given = f"{row[name]!r:.60}"
+            yield f"{name} is {given}, expected a positive number"
+    if (row.get("up") or "y") not in ("y", "z"):
+        yield f"up is {row['up']!r:.60}, expected y or z"
+    if not re.fullmatch(r"[+-][xyz]", str(row.get("front") or "+z")):
+        yield f"front is {row['front']!r:.60}, expected e.g. +z"

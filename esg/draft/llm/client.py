@@ -12,7 +12,7 @@ from typing import Any, Protocol
 
 from esg.draft.llm.settings import LlmSettings
 from esg.outcomes import UserError
-from esg.scrubbing import scrub
+from esg.strangers.scrubbing import scrub
 
 MAX_PAUSE_S = 30.0
 

@@ -12,7 +12,7 @@ from typing import Any, Literal
 
 from esg.draft.llm.client import Call, Client, ModelFailure, Reply
 from esg.outcomes import UserError
-from esg.scrubbing import scrub
+from esg.strangers.scrubbing import scrub
 
 VERSION = 1
 
