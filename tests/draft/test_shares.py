@@ -258,10 +258,6 @@ def test_what_is_launched_late_rests_until_then() -> None:
             "The first of three boxes hits the next box.",
             [("Collision", "first_box_1", "box_2")],
         ),
-        (
-            "Rain barrel topples after being struck by a rolling tyre.",
-            [("Collision", "tyre_1", "barrel_1"), ("Topple", "barrel_1")],
-        ),
     ],
 )
 def test_one_more_of_a_row(prompt: str, events: list[tuple[str, ...]]) -> None:

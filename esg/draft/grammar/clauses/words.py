@@ -64,7 +64,7 @@ def _preposition(c: Clauses, s: State, w: Word, i: int) -> None:
     if nxt is None or (small is not None and _ends_phrase(small)):
         if small is not None and small.kind == "rel" and small.low in ("which", "whom"):
             s.relative_prep = w.low  # "a rack from which a box falls"
-        elif s.frame is not None and not _of_what_went_before(s, w):
+        elif s.frame is not None:
             s.frame.adverbs.append(w.low)  # a particle: "knocking them over"
     elif w.low in _PARTICLES and small is not None and small.kind in ("prep", "to"):
         if s.frame is not None and small.amount is None:
@@ -78,7 +78,7 @@ def _ends_phrase(w: Word) -> bool:
 
 
 def _quantity(c: Clauses, s: State, w: Word, i: int) -> None:
-    if w.amount is None or _belongs_to_noun(c, s, w, i) or _fronted_size(c, w, i):
+    if w.amount is None or _belongs_to_noun(c, s, w, i):
         return
     phrase = Phrase(s.prep, None, w.amount)
     owner = _time_apart(c, s, phrase, i)
@@ -231,25 +231,6 @@ def _before_link(c: Clauses, i: int) -> Element | None:
     return element_at(c.elements, i - 3) if sized else before
 
 
-def _fronted_size(c: Clauses, w: Word, i: int) -> bool:
-    """ "Two metres tall, the bookcase topples": a property before its noun."""
-    assert w.amount is not None
-    before = element_at(c.elements, i - 1)
-    opens = before is None or (isinstance(before, Word) and before.low in ".;!?:")
-    heavy = w.amount.dimension == "mass" and _next_low(c, i + 1) in ("heavy", "in")
-    size = _size_word(c, i) if w.amount.dimension == "length" else ""
-    if not opens or not (heavy or size):
-        return False
-    comma = next((k for k in range(i + 1, i + 4) if _next_low(c, k) in (",", ":")), 0)
-    noun = element_at(c.elements, comma + 1) if comma else None
-    if not isinstance(noun, Mention) or noun.pronoun or noun.attribute:
-        return False
-    if size:
-        noun.adjectives.append(f"@{w.amount.start}:{size}")
-    noun.amounts.append(w.amount)
-    return True
-
-
 def _next_low(c: Clauses, i: int) -> str:
     return getattr(element_at(c.elements, i), "low", "")
 
@@ -308,16 +289,6 @@ def _one_more(c: Clauses, w: Word, i: int) -> bool:
     noun.amounts.append(w.amount)
     if size := _size_word(c, i):
         noun.adjectives.append(f"@{w.amount.start}:{size}")
-    return True
-
-
-def _of_what_went_before(s: State, w: Word) -> bool:
-    """ "a log, which it drives into": the preposition of the object in front."""
-    f = s.frame
-    if f is None or f.object is None or f.object is not s.relative or w.low not in _AIMED:
-        return False
-    f.phrases.append(Phrase(w.low, f.object))
-    f.object = None
     return True
 
 

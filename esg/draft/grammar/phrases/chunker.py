@@ -163,19 +163,6 @@ def _extent(c: Chunks, i: int) -> int | None:
     return _word(c, i, "unknown", low_at(c, i)) if extent else None
 
 
-def _compound(c: Chunks, i: int) -> int | None:
-    """ "Rain barrel topples"."""
-    j = noun_phrase(c, i) if _last_of_compound(c, i) else None
-    if j is None:
-        return None
-    head, first = c.elements.pop(), c.elements.pop()
-    if isinstance(head, Mention) and isinstance(first, Mention):
-        head.start, head.text = first.start, f"{first.text} {head.text}"
-        head.adjectives.insert(0, first.head)
-    c.elements.append(head)
-    return j
-
-
 def _named(c: Chunks, i: int) -> int | None:
     return noun_phrase(c, i) if _named_thing(c, i) else None
 
@@ -284,19 +271,6 @@ def _title(c: Chunks, i: int) -> int:
         if colon.text == ":":
             return n + 1 if words[-1].low in _HEADINGS | _TITLES else 0
     return 0
-
-
-def _last_of_compound(c: Chunks, i: int) -> bool:
-    """ "Rain barrel topples": after a bare noun a verb has an ending, and one follows."""
-    first = element_before(c)
-    if not isinstance(first, Mention) or first.end + 1 != c.tokens[i].start:
-        return False
-    if first.plural or first.determiner or first.count or first.pronoun or first.letters:
-        return False
-    forms = {r.form for r in verb_readings(low_at(c, i))}
-    follows = verb_readings(low_at(c, i + 1))
-    finite = any(r.form in ("s", "past") for r in follows) or low_at(c, i + 1) in ("is", "was")
-    return forms == {"base"} and finite and match_noun(c, i) is not None
 
 
 def _named_thing(c: Chunks, i: int) -> bool:
@@ -445,7 +419,6 @@ READERS: tuple[Callable[[Chunks, int], int | None], ...] = (
     _bound,
     _multiword,
     _extent,
-    _compound,
     _named,
     _verb,
     _link,
