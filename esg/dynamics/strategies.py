@@ -67,13 +67,11 @@ def optimize(
         satisfy: `dynamics_result.outcome` says how it ended.
 
     Raises:
-        UserError: For an unknown strategy or collision model, and for one that knows no joints
-            where the scene has some.
+        UserError: For an unknown strategy or collision model, or one that knows no joints.
     """
     _check(strategy, collision, rounds_closed)
     given, doc = doc, effective(doc)
-    scene = build_scene(doc)
-    _check_joints(scene, strategy, collision)
+    scene = _scene_for(doc, strategy, collision)
     if doc.timeline_system is None:
         return _write(given, static_result(strategy), seed, strategy)
     plan = make_plan(doc, scene, seed=seed, look_ahead=strategy != "none")
@@ -135,10 +133,11 @@ def _check(strategy: str, collision: str, rounds_closed: int) -> None:
         raise UserError(f"unknown strategy {strategy!r}; choose one of {', '.join(STRATEGIES)}")
 
 
-def _check_joints(scene: SimScene, strategy: str, collision: str) -> None:
-    """Raises what is wrong with a request for a scene with joints."""
+def _scene_for(doc: EsgDocument, strategy: str, collision: str) -> SimScene:
+    """The physical scene; raises what is wrong with a request for one with joints."""
+    scene = build_scene(doc)
     if not scene.joints:
-        return
+        return scene
     if strategy in ("ad", "hybrid"):
         raise UserError(
             f"strategy {strategy!r} differentiates the surrogate, which knows no joints, and the "
@@ -149,6 +148,7 @@ def _check_joints(scene: SimScene, strategy: str, collision: str) -> None:
             f"collision model {collision!r} searches in the surrogate, which knows no joints, and "
             f"the scene has {[j.name for j in scene.joints]}; choose collision model exact"
         )
+    return scene
 
 
 def _judge_staged(

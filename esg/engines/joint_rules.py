@@ -27,10 +27,11 @@ from typing import Any, Protocol
 import numpy as np
 
 from esg.engines.executor import Touch
-from esg.engines.joints import Floats, Joint, Motor
+from esg.engines.joints import WORLD, Floats, Joint, Motor
 from esg.engines.program import Vec
 from esg.engines.scene import SimScene
 from esg.engines.worlds import Principal, Values, moving, principal_axes
+from esg.units import quat_multiply, quat_rotate
 
 APPROACH_RATE = 10.0
 """A motor nears a place at no more than this times the way that is left [1/s]."""
@@ -86,6 +87,20 @@ class Masses:
             inertia[i] = columns @ np.diag(1.0 / moments) @ columns.T
         where = values.position[w], values.quaternion[w]
         return Masses(*where, values.mass[w], inverse, inertia)
+
+
+def in_world(joint: Joint, masses: Masses, parent: int) -> Joint:
+    """The joint told by the world in place of a parent that stays where it is.
+
+    Args:
+        joint: Of the scene.
+        masses: Of its bodies.
+        parent: Body.
+    """
+    at, turn = masses.position[parent], masses.quaternion[parent]
+    x, y, z = (at + quat_rotate(turn, np.array(joint.parent_anchor))).tolist()
+    a, b, c, w = quat_multiply(turn, np.array(joint.parent_rotation)).tolist()
+    return replace(joint, parent=WORLD, parent_anchor=(x, y, z), parent_rotation=(a, b, c, w))
 
 
 def drive_of(joint: Joint, motor: Motor | None, position: float, dt: float) -> tuple[float, float]:

@@ -9,10 +9,10 @@ from typing import Any
 import numpy as np
 
 from esg.engines.executor import Touch
-from esg.engines.joint_rules import Bodies, JointRules, Masses
+from esg.engines.joint_rules import Bodies, JointRules, Masses, in_world
 from esg.engines.joints import Joint
 from esg.engines.scene import SimScene
-from esg.units import quat_multiply, quat_rotate
+from esg.units import quat_rotate
 
 RIGID_DRIVE = 1e8
 """Damping of a drive that its limit alone holds back [N s/m or N m s/rad]."""
@@ -47,10 +47,13 @@ class PhysxJoints:
     ) -> None:
         self._rules, self._components = JointRules(scene, masses, dt), components
         self.motors = self._rules.motors
-        self._made = [
-            _make(px, pose, joint, components[child], None if parent < 0 else components[parent])
-            for joint, (child, parent) in zip(scene.joints, self._rules.ends, strict=True)
-        ]
+        self._made: list[list[Any]] = []
+        for joint, (child, parent) in zip(scene.joints, self._rules.ends, strict=True):
+            base = None if parent < 0 else components[parent]
+            # A decal has no component; a pair that collides must not share a joint.
+            if parent >= 0 and (base is None or (joint.collide and not joint.flexible)):
+                joint, base = in_world(joint, masses, parent), None
+            self._made.append(_make(px, pose, joint, components[child], base))
 
     def before_step(self, world: Bodies, parts: int) -> None:
         """Acts on the bodies before a step that is taken in parts, and sets the drives."""
@@ -81,13 +84,6 @@ def _make(px: Any, pose: Pose, joint: Joint, child: Any, parent: Any) -> list[An
         return [] if joint.collide or parent is None else [_d6(px, child, parent)]
     kind = joint.kind
     at, turn = joint.parent_anchor, joint.parent_rotation
-    if joint.collide and parent is not None:
-        # Such a parent stays where it is (`joint_problems`).
-        where = parent.entity.pose
-        w, x, y, z = (float(q) for q in where.q)
-        base = np.array([x, y, z, w])
-        at = np.array(where.p, float) + quat_rotate(base, np.array(at))
-        turn, parent = quat_multiply(base, np.array(turn)), None
     points = [(0.0, 0.0, 0.0)]
     points += [] if kind == "ball" else [(LEVER_M, 0.0, 0.0)]
     points += [(0.0, LEVER_M, 0.0)] if kind in ("slider", "fixed") else []

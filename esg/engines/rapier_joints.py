@@ -7,7 +7,7 @@ import math
 from typing import Any
 
 from esg.engines.executor import Touch
-from esg.engines.joint_rules import Bodies, JointRules, Masses
+from esg.engines.joint_rules import Bodies, JointRules, Masses, in_world
 from esg.engines.joints import Joint
 from esg.engines.scene import SimScene
 
@@ -44,12 +44,14 @@ class RapierJoints:
         self._rules = JointRules(scene, masses, dt)
         still = world.add_body(r.RigidBody.fixed())
         self.motors = self._rules.motors
-        self._made = [
-            world.impulse_joints.insert(
-                still if parent < 0 else handles[parent], handles[child], _make(r, pose, joint)
-            )
-            for joint, (child, parent) in zip(scene.joints, self._rules.ends, strict=True)
-        ]
+        self._made: list[Any] = []
+        for joint, (child, parent) in zip(scene.joints, self._rules.ends, strict=True):
+            base = still if parent < 0 else handles[parent]
+            if base is None:
+                # A decal has no body.
+                joint, base = in_world(joint, masses, parent), still
+            made = _make(r, pose, joint)
+            self._made.append(world.impulse_joints.insert(base, handles[child], made))
 
     def before_step(self, world: Bodies) -> None:
         """Acts on the bodies before a step and sets the drives."""

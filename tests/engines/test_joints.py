@@ -204,6 +204,20 @@ def test_a_rope_between_two_bodies_tows_and_keeps_momentum(engine: str) -> None:
 
 
 @pytest.mark.parametrize("engine", STEPPED)
+def test_a_body_without_shapes_may_bear_a_joint(engine: str) -> None:
+    turn = (0.0, 0.0, math.sin(0.4), math.cos(0.4))
+    mark = Body("mark", True, 1.0, ((1, 0, 0), (0, 1, 0), (0, 0, 1)), (), (0.3, 0.2, 2.0), turn)
+    lamp = box("lamp", (0.1, 0.1, 0.1), 2.0, (0.3, 0.2, 1.5))
+    for kind, upper in (("hinge", None), ("rope", 0.5)):
+        joint = joint_between("j", kind, lamp, mark, at=lamp.position, parent_at=(0.3, 0.2, 2.0))
+        if kind == "hinge":
+            joint = joint_between("j", kind, lamp, mark, at=(0.3, 0.2, 2.0))
+        scene = SimScene("s", (mark, lamp), joints=(replace(joint, upper=upper),))
+        out = play(engine, scene, duration=0.5)
+        np.testing.assert_allclose(out.position[0, -1, 1], lamp.position, atol=1e-3)
+
+
+@pytest.mark.parametrize("engine", STEPPED)
 def test_equal_scenes_give_equal_bytes(engine: str) -> None:
     case: Case = hits()[0]
     one, two = (play(engine, case.scene, *case.commands, duration=0.3) for _ in range(2))

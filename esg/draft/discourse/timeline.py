@@ -232,17 +232,6 @@ class TimelineBuilder:
         if track is not None and track.motion is not None and track.motion.mode != "coast":
             track.motion.speed, track.motion.prescribed = speed, prescribed
 
-    def leaves_hit_at(self, actor: str, speed: Quantity) -> bool:
-        """Prescribes the speed of a passive body after its last hit; False if there is none."""
-        track = self.tracks.get(actor)
-        hits = [n for n in self.nodes if n.event is NodeEvent.COLLISION]
-        hits = [n for n in hits if actor in n.participants[1:]]
-        if track is None or track.role is not Role.PASSIVE or not hits:
-            return False
-        left = EventConstraint(quantity="speed_after", object=actor, value=speed)
-        hits[-1].constraints.append(left)
-        return True
-
     def forget_duration(self, node_id: str) -> None:
         """Leaves open how long the segments up to an event last."""
         for k, e in enumerate(self.edges):

@@ -119,6 +119,21 @@ def _adjust(
 
 
 @wp.func
+def _roughen(
+    world: int,
+    body: int,
+    mu: float,
+    first_shape: wp.array(dtype=int),
+    shape_body: wp.array(dtype=int),
+    shape_mu: wp.array(dtype=float),
+):
+    """Changes the friction of a body's shapes."""
+    for shape in range(first_shape[world], first_shape[world + 1]):
+        if shape_body[shape] == body:
+            shape_mu[shape] = mu
+
+
+@wp.func
 def _feel(
     world: int,
     step: int,
@@ -228,8 +243,7 @@ def run_programs(
 ):
     """One thread per world executes its program before a step (`esg.engines.program`)."""
     world = wp.tid()
-    step = clock[0]
-    dt = grid[0]
+    step, dt = clock[0], grid[0]
     t = wp.float64(step) * dt
     now, pull = t + wp.float64(0.5) * dt, gravity[world][2] * float(dt)
     _feel(world, step, pull, dynamic, features, before, driven, tips, body_qd)
@@ -258,9 +272,8 @@ def run_programs(
         elif start <= now:
             done[world, k] = 1
             if kind[world, k] == Action.SET_VELOCITY:
-                _set_linear(
-                    target, vector(table, world, k, Column.LINEAR), body_qd, joint_qd, first
-                )
+                linear = vector(table, world, k, Column.LINEAR)
+                _set_linear(target, linear, body_qd, joint_qd, first)
                 omega = vector(table, world, k, Column.ANGULAR)
                 if not wp.isnan(omega[0]):
                     _set_angular(target, omega, body_qd, joint_qd, first)
@@ -274,9 +287,8 @@ def run_programs(
                     _adjust(target, to, table[world, k, Column.BRAKING], linear_damping,
                             angular_damping, braking)  # fmt: skip
                 if not wp.isnan(to[2]):
-                    for shape in range(first_shape[world], first_shape[world + 1]):
-                        if shape_body[shape] == b:
-                            shape_mu[shape] = to[2] * friction_scale[world]
+                    mu = to[2] * friction_scale[world]
+                    _roughen(world, b, mu, first_shape, shape_body, shape_mu)
     _stand(world, step, pull, float(dt), friction_scale[world], dynamic, features, braking, driven,
            before, tips, body_q, body_qd, joint_qd, first)  # fmt: skip
 

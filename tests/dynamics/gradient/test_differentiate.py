@@ -92,7 +92,7 @@ PATH = GuideAlong(
         (LONE, HoldVelocity("a", 0.2, 0.5, 2.0, 0.4, climb=0.5), "a", 0, 2, "position"),
         (LONE, HoldVelocity("a", 0.2, 0.5, 2.0, 0.4, climb=0.5), "a", 2, 8, "velocity"),
         (LONE, HoldVelocity("a", 0.2, 0.5, 2.0, 0.4, gains=3.0, loses=2.0), "a", 0, 9, "position"),
-        (LONE, HoldVelocity("a", 0.2, 0.9, 2.0, 0.4, gains=3.0, loses=2.0), "a", 1, 2, "position"),
+        (LONE, HoldVelocity("a", 0.2, 0.5, 2.0, 0.4, gains=30.0, loses=9.0), "a", 1, 2, "position"),
         # Place and velocity of a path's last point, and a spin.
         (LONE, PATH, "a", 0, 19, "position"),
         (LONE, PATH, "a", 1, 23, "position"),

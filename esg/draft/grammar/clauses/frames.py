@@ -148,16 +148,6 @@ def _after_parenthesis(elements: list[Element], i: int) -> int:
     return i
 
 
-def next_verb(elements: list[Element], i: int) -> Verb | None:
-    """The first verb from place `i` on in the same sentence."""
-    for e in elements[i:]:
-        if isinstance(e, Verb):
-            return e
-        if isinstance(e, Word) and e.kind == "punct" and e.low in ".;":
-            return None
-    return None
-
-
 _MANOEUVRES = lex.word_set("manoeuvres")
 _MOVING = lex.word_set("moving (frames)")
 
