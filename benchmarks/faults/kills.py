@@ -30,7 +30,9 @@ COMMANDS: dict[str, tuple[Sequence[str], tuple[float, float]]] = {
 }
 """Command lines, and the earliest and latest moment of the kill [s]."""
 WARM = ("generate from cache", "db rebuild", "db ingest", "export", "report")
-_TIMES = ("log.jsonl", "timings", "runs/", "run.json", ".lock", "timings.json", "card", "README")
+_TIMES = (
+    "log.jsonl", "SHA256SUMS", "timings", "runs/", "run.json", ".lock", "card", "README",
+)  # fmt: skip
 """Parts of names of files that hold times."""
 
 

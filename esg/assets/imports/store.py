@@ -107,6 +107,8 @@ _FIELDS: dict[str, Callable[[Any], bool]] = {
     "mesh_sha256": lambda v: _word(v) and re.fullmatch(r"[0-9a-f]{64}", v) is not None,
     "license": lambda v: v is None or _word(v),
     "attribution": _word,
+    "proxies": lambda v: isinstance(v, list),
+    "surfaces": lambda v: isinstance(v, list),
 }
 """What every record has, and whether a value will do."""
 
