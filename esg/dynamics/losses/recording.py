@@ -49,7 +49,7 @@ class Recording:
     def opening(self, joint: Joint) -> Floats:
         """Position of a hinge or slider over time [rad or m], shape [W, T]."""
         poses = [
-            (self.r.position[:, :, i], self.r.quaternion[:, :, i])
+            (self.r.position[:, :, i].astype(float), self.r.quaternion[:, :, i].astype(float))
             for i in (self.scene.index(n) for n in (joint.child, joint.parent) if n != WORLD)
         ]
         state = joint_state(joint, poses[0], poses[1] if len(poses) > 1 else None)
