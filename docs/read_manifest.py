@@ -5,7 +5,7 @@ A body has what Rapier's have; play_manifest.py beside this file plays whole sce
 
 import math
 
-from read_traction import Traction
+from read_traction import Traction, moving
 
 
 class Program:
@@ -47,15 +47,7 @@ def drive(p, body, s, dt, pull):
     if p["acceleration"] > 0 and p["max_speed"] is not None:
         speed = min(speed, p["max_speed"])
     heading, r = p["heading"] + p["turn_rate"] * s, 0.0 if "climb" in p else p["roll_radius"]
-    vx, vy = speed * math.cos(heading), speed * math.sin(heading)
-    if "gains" in p:
-        (x, y, _), (c, n) = tuple(body.linvel), (math.cos(heading), math.sin(heading))
-        gains, loses, was = p["gains"] * dt, p["loses"] * dt, heading - p["turn_rate"] * dt
-        along = math.cos(was) * x + math.sin(was) * y
-        across = math.cos(was) * y - math.sin(was) * x
-        along += max(-loses, min(gains, speed - along))
-        across -= max(-loses, min(loses, across))
-        vx, vy = c * along - n * across, n * along + c * across
+    vx, vy = moving(p, tuple(body.linvel), speed, heading, dt)
     body.linvel = (vx, vy, p["climb"] - pull if "climb" in p else tuple(body.linvel)[2])
     body.angvel = (-vy / r, vx / r, 0.0) if r else (0.0, 0.0, p["turn_rate"])
 

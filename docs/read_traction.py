@@ -118,3 +118,16 @@ def tip(b, body):
         az = foot * 2 * (y * z + x * w) + drop * (1 - 2 * (x * x + y * y))
         body.linvel = (vx + fy * more * az, vy - fx * more * az, vz + more * (fx * ay - fy * ax))
         body.angvel = (wx + fx * more, wy + fy * more, wz)
+
+
+def moving(p, v, speed, heading, dt):
+    """Horizontal velocity of a HoldVelocity: its own, or nearer to it where it takes its time."""
+    c, n = math.cos(heading), math.sin(heading)
+    if "gains" not in p:
+        return speed * c, speed * n
+    gains, loses, was = p["gains"] * dt, p["loses"] * dt, heading - p["turn_rate"] * dt
+    along = math.cos(was) * v[0] + math.sin(was) * v[1]
+    across = math.cos(was) * v[1] - math.sin(was) * v[0]
+    along += max(-loses, min(gains, speed - along))
+    across -= max(-loses, min(loses, across))
+    return c * along - n * across, n * along + c * across

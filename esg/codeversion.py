@@ -14,6 +14,7 @@ from pathlib import Path
 _ROOT = Path(__file__).parent
 COMMON = (
     "graph",
+    "engines/joints.py",
     "engines/program.py",
     "lexicon",
     "units.py",
@@ -21,6 +22,7 @@ COMMON = (
     "untyped.py",
     "outcomes.py",
     "fidelity.py",
+    "strangers",
     "__init__.py",
 )
 _SIMULATION = ("engines", "dynamics")
@@ -45,6 +47,7 @@ SOURCES: dict[str, tuple[str, ...]] = {
         "assets",
         "metrics/__init__.py",
         "metrics/geometry.py",
+        "metrics/models.py",
         "metrics/plausibility",
         "metrics/replay.py",
     ),
@@ -56,9 +59,19 @@ SOURCES: dict[str, tuple[str, ...]] = {
         "metrics",
         "layout/problem/hints.py",
     ),
-    "replay": ("compile", "engines"),
+    "replay": ("compile", "engines", "dynamics", "assets", "metrics", "layout/problem/hints.py"),
     "judge": ("metrics", "engines", "dynamics", "draft/document/coverage.py"),
-    "record": ("view", "store", "assets", "metrics", "engines", "compile", "scenereading.py"),
+    "record": (
+        "view",
+        "store",
+        "assets",
+        "metrics",
+        "engines",
+        "dynamics",
+        "layout/problem/hints.py",
+        "compile",
+        "scenereading.py",
+    ),
 }
 """Parts of the package (files or folders below `esg/`) that each stage's result depends on."""
 

@@ -31,7 +31,6 @@ from tests.draft.told import events
             "A van rolls into a gate, which swings open and hits a bin.",
             [
                 ("Collision", "van_1", "gate_1"),
-                ("Open", "gate_1"),
                 ("Collision", "bin_1", "gate_1"),
             ],
         ),

@@ -56,6 +56,7 @@ class Field:
         self.played = np.zeros((0, len(plan.variables)))
         self.phases: list[str] = []
         self.breadth = 1
+        self.explorer = "surrogate"
         self.passes = 0
 
     def look(self, thetas: Floats) -> Assessment:
