@@ -21,7 +21,7 @@ import time
 from typing import Any
 
 from esg.commands.console import table
-from esg.commands.replay import expectation
+from esg.commands.replay import document_of, expectation
 from esg.compile.transfer import MATRIX_ENGINES, MATRIX_RATES_HZ, REFERENCE, transfer_matrix
 from esg.metrics import load_suite
 from esg.scenefolder import is_scene_folder
@@ -44,7 +44,7 @@ def measure(
     scenes: dict[str, Any] = {}
     start = time.process_time()
     for folder in compiled:
-        expected, against = expectation(folder, loaded)
+        expected, against = expectation(folder, document_of(folder), loaded)
         runs = transfer_matrix(folder, expected, engines=engines, rates_hz=rates_hz)
         scenes[folder.name] = {"judged_against": against, "runs": [r.to_json() for r in runs]}
     return {

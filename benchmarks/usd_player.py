@@ -25,7 +25,7 @@ import tempfile
 from typing import Any
 
 from esg.commands.console import table
-from esg.commands.replay import expectation
+from esg.commands.replay import document_of, expectation
 from esg.compile.export import export
 from esg.compile.transfer import end_distance, replay_scene
 from esg.engines.manifest import load_manifest
@@ -73,7 +73,7 @@ def play(folder: Path, suite: Suite | None, python: str) -> Played:
     Raises:
         RuntimeError: If the player fails, with what it said.
     """
-    expected, _ = expectation(folder, suite)
+    expected, _ = expectation(folder, document_of(folder), suite)
     manifest = load_manifest(folder / "manifest.json")
     proven, _ = replay_scene(folder, manifest, "physx", manifest.dt)
     reference = judge(manifest.scene, manifest.program, proven, expected)

@@ -13,11 +13,15 @@ FLAT, SAME = 0.35, 0.05
 
 
 def fit_upright(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
-    """Configurations on their ends of boards that topple, their broad sides in front."""
+    """Configurations on their ends of boards that topple, their broad sides in front.
+
+    What a joint holds stays as it hangs: the board of a seesaw.
+    """
     nodes = doc.spatial_relation_graph.nodes
+    held = {j.child for j in doc.spatial_relation_graph.joints or ()}
     out: dict[str, AssetConfiguration] = {}
     for name, node in nodes.items():
-        if node.is_structural or not story.topples(name):
+        if node.is_structural or not story.topples(name) or name in held:
             continue
         config = doc.asset_configurations[node.asset_id]
         stated = doc.asset_requirement[node.asset_id].dimensions_are_prescribed

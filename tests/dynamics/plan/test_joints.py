@@ -8,6 +8,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from esg.assets import resolve
+from esg.draft import draft
+from esg.dynamics import cast
 from esg.dynamics.plan.build import build_scene
 from esg.engines.joints import joint_problems, joint_state
 from esg.engines.scene import SimScene
@@ -86,3 +89,10 @@ def test_a_missing_mount_is_named() -> None:
     told = joint("leaf", "post").model_copy(update={"child_mount": "knob"})
     with pytest.raises(UserError, match=r"leaf.*knob.*\['m'\]"):
         build_scene(solve(document({"leaf": "leaf", "post": "post"}, [], told), seed=1))
+
+
+def test_the_board_of_a_seesaw_is_not_stood_on_its_end() -> None:
+    """Casting leaves what a joint holds as its mounts have it, whatever is told of it."""
+    doc = cast(resolve(draft("A stone topples a seesaw.")))
+    assert doc.spatial_relation_graph.joints
+    assert joint_problems(build_scene(solve(doc, seed=1))) == []
