@@ -12,9 +12,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.joints import WORLD
 from esg.engines.scene import Rollout, SimScene
 from esg.engines.wheels import scene_angles
 from esg.graph.models import EsgDocument
+from esg.thresholds import PIECE_GAP_M
+from esg.units import quat_rotate
 from esg.view.camera import Camera
 from esg.view.framing import (
     PANEL_PX,
@@ -28,7 +31,7 @@ from esg.view.framing import (
 from esg.view.moments import Moment, failures, moments_of
 from esg.view.parts import scene_parts
 from esg.view.render import SAMPLES, Renderer
-from esg.view.sheet import Panel, draw_trail, write_loop, write_sheet
+from esg.view.sheet import Panel, draw_ropes, draw_trail, write_loop, write_sheet
 
 if TYPE_CHECKING:
     from esg.metrics.models import SceneVerdict
@@ -85,7 +88,14 @@ def preview(
         frame = frame_at(rollout, moment.time)
         shots.append(Shot(frame, camera_of_moment(scene, rollout, moment, view, renderers[0])))
     film = loop_shots(scene, rollout, moments, view) if loop else []
-    images = _render(renderers, rollout, scene_angles(scene, rollout), [*shots, *film])
+    images = [
+        draw_ropes(image, shot.camera, ropes_at(scene, rollout, shot.frame))
+        for shot, image in zip(
+            [*shots, *film],
+            _render(renderers, rollout, scene_angles(scene, rollout), [*shots, *film]),
+            strict=True,
+        )
+    ]
     panels: list[Panel] = []
     since = 0.0
     for moment, shot, image in zip(moments, shots, images[: len(shots)], strict=True):
@@ -103,6 +113,28 @@ def preview(
         note=note,
         footnotes=failures(scene, verdict),
     )
+
+
+def ropes_at(scene: SimScene, rollout: Rollout, frame: int) -> list[NDArray[np.float64]]:
+    """Ends [m] of the ropes and springs that hold at a frame of the first world, each [2, 3]."""
+    p, q = rollout.position[0].astype(float), rollout.quaternion[0].astype(float)
+    out: list[NDArray[np.float64]] = []
+    for joint in scene.joints:
+        if not joint.flexible:
+            continue
+        child = scene.index(joint.child)
+        parent = None if joint.parent == WORLD else scene.index(joint.parent)
+        anchors = []
+        for body, at in ((parent, joint.parent_anchor), (child, joint.child_anchor)):
+            here = np.asarray(at, float)
+            anchors.append(
+                here if body is None else p[frame, body] + quat_rotate(q[frame, body], here)
+            )
+        ends = np.array(anchors)
+        slack = joint.upper if joint.kind == "rope" and joint.upper is not None else np.inf
+        if float(np.linalg.norm(ends[1] - ends[0])) <= slack + PIECE_GAP_M:
+            out.append(ends)
+    return out
 
 
 def _threads() -> int:

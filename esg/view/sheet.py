@@ -19,6 +19,7 @@ FAINT = (98, 106, 116)
 PAPER = (250, 250, 248)
 ALARM = (176, 42, 30)
 TRAIL = (255, 196, 0)
+ROPE = (46, 40, 34)
 GAP = 12
 CAPTION_PX = 40
 TITLE_LINES = 4
@@ -77,6 +78,30 @@ def draw_trail(
     layer = layer.resize((width, height), Image.Resampling.LANCZOS)
     base = Image.fromarray(image).convert("RGBA")
     return np.asarray(Image.alpha_composite(base, layer).convert("RGB"))
+
+
+def draw_ropes(
+    image: NDArray[np.uint8], camera: Camera, ropes: Sequence[NDArray[np.float64]]
+) -> NDArray[np.uint8]:
+    """Draws ropes and springs, which have no mesh, over a picture: what hides them is not asked.
+
+    Args:
+        image: Shape [height, width, 3].
+        camera: That took it.
+        ropes: Their two ends in the world [m], each of shape [2, 3].
+    """
+    from PIL import Image, ImageDraw
+
+    if not ropes:
+        return image
+    height, width = image.shape[:2]
+    base = Image.fromarray(image).resize((2 * width, 2 * height), Image.Resampling.NEAREST)
+    draw = ImageDraw.Draw(base)
+    for ends in ropes:
+        pixels, ahead = camera.project(ends, 2 * width, 2 * height)
+        if ahead.all() and float(np.abs(pixels).max()) < 1e5:
+            draw.line([(float(x), float(y)) for x, y in pixels], fill=ROPE, width=3)
+    return np.asarray(base.resize((width, height), Image.Resampling.BOX))
 
 
 def write_sheet(

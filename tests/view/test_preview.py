@@ -11,6 +11,8 @@ from PIL import Image
 import pytest
 import trimesh
 
+from esg.engines.joints import joint_between
+from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import (
     EsgDocument,
     Node,
@@ -36,7 +38,7 @@ from esg.view.framing import (
 )
 from esg.view.moments import failures, moments_of
 from esg.view.render import Part, Renderer
-from esg.view.sheet import draw_trail
+from esg.view.sheet import draw_ropes, draw_trail
 from tests.report.folders import HIT_S, rollout, scene
 
 DOC = EsgDocument(
@@ -244,3 +246,34 @@ def test_a_moment_behind_something_is_seen_from_elsewhere() -> None:
         pose(renderer, replay, frame)
         seen = renderer.visible(camera, moment.focus)
         assert min(seen[i] for i in moment.focus) > 20
+
+
+def hung() -> tuple[SimScene, Rollout]:
+    """Two bodies of the usual scene on a rope of the length that is between them at the start."""
+    base = scene()
+    mover = next(b for b in base.bodies if not b.static)
+    other = next(b for b in base.bodies if b.name != mover.name)
+    rope = joint_between("rope", "rope", mover, other, at=mover.position, parent_at=other.position)
+    apart = float(np.linalg.norm(np.subtract(mover.position, other.position)))
+    return replace(base, joints=(replace(rope, upper=apart),)), rollout()
+
+
+def test_ropes_are_drawn_between_their_ends_while_they_hold():
+    jointed, played = hung()
+    (ends,) = previews.ropes_at(jointed, played, 0)
+    rope = jointed.joints[0]
+    assert ends[1] == pytest.approx(played.position[0, 0, jointed.index(rope.child)], abs=1e-5)
+    assert ends[0] == pytest.approx(played.position[0, 0, jointed.index(rope.parent)], abs=1e-5)
+    torn = replace(jointed, joints=(replace(rope, upper=0.5 * (rope.upper or 0.0)),))
+    assert previews.ropes_at(torn, played, 0) == []
+    assert previews.ropes_at(scene(), played, 0) == []
+
+
+def test_a_rope_darkens_the_picture_along_its_line_only():
+    blank = np.full((80, 120, 3), 200, np.uint8)
+    camera = Camera((0.0, -5.0, 1.0), (0.0, 0.0, 1.0))
+    assert draw_ropes(blank, camera, []) is blank
+    drawn = draw_ropes(blank, camera, [np.array([[0.0, 0.0, 0.5], [0.0, 0.0, 1.5]])])
+    dark = np.argwhere((drawn < 150).any(axis=2))
+    assert 5 < len(dark) < 120
+    assert np.ptp(dark[:, 1]) <= 3
