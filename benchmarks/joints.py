@@ -18,7 +18,7 @@ import numpy as np
 
 from benchmarks.analytic import DT, ENGINES, HELD_TO_IT, Film, Floats, Vec, ball, box
 from esg.engines import get_engine
-from esg.engines.joints import Joint, Motor, joint_between, joint_state
+from esg.engines.joints import Joint, Motor, joint_between, joint_poses, joint_state
 from esg.engines.program import Primitive, Program, SetVelocity, batch_programs
 from esg.engines.scene import Body, SimScene
 from esg.units import GRAVITY_MPS2 as G
@@ -86,17 +86,9 @@ def about(body: Body, arm: float) -> float:
 
 def positions(film: Film, joint: Joint) -> tuple[Floats, Floats]:
     """Position and gap of a joint in every frame (`esg.engines.joints.JointState`), shape [T]."""
-    child, parent = (
-        (
-            film.path(name),
-            film.rollout.quaternion[0, :, film.scene.index(name)].astype(np.float64),
-        )
-        if name
-        else None
-        for name in (joint.child, joint.parent)
-    )
-    assert child is not None
-    state = joint_state(joint, child, parent)
+    rollout = film.rollout
+    poses = joint_poses(film.scene, joint, rollout.position[0], rollout.quaternion[0])
+    state = joint_state(joint, *poses)
     return state.position, state.gap
 
 

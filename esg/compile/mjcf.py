@@ -18,7 +18,7 @@ import numpy as np
 from esg.compile import names
 from esg.engines import starts
 from esg.engines.joint_rules import BREAK_WINDOW_S
-from esg.engines.joints import WORLD, Joint, joint_state
+from esg.engines.joints import WORLD, Joint, start_position
 from esg.engines.manifest import Manifest
 from esg.engines.program import batch_programs
 from esg.engines.scene import Body, Shape, SimScene
@@ -94,7 +94,7 @@ def scene_mjcf(manifest: Manifest) -> str:
             if joint is None:
                 ET.SubElement(element, "freejoint", name=f"{name}_free")
             else:
-                _hold(element, joint, f"{name}_joint", _position(scene, joint))
+                _hold(element, joint, f"{name}_joint", start_position(scene, joint))
             moments, axes = principal_axes(np.asarray(body.inertia, float))
             ET.SubElement(
                 element, "inertial", pos="0 0 0", quat=_q(axes), mass=_n(body.mass),
@@ -156,14 +156,6 @@ def _within(body: Body, base: Body | None) -> tuple[Any, Any]:
     return at, quat_multiply(back, np.asarray(body.quaternion))
 
 
-def _position(scene: SimScene, joint: Joint) -> float:
-    """Of a joint at the start [rad or m]."""
-    ends = [scene.body(n) if n else None for n in (joint.child, joint.parent)]
-    child, parent = ((np.array(b.position), np.array(b.quaternion)) if b else None for b in ends)
-    assert child is not None
-    return float(joint_state(joint, child, parent).position)
-
-
 def _hold(element: ET.Element, joint: Joint, name: str, position: float) -> None:
     """The joint by which a body hangs on what its element is in; a fixed one needs none."""
     kind = {"hinge": "hinge", "slider": "slide", "ball": "ball"}.get(joint.kind)
@@ -207,10 +199,10 @@ def _state(
     if joint.kind == "ball":
         return [1.0, 0.0, 0.0, 0.0], spin.tolist()
     if joint.kind == "hinge":
-        return [_position(scene, joint)], [float(axis @ spin)]
+        return [start_position(scene, joint)], [float(axis @ spin)]
     if joint.kind == "slider":
         way = quat_rotate(own, linear - np.asarray(base[0], float))
-        return [_position(scene, joint)], [float(axis @ way)]
+        return [start_position(scene, joint)], [float(axis @ way)]
     return [], []
 
 

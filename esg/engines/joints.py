@@ -22,6 +22,10 @@ if TYPE_CHECKING:
     from esg.engines.scene import Body, SimScene
 
 Floats = NDArray[np.float64]
+Path = NDArray[np.float32] | Floats
+"""As recordings keep positions and quaternions, or as computed."""
+Pose = tuple[Floats, Floats]
+"""Positions [m], shape [..., 3], and quaternions (x, y, z, w), shape [..., 4]."""
 Vec = tuple[float, float, float]
 Quat = tuple[float, float, float, float]
 JointKind = Literal["hinge", "slider", "ball", "fixed", "rope", "spring"]
@@ -161,9 +165,48 @@ def joint_between(
     )
 
 
-def joint_state(
-    joint: Joint, child: tuple[Floats, Floats], parent: tuple[Floats, Floats] | None
-) -> JointState:
+def joint_poses(
+    scene: SimScene, joint: Joint, position: Path | None = None, quaternion: Path | None = None
+) -> tuple[Pose, Pose | None]:
+    """Poses of the bodies of a joint, child and parent; no parent is the world.
+
+    Args:
+        scene: That has the joint.
+        joint: Of it.
+        position: Of all bodies [m], shape [..., B, 3]; None: as the scene starts.
+        quaternion: Of all bodies (x, y, z, w), shape [..., B, 4]; None likewise.
+    """
+
+    def pose(name: str) -> Pose:
+        if position is None or quaternion is None:
+            body = scene.body(name)
+            return np.asarray(body.position, float), np.asarray(body.quaternion, float)
+        i = scene.index(name)
+        return np.asarray(position[..., i, :], float), np.asarray(quaternion[..., i, :], float)
+
+    return pose(joint.child), None if joint.parent == WORLD else pose(joint.parent)
+
+
+def joint_ends(joint: Joint, child: Pose, parent: Pose | None) -> tuple[Floats, Floats]:
+    """Where a joint takes hold of its parent and of its child, in the world [m], each [..., 3].
+
+    Args:
+        joint: Of the scene.
+        child, parent: As those of `joint_state`.
+    """
+    end = child[0] + quat_rotate(child[1], np.asarray(joint.child_anchor))
+    start = np.asarray(joint.parent_anchor, float)
+    if parent is not None:
+        start = parent[0] + quat_rotate(parent[1], start)
+    return np.broadcast_to(start, end.shape), end
+
+
+def start_position(scene: SimScene, joint: Joint) -> float:
+    """Position of a joint as the scene starts [rad or m]."""
+    return float(joint_state(joint, *joint_poses(scene, joint)).position)
+
+
+def joint_state(joint: Joint, child: Pose, parent: Pose | None) -> JointState:
     """Where a joint is, from the poses of its bodies.
 
     Args:
@@ -171,16 +214,12 @@ def joint_state(
         child, parent: Positions [m], shape [..., 3], and quaternions (x, y, z, w), shape [..., 4];
             no parent is the world.
     """
-    at, q = (np.asarray(a, float) for a in child)
-    end = at + quat_rotate(q, np.asarray(joint.child_anchor))
-    turned = quat_multiply(q, np.asarray(joint.child_rotation))
-    if parent is None:
-        start = np.broadcast_to(np.asarray(joint.parent_anchor, float), end.shape)
-        frame = np.broadcast_to(np.asarray(joint.parent_rotation, float), turned.shape)
-    else:
-        p, r = (np.asarray(a, float) for a in parent)
-        start = p + quat_rotate(r, np.asarray(joint.parent_anchor))
-        frame = quat_multiply(r, np.asarray(joint.parent_rotation))
+    start, end = joint_ends(joint, child, parent)
+    turned = quat_multiply(np.asarray(child[1], float), np.asarray(joint.child_rotation))
+    frame = np.asarray(joint.parent_rotation, float)
+    if parent is not None:
+        frame = quat_multiply(np.asarray(parent[1], float), frame)
+    frame = np.broadcast_to(frame, turned.shape)
     off = quat_rotate(quat_inverse(frame), end - start)
     length = np.linalg.norm(off, axis=-1)
     if joint.flexible:
@@ -211,13 +250,13 @@ def joint_problems(scene: SimScene) -> list[str]:
             for end, name in (("child", joint.child), ("parent", joint.parent))
             if name not in bodies and (end, name) != ("parent", WORLD)
         ]
-        out += missing or _problems(place, joint, bodies)
+        out += missing or _problems(place, joint, scene)
     return out
 
 
-def _problems(place: str, joint: Joint, bodies: dict[str, Body]) -> list[str]:
+def _problems(place: str, joint: Joint, scene: SimScene) -> list[str]:
     out: list[str] = []
-    child = bodies[joint.child]
+    child = scene.body(joint.child)
     if joint.child == joint.parent:
         out.append(f"{place}/parent: {joint.child!r} is joined to itself; name another body")
         return out
@@ -236,13 +275,10 @@ def _problems(place: str, joint: Joint, bodies: dict[str, Body]) -> list[str]:
     for end, limit in (("lower", lower), ("upper", upper)):
         if joint.kind == "hinge" and limit is not None and abs(limit) > math.pi:
             out.append(f"{place}/{end}: a hinge turns by pi at most either way, got {limit:g} rad")
-    moves = joint.parent != WORLD and not bodies[joint.parent].static
+    moves = joint.parent != WORLD and not scene.body(joint.parent).static
     if joint.collide and moves and not joint.flexible:
         out.append(f"{place}/collide: two moving bodies cannot, joined so; leave it out")
-    where = _pose(child)
-    state = joint_state(
-        joint, where, None if joint.parent == WORLD else _pose(bodies[joint.parent])
-    )
+    state = joint_state(joint, *joint_poses(scene, joint))
     gap, position = float(state.gap), float(state.position)
     if gap > GAP_M:
         if joint.kind == "rope":
@@ -255,10 +291,6 @@ def _problems(place: str, joint: Joint, bodies: dict[str, Body]) -> list[str]:
                 f"{place}: its anchors are {gap:.3f} m apart at the start; move the bodies together"
             )
     return out
-
-
-def _pose(body: Body) -> tuple[Floats, Floats]:
-    return np.asarray(body.position, float), np.asarray(body.quaternion, float)
 
 
 def _turn_x_to(x: Floats) -> Floats:

@@ -12,12 +12,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.joints import WORLD
+from esg.engines.joints import joint_ends, joint_poses
 from esg.engines.scene import Rollout, SimScene
 from esg.engines.wheels import scene_angles
 from esg.graph.models import EsgDocument
 from esg.thresholds import PIECE_GAP_M
-from esg.units import quat_rotate
 from esg.view.camera import Camera
 from esg.view.framing import (
     PANEL_PX,
@@ -117,20 +116,12 @@ def preview(
 
 def ropes_at(scene: SimScene, rollout: Rollout, frame: int) -> list[NDArray[np.float64]]:
     """Ends [m] of the ropes and springs that hold at a frame of the first world, each [2, 3]."""
-    p, q = rollout.position[0].astype(float), rollout.quaternion[0].astype(float)
+    p, q = rollout.position[0, frame], rollout.quaternion[0, frame]
     out: list[NDArray[np.float64]] = []
     for joint in scene.joints:
         if not joint.flexible:
             continue
-        child = scene.index(joint.child)
-        parent = None if joint.parent == WORLD else scene.index(joint.parent)
-        anchors = []
-        for body, at in ((parent, joint.parent_anchor), (child, joint.child_anchor)):
-            here = np.asarray(at, float)
-            anchors.append(
-                here if body is None else p[frame, body] + quat_rotate(q[frame, body], here)
-            )
-        ends = np.array(anchors)
+        ends = np.array(joint_ends(joint, *joint_poses(scene, joint, p, q)))
         slack = joint.upper if joint.kind == "rope" and joint.upper is not None else np.inf
         if float(np.linalg.norm(ends[1] - ends[0])) <= slack + PIECE_GAP_M:
             out.append(ends)

@@ -27,10 +27,6 @@ DOWN_MPS, DOWN_FOR_S = 0.5, 0.15
 TURN_SCALE = math.radians(30.0)
 
 
-def _late(rec: Recording, earliest: Floats) -> Bools:
-    return rec.t[None, :] >= earliest[:, None]
-
-
 def _height(rec: Recording, body: int) -> Floats:
     return rec.r.position[:, :, body, 2].astype(float)
 
@@ -39,7 +35,7 @@ def picked_up(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) 
     body = rec.scene.index(node.participants[0])
     z = _height(rec, body)
     needed = max(PICKED_UP_M, PICKED_UP_SHARE * 2.0 * rec.scene.bodies[body].half_extents[2])
-    risen = np.where(_late(rec, earliest), z - z[:, :1], -np.inf)
+    risen = np.where(rec.late(earliest), z - z[:, :1], -np.inf)
     time = rec.first(risen >= needed)
     short = np.clip(needed - risen.max(axis=1), 0.0, needed) / needed
     return Detected(time, 1.0 + short)
@@ -48,7 +44,7 @@ def picked_up(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) 
 def placed(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> Detected:
     a, b = rec.scene.index(node.participants[0]), rec.members(node.participants[1])
     gap = _gap(rec, a, b)
-    slow = (rec.speed[:, :, a] < PLACED_MPS) & (gap < TOUCHES_M) & _late(rec, earliest)
+    slow = (rec.speed[:, :, a] < PLACED_MPS) & (gap < TOUCHES_M) & rec.late(earliest)
     moved = np.maximum.accumulate(rec.speed[:, :, a] > 2.0 * PLACED_MPS, axis=1)
     still = slow & moved
     for k in range(1, max(1, round(STOPPED_FOR_S * rec.fps)) + 1):
@@ -71,7 +67,7 @@ def bounce(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -
     a, b = rec.scene.index(node.participants[0]), rec.members(node.participants[1])
     gap, count = _gap(rec, a, b), node.times or 1
     rate = np.gradient(np.nan_to_num(gap, nan=0.0, posinf=0.0), rec.t, axis=1)
-    near = (gap < NEAR_BOUNCE_M + 0.02 * np.abs(rate)) & _late(rec, earliest)
+    near = (gap < NEAR_BOUNCE_M + 0.02 * np.abs(rate)) & rec.late(earliest)
     turns = near & (rate > REBOUND_MPS)
     turns[:, 1:] &= ~(turns[:, :-1])
     begun = np.zeros_like(turns)
@@ -95,7 +91,7 @@ def jump(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> 
     """Over when it is down again for the last time."""
     body, count = rec.scene.index(node.participants[0]), node.times or 1
     z, v = _height(rec, body), rec.r.linear_velocity[:, :, body, 2].astype(float)
-    late = _late(rec, earliest)
+    late = rec.late(earliest)
     needed = JUMP_SHARE * 2.0 * rec.scene.bodies[body].half_extents[2]
     base = np.minimum.accumulate(np.where(late, z, np.inf), axis=1)
     up = late & (z - base > needed) & (v > DOWN_MPS)
@@ -142,7 +138,7 @@ def spin(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> 
     yaw = np.unwrap(yaw_from_quat(rec.r.quaternion[:, :, body].astype(float)), axis=1)
     if axle is not None and axle.kind == "hinge":
         yaw = rec.opening(axle)
-    late = _late(rec, earliest)
+    late = rec.late(earliest)
     begin = np.argmax(late, axis=1)
     turned = np.abs(yaw - yaw[np.arange(rec.n), begin][:, None])
     turned = np.where(late, turned, 0.0)

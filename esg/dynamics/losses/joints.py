@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-import math
-
 import numpy as np
 
 from esg.dynamics.losses.measures import AddTerm, Detected
-from esg.dynamics.losses.recording import Bools, Floats, Recording
+from esg.dynamics.losses.recording import Floats, Recording
 from esg.engines.joints import Joint
 from esg.graph.models import TimelineNode
+from esg.metrics.joined import opening_asked
 from esg.metrics.models import EVENT_DEGREES
-from esg.thresholds import AT_REST_MPS, OPEN_SHARE, SHUT_SHARE
+from esg.thresholds import AT_REST_MPS, SHUT_SHARE
 
 SAFE_OPENING = 1.25
 """What opens by so many times what counts opens in every engine."""
@@ -26,21 +25,14 @@ def _joints(rec: Recording, name: str) -> list[Joint]:
 
 
 def _asked(rec: Recording, joint: Joint, node: TimelineNode) -> float:
-    if joint.kind == "hinge":
-        return math.radians(node.turn_degrees or EVENT_DEGREES["opens"])
-    if joint.lower is not None and joint.upper is not None:
-        return OPEN_SHARE * (joint.upper - joint.lower)
-    return OPEN_SHARE * 2.0 * max(rec.scene.body(joint.child).half_extents)
-
-
-def _late(rec: Recording, earliest: Floats) -> Bools:
-    return rec.t[None, :] >= earliest[:, None]
+    degrees = node.turn_degrees or EVENT_DEGREES["opens"]
+    return opening_asked(joint, rec.scene.body(joint.child).half_extents, degrees)
 
 
 def opened(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     time, far = np.full(rec.n, np.inf), np.full(rec.n, 8.0)
     for joint in _joints(rec, node.participants[0]):
-        asked, late = _asked(rec, joint, node), _late(rec, earliest)
+        asked, late = _asked(rec, joint, node), rec.late(earliest)
         by = np.abs(rec.opening(joint))
         start = np.where(late, by, np.inf)[np.arange(rec.n), np.argmax(late, axis=1)]
         needed = np.where(start < asked, asked, start + asked)
@@ -57,7 +49,7 @@ def opened(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -
 def closed(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     time, far = np.full(rec.n, np.inf), np.full(rec.n, 8.0)
     for joint in _joints(rec, node.participants[0]):
-        asked, late = _asked(rec, joint, node), _late(rec, earliest)
+        asked, late = _asked(rec, joint, node), rec.late(earliest)
         by = np.abs(rec.opening(joint))
         most = np.maximum.accumulate(np.where(late, by, 0.0), axis=1)
         slow = rec.speed[:, :, rec.scene.index(joint.child)] < AT_REST_MPS
@@ -72,7 +64,7 @@ def swung(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) ->
     """Every pass of a lowest point counts."""
     body, count = rec.scene.index(node.participants[0]), node.times or 1
     z = rec.r.position[:, :, body, 2].astype(float)
-    late = _late(rec, earliest)
+    late = rec.late(earliest)
     passes, armed, lowest = np.zeros(rec.n, int), np.zeros(rec.n, bool), z[:, 0].copy()
     top, time = z[:, 0].copy(), np.full(rec.n, np.inf)
     for k in range(1, z.shape[1]):

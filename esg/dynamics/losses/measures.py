@@ -109,7 +109,7 @@ def _closest(rec: Recording, i: int, j: int, worlds: NDArray[np.int64], earliest
     """Surface distance around the closest approach of the centres [m], shape [len(worlds)]."""
     p, q = rec.r.position.astype(float), rec.r.quaternion.astype(float)
     centres = np.linalg.norm(p[worlds, :, i] - p[worlds, :, j], axis=-1)
-    centres = np.where(rec.t[None, :] >= earliest[:, None], centres, np.inf)
+    centres = np.where(rec.late(earliest), centres, np.inf)
     nearest = np.argmin(centres, axis=1)
     frames = np.clip(nearest[:, None] + np.arange(-6, 7), 0, len(rec.t) - 1)
     w = worlds[:, None]
@@ -125,7 +125,7 @@ def _closest(rec: Recording, i: int, j: int, worlds: NDArray[np.int64], earliest
 def reach(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     a, b = rec.members(node.participants[0]), rec.members(node.participants[-1])
     near = gap_over_time(rec, a, b, near_only=True) <= NEAR_M
-    near &= rec.t[None, :] >= earliest[:, None]
+    near &= rec.late(earliest)
     time = rec.first(near)
     none = ~np.isfinite(time)
     far = (_miss_distance(rec, a, b, ~none, earliest) / DISTANCE_SCALE_M) ** 2
@@ -207,7 +207,7 @@ def enter(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) ->
     local = quat_rotate(inverse, p[:, :, body] - p[:, :, parent]) - np.array(region.center)
     half = np.array(region.half_extents)
     outside = np.linalg.norm(np.maximum(np.abs(local) - half, 0.0), axis=-1)
-    late = rec.t[None, :] >= earliest[:, None]
+    late = rec.late(earliest)
     inside = outside <= 0.0
     # What is inside already does not enter.
     new = np.concatenate([np.zeros((rec.n, 1), bool), inside[:, 1:] & ~inside[:, :-1]], axis=1)
@@ -242,7 +242,7 @@ def stop(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> De
     body = rec.scene.index(node.participants[0])
     speed = rec.speed[:, :, body]
     moved = np.maximum.accumulate(speed > MOVING_MPS, axis=1)
-    slow = (speed < STOPPED_MPS) & moved & (rec.t[None, :] >= earliest[:, None])
+    slow = (speed < STOPPED_MPS) & moved & rec.late(earliest)
     still = slow.copy()
     for k in range(1, max(1, round(STOPPED_FOR_S * rec.fps)) + 1):
         still[:, :-k] &= slow[:, k:]
@@ -265,7 +265,7 @@ def _tilt(rec: Recording, body: int) -> Floats:
 
 def topple(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
     tilts = np.stack([_tilt(rec, body) for body in rec.members(node.participants[0])])
-    late = rec.t[None, :] >= earliest[:, None]
+    late = rec.late(earliest)
     over = tilts > SAFE_TOPPLED_DEG
     # Who lies already does not topple again.
     passes = np.zeros_like(over)
@@ -301,7 +301,7 @@ def fall(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> 
     need = 2.0 * SAFE_FALLEN_BY * rec.scene.bodies[body].half_extents[2]
     # What has come down before the event that it follows does not count.
     drop = z[np.arange(rec.n), _since(rec, earliest)][:, None] - z
-    late = rec.t[None, :] >= earliest[:, None]
+    late = rec.late(earliest)
     most = np.where(late, drop, 0.0).max(axis=1)
     # Without a drop the way to the edge of the support still tells good from bad.
     moved = np.linalg.norm(
@@ -345,5 +345,5 @@ def position(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -
     if time is not None:
         d = rec.at(away, np.full(rec.n, time))
         return Detected(np.where(d < DISTANCE_SCALE_M, time, np.inf), (d / DISTANCE_SCALE_M) ** 2)
-    near = (away < DISTANCE_SCALE_M) & (rec.t[None, :] >= earliest[:, None])
+    near = (away < DISTANCE_SCALE_M) & rec.late(earliest)
     return Detected(rec.first(near), (away.min(axis=1) / DISTANCE_SCALE_M) ** 2)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dynamics.story.story import Story
-from esg.engines.joints import WORLD, Joint, joint_state
+from esg.engines.joints import Joint, joint_poses, joint_state
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import TimelineNode
 
@@ -48,12 +48,13 @@ class Recording:
 
     def opening(self, joint: Joint) -> Floats:
         """Position of a hinge or slider over time [rad or m], shape [W, T]."""
-        poses = [
-            (self.r.position[:, :, i].astype(float), self.r.quaternion[:, :, i].astype(float))
-            for i in (self.scene.index(n) for n in (joint.child, joint.parent) if n != WORLD)
-        ]
-        state = joint_state(joint, poses[0], poses[1] if len(poses) > 1 else None)
+        poses = joint_poses(self.scene, joint, self.r.position, self.r.quaternion)
+        state = joint_state(joint, *poses)
         return np.unwrap(state.position, axis=1) if joint.kind == "hinge" else state.position
+
+    def late(self, earliest: Floats) -> Bools:
+        """Frames at or after a time per world [s], shape [W, T]."""
+        return self.t[None, :] >= earliest[:, None]
 
     def first(self, mask: Bools) -> Floats:
         """Time of the first true frame, inf if none, shape [W]."""

@@ -7,7 +7,7 @@ import math
 import numpy as np
 
 from esg.dynamics.story.story import Phase, bounds
-from esg.engines.joints import WORLD, Joint, joint_state
+from esg.engines.joints import Joint, start_position
 from esg.engines.program import GuideAlong, HoldSpin, Primitive
 from esg.engines.scene import Body, SimScene
 from esg.graph.models import NodeEvent
@@ -33,15 +33,6 @@ def joint_of(scene: SimScene, name: str) -> Joint | None:
     return next(
         (j for j in scene.joints if j.child == name and j.kind in ("hinge", "slider")), None
     )
-
-
-def opening_at_start(scene: SimScene, joint: Joint) -> float:
-    """Position of a joint as the scene starts [rad or m]."""
-    poses = [
-        (np.asarray(b.position, float), np.asarray(b.quaternion, float))
-        for b in (scene.body(n) for n in (joint.child, joint.parent) if n != WORLD)
-    ]
-    return float(joint_state(joint, poses[0], poses[1] if len(poses) > 1 else None).position)
 
 
 def goal_of(joint: Joint, phase: Phase, here: float) -> float:
@@ -88,7 +79,7 @@ def driven(
     axis = quat_rotate(np.asarray(body.quaternion, float), turned)
     if joint.kind == "hinge":
         return HoldSpin(body.name, start, start + lasts, (goal - here) / lasts, _vec(axis))
-    first = np.asarray(body.position, float) + (here - opening_at_start(scene, joint)) * axis
+    first = np.asarray(body.position, float) + (here - start_position(scene, joint)) * axis
     rest = (0.0, 0.0, 0.0)
     points = (_vec(first), _vec(first + (goal - here) * axis))
     return GuideAlong(body.name, start, (0.0, lasts), points, (rest, rest))

@@ -15,7 +15,7 @@ from esg.dynamics.choreography.setting_off import SAME_MPS
 from esg.dynamics.choreography.ways import arrives
 from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
-from esg.dynamics.plan.drives import driven, goal_of, held_at, joint_of, opening_at_start
+from esg.dynamics.plan.drives import driven, goal_of, held_at, joint_of
 from esg.dynamics.plan.guides import Way
 from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
 from esg.dynamics.story.paces import (
@@ -30,6 +30,7 @@ from esg.dynamics.story.paces import (
 )
 from esg.dynamics.story.stagecraft import coasting_drag, prop, stacked_with, support_of
 from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, turn_of
+from esg.engines.joints import start_position
 from esg.engines.program import (
     AdjustProperties,
     GuideAlong,
@@ -350,7 +351,7 @@ class Composer:
         joint = joint_of(self.scene, course.actor)
         if joint is None:
             return
-        here = course.opening if not leg.first else opening_at_start(self.scene, joint)
+        here = course.opening if not leg.first else start_position(self.scene, joint)
         goal, lasts = goal_of(joint, leg.phase, here), leg.v[f"{edge.id}/duration"]
         if leg.phase.end.event is NodeEvent.SPIN and leg.last:
             # It is turned on and on.

@@ -15,7 +15,7 @@ from esg.metrics.binding import Binding
 from esg.metrics.detection import Found, Query
 from esg.metrics.events.space import surface_distance
 from esg.metrics.geometry import compound_distance
-from esg.metrics.joined import Joined, held, joined, parts_of, together
+from esg.metrics.joined import Joined, held, joined, opening_asked, parts_of, together
 from esg.metrics.replay import GROUND_INDEX, Floats, Replay
 from esg.metrics.support import Bools, Frames, touching
 from esg.thresholds import (
@@ -83,11 +83,7 @@ def _jointed(replay: Replay, q: Query, j: Joined, begin: int, *, settled: bool) 
     """Opening or closing of a jointed part: its joint's position is 0 where it is closed."""
     joint, name = j.joint, j.joint.child
     hinge = joint.kind == "hinge"
-    half = replay.scene.bodies[j.child].half_extents
-    way = 2.0 * max(half)
-    if joint.lower is not None and joint.upper is not None:
-        way = joint.upper - joint.lower
-    asked = np.radians(q.event.degrees) if hinge else OPEN_SHARE * way
+    asked = opening_asked(joint, replay.scene.bodies[j.child].half_extents, q.event.degrees)
     open_by = np.where(j.intact, np.abs(j.position), 0.0)[begin:]
     unit, factor = ("degrees", np.degrees(1.0)) if hinge else ("cm", 100.0)
     if settled:
@@ -95,13 +91,11 @@ def _jointed(replay: Replay, q: Query, j: Joined, begin: int, *, settled: bool) 
         done = shut & (np.maximum.accumulate(open_by) - open_by >= asked - SHUT_SHARE * asked)
     else:
         done = open_by >= asked if open_by[0] < asked else open_by >= open_by[0] + asked
-    measured = {"opened_deg" if hinge else "opened_m": float(open_by.max() * factor)}
-    if not hinge:
-        measured["opened_m"] /= factor
+    most, least = factor * float(open_by.max()), factor * float(open_by.min())
+    measured = {"opened_deg": most} if hinge else {"opened_m": float(open_by.max())}
     frames = np.flatnonzero(done)
     if len(frames):
         return Found(float(replay.time[begin + int(frames[0])]), (j.child,), measured=measured)
-    most, least = factor * float(open_by.max()), factor * float(open_by.min())
     reason = f"{name} opens to {most:.0f} {unit}, {factor * asked:.0f} asked"
     if settled and most >= factor * asked:
         reason = f"{name} closes to {least:.0f} {unit}, and does not rest closed"
