@@ -8,8 +8,6 @@ from typing import Annotated, Literal
 
 from cyclopts import Parameter
 
-"""First and last bytes of a finished log."""
-
 
 def export(
     scene: str,

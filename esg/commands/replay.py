@@ -62,7 +62,7 @@ def replay(
         doc = document_of(folder)
         expected, against = expectation(folder, doc, loaded)
         if compare:
-            result = matrix(folder, expected, against, vouched) | {"scene": scene}
+            result = matrix(folder, doc, expected, against, vouched) | {"scene": scene}
         else:
             result = run(folder, doc, engine or "physx", step, expected, against, vouched)
             result |= {"scene": scene}
@@ -180,19 +180,20 @@ def run(
 
 
 def matrix(
-    folder: Path, expected: SuiteScene, against: str, trust: Trust = "equal"
+    folder: Path, doc: EsgDocument, expected: SuiteScene, against: str, trust: Trust = "equal"
 ) -> dict[str, Any]:
     """The engine x step matrix of one scene folder (`--compare --json`).
 
     Args:
         folder: Scene folder.
+        doc: Its document.
         expected: What must happen.
         against: Where that is written.
         trust: Which classes are run.
     """
     from esg.compile.transfer import REFERENCE, transfer_matrix
 
-    runs: list[TransferRun] = transfer_matrix(folder, expected, trust=trust)
+    runs: list[TransferRun] = transfer_matrix(folder, expected, trust=trust, document=doc)
     return {
         "scene": str(folder),
         "judged_against": against,

@@ -21,10 +21,9 @@ from numpy.typing import NDArray
 from esg.compile.assets import mesh_file
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.engines.wheels import about_axle, wheel_angles
-from esg.strangers.gltf import MOST_BYTES, read_glb
+from esg.strangers.gltf import BIN, JSON, MAGIC, MOST_BYTES, read_glb
 from esg.units import quat_rotate
 
-_MAGIC, _JSON, _BIN = 0x46546C67, 0x4E4F534A, 0x004E4942
 _FLOAT, _SCALAR, _VEC3, _VEC4 = 5126, "SCALAR", "VEC3", "VEC4"
 _VERTICES, _INDICES = 34962, 34963
 _MOVED = 1e-6
@@ -172,11 +171,11 @@ class _Document:
         text = json.dumps(self.data, separators=(",", ":"), ensure_ascii=True).encode()
         text += b" " * (-len(text) % 4)
         binary = bytes(self.binary) + b"\0" * (-len(self.binary) % 4)
-        chunks = [struct.pack("<II", len(text), _JSON), text]
+        chunks = [struct.pack("<II", len(text), JSON), text]
         if binary:
-            chunks += [struct.pack("<II", len(binary), _BIN), binary]
+            chunks += [struct.pack("<II", len(binary), BIN), binary]
         length = 12 + sum(map(len, chunks))
-        return b"".join([struct.pack("<III", _MAGIC, 2, length), *chunks])
+        return b"".join([struct.pack("<III", MAGIC, 2, length), *chunks])
 
 
 def _say_use(document: dict[str, Any], accessors: Any, use: int, first_view: int) -> None:

@@ -17,7 +17,7 @@ import numpy as np
 
 from esg.compile import names
 from esg.engines import starts
-from esg.engines.joint_rules import BREAK_WINDOW_S
+from esg.engines.joint_rules import BREAK_WINDOW_S, FARTHEST_RAD
 from esg.engines.joints import WORLD, Joint, start_position
 from esg.engines.manifest import Manifest
 from esg.engines.program import batch_programs
@@ -46,8 +46,8 @@ JOINTS_NOTE = (
     "break_<joint> [N]; DriveJoint commands are in manifest.json."
 )
 _NORMAL, _WHEELS = 1, 2
-FAR_RAD, FAR_M = math.radians(179.0), 1000.0
-"""Where a hinge or slider with a limit on one side ends on the other."""
+FAR_M = 1000.0
+"""A slider with a limit on one side ends here on the other."""
 FIRM = "0.008 1"
 """How fast a limit pushes back what is beyond it [s]: two steps at 240 Hz; MuJoCo takes 0.02."""
 ACTUATOR = 1e4
@@ -168,7 +168,7 @@ def _hold(element: ET.Element, joint: Joint, name: str, position: float) -> None
     else:
         axis = quat_rotate(np.array(joint.child_rotation), np.array([1.0, 0.0, 0.0]))
         attributes |= {"axis": _v(axis), "ref": _n(position), "springref": "0"}
-        far = FAR_RAD if kind == "hinge" else FAR_M
+        far = FARTHEST_RAD if kind == "hinge" else FAR_M
         if low is not None or high is not None:
             ends = (-far if low is None else low, far if high is None else high)
             attributes |= {"range": _v(ends), "solreflimit": FIRM}

@@ -161,6 +161,7 @@ def transfer_matrix(
     engines: Iterable[str] = MATRIX_ENGINES,
     rates_hz: Iterable[int] = MATRIX_RATES_HZ,
     trust: Trust = "equal",
+    document: EsgDocument | None = None,
 ) -> list[TransferRun]:
     """Replays and judges a scene in every engine at every rate.
 
@@ -170,6 +171,7 @@ def transfer_matrix(
         engines: Engines, in the order of the result.
         rates_hz: Physics steps a second, in the order of the result.
         trust: Which classes are run.
+        document: What `esg.json` holds, if the caller has read it.
 
     Returns:
         One run per engine and rate. Differences are to PhysX at 240 Hz, or to the first run if
@@ -189,7 +191,9 @@ def transfer_matrix(
     reference = REFERENCE if REFERENCE in pairs else pairs[0]
     done: dict[tuple[str, int], tuple[Rollout, Proof, SceneVerdict]] = {}
     for pair in sorted(set(pairs), key=lambda p: (p != reference, pairs.index(p))):
-        rollout, proof = replay_scene(folder, manifest, pair[0], 1.0 / pair[1], trust=trust)
+        rollout, proof = replay_scene(
+            folder, manifest, pair[0], 1.0 / pair[1], trust=trust, document=document
+        )
         verdict = judge(manifest.scene, manifest.program, rollout, expected)
         done[pair] = rollout, proof, verdict
     first, _, truth = done[reference]

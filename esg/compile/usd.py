@@ -97,7 +97,7 @@ def physics_layer(manifest: Manifest, folder: Path) -> str:
     wheeled = [idents[b.name] for b in moving if b.wheeled]
     normal = [idents[b.name] for b in moving if not b.wheeled]
     _ground(stage, manifest, normal, wheeled)
-    start = start_velocities(manifest)
+    start, iterations = start_velocities(manifest), position_iterations(scene)
     library: dict[str, str] = {}
     UsdGeom.Scope.Define(stage, "/World/Looks")
     for body in scene.bodies:
@@ -115,7 +115,7 @@ def physics_layer(manifest: Manifest, folder: Path) -> str:
             rigid.CreateAngularVelocityAttr(Gf.Vec3f(*(float(v) * _RAD_TO_DEG for v in angular)))
             # NVIDIA's PhysX takes velocities as the world's unless a body says otherwise.
             prim.SetCustomDataByKey("physics:localSpaceVelocities", True)
-            physx_body(prim, body, position_iterations(scene))
+            physx_body(prim, body, iterations)
     joints = _joints(stage, manifest, paths)
     write_program(stage, manifest.program, manifest.dt, paths, joints)
     layer = stage.GetRootLayer()

@@ -47,6 +47,12 @@ def stops(joint: Joint) -> bool:
     return joint.kind == "rope" or (joint.kind == "ball" and joint.upper is not None)
 
 
+RIGID_DRIVE = 1e8
+"""Damping of a drive that its limit alone holds back [N s/m or N m s/rad]."""
+FARTHEST_RAD = math.radians(179.0)
+"""A hinge with a limit on one side stops here on the other."""
+LARGEST = 3.4e38
+"""Stands for no limit in single precision."""
 _ONE = np.eye(3)
 
 
@@ -197,6 +203,21 @@ class _Held:
         return end - parent.at - parent.axes @ self.parent_anchor
 
 
+def ends_of(scene: SimScene) -> list[tuple[int, int]]:
+    """Child and parent of each joint of a scene, by index; -1 is the world."""
+    index = {name: i for i, name in enumerate(scene.names)}
+    return [(index[j.child], index.get(j.parent, -1)) for j in scene.joints]
+
+
+def stop_range(joint: Joint) -> tuple[float, float] | None:
+    """Where a hinge or slider stops either way [rad or m]; None if nowhere."""
+    if joint.lower is None and joint.upper is None:
+        return None
+    far = FARTHEST_RAD if joint.kind == "hinge" else math.inf
+    low = -far if joint.lower is None else max(joint.lower, -far)
+    return low, far if joint.upper is None else min(joint.upper, far)
+
+
 class JointRules:
     """All that joints of one world do besides holding its bodies together.
 
@@ -207,9 +228,7 @@ class JointRules:
     """
 
     def __init__(self, scene: SimScene, masses: Masses, dt: float) -> None:
-        index = {name: i for i, name in enumerate(scene.names)}
-        self.dt, self.joints = dt, scene.joints
-        self.ends = [(index[j.child], index.get(j.parent, -1)) for j in scene.joints]
+        self.dt, self.joints, self.ends = dt, scene.joints, ends_of(scene)
         self.motors: list[Motor | None] = [j.motor for j in scene.joints]
         self._forces = JointForces(scene, masses)
         breaks = any(j.break_impulse is not None for j in scene.joints)
@@ -254,11 +273,8 @@ class JointForces:
             for i in np.nonzero(masses.inverse == 0.0)[0].tolist()
         }
         self._still[-1] = _still(np.zeros(3), _ONE)
-        index = {name: i for i, name in enumerate(scene.names)}
-        self._held = [
-            _Held.of(k, j, (index[j.child], index.get(j.parent, -1)))
-            for k, j in enumerate(scene.joints)
-        ]
+        pairs = zip(scene.joints, ends_of(scene), strict=True)
+        self._held = [_Held.of(k, joint, ends) for k, (joint, ends) in enumerate(pairs)]
         elastic = [h for h in self._held if h.joint.stiffness > 0.0 or h.joint.damping > 0.0]
         # The emitted class pushes its springs before the engine draws anything back.
         self._elastic = sorted(elastic, key=lambda h: h.joint.kind != "spring")
@@ -571,10 +587,10 @@ class JointLoads:
 
     def __init__(self, scene: SimScene, masses: Masses, dt: float) -> None:
         self._scene, self._masses, self._dt = scene, masses, dt
-        index = {name: i for i, name in enumerate(scene.names)}
-        self._ends = [(index[j.child], index.get(j.parent, -1)) for j in scene.joints]
+        self._ends = ends_of(scene)
         joined = {i for ends in self._ends for i in ends if i >= 0}
         self._bodies = sorted(i for i in joined if masses.inverse[i] > 0.0)
+        self._rows = {body: n for n, body in enumerate(self._bodies)}
         self._before = np.zeros((len(self._bodies), 3))
         self._damping = np.array([scene.bodies[i].linear_damping for i in self._bodies])
         self.gone: set[int] = set()
@@ -584,13 +600,12 @@ class JointLoads:
 
     def _shares(self) -> Floats:
         """From the bodies' unexplained momentum to the joints' impulses, shape [J, bodies]."""
-        rows = {body: n for n, body in enumerate(self._bodies)}
         gives = np.zeros((len(self._bodies), len(self._ends)))
         for k, (joint, ends) in enumerate(zip(self._scene.joints, self._ends, strict=True)):
             if k not in self.gone and not joint.flexible:
                 for body, sign in zip(ends, (1.0, -1.0), strict=True):
-                    if body in rows:
-                        gives[rows[body], k] = sign
+                    if body in self._rows:
+                        gives[self._rows[body], k] = sign
         return np.asarray(np.linalg.pinv(gives), np.float64)
 
     def before(self, world: Bodies) -> None:
@@ -606,15 +621,14 @@ class JointLoads:
             touches: Of the step, the ground's as well.
             given: What each rope and spring gave [N s].
         """
-        rows = {body: n for n, body in enumerate(self._bodies)}
         after = np.array([world.read(body)[2] for body in self._bodies], float)
         keep = np.maximum(0.0, 1.0 - self._damping * self._dt)[:, None]
         moved = keep * (self._before + np.array(self._scene.gravity) * self._dt)
         rest = self._masses.mass[self._bodies][:, None] * (after - moved)
         for a, b, impulse, _, _, normal in touches:
             for body, sign in ((a, 1.0), (b, -1.0)):
-                if body in rows:
-                    rest[rows[body]] -= sign * impulse * np.asarray(normal, float)
+                if body in self._rows:
+                    rest[self._rows[body]] -= sign * impulse * np.asarray(normal, float)
         taken = self._share @ rest
         for k, impulse in given.items():
             taken[k] = (impulse, 0.0, 0.0)

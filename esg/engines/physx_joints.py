@@ -9,17 +9,21 @@ from typing import Any
 import numpy as np
 
 from esg.engines.executor import Touch
-from esg.engines.joint_rules import Bodies, JointRules, Masses, in_world
+from esg.engines.joint_rules import (
+    LARGEST,
+    RIGID_DRIVE,
+    Bodies,
+    JointRules,
+    Masses,
+    in_world,
+    stop_range,
+)
 from esg.engines.joints import Joint
 from esg.engines.scene import SimScene
 from esg.units import quat_rotate
 
-RIGID_DRIVE = 1e8
-"""Damping of a drive that its limit alone holds back [N s/m or N m s/rad]."""
 LEVER_M = 1.0
 """How far beside the anchor are the points that keep a joint from turning."""
-_LARGEST = 3.4e38
-"""Stands for no limit in single precision."""
 
 Pose = Callable[[Any, Any], Any]
 
@@ -99,14 +103,11 @@ def _make(px: Any, pose: Pose, joint: Joint, child: Any, parent: Any) -> list[An
         made.set_limit_y(*(_FREE if n == 2 else _LOCKED))
         made.set_limit_z(*_LOCKED)
         out.append(made)
-    low, high = joint.lower, joint.upper
+    reach = stop_range(joint)
     if kind == "slider":
-        out[0].set_limit_x(-math.inf if low is None else low, math.inf if high is None else high)
-    elif kind == "hinge" and not (low is None and high is None):
-        out[0].set_limit_twist(
-            -FARTHEST_RAD if low is None else max(low, -FARTHEST_RAD),
-            FARTHEST_RAD if high is None else min(high, FARTHEST_RAD),
-        )
+        out[0].set_limit_x(*(reach or _FREE))
+    elif kind == "hinge" and reach is not None:
+        out[0].set_limit_twist(*reach)
     return out
 
 
@@ -127,13 +128,11 @@ def _beside(anchor: Any, rotation: Any, point: Any) -> Any:
 
 
 _FREE, _LOCKED = (-math.inf, math.inf), (0.0, 0.0)
-FARTHEST_RAD = math.radians(179.0)
-"""A hinge with a limit on one side stops here on the other."""
 
 
 def _drive(made: Any, kind: str, speed: float, impulse: float) -> None:
     """Drives a joint to a speed; PhysX limits the impulse of a step."""
-    most = min(impulse, _LARGEST)
+    most = min(impulse, LARGEST)
     stiff = RIGID_DRIVE if most > 0.0 else 0.0
     if kind == "slider":
         made.set_drive_property_x(0.0, stiff, most, "force")

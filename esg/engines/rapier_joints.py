@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable
-import math
 from typing import Any
 
 from esg.engines.executor import Touch
-from esg.engines.joint_rules import Bodies, JointRules, Masses, in_world
+from esg.engines.joint_rules import (
+    LARGEST,
+    RIGID_DRIVE,
+    Bodies,
+    JointRules,
+    Masses,
+    in_world,
+    stop_range,
+)
 from esg.engines.joints import Joint
 from esg.engines.scene import SimScene
-
-RIGID_DRIVE = 1e8
-"""Damping of a drive that its limit alone holds back [N s/m or N m s/rad]."""
 
 Pose = Callable[[Any, Any, Any], Any]
 
@@ -60,7 +64,7 @@ class RapierJoints:
             data = made.data
             for axis in _driven(self._r, self._rules.joints[k].kind):
                 data.set_motor_velocity(axis, speed, RIGID_DRIVE if force > 0.0 else 0.0)
-                data.set_motor_max_force(axis, min(force, 3.4e38))
+                data.set_motor_max_force(axis, min(force, LARGEST))
             made.data = data
 
     def after_step(self, world: Bodies, touches: Iterable[Touch]) -> None:
@@ -81,19 +85,11 @@ def _make(r: Any, pose: Pose, joint: Joint) -> Any:
     made = made.local_frame1(pose(r, joint.parent_anchor, joint.parent_rotation))
     made = made.local_frame2(pose(r, joint.child_anchor, joint.child_rotation))
     made = made.contacts_enabled(joint.collide)
-    if joint.kind in ("hinge", "slider") and not (joint.lower is None and joint.upper is None):
-        low = -math.inf if joint.lower is None else joint.lower
-        high = math.inf if joint.upper is None else joint.upper
-        if joint.kind == "hinge":
-            low, high = max(low, -FARTHEST_RAD), min(high, FARTHEST_RAD)
-        made = made.limits(axis.ANG_X if joint.kind == "hinge" else axis.LIN_X, low, high)
+    if joint.kind in ("hinge", "slider") and (reach := stop_range(joint)) is not None:
+        made = made.limits(axis.ANG_X if joint.kind == "hinge" else axis.LIN_X, *reach)
     for driven in _driven(r, joint.kind):
         made = made.motor_model(driven, r.MotorModel.FORCE_BASED)
     return made.build()
-
-
-FARTHEST_RAD = math.radians(179.0)
-"""A hinge with a limit on one side stops here on the other."""
 
 
 def _driven(r: Any, kind: str) -> tuple[Any, ...]:

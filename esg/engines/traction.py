@@ -203,7 +203,9 @@ def grounded(
         v, o: Linear [m/s] and angular [rad/s] velocity.
         turn: Quaternion (x, y, z, w).
     """
-    ahead, up = quat_rotate(turn, np.eye(3)[0]), quat_rotate(turn, np.eye(3)[2])
+    ahead, up = np.eye(3)[[0, 2]]
+    if row[Feature.GRIP] > 0.0:  # only tyres ask how it stands
+        ahead, up = quat_rotate(turn, ahead), quat_rotate(turn, up)
     x, y = v[0], v[1]
     if row[Feature.DROP] > 0.0 and up[2] > ON_WHEELS:
         # Its brakes leave to its tyres what it leans to the side with.

@@ -8,7 +8,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.graph.models import AssetConfiguration, EsgDocument, Joint, Mount, Pose, Vec3
+from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument, Joint, Mount, Pose, Vec3
 from esg.units import (
     euler_deg_from_quat,
     quat_from_euler_deg,
@@ -21,6 +21,11 @@ Floats = NDArray[np.float64]
 
 ACROSS: Vec3 = (0.0, 1.0, 0.0)
 """What hangs on a ball joint, a rope or a spring is drawn back about this axis of its parent."""
+KINDS_OF_JOINT: dict[EdgeEvent, tuple[str, ...]] = {
+    EdgeEvent.DRIVE: ("hinge", "slider"),
+    EdgeEvent.RELEASE: ("hinge", "ball", "rope"),
+}
+"""Segments along a joint, and the kinds of joint on which they can be."""
 _IDENTITY = np.array([0.0, 0.0, 0.0, 1.0])
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from esg.graph.context import Context, bounds
+from esg.graph.joints import KINDS_OF_JOINT
 from esg.graph.models import (
     EdgeEvent,
     ForceDirection,
@@ -94,15 +95,8 @@ def _guided_end(ctx: Context, where: str, edge: TimelineEdge, end: TimelineNode 
     )
 
 
-JOINTED: dict[EdgeEvent, tuple[str, ...]] = {
-    M.DRIVE: ("hinge", "slider"),
-    M.RELEASE: ("hinge", "ball", "rope"),
-}
-"""Segments along a joint, and the kinds of joint on which they can be."""
-
-
 def _joint_of(ctx: Context, where: str, edge: TimelineEdge) -> None:
-    kinds = JOINTED.get(edge.event)
+    kinds = KINDS_OF_JOINT.get(edge.event)
     if kinds is None or not ctx.parsed.intact(*_PLACES):
         return
     if not any(j.child == edge.actor and j.kind in kinds for j in ctx.graph.joints or ()):

@@ -19,6 +19,7 @@ from esg.report.meshes import MeshLibrary
 from esg.report.replays import Replayed
 from esg.report.run import SceneEntry
 from esg.scenereading import absent, collected, damaged
+from esg.strangers.gltf import MOST_PIXELS
 
 FPS = 60.0
 """Frames a second that a page keeps of a replay."""
@@ -27,7 +28,6 @@ MIN_IMPULSE_NS = 0.01
 THUMB_PX = (320, 214)
 SHEET_PX = 1100
 PICTURES = ("PNG", "WEBP")
-MOST_PIXELS = 64_000_000
 MOST_TEXT_CHARS = 4_000_000
 """Of a file that a page quotes."""
 _MOVED_M, _TURNED = 1e-4, 1e-4

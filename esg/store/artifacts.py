@@ -27,7 +27,7 @@ import time
 from typing import Any
 import uuid
 
-from esg.files import explained, sync_file, sync_folder
+from esg.files import explained, sha256_of, sync_file, sync_folder
 from esg.paths import cache_dir
 
 FORMAT = 1
@@ -141,7 +141,7 @@ class ArtifactStore:
         files = {
             path.relative_to(work / DATA).as_posix(): {
                 "size": path.stat().st_size,
-                "sha256": _hash(path),
+                "sha256": sha256_of(path),
             }
             for path in sorted((work / DATA).rglob("*"))
             if path.is_file()
@@ -189,7 +189,7 @@ class ArtifactStore:
             found = {name: size for name, size, _ in signature if name != MARK}
             if found != {f"{DATA}/{name}": facts["size"] for name, facts in files.items()}:
                 return False
-            if any(_hash(home / DATA / n) != facts["sha256"] for n, facts in files.items()):
+            if any(sha256_of(home / DATA / n) != facts["sha256"] for n, facts in files.items()):
                 return False
         except (OSError, ValueError, KeyError, TypeError):
             return False
@@ -238,11 +238,6 @@ def _signature(home: Path) -> tuple[tuple[str, int, int], ...]:
             relative = os.path.relpath(path, home).replace(os.sep, "/")
             out.append((relative, facts.st_size, facts.st_mtime_ns))
     return tuple(sorted(out))
-
-
-def _hash(path: Path) -> str:
-    with path.open("rb") as file:
-        return hashlib.file_digest(file, "sha256").hexdigest()
 
 
 def _mark_hash(mark: Mapping[str, Any]) -> str:

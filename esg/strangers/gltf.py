@@ -22,7 +22,7 @@ MOST_PIXELS = 64_000_000
 MOST_DEPTH = 200
 """Of nodes: the mesh library walks them."""
 
-_MAGIC, _JSON, _BIN = 0x46546C67, 0x4E4F534A, 0x004E4942
+MAGIC, JSON, BIN = 0x46546C67, 0x4E4F534A, 0x004E4942
 _COMPONENT_BYTES = {5120: 1, 5121: 1, 5122: 2, 5123: 2, 5125: 4, 5126: 4}
 _COMPONENTS = {
     "SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT2": 4, "MAT3": 9, "MAT4": 16,
@@ -42,7 +42,7 @@ def read_glb(data: bytes) -> tuple[Item, bytes]:
     """
     if len(data) > MOST_BYTES:
         raise ValueError(f"it has {len(data)} bytes, at most {MOST_BYTES} are read")
-    if len(data) < 20 or struct.unpack_from("<II", data) != (_MAGIC, 2):
+    if len(data) < 20 or struct.unpack_from("<II", data) != (MAGIC, 2):
         raise ValueError("not a binary glTF 2 file")
     if struct.unpack_from("<I", data, 8)[0] > len(data):
         raise ValueError("a binary glTF 2 file that is cut off")
@@ -52,9 +52,9 @@ def read_glb(data: bytes) -> tuple[Item, bytes]:
     while at + 8 <= len(data):
         length, kind = struct.unpack_from("<II", data, at)
         chunk = data[at + 8 : at + 8 + length]
-        if kind == _JSON:
+        if kind == JSON:
             document = parsed(chunk)
-        elif kind == _BIN:
+        elif kind == BIN:
             binary = chunk
         at += 8 + length + (-length % 4)
     check(document, binary)

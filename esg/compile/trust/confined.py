@@ -114,11 +114,8 @@ def _in_fork(work: Callable[[], None], tell: int, complain: int) -> None:
         os.dup2(complain, 2)
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         signal.signal(signal.SIGTERM, signal.SIG_DFL)
-        low = 3
-        for kept in (tell,):
-            os.closerange(low, kept)
-            low = kept + 1
-        os.closerange(low, os.sysconf("SC_OPEN_MAX"))
+        os.closerange(3, tell)
+        os.closerange(tell + 1, os.sysconf("SC_OPEN_MAX"))
         work()
         code = 0
     finally:

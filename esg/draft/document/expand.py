@@ -102,10 +102,11 @@ def _is_raised(scene: Scene, edge: TimelineEdge, told: bool) -> bool:
     host = entities.get(supports.get(edge.target, ""))
     if host is not None and host.noun.dimensions_cm[2] > RAISED_CM:
         return "support" in host.noun.traits and "incline" not in host.noun.traits
+    if told:
+        return False
     row = articulation_of(scene, scene.text, entities[edge.target])
-    low = entities[edge.actor].noun.dimensions_cm[2]
-    hangs = row is not None and row.above_cm > low
-    return (hangs or entities[edge.target].noun.kind == "hoop") and not told
+    hangs = row is not None and row.above_cm > entities[edge.actor].noun.dimensions_cm[2]
+    return hangs or entities[edge.target].noun.kind == "hoop"
 
 
 def _is_low(scene: Scene, edge: TimelineEdge) -> bool:

@@ -42,7 +42,7 @@ def join_parts(scene: Scene) -> list[str]:
             held = _joint(scene, row, e, scene.world.entities[scene.attached[e.id]], 1, ratio)
             scene.joints.append(held.model_copy(update={"parent_mount": None}))
             continue
-        added = _served(scene, row) or []
+        added = _served(scene, row)
         for _ in range(row.count - len(added)):
             noun = lex.part(row.with_part)
             part = add_entity(scene.world, noun, noun.name, mentioned=False)

@@ -53,7 +53,8 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
         return "open"
     if f.verb.lemma in _TURNING and turning(d, bodies):
         return "spin"
-    return _SWINGING.get((f.verb.sense, f.verb.lemma)) if hanging(d, bodies) else None
+    swings = _SWINGING.get((f.verb.sense, f.verb.lemma))
+    return swings if swings is not None and hanging(d, bodies) else None
 
 
 def let_go(d: Discourse, f: Frame, bodies: list[str]) -> None:

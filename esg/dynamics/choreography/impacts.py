@@ -6,7 +6,7 @@ import math
 
 from esg.dynamics.choreography.demands import KEPT
 from esg.dynamics.choreography.flights import hits_level, slowed, thrown_back
-from esg.dynamics.choreography.placing import bring_support, goes_on, hits_on, rolls_on
+from esg.dynamics.choreography.placing import bring_support, goes_on, hits_on, yaw_met
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import (
     Frame,
@@ -27,7 +27,6 @@ from esg.dynamics.story.stagecraft import (
     Prop,
     coasting_drag,
     support_of,
-    target_yaw,
     top_surface,
 )
 from esg.dynamics.story.tipping import first_touch, stand_of
@@ -193,11 +192,7 @@ def chain(stage: Stage, e: Encounter) -> None:
     node, pa, pb = e.node, stage.prop(a), stage.prop(b)
     gap, rolled = _gap_to_next(stage, node, a, b, track)
     turn = stage.stated_turn(node, b, a)
-    if turn is None:
-        along = rolls_on(stage, node, b)
-        yaw = track.heading if along else target_yaw(pb, track.heading, stage.rng, pa)
-    else:
-        yaw = track.heading + turn
+    yaw = yaw_met(stage, node, a, b, track.heading, turn)
     if node.event is NodeEvent.ENTER_REGION:
         yaw = track.heading + math.pi
     aside = _aside(stage, node, a, b, track.heading, yaw)

@@ -158,6 +158,33 @@ def struck_again(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
     )
 
 
+def yaw_met(
+    stage: Stage,
+    node: TimelineNode,
+    a: str,
+    b: str,
+    heading: float,
+    turn: float | None,
+    *,
+    sets_off: bool = False,
+) -> float:
+    """Yaw [rad] of what is met: as is stated, along the way of what it goes on with, or across.
+
+    Args:
+        stage: What is placed so far.
+        node: The event.
+        a, b: The mover and what it comes to.
+        heading: Of the mover [rad].
+        turn: From there to b's yaw, where that is stated [rad].
+        sets_off: Whether b goes on by itself.
+    """
+    if turn is not None:
+        return heading + turn
+    if sets_off or rolls_on(stage, node, b):
+        return heading
+    return target_yaw(stage.prop(b), heading, stage.rng, stage.prop(a))
+
+
 def _place_target(
     stage: Stage,
     a: str,
@@ -173,11 +200,7 @@ def _place_target(
     pb = stage.prop(b)
     sets_off = _sets_off(stage, node, b)
     turn = stage.stated_turn(node, b, a)
-    if turn is None:
-        along = sets_off or rolls_on(stage, node, b)
-        yaw = heading if along else target_yaw(pb, heading, stage.rng, pa)
-    else:
-        yaw = heading + turn
+    yaw = yaw_met(stage, node, a, b, heading, turn, sets_off=sets_off)
     if node.event is NodeEvent.ENTER_REGION:
         # Its opening towards what comes (`meetings.enters`).
         yaw = heading + math.pi

@@ -20,14 +20,13 @@ def swings_in(stage: Stage, e: Encounter) -> bool:
 
 def swing_in(stage: Stage, e: Encounter) -> None:
     """Puts b where a passes its lowest point."""
-    track, hangs = stage.tracks[e.a], suspension(stage.doc, e.a)
-    if hangs is None:
-        join(stage, e.a, e.b, e.node)
-        return
-    track.straight(hangs.way, hangs.time, hangs.speed)
+    hangs = suspension(stage.doc, e.a)
+    if hangs is not None:
+        stage.tracks[e.a].straight(hangs.way, hangs.time, hangs.speed)
     join(stage, e.a, e.b, e.node)
-    x, y, _ = stage.places[e.a]
-    stage.places[e.a] = (x, y, stage.frames[e.a].angle - hangs.along)
+    if hangs is not None:
+        x, y, _ = stage.places[e.a]
+        stage.places[e.a] = (x, y, stage.frames[e.a].angle - hangs.along)
 
 
 def swung(stage: Stage, node: TimelineNode) -> None:

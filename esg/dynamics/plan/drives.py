@@ -10,7 +10,8 @@ from esg.dynamics.story.story import Phase, bounds
 from esg.engines.joints import Joint, start_position
 from esg.engines.program import GuideAlong, HoldSpin, Primitive
 from esg.engines.scene import Body, SimScene
-from esg.graph.models import NodeEvent
+from esg.graph.joints import KINDS_OF_JOINT
+from esg.graph.models import EdgeEvent, NodeEvent
 from esg.metrics.models import EVENT_DEGREES
 from esg.thresholds import OPEN_SHARE
 from esg.units import quat_rotate
@@ -30,9 +31,8 @@ def held_at(body: Body, until: float) -> Primitive:
 
 def joint_of(scene: SimScene, name: str) -> Joint | None:
     """The hinge or slider of which a body is the child."""
-    return next(
-        (j for j in scene.joints if j.child == name and j.kind in ("hinge", "slider")), None
-    )
+    able = KINDS_OF_JOINT[EdgeEvent.DRIVE]
+    return next((j for j in scene.joints if j.child == name and j.kind in able), None)
 
 
 def goal_of(joint: Joint, phase: Phase, here: float) -> float:

@@ -13,12 +13,9 @@ import math
 
 import numpy as np
 
-from esg.graph.joints import child_frame, drawn_back_about, mount_of
-from esg.graph.models import EsgDocument, Joint
+from esg.graph.joints import KINDS_OF_JOINT, child_frame, drawn_back_about, mount_of
+from esg.graph.models import EdgeEvent, EsgDocument, Joint
 from esg.units import GRAVITY_MPS2, quat_rotate, yaw_from_quat
-
-HANGS = ("hinge", "ball", "rope")
-"""Joints on which something may hang."""
 
 
 @dataclass(frozen=True)
@@ -30,14 +27,12 @@ class Suspension:
         along: Direction of that way, from its own heading at the start [rad].
         time: To its lowest point [s].
         speed: Of its centre of mass there [m/s].
-        low: Height of its bottom above that of what it hangs on, there [m].
     """
 
     way: float
     along: float
     time: float
     speed: float
-    low: float
 
 
 def joint_of(doc: EsgDocument, name: str) -> Joint | None:
@@ -53,7 +48,12 @@ def suspension(doc: EsgDocument, name: str) -> Suspension | None:
         name: The child of a joint.
     """
     joint = joint_of(doc, name)
-    if joint is None or joint.kind not in HANGS or joint.parent is None or not joint.position:
+    if (
+        joint is None
+        or joint.kind not in KINDS_OF_JOINT[EdgeEvent.RELEASE]
+        or joint.parent is None
+        or not joint.position
+    ):
         return None
     graph, assets = doc.spatial_relation_graph, doc.asset_configurations
     child, parent = (assets[graph.nodes[n].asset_id] for n in (name, joint.parent))
@@ -62,9 +62,9 @@ def suspension(doc: EsgDocument, name: str) -> Suspension | None:
         return None
     drawn = child_frame(joint, parent, child)
     lowest = child_frame(joint.model_copy(update={"position": 0.0}), parent, child)
-    about = np.asarray(mount.axis if joint.kind == "hinge" else (0.0, 1.0, 0.0), float)
-    if joint.kind == "ball":
-        about = drawn_back_about(joint, np.asarray(theirs.axis, float))
+    hinged = joint.kind == "hinge"
+    axis = np.asarray(mount.axis if hinged else theirs.axis, float)
+    about = axis if hinged else drawn_back_about(joint, axis)
     about = about / np.linalg.norm(about)
     com = np.asarray(child.center_of_mass_cm, float)
     arm = com - np.asarray(mount.position_cm, float)
@@ -86,7 +86,6 @@ def suspension(doc: EsgDocument, name: str) -> Suspension | None:
         along=math.atan2(step[1], step[0]) - float(yaw_from_quat(drawn.quaternion)),
         time=quarter_period(turning, torque, angle),
         speed=rate * off,
-        low=float(lowest.position[2]) / 100.0,
     )
 
 

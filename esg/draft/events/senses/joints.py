@@ -59,9 +59,10 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     doers, hung = doer_and_done(f, s, o) if o or f.verb.passive else ([], s)
     hung = hanging(d, hung)
     if not hung:
-        if openable(d, o or s):
+        opens = bool(openable(d, o or s))
+        if opens:
             f.verb.sense = "open"
-        read_as(d, "open" if openable(d, o or s) else "swing_round", f, s, o)
+        read_as(d, "open" if opens else "swing_round", f, s, o)
         return
     things = [i for i in doers if movable(d, i) and i not in hung]
     if things and not already_hit(d, f, things, hung):
