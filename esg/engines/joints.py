@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.thresholds import OPEN_SHARE
 from esg.units import quat_inverse, quat_multiply, quat_rotate
 
 if TYPE_CHECKING:
@@ -235,6 +236,21 @@ def joint_state(joint: Joint, child: Pose, parent: Pose | None) -> JointState:
         x = quat_rotate(relative, np.array([1.0, 0.0, 0.0]))[..., 0]
         return JointState(np.arccos(np.clip(x, -1.0, 1.0)), length)
     return JointState(np.zeros_like(length), length)
+
+
+def opening_asked(joint: Joint, half_extents: Vec, degrees: float) -> float:
+    """How far a hinge or slider has to go for its child to count as open [rad or m].
+
+    Args:
+        joint: Of the scene.
+        half_extents: Of its child [m], shape [3].
+        degrees: That a hinge is asked for; a slider goes a share of its way, or of its length.
+    """
+    if joint.kind == "hinge":
+        return math.radians(degrees)
+    if joint.lower is not None and joint.upper is not None:
+        return OPEN_SHARE * (joint.upper - joint.lower)
+    return OPEN_SHARE * 2.0 * max(half_extents)
 
 
 def joint_problems(scene: SimScene) -> list[str]:

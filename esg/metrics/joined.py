@@ -4,14 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-import math
 
 import numpy as np
 
-from esg.engines.joints import WORLD, Joint, Vec, joint_ends, joint_poses, joint_state
+from esg.engines.joints import WORLD, Joint, joint_ends, joint_poses, joint_state
 from esg.metrics.replay import Floats, Replay
 from esg.metrics.support import Bools
-from esg.thresholds import OPEN_SHARE, PIECE_GAP_M
+from esg.thresholds import PIECE_GAP_M
 
 
 @dataclass(frozen=True)
@@ -88,21 +87,6 @@ def hook(replay: Replay, j: Joined) -> Floats:
     """Where a joint takes hold of its parent, over time [m], shape [T, 3]."""
     poses = joint_poses(replay.scene, j.joint, replay.position, replay.quaternion)
     return joint_ends(j.joint, *poses)[0]
-
-
-def opening_asked(joint: Joint, half_extents: Vec, degrees: float) -> float:
-    """How far a hinge or slider has to go for its child to count as open [rad or m].
-
-    Args:
-        joint: Of the scene.
-        half_extents: Of its child [m], shape [3].
-        degrees: That a hinge is asked for; a slider goes a share of its way, or of its length.
-    """
-    if joint.kind == "hinge":
-        return math.radians(degrees)
-    if joint.lower is not None and joint.upper is not None:
-        return OPEN_SHARE * (joint.upper - joint.lower)
-    return OPEN_SHARE * 2.0 * max(half_extents)
 
 
 def together(replay: Replay, a: int, b: int) -> Bools:

@@ -6,9 +6,8 @@ import numpy as np
 
 from esg.dynamics.losses.measures import AddTerm, Detected
 from esg.dynamics.losses.recording import Floats, Recording
-from esg.engines.joints import Joint
+from esg.engines.joints import Joint, opening_asked
 from esg.graph.models import TimelineNode
-from esg.metrics.joined import opening_asked
 from esg.metrics.models import EVENT_DEGREES
 from esg.thresholds import AT_REST_MPS, SHUT_SHARE
 

@@ -11,11 +11,12 @@ import itertools
 
 import numpy as np
 
+from esg.engines.joints import opening_asked
 from esg.metrics.binding import Binding
 from esg.metrics.detection import Found, Query
 from esg.metrics.events.space import surface_distance
 from esg.metrics.geometry import compound_distance
-from esg.metrics.joined import Joined, held, joined, opening_asked, parts_of, together
+from esg.metrics.joined import Joined, held, joined, parts_of, together
 from esg.metrics.replay import GROUND_INDEX, Floats, Replay
 from esg.metrics.support import Bools, Frames, touching
 from esg.thresholds import (
