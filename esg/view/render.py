@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.assets.looks import Look
 from esg.engines.wheels import about_axle
 from esg.units import quat_multiply, quat_rotate
 from esg.view.camera import Camera
@@ -41,8 +42,12 @@ class Part:
         body: Index of the body, -1 for the world.
         vertices: In the body's frame [m], shape [n, 3].
         faces: Vertex indices, counter-clockwise seen from outside, shape [m, 3].
-        color: Linear-ish RGB in [0, 1].
+        color: sRGB in [0, 1].
         wheel: The wheel it is a part of, which turns on the body.
+        look: Its surface; None for a plain one in its colour.
+        normals: Unit normals at the vertices, shape [n, 3]; None for flat faces.
+        uvs: Texture coordinates at the vertices in tiles, v up, shape [n, 2]; None if untextured.
+        name: Of the part in its asset.
     """
 
     body: int
@@ -50,6 +55,10 @@ class Part:
     faces: NDArray[np.int64]
     color: tuple[float, float, float]
     wheel: Turning | None = None
+    look: Look | None = None
+    normals: NDArray[np.float64] | None = None
+    uvs: NDArray[np.float64] | None = None
+    name: str = ""
 
 
 def merged(parts: Sequence[Part]) -> list[Part]:
