@@ -33,8 +33,7 @@ class Maps(NamedTuple):
 
 def recipes() -> dict[str, Recipe]:
     """Every set of maps by name."""
-    from esg.assets.textures import drawers  # noqa: F401  # enters them
-    from esg.assets.textures.recipe import RECIPES
+    from esg.assets.textures.drawers import RECIPES
 
     return RECIPES
 
