@@ -99,17 +99,18 @@ def cells(u: Field, v: Field, rng: Random, across: int, down: int, jitter: float
         jitter: 0 leaves the points in the middle of their squares, 1 spreads them all over.
     """
     points = 0.5 + jitter * (rng.random((2, down, across), dtype=np.float32) - 0.5)
+    columns, rows = points[0].ravel(), points[1].ravel()
     x, y = u * across, v * down
     i, j = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
-    fx, fy = x - i, y - j
+    fx, fy = (x - i).astype(np.float32), (y - j).astype(np.float32)
     near = np.full(u.shape, 9.0, np.float32)
     second, du, dv = near.copy(), near.copy(), near.copy()
     number = np.zeros(u.shape, np.int64)
     for dj in (-1, 0, 1):
         for di in (-1, 0, 1):
             cell = ((j + dj) % down) * across + (i + di) % across
-            px = fx - di - points[0].ravel()[cell]
-            py = fy - dj - points[1].ravel()[cell]
+            px = fx - np.float32(di) - columns[cell]
+            py = fy - np.float32(dj) - rows[cell]
             d = px * px + py * py
             closer = d < near
             second = np.where(closer, near, np.minimum(second, d))

@@ -51,10 +51,10 @@ def skin(n: int, rng: Random) -> Relief:
 def fur(n: int, rng: Random) -> Relief:
     """Short hair lying along u in locks; 0.25 m."""
     lie = noise(n, rng, 1, 6, 1.4)
-    count = 16000
+    count = 11000
     u, v = rng.random((2, count), dtype=np.float32)
     turn = 0.45 * lie[(v * n).astype(int) % n, (u * n).astype(int) % n]
-    hairs = strokes(n, rng, count, 0.085, 0.0042, turn, spread=0.16, bend=0.25, at=(u, v))
+    hairs = strokes(n, rng, count, 0.085, 0.0052, turn, spread=0.16, bend=0.25, at=(u, v))
     tone = per_cell(hairs.number + 1, rng)
     light = (0.42 + 0.58 * hairs.along) * (0.62 + 0.45 * tone) * (0.55 + 0.45 * hairs.rank)
     color = light[..., None] * np.array([1.0, 0.97, 0.94], np.float32)

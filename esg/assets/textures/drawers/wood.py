@@ -196,7 +196,7 @@ def bark(n: int, rng: Random) -> Relief:
     return Relief(color, height, 1.0)
 
 
-@texture(mean=(0.80, 0.78, 0.72), depth=0.02, along=True)
+@texture(mean=(0.86, 0.80, 0.70), depth=0.02, along=True)
 def straw(n: int, rng: Random) -> Relief:
     """Stalks lying about, mostly along u; 0.5 m."""
     laid = strokes(n, rng, 1300, 0.2, 0.013, 0.0, spread=0.4, bend=0.15, pointed=0.0)
