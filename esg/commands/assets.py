@@ -50,7 +50,7 @@ def search(text: str, *, count: int = 5, json: Json = False) -> int:
     """
     from esg.assets.commands import search_assets
     from esg.commands.console import emit, table
-    from esg.commands.inputs import checked, in_range
+    from esg.inputs import checked, in_range
 
     checked(lambda: _said(text), lambda: in_range("--count", count, 1, MAX_COUNT))
     found = search_assets(text, count)

@@ -120,7 +120,7 @@ def prune(
         json: Print one JSON document.
     """
     from esg.commands.console import emit
-    from esg.commands.inputs import in_range
+    from esg.inputs import in_range
     from esg.runs import database_path
     from esg.store.artifacts import ArtifactStore
     from esg.store.retention import prune_runs

@@ -28,9 +28,9 @@ def export(
         json: Print one JSON document: the files written.
     """
     from esg.commands.console import emit
-    from esg.commands.inputs import checked
     from esg.commands.stored import is_stored, open_scene
     from esg.files import refused
+    from esg.inputs import checked
     from esg.outcomes import UserError
     from esg.scenefolder import check_writable
 

@@ -52,9 +52,9 @@ def generate(
         json: Print one JSON document with outcome, metrics and paths.
     """
     from esg.commands.console import emit, note_first_use
-    from esg.commands.inputs import check_cache, check_device, check_seed, checked, clean_prompt
     from esg.commands.live import live
     from esg.failures import report_failures
+    from esg.inputs import check_cache, check_device, check_seed, checked, clean_prompt
     from esg.outcomes import UserError
     from esg.pipeline import recall
     from esg.requests import generate_requests

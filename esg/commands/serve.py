@@ -58,7 +58,7 @@ def serve(
     """
     from esg.commands.bench import MAX_RUNS
     from esg.commands.console import emit
-    from esg.commands.inputs import (
+    from esg.inputs import (
         check_cache,
         check_device,
         check_seed,

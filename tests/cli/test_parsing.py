@@ -10,8 +10,8 @@ import sys
 import pytest
 
 from esg.cli import build_app
-from esg.commands.inputs import Mistakes, checked, clean_prompt, in_range
 from esg.commands.parsing import parse
+from esg.inputs import Mistakes, checked, clean_prompt, in_range
 from esg.outcomes import UserError
 from tests.cli.test_cli import ROOT, esg
 

@@ -12,7 +12,6 @@ import pytest
 
 from esg.assets.imports.sources import parse_properties, read_folder
 from esg.assets.imports.store import read_record
-from esg.commands.inputs import check_device
 from esg.commands.serve import check_cron
 from esg.dataset.grammar import load_distribution
 from esg.dataset.plan import Shard, read_prompts
@@ -20,6 +19,7 @@ from esg.engines.manifest import load_manifest
 from esg.graph import verify
 from esg.graph.files import parse_json
 from esg.graph.violations import Findings
+from esg.inputs import check_device
 from esg.limits import stage_limits
 from esg.metrics.suite import parse_suite
 from esg.outcomes import UserError

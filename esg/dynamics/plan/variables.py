@@ -34,7 +34,7 @@ OVER_MOUTH = 1.25
 CHAIN_PRECISION = 0.4
 """Factor on the first spread of the aim for every ball that a struck ball shall hit."""
 ASIDE_M = 0.25
-"""Most that a driven body starts aside of its line; a small one its own half width, or it misses."""
+"""Most that a driven body starts aside of its line; what is narrow at most half its width."""
 SOFTEST_BRAKE_MPS2 = 0.5
 """Nothing that is said to brake does so more gently."""
 AFTER_EVENT_S = 0.12
