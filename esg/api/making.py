@@ -86,7 +86,7 @@ def generate_many(
         UserError: With everything that is wrong with the arguments and the prompts, before any
             work; or, as its turn comes, for a prompt from which no scene can be made.
     """
-    from esg.inputs import (
+    from esg.api.inputs import (
         check_cache,
         check_device,
         check_seed,

@@ -68,7 +68,7 @@ class Scene:
         Raises:
             UserError: If there is none, the id names several, or files in it may not be opened.
         """
-        from esg.inputs import find_scene
+        from esg.api.inputs import find_scene
 
         return cls(find_scene(str(scene)))
 

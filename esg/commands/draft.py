@@ -22,11 +22,11 @@ def draft(
         drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
         json: Print one JSON document: esg, coverage, statements, not_kept, violations.
     """
+    from esg.api.inputs import check_seed, checked, clean_prompt
     from esg.commands.console import emit, table
     from esg.draft import draft as run
     from esg.fidelity import block, shortfalls, statement_rows
     from esg.graph import canonical_json, verify
-    from esg.inputs import check_seed, checked, clean_prompt
 
     prompt, seed = checked(lambda: clean_prompt(prompt), lambda: check_seed(seed))
     doc = run(prompt, seed=seed, drafter=drafter)

@@ -51,10 +51,10 @@ def generate(
         strict: Count a scene as failed that is partial (not all is shown) or not plausible.
         json: Print one JSON document with outcome, metrics and paths.
     """
+    from esg.api.inputs import check_cache, check_device, check_seed, checked, clean_prompt
     from esg.commands.console import emit, note_first_use
     from esg.commands.live import live
     from esg.failures import report_failures
-    from esg.inputs import check_cache, check_device, check_seed, checked, clean_prompt
     from esg.outcomes import UserError
     from esg.pipeline import recall
     from esg.requests import generate_requests

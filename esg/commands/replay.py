@@ -44,10 +44,10 @@ def replay(
         trust: Run the class whatever it is: you vouch for who made it.
         json: Print one JSON document: the verdict, or the matrix.
     """
+    from esg.api.inputs import checked
     from esg.api.scene import document_of, expectation
     from esg.commands.console import emit
     from esg.commands.stored import open_scene
-    from esg.inputs import checked
     from esg.metrics import load_suite
     from esg.outcomes import UserError
 

@@ -25,8 +25,8 @@ def setup() -> int:
     from pathlib import Path
     import tempfile
 
+    from esg.api.inputs import check_cache
     from esg.engines import warmup
-    from esg.inputs import check_cache
     from esg.paths import cache_dir
 
     check_cache()

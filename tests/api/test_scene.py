@@ -62,7 +62,7 @@ def test_trajectories_hold_together(scene: esg.Scene) -> None:
     moved = np.diff(ball.position[:10], axis=0) / np.diff(ball.time[:10])[:, None]
     assert np.allclose(moved, ball.linear_velocity[1:10], atol=0.05)
     assert np.isclose(ball.speed[5], np.linalg.norm(ball.linear_velocity[5]))
-    with pytest.raises(esg.UserError, match="no body 'cube'.*ball_1"):
+    with pytest.raises(esg.UserError, match=r"no body 'cube'.*ball_1"):
         motion.of("cube")
 
 

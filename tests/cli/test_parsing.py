@@ -9,9 +9,9 @@ import sys
 
 import pytest
 
+from esg.api.inputs import Mistakes, checked, clean_prompt, in_range
 from esg.cli import build_app
 from esg.commands.parsing import parse
-from esg.inputs import Mistakes, checked, clean_prompt, in_range
 from esg.outcomes import UserError
 from tests.cli.test_cli import ROOT, esg
 

@@ -10,6 +10,7 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 import pytest
 
+from esg.api.inputs import check_device
 from esg.assets.imports.sources import parse_properties, read_folder
 from esg.assets.imports.store import read_record
 from esg.commands.serve import check_cron
@@ -19,7 +20,6 @@ from esg.engines.manifest import load_manifest
 from esg.graph import verify
 from esg.graph.files import parse_json
 from esg.graph.violations import Findings
-from esg.inputs import check_device
 from esg.limits import stage_limits
 from esg.metrics.suite import parse_suite
 from esg.outcomes import UserError
