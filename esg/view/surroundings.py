@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 import math
 from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import NDArray
 
 from esg.assets.looks import Color, Look
 
 if TYPE_CHECKING:
+    from esg.graph.models import EsgDocument
     from esg.view.render import Part
 
 Vec = tuple[float, float, float]
+Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -41,9 +47,22 @@ class Surroundings:
     Args:
         sky: Its light.
         ground: The endless plane at z = 0.
-        parts: Meshes fixed to the world (body -1): walls, kerbs, facades, trees, lamps.
+        parts: Meshes fixed to the world (body -1): walls, kerbs, facades, trees, lamps. Their names
+            begin with the id of the thing they are of, before a "/"; markings are "ground/...".
     """
 
     sky: Sky
     ground: Look
     parts: tuple[Part, ...] = ()
+
+    def seen_from(self, eyes: Floats, points: Floats) -> Surroundings:
+        """Without the things that stand between cameras and what they are to show.
+
+        Walls of a room and facades of a street are left out whole as soon as one looks through
+        them from one of the eyes, as in a dollhouse, and so is what a camera stands in.
+
+        Args:
+            eyes: Of all cameras that draw it [m], shape [n, 3].
+            points: What they look at: a few points of the action [m], shape [m, 3].
+        """
+        return self
