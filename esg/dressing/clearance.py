@@ -23,6 +23,8 @@ STEP_M = 0.2
 MOST_SAMPLES = 700
 GROUND_HALF_M = 45.0
 """A surface without collision at least this wide is the ground itself (esg.view.parts)."""
+GROUNDS = frozenset({"ground", "floor", "terrain", "land"})
+"""Categories of what carries everything (esg.graph.rules_scene)."""
 _SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (0, 2)], float)
 
 
@@ -152,13 +154,27 @@ class Clearance:
         return bool((box.gap(rows) > room - 1e-9).all())
 
 
-def clearance(scene: SimScene, rollout: Rollout, frame: Frame) -> Clearance:
+def covered(body: Body, *, indoor: bool) -> bool:
+    """Whether the ground of a place takes the place of a flat body.
+
+    So it is with the ground itself, and in a room with a road that nobody speaks of: drafts lay one
+    under whatever drives.
+    """
+    if body.collides:
+        return False
+    if body.category in GROUNDS or max(body.half_extents[:2]) > GROUND_HALF_M:
+        return True
+    return indoor and body.category == "road" and not body.mentioned
+
+
+def clearance(scene: SimScene, rollout: Rollout, frame: Frame, *, indoor: bool) -> Clearance:
     """What the bodies of a replay sweep, in a frame's plane.
 
     Args:
         scene: The bodies.
         rollout: Their motion; of its first world.
         frame: Axes of the place.
+        indoor: Whether the place is a room.
     """
     rows: list[Floats] = []
     owners: list[Floats] = []
@@ -173,7 +189,7 @@ def clearance(scene: SimScene, rollout: Rollout, frame: Frame) -> Clearance:
         if not len(p):
             continue
         if not body.collides:
-            if max(body.half_extents[:2]) <= GROUND_HALF_M:
+            if not covered(body, indoor=indoor):
                 box = _boxes(body, p[:1], q[:1], frame)[0][0]
                 decals.append((body.category, Box(*(float(v) for v in box))))
             continue

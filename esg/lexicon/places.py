@@ -15,6 +15,14 @@ _FOLDER = Path(__file__).parent
 Span = tuple[float, float]
 Rgb = tuple[float, float, float]
 Setting = Literal["indoor", "outdoor"]
+SkyKind = Literal["clear", "cloudy", "dusk", "night", "indoor"]
+_SKY_KINDS: dict[str, SkyKind] = {
+    "clear": "clear",
+    "cloudy": "cloudy",
+    "dusk": "dusk",
+    "night": "night",
+    "indoor": "indoor",
+}
 USUAL = 8.0
 """Weight of a preset or noun that names a place, where its row gives none."""
 
@@ -26,23 +34,16 @@ class Surface:
     Args:
         name: Unique.
         said_as: Nouns and adjectives of a prompt that say that the ground is so.
-        material: Name in the library of materials.
-        rgb: Colour that multiplies the texture's, sRGB in [0, 1].
-        roughness, metalness: In [0, 1].
-        alpha: 1 is opaque.
-        texture: Name of a set of maps; "" for a plain surface.
-        tile_m: Edge of one tile of it [m].
+        material: Its row in the table of materials (`esg/assets/materials.csv`).
+        rgb: Its usual colour, sRGB in [0, 1]; None for the material's.
+        roughness: In [0, 1]; None for the material's.
     """
 
     name: str
     said_as: tuple[str, ...]
     material: str
-    rgb: Rgb
-    roughness: float
-    metalness: float
-    alpha: float
-    texture: str
-    tile_m: float
+    rgb: Rgb | None
+    roughness: float | None
 
 
 @dataclass(frozen=True)
@@ -63,7 +64,7 @@ class SkyRow:
     name: str
     setting: Setting
     said_as: tuple[str, ...]
-    kind: str
+    kind: SkyKind
     weight: float
     elevation_deg: Span
     sun_rgb: Rgb
@@ -175,12 +176,8 @@ def surfaces() -> dict[str, Surface]:
             name=row["name"],
             said_as=_words(row["said_as"]),
             material=row["material"],
-            rgb=hex_rgb(row["color"]),
-            roughness=float(row["roughness"]),
-            metalness=float(row["metalness"]),
-            alpha=float(row["alpha"]),
-            texture=row["texture"],
-            tile_m=float(row["tile_m"]),
+            rgb=hex_rgb(row["color"]) if row["color"] else None,
+            roughness=float(row["roughness"]) if row["roughness"] else None,
         )
         for row in _rows("surfaces.csv")
     }
@@ -194,7 +191,7 @@ def skies() -> dict[str, SkyRow]:
             name=row["name"],
             setting=_setting(row),
             said_as=_words(row["said_as"]),
-            kind=row["kind"],
+            kind=_SKY_KINDS[row["kind"]],
             weight=float(row["weight"]),
             elevation_deg=_span(row["elevation_deg"]),
             sun_rgb=_rgb(row["sun_rgb"]),

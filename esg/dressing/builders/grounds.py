@@ -23,9 +23,9 @@ def skyline(draw: Drawing, wish: Wish) -> None:
 def flood_mast(draw: Drawing, wish: Wish) -> None:
     """A mast with floodlights."""
     h = wish.height
-    draw.tube("steel_painted", (0, 0, 0), (0.16, 0.09), h, (0.5, 0.52, 0.54))
+    draw.tube("painted", (0, 0, 0), (0.16, 0.09), h, (0.5, 0.52, 0.54))
     low, high = (-0.05, -0.5 * wish.width, h - 0.7), (0.1, 0.5 * wish.width, h + 0.3)
-    draw.box("steel_painted", low, high, (0.3, 0.32, 0.34), ALL_SIDES)
+    draw.box("painted", low, high, (0.3, 0.32, 0.34), ALL_SIDES)
     for k in range(4):
         for i in range(2):
             y = wish.width * ((k + 0.5) / 4 - 0.5)

@@ -19,7 +19,7 @@ def _tone(draw: Drawing, color: Color, by: float = 0.12) -> Color:
     return (r, g, b)
 
 
-@builder("broadleaf")
+@builder("broadleaf", "tree")
 def broadleaf(draw: Drawing, wish: Wish) -> None:
     """A tree with a round crown of clumps on a trunk."""
     color = _tone(draw, wish.color or LEAVES)
@@ -38,7 +38,7 @@ def broadleaf(draw: Drawing, wish: Wish) -> None:
         draw.clump("leaves", at, (size, size, 0.24 * crown), color)
 
 
-@builder("conifer")
+@builder("conifer", "tree")
 def conifer(draw: Drawing, wish: Wish) -> None:
     """A fir: skirts of branches around a stem, each narrower than the one below."""
     color = _tone(draw, wish.color or NEEDLES)
@@ -52,7 +52,7 @@ def conifer(draw: Drawing, wish: Wish) -> None:
         draw.tube("leaves", (0, 0, foot + k * step), (wide, top), 1.9 * step, color, sides=14)
 
 
-@builder("shrub")
+@builder("shrub", "bush")
 def shrub(draw: Drawing, wish: Wish) -> None:
     """A bush of three clumps that reach the ground."""
     color = _tone(draw, wish.color or LEAVES)
@@ -62,7 +62,7 @@ def shrub(draw: Drawing, wish: Wish) -> None:
         draw.clump("leaves", at, (0.6 * x, 0.55 * y, 0.56 * h), color)
 
 
-@builder("hedge")
+@builder("hedge", "bush")
 def hedge(draw: Drawing, wish: Wish) -> None:
     """A clipped hedge."""
     x, y, h = 0.5 * wish.depth, 0.5 * wish.width, wish.height

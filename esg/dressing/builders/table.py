@@ -26,15 +26,36 @@ class Wish:
     color: Color | None = None
 
 
-Builder = Callable[[Drawing, Wish], None]
+Run = Callable[[Drawing, Wish], None]
+
+
+@dataclass(frozen=True)
+class Builder:
+    """One kind of thing that only dressing needs.
+
+    Args:
+        run: Draws it.
+        like: Categories of the library that one would call it, too.
+        bare: A wall on which things may hang, and before which tall ones may stand.
+        door: Where a wall has a door: its middle along Y, in widths; None if it has none.
+    """
+
+    run: Run
+    like: tuple[str, ...] = ()
+    bare: bool = False
+    door: float | None = None
+
+
 BUILDERS: dict[str, Builder] = {}
 
 
-def builder(name: str) -> Callable[[Builder], Builder]:
-    """Registers a builder of dressing."""
+def builder(
+    name: str, *like: str, bare: bool = False, door: float | None = None
+) -> Callable[[Run], Run]:
+    """Registers a builder of dressing; arguments as of `Builder`."""
 
-    def register(run: Builder) -> Builder:
-        BUILDERS[name] = run
+    def register(run: Run) -> Run:
+        BUILDERS[name] = Builder(run, like, bare, door)
         return run
 
     return register

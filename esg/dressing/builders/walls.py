@@ -14,6 +14,8 @@ NIGHT_PANE: Color = (0.07, 0.09, 0.13)
 LIT_PANE: Color = (1.0, 0.84, 0.52)
 OUTSIDE_DAY: Color = (0.82, 0.9, 0.97)
 OUTSIDE_NIGHT: Color = (0.05, 0.07, 0.13)
+DOOR_AT = 0.3
+"""Of a room's door along its wall, in widths from the middle."""
 FRONT_AND_ENDS = frozenset({"+x", "+y", "-y", "+z"})
 
 
@@ -86,14 +88,14 @@ def _opening(
     draw.sheet("plaster", (back, ya, zb), (deep, 0, 0), (0, wide, 0), o.frame)
     draw.sheet("plaster", (back, ya, za), (0, wide, 0), (deep, 0, 0), o.frame)
     if o.kind == "roller":
-        draw.sheet("steel_painted", (back, ya, za), (0, wide, 0), (0, 0, tall), (0.62, 0.65, 0.67))
+        draw.sheet("painted", (back, ya, za), (0, wide, 0), (0, 0, tall), (0.62, 0.65, 0.67))
         for k in range(1, 6):
             z = za + tall * k / 6
-            draw.box("steel_painted", (back, ya, z - 0.02), (back + 0.03, yb, z + 0.02),
+            draw.box("painted", (back, ya, z - 0.02), (back + 0.03, yb, z + 0.02),
                      (0.5, 0.53, 0.55), ALL_SIDES)  # fmt: skip
         return
     if o.kind == "door":
-        draw.box("wood_painted", (back, ya, za), (back + 0.05, yb, zb), o.frame, FRONT_AND_ENDS)
+        draw.box("painted", (back, ya, za), (back + 0.05, yb, zb), o.frame, FRONT_AND_ENDS)
         knob = yb - 0.1 * wide
         draw.box("steel", (back + 0.05, knob - 0.06, za + 1.0), (back + 0.1, knob + 0.06, za + 1.03),
                  None, ALL_SIDES)  # fmt: skip
@@ -107,7 +109,7 @@ def _opening(
         for y in (ya + wide * k / across for k in range(1, across))
     ]
     for y, y2, z, z2 in edges:
-        draw.box("wood_painted", (back, y, z), (back + 0.04, y2, z2), o.frame, ALL_SIDES - {"-x"})
+        draw.box("painted", (back, y, z), (back + 0.04, y2, z2), o.frame, ALL_SIDES - {"-x"})
     if o.kind in ("window", "room"):
         sill = (front + 0.05, yb + 0.05, za)
         draw.box("concrete", (back, ya - 0.05, za - 0.05), sill, WHITE, ALL_SIDES - {"-x"})
@@ -133,15 +135,14 @@ def room_wall(draw: Drawing, wish: Wish) -> None:
     _room(draw, wish, _row(Openings(0.9, min(2.2, wish.height - 0.3), 1.3, 2.6, "room"), wish.width))  # fmt: skip
 
 
-@builder("room_wall_door")
+@builder("room_wall_door", door=DOOR_AT)
 def room_wall_door(draw: Drawing, wish: Wish) -> None:
     """A wall of a room with a door."""
     door = Openings(0.0, 2.05, 0.92, 1.0, "door", (0.78, 0.74, 0.66))
-    at = draw.rng.uniform(-0.3, 0.3) * wish.width
-    _room(draw, wish, [(at, door)] if wish.width > 3 else [])
+    _room(draw, wish, [(DOOR_AT * wish.width, door)])
 
 
-@builder("room_wall_plain")
+@builder("room_wall_plain", bare=True)
 def room_wall_plain(draw: Drawing, wish: Wish) -> None:
     """A wall of a room without openings."""
     _room(draw, wish, [])
@@ -154,13 +155,13 @@ def _room(draw: Drawing, wish: Wish, openings: list[tuple[float, Openings]]) -> 
     at = -0.5 * wish.width
     for left, right in [*doors, (0.5 * wish.width, 0.0)]:
         low, high = (front, at, 0.0), (front + 0.018, left, 0.09)
-        draw.box("wood_painted", low, high, WHITE, ALL_SIDES - {"-x", "-z"})
+        draw.box("painted", low, high, WHITE, ALL_SIDES - {"-x", "-z"})
         at = right
     half, h = 0.5 * wish.width, wish.height
     draw.box("plaster", (front, -half, h - 0.05), (front + 0.03, half, h), WHITE, ALL_SIDES - {"-x"})  # fmt: skip
 
 
-@builder("hall_wall")
+@builder("hall_wall", bare=True)
 def hall_wall(draw: Drawing, wish: Wish) -> None:
     """A wall of a hall: sheet above a solid base, pillars, a strip of windows under the roof."""
     front, h = 0.5 * wish.depth, wish.height
@@ -175,7 +176,7 @@ def hall_wall(draw: Drawing, wish: Wish) -> None:
         y = wish.width * (k / (count - 1) - 0.5)
         y = min(max(y, -0.5 * wish.width + 0.12), 0.5 * wish.width - 0.12)
         low_corner, corner = (front, y - 0.12, 0.0), (front + 0.22, y + 0.12, h)
-        draw.box("steel_painted", low_corner, corner, (0.5, 0.54, 0.58), ALL_SIDES - {"-x", "-z"})
+        draw.box("painted", low_corner, corner, (0.5, 0.54, 0.58), ALL_SIDES - {"-x", "-z"})
 
 
 @builder("hall_wall_gate")
@@ -211,7 +212,7 @@ def _facade(draw: Drawing, wish: Wish, ground: Openings, above: Openings, storey
     if ground.kind == "shop":
         z = each - 0.2
         tint = SIGNS[int(draw.rng.integers(len(SIGNS)))]
-        draw.box("wood_painted", (x, -half + 0.3, z - 0.5), (x + 0.1, half - 0.3, z), tint, ALL_SIDES)  # fmt: skip
+        draw.box("painted", (x, -half + 0.3, z - 0.5), (x + 0.1, half - 0.3, z), tint, ALL_SIDES)  # fmt: skip
 
 
 SIGNS: tuple[Color, ...] = (
@@ -253,7 +254,7 @@ def facade_works(draw: Drawing, wish: Wish) -> None:
             gate, strip, 4.4)  # fmt: skip
 
 
-@builder("cottage")
+@builder("cottage", "house")
 def cottage(draw: Drawing, wish: Wish) -> None:
     """A small house with a gable roof."""
     eaves = 0.58 * wish.height
@@ -294,7 +295,7 @@ def _gable(
         draw.sheet(surface, (sign * reach, sign * y, z0), along, (0, 0, (high - low) / steps), color)  # fmt: skip
 
 
-@builder("garden_wall")
+@builder("garden_wall", "wall")
 def garden_wall(draw: Drawing, wish: Wish) -> None:
     """A low wall with a coping."""
     x, half, h = 0.5 * wish.depth, 0.5 * wish.width, wish.height
@@ -302,11 +303,11 @@ def garden_wall(draw: Drawing, wish: Wish) -> None:
     draw.box("concrete", (-x - 0.04, -half, h - 0.06), (x + 0.04, half, h), None, ALL_SIDES)
 
 
-@builder("rails")
+@builder("rails", "fence")
 def rails(draw: Drawing, wish: Wish) -> None:
     """A fence of posts and rails."""
     half, h = 0.5 * wish.width, wish.height
-    surface = wish.surface or "wood_rough"
+    surface = wish.surface or "planks"
     count = max(2, round(wish.width / 2.0) + 1)
     for k in range(count):
         y = wish.width * (k / (count - 1) - 0.5)
@@ -315,7 +316,7 @@ def rails(draw: Drawing, wish: Wish) -> None:
         draw.box(surface, (0.05, -half, z - 0.05), (0.09, half, z + 0.05), wish.color, ALL_SIDES)
 
 
-@builder("mesh_fence")
+@builder("mesh_fence", "fence")
 def mesh_fence(draw: Drawing, wish: Wish) -> None:
     """A fence of steel posts and wires."""
     half, h = 0.5 * wish.width, wish.height
@@ -323,20 +324,20 @@ def mesh_fence(draw: Drawing, wish: Wish) -> None:
     color = wish.color or (0.3, 0.38, 0.34)
     for k in range(count):
         y = wish.width * (k / (count - 1) - 0.5)
-        draw.tube("steel_painted", (0, y, 0), (0.03, 0.03), h, color, sides=6)
+        draw.tube("painted", (0, y, 0), (0.03, 0.03), h, color, sides=6)
     wires = max(4, round(h / 0.3))
     for k in range(wires + 1):
         z = 0.06 + (h - 0.1) * k / wires
-        draw.box("steel_painted", (-0.006, -half, z - 0.006), (0.006, half, z + 0.006), color, ALL_SIDES)  # fmt: skip
+        draw.box("painted", (-0.006, -half, z - 0.006), (0.006, half, z + 0.006), color, ALL_SIDES)  # fmt: skip
 
 
 @builder("boards")
 def boards(draw: Drawing, wish: Wish) -> None:
     """The boards of an ice rink: white, a yellow strip at the foot, a dark rail on top."""
     x, half, h = 0.5 * wish.depth, 0.5 * wish.width, wish.height
-    draw.box("plastic_panel", (-x, -half, 0.2), (x, half, h - 0.06), wish.color or (0.94, 0.95, 0.96))
-    draw.box("plastic_panel", (-x, -half, 0), (x + 0.015, half, 0.2), (0.93, 0.78, 0.15))
-    draw.box("plastic_panel", (-x, -half, h - 0.06), (x + 0.02, half, h), (0.13, 0.25, 0.5), ALL_SIDES)  # fmt: skip
+    draw.box("plastic", (-x, -half, 0.2), (x, half, h - 0.06), wish.color or (0.94, 0.95, 0.96))
+    draw.box("plastic", (-x, -half, 0), (x + 0.015, half, 0.2), (0.93, 0.78, 0.15))
+    draw.box("plastic", (-x, -half, h - 0.06), (x + 0.02, half, h), (0.13, 0.25, 0.5), ALL_SIDES)  # fmt: skip
 
 
 @builder("kerb_run")
@@ -354,12 +355,12 @@ def masking(draw: Drawing, wish: Wish) -> None:
     x, half, h = 0.5 * wish.depth, 0.5 * wish.width, wish.height
     low = min(0.75, 0.4 * h)
     tint = wish.color or (0.16, 0.22, 0.44)
-    draw.box("wood_painted", (-x, -half, 0), (x - 0.9 * wish.depth, half, low), (0.03, 0.03, 0.04))
-    draw.box("wood_painted", (-x, -half, low), (x, half, h), tint, ALL_SIDES)
+    draw.box("painted", (-x, -half, 0), (x - 0.9 * wish.depth, half, low), (0.03, 0.03, 0.04))
+    draw.box("painted", (-x, -half, low), (x, half, h), tint, ALL_SIDES)
     count = max(1, round(wish.width / 2.4))
     for k in range(count + 1):
         y = wish.width * (k / count - 0.5)
         y = min(max(y, -half + 0.06), half - 0.06)
-        draw.box("wood_painted", (-x, y - 0.06, 0), (x, y + 0.06, low), (0.2, 0.2, 0.22))
+        draw.box("painted", (-x, y - 0.06, 0), (x, y + 0.06, low), (0.2, 0.2, 0.22))
     stripe = (x + 0.01, half, low + 0.18)
-    draw.box("wood_painted", (x, -half, low + 0.08), stripe, (0.9, 0.6, 0.2), ALL_SIDES)
+    draw.box("painted", (x, -half, low + 0.08), stripe, (0.9, 0.6, 0.2), ALL_SIDES)
