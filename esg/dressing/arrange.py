@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cache
 import itertools
 import math
 from typing import TypeVar
@@ -17,7 +18,10 @@ import numpy as np
 from esg.dressing.builders import BUILDERS
 from esg.dressing.clearance import KEEP_M, Box, Clearance
 from esg.graph.models import DressingItem, Marking
+from esg.lexicon import kinds
+from esg.lexicon.kinds import Size
 from esg.lexicon.places import Drawn, Place, Span, Standing, drawn, standing
+from esg.units import CM_PER_M
 
 _T = TypeVar("_T")
 TRIES = 10
@@ -77,6 +81,8 @@ class Site:
     walls: dict[str, str] = field(default_factory=dict[str, str])
     """Builder of the wall on each side of a room."""
     counts: dict[str, int] = field(default_factory=dict[str, int])
+    factors: dict[str, float] = field(default_factory=dict[str, float])
+    """Sizes of things of the library; alike things of a place are built once."""
     styles: dict[tuple[str, ...], tuple[float, float, float]] = field(
         default_factory=dict[tuple[str, ...], tuple[float, float, float]]
     )
@@ -379,11 +385,15 @@ def _size(site: Site, row: Standing) -> tuple[float, float, float]:
     if row.size_m is not None:
         a, b, c = (_within(span, site.rng) for span in row.size_m)
         return a, b, c
-    from esg.assets.library.catalogue import entries_by_name
-
-    factor = float(site.rng.uniform(0.95, 1.08))
-    a, b, c = (factor * d / 100.0 for d in entries_by_name()[row.item].dimensions_cm)
+    factor = site.factors.setdefault(row.item, round(float(site.rng.uniform(0.95, 1.08)), 2))
+    a, b, c = (factor * d / CM_PER_M for d in _usual_sizes()[row.item])
     return a, b, c
+
+
+@cache
+def _usual_sizes() -> dict[str, Size]:
+    """Of what the library draws [cm]."""
+    return {kind.slug: kind.local_cm for kind in kinds() if kind.builder}
 
 
 def _within(span: Span, rng: np.random.Generator) -> float:
@@ -419,7 +429,7 @@ def _inside(box: Box, room: Box) -> bool:
 
 
 def _cm(metres: float) -> float:
-    return round(100.0 * metres, 1)
+    return round(CM_PER_M * metres, 1)
 
 
 def _markings(site: Site) -> Iterable[Marking]:

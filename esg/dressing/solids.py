@@ -54,20 +54,58 @@ class Solid:
     uvs: Floats
 
 
+_CORNERS = np.array([corner for _, corner, _, _ in _BOX_SIDES], float)
+_ALONG = np.array([along for _, _, along, _ in _BOX_SIDES], float)
+_UP = np.array([up for _, _, _, up in _BOX_SIDES], float)
+_ORDER = {name: k for k, (name, *_) in enumerate(_BOX_SIDES)}
+
+
 @dataclass
 class _Heap:
-    vertices: list[Floats] = field(default_factory=list[Floats])
-    faces: list[Ints] = field(default_factory=list[Ints])
-    normals: list[Floats] = field(default_factory=list[Floats])
-    uvs: list[Floats] = field(default_factory=list[Floats])
-    count: int = 0
+    """What is drawn in one surface and colour; sheets and boxes wait to be made all at once."""
 
-    def add(self, vertices: Floats, faces: Ints, normals: Floats, uvs: Floats) -> None:
-        self.vertices.append(vertices)
-        self.faces.append(faces + self.count)
-        self.normals.append(normals)
-        self.uvs.append(uvs)
-        self.count += len(vertices)
+    sheets: list[tuple[float, ...]] = field(default_factory=list[tuple[float, ...]])
+    """Corner, along, up: nine numbers each."""
+    boxes: dict[frozenset[str], list[tuple[float, ...]]] = field(
+        default_factory=dict[frozenset[str], list[tuple[float, ...]]]
+    )
+    """By the sides that are seen, low and high: six numbers each."""
+    meshes: list[tuple[Floats, Ints, Floats, Floats]] = field(
+        default_factory=list[tuple[Floats, Ints, Floats, Floats]]
+    )
+
+    def all(self) -> list[tuple[Floats, Ints, Floats, Floats]]:
+        """Vertices, faces, normals and texture coordinates of everything."""
+        rows = [np.array(self.sheets, float).reshape(-1, 3, 3)]
+        for sides, boxes in self.boxes.items():
+            pick = sorted(_ORDER[s] for s in sides)
+            ends = np.array(boxes, float).reshape(-1, 1, 2, 3)
+            low, size = ends[:, :, 0], ends[:, :, 1] - ends[:, :, 0]
+            parts = [low + size * _CORNERS[pick], size * _ALONG[pick], size * _UP[pick]]
+            rows.append(np.stack(parts, axis=2).reshape(-1, 3, 3))
+        quads = np.concatenate(rows)
+        return [*self.meshes, *([_made(quads)] if len(quads) else [])]
+
+
+def _made(quads: Floats) -> tuple[Floats, Ints, Floats, Floats]:
+    """Parallelograms, shape [n, 3, 3] (corner, along, up), as a mesh of flat faces.
+
+    Texture coordinates count from one origin, so that neighbours in a plane continue each other.
+    """
+    corner, along, up = quads[:, 0], quads[:, 1], quads[:, 2]
+    width, height = np.linalg.norm(along, axis=1), np.linalg.norm(up, axis=1)
+    real = (width > 1e-6) & (height > 1e-6)
+    corner, along, up, width, height = (x[real] for x in (corner, along, up, width, height))
+    vertices = np.stack([corner, corner + along, corner + along + up, corner + up], axis=1)
+    normal = np.cross(along, up)
+    normal = normal / np.linalg.norm(normal, axis=1, keepdims=True)
+    start = np.stack([(corner * along).sum(1) / width, (corner * up).sum(1) / height], axis=1)
+    size = np.stack([width, height], axis=1)[:, None]
+    uvs = start[:, None] + size * np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
+    n = len(corner)
+    faces = np.array([[0, 1, 2], [0, 2, 3]]) + 4 * np.arange(n)[:, None, None]
+    normals = np.repeat(normal, 4, axis=0)
+    return vertices.reshape(-1, 3), faces.reshape(-1, 3), normals, uvs.reshape(-1, 2)
 
 
 class Drawing:
@@ -85,34 +123,20 @@ class Drawing:
 
     def solids(self) -> list[Solid]:
         """Everything drawn so far, one mesh a surface and colour."""
-        return [
-            Solid(
-                surface,
-                color,
-                np.concatenate(heap.vertices),
-                np.concatenate(heap.faces),
-                np.concatenate(heap.normals),
-                np.concatenate(heap.uvs),
-            )
-            for (surface, color), heap in self._heaps.items()
-        ]
+        out: list[Solid] = []
+        for (surface, color), heap in self._heaps.items():
+            meshes = heap.all()
+            starts = np.cumsum([0, *(len(m[0]) for m in meshes[:-1])])
+            faces = np.concatenate([m[1] + s for m, s in zip(meshes, starts, strict=True)])
+            vertices, normals, uvs = (np.concatenate([m[k] for m in meshes]) for k in (0, 2, 3))
+            out.append(Solid(surface, color, vertices, faces, normals, uvs))
+        return out
 
     def sheet(
         self, surface: str, corner: Point, along: Point, up: Point, color: Color | None = None
     ) -> None:
         """A parallelogram, seen from where `along`, then `up` turn counter-clockwise."""
-        o, a, b = (np.asarray(p, float) for p in (corner, along, up))
-        width, height = float(np.linalg.norm(a)), float(np.linalg.norm(b))
-        if width < 1e-6 or height < 1e-6:
-            return
-        normal = np.cross(a, b)
-        normal = normal / np.linalg.norm(normal)
-        self._heap(surface, color).add(
-            np.array([o, o + a, o + a + b, o + b]),
-            np.array([[0, 1, 2], [0, 2, 3]]),
-            np.tile(normal, (4, 1)),
-            np.array([[0, 0], [width, 0], [width, height], [0, height]]) + _start(o, a, b),
-        )
+        self._heap(surface, color).sheets.append((*corner, *along, *up))
 
     def box(
         self,
@@ -123,11 +147,7 @@ class Drawing:
         sides: frozenset[str] = STANDING,
     ) -> None:
         """A box between two corners, of which some sides are seen."""
-        lo, hi = np.asarray(low, float), np.asarray(high, float)
-        size = hi - lo
-        for name, corner, along, up in _BOX_SIDES:
-            if name in sides:
-                self.sheet(surface, lo + size * corner, size * along, size * up, color)
+        self._heap(surface, color).boxes.setdefault(sides, []).append((*low, *high))
 
     def tube(
         self,
@@ -151,21 +171,22 @@ class Drawing:
         lean = (radii[0] - radii[1]) / max(height, 1e-6)
         normals = np.column_stack([ring, np.full(n, lean)])
         normals /= np.linalg.norm(normals, axis=1, keepdims=True)
-        self._heap(surface, color).add(
-            np.concatenate([low, high]),
-            faces,
-            np.concatenate([normals, normals]),
-            np.concatenate(
-                [np.stack([around, np.zeros(n)], 1), np.stack([around, np.full(n, height)], 1)]
-            ),
-        )
+        rises = np.repeat([0.0, height], n)
         cap = np.concatenate([[base + [0, 0, height]], high])
-        self._heap(surface, color).add(
-            cap,
-            np.stack([np.zeros(sides, int), k + 1, k + 2], 1),
-            np.tile([0.0, 0.0, 1.0], (len(cap), 1)),
-            cap[:, :2],
-        )
+        self._heap(surface, color).meshes += [
+            (
+                np.concatenate([low, high]),
+                faces,
+                np.concatenate([normals, normals]),
+                np.stack([np.tile(around, 2), rises], axis=1),
+            ),
+            (
+                cap,
+                np.stack([np.zeros(sides, int), k + 1, k + 2], axis=1),
+                np.tile([0.0, 0.0, 1.0], (len(cap), 1)),
+                cap[:, :2],
+            ),
+        ]
 
     def clump(
         self,
@@ -200,17 +221,12 @@ class Drawing:
         size = float(np.mean(radii))
         turn = np.arctan2(unit[:, 1], unit[:, 0]) * size
         uvs = np.stack([turn, np.arcsin(np.clip(unit[:, 2], -1, 1)) * size], 1)
-        self._heap(surface, color).add(vertices + np.asarray(middle, float), faces, normals, uvs)
+        self._heap(surface, color).meshes.append(
+            (vertices + np.asarray(middle, float), faces, normals, uvs)
+        )
 
     def _heap(self, surface: str, color: Color | None) -> _Heap:
         return self._heaps.setdefault((surface, color), _Heap())
-
-
-def _start(corner: Floats, along: Floats, up: Floats) -> Floats:
-    """Where a sheet's texture begins, so that neighbours in one plane continue each other's."""
-    return np.array(
-        [corner @ along / np.linalg.norm(along), corner @ up / np.linalg.norm(up)], dtype=float
-    )
 
 
 @cache

@@ -231,6 +231,12 @@ def standing(place: str) -> tuple[Standing, ...]:
 
 
 @cache
+def things() -> frozenset[str]:
+    """Everything that some place has."""
+    return frozenset(row["item"] for row in _rows("place_items.csv"))
+
+
+@cache
 def drawn(place: str) -> tuple[Drawn, ...]:
     """What is drawn on the ground of a place."""
     return tuple(_drawn(r) for r in _rows("place_markings.csv") if place in _words(r["places"]))
