@@ -83,8 +83,8 @@ class Site:
     counts: dict[str, int] = field(default_factory=dict[str, int])
     factors: dict[str, float] = field(default_factory=dict[str, float])
     """Sizes of things of the library; alike things of a place are built once."""
-    styles: dict[tuple[str, ...], tuple[float, float, float]] = field(
-        default_factory=dict[tuple[str, ...], tuple[float, float, float]]
+    styles: dict[str, tuple[float, float, float]] = field(
+        default_factory=dict[str, tuple[float, float, float]]
     )
     """Colours drawn for what is of one colour all over a place: walls, fences."""
 
@@ -123,9 +123,9 @@ def arrange(site: Site) -> tuple[tuple[Marking, ...], tuple[DressingItem, ...]]:
     rows = standing(site.place.name)
     _walls(site, [row for row in rows if row.where == "wall"])
     rest = [row for row in rows if row.where != "wall"]
-    for (where, _, _), family in itertools.groupby(rest, key=lambda r: (r.where, r.sides, r.away_m)):
+    for _, family in itertools.groupby(rest, key=lambda r: (r.where, r.sides, r.away_m)):
         members = list(family)
-        if where == "run":
+        if members[0].where == "run":
             _run(site, members)
             continue
         for row in members:
@@ -211,7 +211,7 @@ def _joined(
     while k < len(done):
         row, at, size = done[k]
         low, high = at - 0.5 * size[1], at + 0.5 * size[1]
-        fixed = row.size_m is not None and all(a == b for a, b in row.size_m) and row.gap_m == 0.0
+        fixed = _fixed(row) and row.gap_m == 0.0
         while fixed and k + 1 < len(done) and done[k + 1][0] is row:
             gap = done[k + 1][1] - 0.5 * size[1] - high
             if gap > 1e-6:
@@ -291,9 +291,7 @@ def _in_ring(
     allowed = {r.side for r in rails(site, row.sides)}
     x, y = float(rng.uniform(outer.x0, outer.x1)), float(rng.uniform(outer.y0, outer.y1))
     for _ in range(20):
-        beyond = {
-            "+x": x - inner.x1, "-x": inner.x0 - x, "+y": y - inner.y1, "-y": inner.y0 - y
-        }  # fmt: skip
+        beyond = {"+x": x - inner.x1, "-x": inner.x0 - x, "+y": y - inner.y1, "-y": inner.y0 - y}
         side = max(beyond, key=lambda k: beyond[k])
         if beyond[side] > 0 and side in allowed:
             break
@@ -358,17 +356,20 @@ def _put(
 
 
 def _color(site: Site, row: Standing) -> tuple[float, float, float] | None:
+    """One of a row's colours; walls, and rows of equal things, have one all over a place."""
     if not row.colors:
         return None
-    if row.where not in ("wall", "run") or row.size_m is None and row.where == "run":
+    if row.where != "wall" and not (row.where == "run" and _fixed(row)):
         return _rounded(_one(row.colors, site.rng))
-    varied = row.size_m is not None and any(a != b for a, b in row.size_m)
-    if varied:
-        return _rounded(_one(row.colors, site.rng))
-    key = ("wall",) if row.where == "wall" else (row.item,)
+    key = "wall" if row.where == "wall" else row.item
     if key not in site.styles:
         site.styles[key] = _rounded(_one(row.colors, site.rng))
     return site.styles[key]
+
+
+def _fixed(row: Standing) -> bool:
+    """Whether everything of a row has one size."""
+    return row.size_m is not None and all(low == high for low, high in row.size_m)
 
 
 def _rounded(color: tuple[float, float, float]) -> tuple[float, float, float]:
@@ -418,14 +419,17 @@ def _yaw(rail: Rail, facing: str, rng: np.random.Generator) -> float:
     return out + turn
 
 
-def _box(middle: tuple[float, float], size: tuple[float, float, float], normal: tuple[float, float]) -> Box:  # fmt: skip
+def _box(
+    middle: tuple[float, float], size: tuple[float, float, float], normal: tuple[float, float]
+) -> Box:
     """Of a thing whose front axis lies along a normal of the frame's axes."""
     along_x = abs(normal[0]) > 0.5
     return Box.around(middle, (size[0], size[1]) if along_x else (size[1], size[0]))
 
 
 def _inside(box: Box, room: Box) -> bool:
-    return box.x0 >= room.x0 - 0.01 and box.y0 >= room.y0 - 0.01 and box.x1 <= room.x1 + 0.01 and box.y1 <= room.y1 + 0.01  # fmt: skip
+    wide = room.grown(0.01)
+    return wide.union(box) == wide
 
 
 def _cm(metres: float) -> float:
@@ -447,9 +451,7 @@ def _markings(site: Site) -> Iterable[Marking]:
             )
 
 
-def _flats(
-    site: Site, row: Drawn
-) -> Iterator[tuple[tuple[float, float], tuple[float, float]]]:
+def _flats(site: Site, row: Drawn) -> Iterator[tuple[tuple[float, float], tuple[float, float]]]:
     """Middles and half extents of what a row draws, in the frame [m]."""
     if row.sides == "axis":
         if site.axis is not None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
+from functools import cache
 import re
 
 import numpy as np
@@ -26,7 +27,8 @@ STREETLIKE = 2.0
 _BEFORE = (
     r"(?:in|on|at|across|through|along|down|into|inside|onto|over|around|outside|near|by|from)"
 )
-_PREPOSED = r"\b" + _BEFORE + r"\s+(?:an?|the|his|her|their|our|its|this|that|some)?\s*(?:[\w-]+\s+){{0,2}}?{}\b"  # fmt: skip
+_ARTICLE = r"(?:an?|the|his|her|their|our|its|this|that|some)?"
+_PREPOSED = r"\b" + _BEFORE + r"\s+" + _ARTICLE + r"\s*(?:[\w-]+\s+){{0,2}}?{}\b"
 
 
 @dataclass(frozen=True)
@@ -122,8 +124,10 @@ def _of_a_thing(word: str, rest: str) -> bool:
     return following is not None and f"{word} {following[1]}" in _names()
 
 
+@cache
 def _names() -> frozenset[str]:
-    return frozenset(name for kind in kinds() for name in (kind.name, *kind.said_as, *kind.found_as))
+    told = ((kind.name, *kind.said_as, *kind.found_as) for kind in kinds())
+    return frozenset(name for names in told for name in names)
 
 
 def _sky(place: Place, text: str, rng: np.random.Generator) -> tuple[SkyRow, str]:

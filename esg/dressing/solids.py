@@ -128,7 +128,9 @@ class Drawing:
             meshes = heap.all()
             starts = np.cumsum([0, *(len(m[0]) for m in meshes[:-1])])
             faces = np.concatenate([m[1] + s for m, s in zip(meshes, starts, strict=True)])
-            vertices, normals, uvs = (np.concatenate([m[k] for m in meshes]) for k in (0, 2, 3))
+            vertices = np.concatenate([m[0] for m in meshes])
+            normals = np.concatenate([m[2] for m in meshes])
+            uvs = np.concatenate([m[3] for m in meshes])
             out.append(Solid(surface, color, vertices, faces, normals, uvs))
         return out
 
@@ -166,13 +168,15 @@ class Drawing:
         high = base + np.column_stack([ring * radii[1], np.full(sides + 1, height)])
         k = np.arange(sides)
         n = sides + 1
-        faces = np.concatenate([np.stack([k, k + 1, k + 1 + n], 1), np.stack([k, k + 1 + n, k + n], 1)])  # fmt: skip
+        faces = np.concatenate(
+            [np.stack([k, k + 1, k + 1 + n], 1), np.stack([k, k + 1 + n, k + n], 1)]
+        )
         around = angles * max(radii)
         lean = (radii[0] - radii[1]) / max(height, 1e-6)
         normals = np.column_stack([ring, np.full(n, lean)])
         normals /= np.linalg.norm(normals, axis=1, keepdims=True)
         rises = np.repeat([0.0, height], n)
-        cap = np.concatenate([[base + [0, 0, height]], high])
+        cap = np.concatenate([(base + np.array([0.0, 0.0, height]))[None], high])
         self._heap(surface, color).meshes += [
             (
                 np.concatenate([low, high]),

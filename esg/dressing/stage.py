@@ -108,9 +108,7 @@ def _own_box(body: Body, frame: Frame) -> Box:
     return Box.around(_spot(body, frame), (2 * a, 2 * b))
 
 
-def _with_axis(
-    clear: Clearance, scene: SimScene, axis: Body | None, frame: Frame
-) -> Clearance:
+def _with_axis(clear: Clearance, scene: SimScene, axis: Body | None, frame: Frame) -> Clearance:
     """What a room goes around: also the lane on which nothing may have come to its end."""
     if axis is None or axis.collides:
         return clear
@@ -189,7 +187,8 @@ def _sun(choice: Choice, site: Site, viewer: tuple[float, float]) -> tuple[float
     behind = math.atan2(viewer[1], viewer[0]) - SHOULDER_RAD
     jitter = float(site.rng.uniform(-0.25, 0.25))
     reach = site.clear.core.grown(1.0)
-    points = [(reach.x0, reach.y0), (reach.x0, reach.y1), (reach.x1, reach.y0), (reach.x1, reach.y1), reach.middle]  # fmt: skip
+    corners = [(x, y) for x in (reach.x0, reach.x1) for y in (reach.y0, reach.y1)]
+    points = [*corners, reach.middle]
     blocks = [
         (np.array(site.clear.frame.into(np.array(item.position_cm[:2]) / 100.0)), item)
         for item in site.items

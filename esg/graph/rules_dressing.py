@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Container
 import math
 
 from esg.graph.context import Context
@@ -47,7 +48,7 @@ def check(ctx: Context) -> None:
 
 def _names(ctx: Context, dressing: Dressing) -> None:
     known = things() | {kind.slug for kind in kinds() if kind.builder}
-    told = [
+    told: list[tuple[str, str, Container[str]]] = [
         ("place", dressing.place, places().keys()),
         ("sky", dressing.sky, skies().keys()),
         ("ground", dressing.ground, surfaces().keys()),

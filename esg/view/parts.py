@@ -24,12 +24,17 @@ GROUND_RGB = {"indoor": (0.47, 0.41, 0.35), "outdoor": (0.36, 0.38, 0.36)}
 
 
 def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Part]:
-    """Meshes of all bodies in their frames [m], of the ground and of what dresses the place."""
-    from esg.view.surroundings import surroundings_of
+    """Meshes of all bodies in their frames [m], and of the ground with what is drawn on it.
+
+    What stands around the action is not among them: `surroundings_of` has it, and leaves out what
+    is in a camera's way.
+    """
+    from esg.view.surroundings import GROUND, surroundings_of, thing_of
 
     around = surroundings_of(doc, scene, rollout)
     low, high = _span(rollout)
-    return [*body_parts(scene, doc), _plane(0.5 * (low + high), around.ground), *around.parts]
+    flat = [part for part in around.parts if thing_of(part) == GROUND]
+    return [*body_parts(scene, doc), _plane(0.5 * (low + high), around.ground), *flat]
 
 
 def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:
@@ -157,7 +162,8 @@ def _span(rollout: Rollout) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Between which points of the plane nearly all happens [m], each of shape [2]."""
     span = rollout.position[0, :, :, :2].reshape(-1, 2)
     span = span[np.isfinite(span).all(axis=1)]
-    return np.percentile(span, 2, axis=0), np.percentile(span, 98, axis=0)
+    low, high = np.percentile(span, [2, 98], axis=0).astype(np.float64)
+    return low, high
 
 
 def _plane(middle: NDArray[np.float64], look: Look) -> Part:

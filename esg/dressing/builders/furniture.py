@@ -33,9 +33,7 @@ def pallet_rack(draw: Drawing, wish: Wish) -> None:
             _cartons(draw, (-0.5 * wish.width + bay * k, bay), z, x, (h - 0.3) / levels)
 
 
-def _cartons(
-    draw: Drawing, bay: tuple[float, float], z: float, half: float, room: float
-) -> None:
+def _cartons(draw: Drawing, bay: tuple[float, float], z: float, half: float, room: float) -> None:
     start, width = bay
     at = start + 0.15
     while at < start + width - 0.45:
@@ -180,7 +178,13 @@ def ball_return(draw: Drawing, wish: Wish) -> None:
 @builder("containers", "shipping_container")
 def containers(draw: Drawing, wish: Wish) -> None:
     """A stack of shipping containers, their long sides to the front."""
-    colors = ((0.55, 0.2, 0.15), (0.15, 0.32, 0.5), (0.2, 0.42, 0.28), (0.75, 0.5, 0.18), (0.5, 0.52, 0.54))  # fmt: skip
+    colors = (
+        (0.55, 0.2, 0.15),
+        (0.15, 0.32, 0.5),
+        (0.2, 0.42, 0.28),
+        (0.75, 0.5, 0.18),
+        (0.5, 0.52, 0.54),
+    )
     x, long, tall = 0.5 * wish.depth, 6.06, 2.59
     across, up = max(1, int(wish.width / (long + 0.1))), max(1, round(wish.height / tall))
     for i in range(across):

@@ -91,18 +91,33 @@ def _opening(
         draw.sheet("painted", (back, ya, za), (0, wide, 0), (0, 0, tall), (0.62, 0.65, 0.67))
         for k in range(1, 6):
             z = za + tall * k / 6
-            draw.box("painted", (back, ya, z - 0.02), (back + 0.03, yb, z + 0.02),
-                     (0.5, 0.53, 0.55), ALL_SIDES)  # fmt: skip
+            draw.box(
+                "painted",
+                (back, ya, z - 0.02),
+                (back + 0.03, yb, z + 0.02),
+                (0.5, 0.53, 0.55),
+                ALL_SIDES,
+            )
         return
     if o.kind == "door":
         draw.box("painted", (back, ya, za), (back + 0.05, yb, zb), o.frame, FRONT_AND_ENDS)
         knob = yb - 0.1 * wide
-        draw.box("steel", (back + 0.05, knob - 0.06, za + 1.0), (back + 0.1, knob + 0.06, za + 1.03),
-                 None, ALL_SIDES)  # fmt: skip
+        draw.box(
+            "steel",
+            (back + 0.05, knob - 0.06, za + 1.0),
+            (back + 0.1, knob + 0.06, za + 1.03),
+            None,
+            ALL_SIDES,
+        )
         return
     draw.sheet("pane", (back, ya, za), (0, wide, 0), (0, 0, tall), _pane(draw, o.kind))
     bar = 0.05 if o.kind != "shop" else 0.07
-    edges = [(ya, ya + bar, za, zb), (yb - bar, yb, za, zb), (ya, yb, za, za + bar), (ya, yb, zb - bar, zb)]  # fmt: skip
+    edges = [
+        (ya, ya + bar, za, zb),
+        (yb - bar, yb, za, zb),
+        (ya, yb, za, za + bar),
+        (ya, yb, zb - bar, zb),
+    ]
     across = max(1, round(wide / 1.1))
     edges += [
         (y - 0.5 * bar, y + 0.5 * bar, za, zb)
@@ -132,7 +147,9 @@ def _row(openings: Openings, width: float) -> list[tuple[float, Openings]]:
 @builder("room_wall")
 def room_wall(draw: Drawing, wish: Wish) -> None:
     """A wall of a room with windows, a skirting board and a cornice; front to the room."""
-    _room(draw, wish, _row(Openings(0.9, min(2.2, wish.height - 0.3), 1.3, 2.6, "room"), wish.width))  # fmt: skip
+    _room(
+        draw, wish, _row(Openings(0.9, min(2.2, wish.height - 0.3), 1.3, 2.6, "room"), wish.width)
+    )
 
 
 @builder("room_wall_door", door=DOOR_AT)
@@ -158,7 +175,9 @@ def _room(draw: Drawing, wish: Wish, openings: list[tuple[float, Openings]]) -> 
         draw.box("painted", low, high, WHITE, ALL_SIDES - {"-x", "-z"})
         at = right
     half, h = 0.5 * wish.width, wish.height
-    draw.box("plaster", (front, -half, h - 0.05), (front + 0.03, half, h), WHITE, ALL_SIDES - {"-x"})  # fmt: skip
+    draw.box(
+        "plaster", (front, -half, h - 0.05), (front + 0.03, half, h), WHITE, ALL_SIDES - {"-x"}
+    )
 
 
 @builder("hall_wall", bare=True)
@@ -194,12 +213,16 @@ def _facade(draw: Drawing, wish: Wish, ground: Openings, above: Openings, storey
     rows: list[tuple[float, float, list[tuple[float, Openings]]]] = []
     for k in range(storeys):
         o = ground if k == 0 else above
-        placed = Openings(k * each + o.low, k * each + min(o.high, each - 0.25), o.wide, o.every,
-                          o.kind, o.frame)  # fmt: skip
+        placed = Openings(
+            k * each + o.low, k * each + min(o.high, each - 0.25), o.wide, o.every, o.kind, o.frame
+        )
         row = _row(placed, wish.width)
         if k == 0 and o.kind == "window" and row:
             at = int(draw.rng.integers(len(row)))
-            row[at] = (row[at][0], Openings(0.0, 2.15, min(1.05, o.wide), o.every, "door", (0.35, 0.22, 0.16)))  # fmt: skip
+            row[at] = (
+                row[at][0],
+                Openings(0.0, 2.15, min(1.05, o.wide), o.every, "door", (0.35, 0.22, 0.16)),
+            )
         rows.append((k * each, (k + 1) * each, row))
     surface = wish.surface or "plaster"
     _pierced(draw, wish, x, rows, surface)
@@ -207,12 +230,17 @@ def _facade(draw: Drawing, wish: Wish, ground: Openings, above: Openings, storey
     low, high = (-x, -half, 0.0), (x, half, h)
     draw.box(surface, low, high, wish.color, frozenset({"+y", "-y", "-x"}))
     draw.box("concrete", low, high, (0.45, 0.44, 0.43), frozenset({"+z"}))
-    draw.box("concrete", (x - 0.3, -half, h - 0.12), (x + 0.22, half, h + 0.18), (0.8, 0.78, 0.74),
-             ALL_SIDES)  # fmt: skip
+    draw.box(
+        "concrete",
+        (x - 0.3, -half, h - 0.12),
+        (x + 0.22, half, h + 0.18),
+        (0.8, 0.78, 0.74),
+        ALL_SIDES,
+    )
     if ground.kind == "shop":
         z = each - 0.2
         tint = SIGNS[int(draw.rng.integers(len(SIGNS)))]
-        draw.box("painted", (x, -half + 0.3, z - 0.5), (x + 0.1, half - 0.3, z), tint, ALL_SIDES)  # fmt: skip
+        draw.box("painted", (x, -half + 0.3, z - 0.5), (x + 0.1, half - 0.3, z), tint, ALL_SIDES)
 
 
 SIGNS: tuple[Color, ...] = (
@@ -250,8 +278,13 @@ def facade_works(draw: Drawing, wish: Wish) -> None:
     """A warehouse or workshop from outside: gates, small windows above."""
     gate = Openings(0.0, 3.6, 3.4, 5.2, "roller", (0.3, 0.32, 0.34))
     strip = Openings(0.9, 1.9, 1.8, 3.2, "window", (0.36, 0.38, 0.4))
-    _facade(draw, Wish(wish.depth, wish.width, wish.height, wish.surface or "sheet_metal", wish.color),
-            gate, strip, 4.4)  # fmt: skip
+    _facade(
+        draw,
+        Wish(wish.depth, wish.width, wish.height, wish.surface or "sheet_metal", wish.color),
+        gate,
+        strip,
+        4.4,
+    )
 
 
 @builder("cottage", "house")
@@ -264,9 +297,14 @@ def cottage(draw: Drawing, wish: Wish) -> None:
     row = _row(window, wish.width)
     if row:
         at = int(draw.rng.integers(len(row)))
-        row[at] = (row[at][0], Openings(0.0, min(2.1, eaves - 0.2), 1.0, 2.3, "door", (0.3, 0.24, 0.2)))  # fmt: skip
+        row[at] = (
+            row[at][0],
+            Openings(0.0, min(2.1, eaves - 0.2), 1.0, 2.3, "door", (0.3, 0.24, 0.2)),
+        )
     _pierced(draw, body, x, [(0.0, eaves, row)], body.surface)
-    draw.box(body.surface, (-x, -half, 0), (x, half, eaves), wish.color, frozenset({"-x", "+y", "-y"}))  # fmt: skip
+    draw.box(
+        body.surface, (-x, -half, 0), (x, half, eaves), wish.color, frozenset({"-x", "+y", "-y"})
+    )
     over, top = 0.4, wish.height
     for sign in (1.0, -1.0):
         edge = (sign * (x + over), -sign * (half + over), eaves - 0.15)
@@ -292,7 +330,9 @@ def _gable(
         reach = x * (1.0 - k / steps)
         z0 = low + (high - low) * k / steps
         along = (-sign * 2 * reach, 0.0, 0.0)
-        draw.sheet(surface, (sign * reach, sign * y, z0), along, (0, 0, (high - low) / steps), color)  # fmt: skip
+        draw.sheet(
+            surface, (sign * reach, sign * y, z0), along, (0, 0, (high - low) / steps), color
+        )
 
 
 @builder("garden_wall", "wall")
@@ -328,7 +368,7 @@ def mesh_fence(draw: Drawing, wish: Wish) -> None:
     wires = max(4, round(h / 0.3))
     for k in range(wires + 1):
         z = 0.06 + (h - 0.1) * k / wires
-        draw.box("painted", (-0.006, -half, z - 0.006), (0.006, half, z + 0.006), color, ALL_SIDES)  # fmt: skip
+        draw.box("painted", (-0.006, -half, z - 0.006), (0.006, half, z + 0.006), color, ALL_SIDES)
 
 
 @builder("boards")
@@ -337,7 +377,7 @@ def boards(draw: Drawing, wish: Wish) -> None:
     x, half, h = 0.5 * wish.depth, 0.5 * wish.width, wish.height
     draw.box("plastic", (-x, -half, 0.2), (x, half, h - 0.06), wish.color or (0.94, 0.95, 0.96))
     draw.box("plastic", (-x, -half, 0), (x + 0.015, half, 0.2), (0.93, 0.78, 0.15))
-    draw.box("plastic", (-x, -half, h - 0.06), (x + 0.02, half, h), (0.13, 0.25, 0.5), ALL_SIDES)  # fmt: skip
+    draw.box("plastic", (-x, -half, h - 0.06), (x + 0.02, half, h), (0.13, 0.25, 0.5), ALL_SIDES)
 
 
 @builder("kerb_run")
@@ -346,7 +386,9 @@ def kerb_run(draw: Drawing, wish: Wish) -> None:
     x, half, h = 0.5 * wish.depth, 0.5 * wish.width, wish.height
     stone = 0.16
     draw.box("granite", (x - stone, -half, 0), (x, half, h))
-    draw.box("paving", (-x, -half, 0), (x - stone, half, h), None, frozenset({"-x", "+y", "-y", "+z"}))  # fmt: skip
+    draw.box(
+        "paving", (-x, -half, 0), (x - stone, half, h), None, frozenset({"-x", "+y", "-y", "+z"})
+    )
 
 
 @builder("masking")
