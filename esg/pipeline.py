@@ -1,6 +1,6 @@
-"""One scene from prompt to recorded result: nine stages, each cached by content.
+"""One scene from prompt to recorded result: ten stages, each cached by content.
 
-    draft -> resolve -> cast -> layout -> optimize -> compile -> replay -> judge -> record
+    draft -> resolve -> cast -> layout -> optimize -> compile -> replay -> judge -> dress -> record
 
 A stage's result is a folder in the artifact store under a key made of its input's content, its
 configuration and the version of its code. A `SceneState` carries only keys, so that it can travel
@@ -38,6 +38,7 @@ STAGES = (
     "compile",
     "replay",
     "judge",
+    "dress",
     "record",
 )
 

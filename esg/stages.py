@@ -306,6 +306,15 @@ def _outcome(doc: EsgDocument, own: SceneVerdict, lost: Sequence[Row] = ()) -> t
     return claimed, reason
 
 
+def _dress(state: SceneState, folder: Path) -> None:
+    from esg.dressing import dress
+    from esg.engines.rollout_file import load_rollout
+
+    scene, _ = load_scene(state)
+    rollout = load_rollout(state.artifact("replay") / ROLLOUT)
+    write_doc(dress(load_doc(state), scene, rollout, seed=state.request.seed), folder)
+
+
 def _record(state: SceneState, folder: Path) -> None:
     from esg.assets import write_meshes
     from esg.compile.export import export
@@ -313,7 +322,7 @@ def _record(state: SceneState, folder: Path) -> None:
     from esg.store.mcap_log import write_mcap
     from esg.view.preview import preview
 
-    doc = load_doc(state)
+    doc = load_doc(state, "dress")
     scene, program = load_scene(state)
     rollout = load_rollout(state.artifact("replay") / ROLLOUT)
     metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
@@ -355,5 +364,6 @@ SPECS: dict[str, Spec] = {
     "compile": Spec(_compile, ("optimize",)),
     "replay": Spec(_replay, ("compile",), ("engine",)),
     "judge": Spec(_judge, ("optimize", "compile", "replay"), ("suite_scene",)),
-    "record": Spec(_record, ("optimize", "compile", "replay", "judge")),
+    "dress": Spec(_dress, ("optimize", "compile", "replay"), ("seed",)),
+    "record": Spec(_record, ("dress", "compile", "replay", "judge")),
 }
