@@ -1,4 +1,4 @@
-"""The parts of a GLB: triangles with normals, texture coordinates and surfaces, in our own frame."""
+"""The parts of a GLB in our own frame: triangles, normals, texture coordinates and surfaces."""
 
 from __future__ import annotations
 

@@ -1,0 +1,146 @@
+"""What an export shows beside the bodies: ground, dressing, light from above, cameras."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.assets.looks import Color, Look
+
+if TYPE_CHECKING:
+    from esg.view.render import Part
+    from esg.view.surroundings import Sky
+
+Floats = NDArray[np.float64]
+Corners = tuple[Floats, NDArray[np.int64], Floats | None, Floats | None]
+"""Vertices [m], faces, normals and texture coordinates (v up) of a mesh."""
+
+GROUND_SIDE_M = 900.0
+"""Side of the drawn ground, which stands for an endless plane."""
+
+
+@dataclass(frozen=True)
+class View:
+    """A camera that looks along its -Z with +Y up, still or moving.
+
+    Args:
+        name: Of the camera.
+        time: When it is where [s], shape [T]; of a still one one instant.
+        position: In the world [m], shape [T, 3].
+        quaternion: (x, y, z, w), shape [T, 4].
+        fov: Vertical field of view [rad].
+        aspect: Width over height.
+    """
+
+    name: str
+    time: Floats
+    position: Floats
+    quaternion: Floats
+    fov: float
+    aspect: float = 1.5
+
+
+@dataclass(frozen=True)
+class Setting:
+    """What is seen beside the bodies.
+
+    Args:
+        sky: Light from above.
+        ground: The endless plane at z = 0.
+        middle: Point of the plane that the action is about [m], shape [2].
+        parts: Meshes fixed to the world, in its frame.
+        views: Cameras; the first is the one to look through.
+    """
+
+    sky: Sky
+    ground: Look
+    middle: tuple[float, float] = (0.0, 0.0)
+    parts: tuple[Part, ...] = ()
+    views: tuple[View, ...] = ()
+
+
+def seen_at(view: View, time: Floats) -> tuple[Floats, Floats]:
+    """Poses of a camera at other instants: positions and quaternions, shapes [n, 3] and [n, 4].
+
+    Args:
+        view: The camera.
+        time: [s], shape [n].
+    """
+    if len(view.time) == 1:
+        return np.repeat(view.position, len(time), 0), np.repeat(view.quaternion, len(time), 0)
+    turns = view.quaternion.copy()
+    for k in range(1, len(turns)):  # the short way round
+        if turns[k] @ turns[k - 1] < 0.0:
+            turns[k] = -turns[k]
+
+    def at(values: Floats) -> Floats:
+        return np.stack([np.interp(time, view.time, column) for column in values.T], axis=1)
+
+    turned = at(turns)
+    return at(view.position), turned / np.linalg.norm(turned, axis=1, keepdims=True)
+
+
+def ground_mesh(
+    setting: Setting, side: float = GROUND_SIDE_M
+) -> tuple[Floats, NDArray[np.int64], Floats, Floats]:
+    """The drawn ground: vertices [m], faces, normals and texture coordinates in tiles.
+
+    Args:
+        setting: Where it lies, and the size of its tiles.
+        side: Of the square [m].
+    """
+    corners = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]) * side / 2
+    corners = corners + np.asarray(setting.middle)
+    vertices = np.concatenate([corners, np.zeros((4, 1))], axis=1)
+    normals = np.tile([0.0, 0.0, 1.0], (4, 1))
+    return vertices, np.array([[0, 1, 2], [0, 2, 3]]), normals, corners / setting.ground.tile_m
+
+
+def strength(rgb: Color) -> tuple[float, Color]:
+    """A light's intensity and the colour that is left of it, whose largest channel is 1."""
+    most = max(*rgb, 1e-9)
+    red, green, blue = (c / most for c in rgb)
+    return most, (red, green, blue)
+
+
+def facing(direction: tuple[float, float, float]) -> Floats:
+    """Quaternion (x, y, z, w) that turns +Z toward a unit vector, shape [4]."""
+    x, y, z = direction
+    if z < -1.0 + 1e-9:
+        return np.array([1.0, 0.0, 0.0, 0.0])
+    turn = np.array([-y, x, 0.0, 1.0 + z])
+    return turn / np.linalg.norm(turn)
+
+
+def by_name(parts: Iterable[Part]) -> dict[str, list[Part]]:
+    """Parts of one name together, in their order."""
+    groups: dict[str, list[Part]] = {}
+    for part in parts:
+        groups.setdefault(part.name or "part", []).append(part)
+    return groups
+
+
+def by_look(parts: Iterable[Part]) -> list[tuple[Look, Corners]]:
+    """Parts of one surface together: vertices [m], faces, normals and texture coordinates."""
+    groups: dict[tuple[Look, bool, bool], list[Part]] = {}
+    for part in parts:
+        look = part.look or Look("", part.color)
+        groups.setdefault((look, part.normals is None, part.uvs is None), []).append(part)
+    out: list[tuple[Look, Corners]] = []
+    for (look, flat, plain), members in groups.items():
+        starts = np.cumsum([0, *(len(m.vertices) for m in members[:-1])])
+        faces = [m.faces + start for m, start in zip(members, starts, strict=True)]
+        normals = None if flat else np.concatenate([_known(m.normals) for m in members])
+        uvs = None if plain else np.concatenate([_known(m.uvs) for m in members])
+        vertices = np.concatenate([m.vertices for m in members])
+        out.append((look, (vertices, np.concatenate(faces), normals, uvs)))
+    return out
+
+
+def _known(values: Floats | None) -> Floats:
+    assert values is not None
+    return values
