@@ -16,9 +16,10 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.assets.gltf.document import Document, unit
+from esg.assets.gltf.surfaces import surface_of
 from esg.compile.assets import mesh_file
 from esg.compile.visuals.decals import drawn_lifts, is_ground
-from esg.compile.visuals.gltf_document import Document, unit
 from esg.compile.visuals.ropes import LOOKS, Rope, rope_mesh, ropes_of
 from esg.compile.visuals.setting import (
     Setting,
@@ -30,7 +31,6 @@ from esg.compile.visuals.setting import (
     seen_at,
     strength,
 )
-from esg.compile.visuals.surfaces import surface_of
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.engines.wheels import about_axle, wheel_angles
 from esg.strangers.gltf import MOST_BYTES, read_glb

@@ -16,6 +16,7 @@ from typing import Any
 
 import numpy as np
 
+from esg.assets.gltf.parts import parts_of
 from esg.compile import names
 from esg.compile.glb import continuous, mesh_of
 from esg.compile.mjcf import start_velocities
@@ -29,7 +30,6 @@ from esg.compile.usd_physx import (
 )
 from esg.compile.usd_program import write_program
 from esg.compile.visuals.decals import drawn_lifts, is_ground
-from esg.compile.visuals.gltf_parts import parts_of
 from esg.compile.visuals.ropes import Rope, ropes_of
 from esg.compile.visuals.setting import Setting, View, seen_at
 from esg.compile.visuals.usd_files import (

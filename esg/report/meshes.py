@@ -9,8 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
+from esg.assets.gltf.parts import parts_of
 from esg.compile.glb import mesh_of
-from esg.compile.visuals.gltf_parts import parts_of
 from esg.engines.scene import Body
 from esg.report.binary import Chunk
 from esg.scenereading import damaged
@@ -63,7 +63,7 @@ def mesh_chunk(data: bytes, wheels: Collection[str] = ()) -> str:
     """
     pieces: dict[tuple[str, tuple[float, ...]], list[tuple[np.ndarray, np.ndarray]]] = {}
     for part in parts_of(data):
-        color = (*part.surface.srgb, part.surface.alpha)
+        color = (*part.surface.shown, part.surface.alpha)
         key = part.holder if part.holder in wheels else "", tuple(round(c, 3) for c in color)
         pieces.setdefault(key, []).append((part.vertices, part.faces))
     colors, vertices, faces, counts, start = [], [], [], [], 0

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.assets.gltf.document import Corners
 from esg.assets.looks import Color, Look
 
 if TYPE_CHECKING:
@@ -16,8 +17,6 @@ if TYPE_CHECKING:
     from esg.view.surroundings import Sky
 
 Floats = NDArray[np.float64]
-Corners = tuple[Floats, NDArray[np.int64], Floats | None, Floats | None]
-"""Vertices [m], faces, normals and texture coordinates (v up) of a mesh."""
 
 GROUND_SIDE_M = 900.0
 """Side of the drawn ground, which stands for an endless plane."""

@@ -13,11 +13,12 @@ from typing import Any
 
 import numpy as np
 
+from esg.assets.gltf.document import Corners
+from esg.assets.gltf.parts import MeshPart
+from esg.assets.gltf.surfaces import Picture, Surface, surface_of, tinted
 from esg.compile import names
-from esg.compile.visuals.gltf_parts import MeshPart
 from esg.compile.visuals.ropes import LOOKS, rope_mesh
 from esg.compile.visuals.setting import (
-    Corners,
     Setting,
     View,
     by_look,
@@ -27,7 +28,6 @@ from esg.compile.visuals.setting import (
     seen_at,
     strength,
 )
-from esg.compile.visuals.surfaces import Picture, Surface, surface_of, tinted
 from esg.engines.scene import Body
 
 TEXTURES = "textures"
@@ -128,7 +128,7 @@ class UsdLooks:
                 "st", Sdf.ValueTypeNames.TexCoord2fArray, UsdGeom.Tokens.vertex
             )
             st.Set(Vt.Vec2fArray.FromNumpy(_floats(uvs)))
-        mesh.CreateDisplayColorAttr([surface.srgb])
+        mesh.CreateDisplayColorAttr([surface.shown])
         if surface.alpha < 1.0:
             mesh.CreateDisplayOpacityAttr([surface.alpha])
         if surface.two_sided:

@@ -10,12 +10,12 @@ from dataclasses import dataclass
 from functools import cache
 import hashlib
 import io
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.looks import Color, Look
+from esg.assets.textures import linear, maps, srgb
 
 PICTURE_PX = 512
 """Edge of a picture in an exported file."""
@@ -68,22 +68,10 @@ class Surface:
     two_sided: bool = False
 
     @property
-    def srgb(self) -> Color:
-        """Its colour as a screen shows it."""
-        red, green, blue = (float(v) for v in encoded(np.array(self.color)))
+    def shown(self) -> Color:
+        """Its colour as a screen shows it: sRGB in [0, 1]."""
+        red, green, blue = (float(v) for v in srgb(np.array(self.color)))
         return red, green, blue
-
-
-def linear(srgb: Any) -> NDArray[np.float64]:
-    """Linear light of sRGB values in [0, 1] (IEC 61966-2-1)."""
-    v = np.asarray(srgb, float)
-    return np.where(v <= 0.04045, v / 12.92, ((v + 0.055) / 1.055) ** 2.4)
-
-
-def encoded(light: Any) -> NDArray[np.float64]:
-    """sRGB values of linear light in [0, 1] (IEC 61966-2-1)."""
-    v = np.clip(np.asarray(light, float), 0.0, 1.0)
-    return np.where(v <= 0.0031308, 12.92 * v, 1.055 * v ** (1 / 2.4) - 0.055)
 
 
 def surface_of(look: Look) -> Surface:
@@ -105,8 +93,6 @@ def surface_of(look: Look) -> Surface:
 @cache
 def _pictures(texture: str) -> tuple[Picture, Picture, Picture]:
     """The three pictures of a set of maps."""
-    from esg.assets.textures import maps
-
     found = maps(texture, PICTURE_PX)
     return picture(found.base_color), picture(found.normal), picture(rough_metal(found.roughness))
 
@@ -140,7 +126,7 @@ def tinted(surface: Surface) -> Surface:
         pixels = np.asarray(image.convert("RGB"))
     levels = linear(np.arange(256) / 255.0)
     channels = [
-        np.rint(255.0 * encoded(levels * factor)).astype(np.uint8)[pixels[..., k]]
+        np.rint(255.0 * srgb(levels * factor)).astype(np.uint8)[pixels[..., k]]
         for k, factor in enumerate(surface.color)
     ]
     base = picture(np.stack(channels, axis=-1))

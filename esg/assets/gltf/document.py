@@ -12,12 +12,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.compile.visuals.setting import Corners
-from esg.compile.visuals.surfaces import Picture, Surface
+from esg.assets.gltf.surfaces import Picture, Surface
 from esg.strangers.gltf import BIN, JSON, MAGIC, read_glb
 
 Floats = NDArray[np.float64]
 Item = dict[str, Any]
+Corners = tuple[Floats, NDArray[np.int64], Floats | None, Floats | None]
+"""Vertices [m], faces, normals and texture coordinates (v up) of a mesh."""
 
 _FLOAT, _SHORT, _INT = 5126, 5123, 5125
 _KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.compile.visuals.surfaces import Picture, Surface
+from esg.assets.gltf.surfaces import Picture, Surface
 from esg.strangers.gltf import read_glb
 from esg.units import quat_rotate
 
