@@ -64,7 +64,7 @@ GROUNDED = ("roll_radius", "wheeled", "tyre_friction", "tyre_drop", "tyre_foot")
 _RESERVED = ("Ground", "VehicleGround", "Looks", "PhysicsScene", "Program")
 _SURROUNDINGS = ("Surroundings", "Cameras")
 JOINTS_PATH, ROPES_PATH = "/World/Joints", "/World/Ropes"
-SURROUNDINGS_PATH = "/World/Surroundings"
+SURROUNDINGS_PATH, CAMERAS_PATH = "/World/Surroundings", "/World/Cameras"
 _GONE = 1e-6
 """Size of a rope that has broken [m]."""
 DRIVE_STRENGTH = 1e4
@@ -229,6 +229,7 @@ def _seen(
         looks.surroundings(setting)
         UsdGeom.Xform.Define(stage, SURROUNDINGS_PATH)
         out.append((SURROUNDINGS_PATH, SURROUNDINGS))
+        UsdGeom.Xform.Define(stage, CAMERAS_PATH)
         for path, view in _cameras(setting):
             camera_prim(stage, path, view, np.zeros(1))
     return out
@@ -250,7 +251,7 @@ def _rope_scale(rope: Rope, frame: int) -> Any:
 
 def _cameras(setting: Setting) -> list[tuple[str, View]]:
     idents = names.unique_identifiers(view.name for view in setting.views)
-    return [(f"/World/Cameras/{idents[view.name]}", view) for view in setting.views]
+    return [(f"{CAMERAS_PATH}/{idents[view.name]}", view) for view in setting.views]
 
 
 def _joints(stage: Any, manifest: Manifest, paths: dict[str, str]) -> dict[str, str]:

@@ -119,9 +119,10 @@ class UsdLooks:
         vertices, faces, normals, uvs = corners
         mesh = UsdGeom.Mesh.Define(self._stage, path)
         triangles(mesh, vertices, faces)
-        if normals is not None:
-            mesh.CreateNormalsAttr(Vt.Vec3fArray.FromNumpy(_floats(normals)))
-            mesh.SetNormalsInterpolation(UsdGeom.Tokens.vertex)
+        flat = normals is None
+        shown = _face_normals(vertices, faces) if flat else _floats(normals)
+        mesh.CreateNormalsAttr(Vt.Vec3fArray.FromNumpy(shown))
+        mesh.SetNormalsInterpolation(UsdGeom.Tokens.faceVarying if flat else UsdGeom.Tokens.vertex)
         textured = uvs is not None and (surface.base or surface.normal or surface.rough_metal)
         if textured:
             st = UsdGeom.PrimvarsAPI(mesh).CreatePrimvar(
@@ -231,6 +232,15 @@ def triangles(mesh: Any, vertices: Any, faces: Any) -> None:
 
 def _floats(values: Any) -> Any:
     return np.ascontiguousarray(values, np.float32)
+
+
+def _face_normals(vertices: Any, faces: Any) -> Any:
+    """The normal of every face at each of its corners, shape [3 m, 3]."""
+    a, b, c = (np.asarray(vertices, float)[faces[:, k]] for k in range(3))
+    normals = np.cross(b - a, c - a)
+    length = np.linalg.norm(normals, axis=1, keepdims=True)
+    normals = np.where(length > 0.0, normals / np.where(length > 0.0, length, 1.0), (0.0, 0.0, 1.0))
+    return np.repeat(normals, 3, axis=0).astype(np.float32)
 
 
 def _wheel_prims(stage: Any, root: str, body: Body) -> dict[str, tuple[str, Any]]:

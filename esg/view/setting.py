@@ -1,0 +1,85 @@
+"""What exports show beside the bodies: the surroundings of a scene and the cameras that see it."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+
+from esg.assets.looks import Look
+from esg.compile.visuals.decals import is_ground
+from esg.compile.visuals.setting import Setting, View
+from esg.engines.scene import Rollout, SimScene
+from esg.scenereading import absent, read_metrics
+from esg.view.camera import Camera
+from esg.view.cameras import action_cameras
+from esg.view.parts import GROUND_RGB
+from esg.view.surroundings import Sky, Surroundings
+
+if TYPE_CHECKING:
+    from esg.graph.models import EsgDocument
+    from esg.metrics.models import SceneVerdict
+
+ASPECT = 16 / 9
+"""Width over height of what the camera of an export sees."""
+
+
+def setting_of(
+    scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None, doc: EsgDocument
+) -> Setting:
+    """The setting of a replayed scene.
+
+    Args:
+        scene: The bodies.
+        rollout: Their motion.
+        verdict: Events, whose participants the camera keeps in view.
+        doc: The scene's document.
+    """
+    around = _surroundings(scene, doc)
+    cameras = action_cameras(scene, rollout, verdict, doc, 1, ASPECT) if scene.bodies else []
+    views = tuple(_still("Camera", camera) for camera in cameras)
+    points = rollout.position[0, :, :, :2].reshape(-1, 2)
+    points = points[np.isfinite(points).all(axis=1)]
+    x, y = (float(v) for v in np.median(points, axis=0)) if len(points) else (0.0, 0.0)
+    return Setting(around.sky, around.ground, (x, y), around.parts, views)
+
+
+def setting_in(folder: Path, scene: SimScene, rollout: Rollout) -> Setting | None:
+    """The setting of a scene folder; None if it holds no document.
+
+    Args:
+        folder: With `esg.json` and, if it was judged, `metrics.json`.
+        scene: Its bodies.
+        rollout: Their motion.
+
+    Raises:
+        UserError: For a file that is damaged.
+    """
+    from esg.graph import load_document
+    from esg.metrics import SceneVerdict
+
+    if absent(folder / "esg.json"):
+        return None
+    doc = load_document(folder / "esg.json")
+    verdict = None
+    if not absent(folder / "metrics.json"):
+        metrics = read_metrics(folder / "metrics.json")
+        found = metrics.get("verdict", {})
+        if not found.get("events"):
+            found = metrics.get("own_timeline", found)  # a suite that asks for nothing
+        if found:
+            known = {k: v for k, v in found.items() if k in SceneVerdict.model_fields}
+            verdict = SceneVerdict.model_validate(known)
+    return setting_of(scene, rollout, verdict, doc)
+
+
+def _surroundings(scene: SimScene, doc: EsgDocument) -> Surroundings:
+    color = GROUND_RGB[doc.scene_definition.scene_parameters.scene_type]
+    color = next((b.color for b in scene.bodies if is_ground(b)), color)
+    return Surroundings(Sky(), Look("", color))
+
+
+def _still(name: str, camera: Camera) -> View:
+    eye, turn = np.array([camera.eye]), camera.quaternion()[None]
+    return View(name, np.zeros(1), eye, turn, camera.fov, ASPECT)
