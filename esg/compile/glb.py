@@ -16,6 +16,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.assets.gltf.asset import gltf_vector
 from esg.assets.gltf.document import Document, unit
 from esg.assets.gltf.surfaces import surface_of
 from esg.compile.assets import mesh_file
@@ -43,12 +44,6 @@ Floats = NDArray[np.float64]
 
 LIGHTS = "KHR_lights_punctual"
 NEAR_M = 0.05
-
-
-def to_gltf_vector(v: Any) -> Floats:
-    """Simulation frame to glTF, shape [..., 3]."""
-    x, y, z = np.moveaxis(np.asarray(v, float), -1, 0)
-    return np.stack([x, z, -y], axis=-1)
 
 
 def to_gltf_quaternion(q: Any) -> Floats:
@@ -132,7 +127,7 @@ def _body(
     at, turn = origin_poses(body, *poses)
     if lift is not None:
         at = at + np.array([0.0, 0.0, lift])
-    at, turn = to_gltf_vector(at), continuous(to_gltf_quaternion(turn))
+    at, turn = gltf_vector(at), continuous(to_gltf_quaternion(turn))
     node: dict[str, Any] = {
         "name": body.name,
         "translation": at[0].astype(np.float32).tolist(),
@@ -169,12 +164,12 @@ def _turn_wheels(
 def _rope(document: Document, rope: Rope, time: Floats) -> int:
     """Adds a rope or spring; returns its node."""
     vertices, faces, normals = rope_mesh(rope.kind)
-    corners = to_gltf_vector(vertices), faces, to_gltf_vector(normals), None
+    corners = gltf_vector(vertices), faces, gltf_vector(normals), None
     sign = "ropes", rope.kind
     if sign not in document.known:
         material = document.material(surface_of(LOOKS[rope.kind]))
         document.known[sign] = document.mesh(rope.kind, [(corners, material)])
-    at = to_gltf_vector(rope.position)
+    at = gltf_vector(rope.position)
     turn = continuous(to_gltf_quaternion(rope.quaternion))
     across = np.where(rope.length > 0.0, rope.radius, 0.0)
     scale = np.stack([across, rope.length, across], axis=1)
@@ -198,7 +193,7 @@ def _surroundings(document: Document, setting: Setting) -> list[int]:
     vertices, faces, normals, uvs = ground_mesh(setting)
     ground = surface_of(setting.ground)
     corners = (
-        to_gltf_vector(vertices), faces, to_gltf_vector(normals),
+        gltf_vector(vertices), faces, gltf_vector(normals),
         uvs if ground.base is not None else None,
     )  # fmt: skip
     mesh = document.mesh("ground", [(corners, document.material(ground))])
@@ -230,9 +225,9 @@ def _dressing(document: Document, name: str, parts: list[Part]) -> int:
     for look, (vertices, faces, normals, uvs) in by_look(parts):
         surface = surface_of(look)
         corners = (
-            to_gltf_vector(vertices),
+            gltf_vector(vertices),
             faces,
-            None if normals is None else to_gltf_vector(normals),
+            None if normals is None else gltf_vector(normals),
             uvs if surface.base is not None else None,
         )
         primitives.append((corners, document.material(surface)))
@@ -244,7 +239,7 @@ def _view(document: Document, view: View, time: Floats) -> int:
     lens = {"yfov": view.fov, "aspectRatio": view.aspect, "znear": NEAR_M}
     camera = {"type": "perspective", "name": view.name, "perspective": lens}
     at, turn = seen_at(view, time)
-    at, turn = to_gltf_vector(at), continuous(to_gltf_looking(turn))
+    at, turn = gltf_vector(at), continuous(to_gltf_looking(turn))
     node = {
         "name": view.name,
         "camera": document.append("cameras", camera),
@@ -289,7 +284,7 @@ def _shapes_glb(body: Body) -> bytes:
     scene = trimesh.Scene()
     for number, shape in enumerate(body.shapes):
         mesh = shape_mesh(shape, body)
-        vertices = to_gltf_vector(mesh.vertices)
+        vertices = gltf_vector(mesh.vertices)
         solid = trimesh.Trimesh(vertices, mesh.faces, process=False)
         material = PBRMaterial(name="collision", baseColorFactor=color, metallicFactor=0.0)
         solid.visual = TextureVisuals(material=material)
