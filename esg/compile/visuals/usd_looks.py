@@ -37,6 +37,9 @@ RESERVED = ("looks", "ground", "sun", "sky")
 """Names of prims that no part gets, in lower case."""
 SENSOR_MM = 36.0
 """Width of a camera's film; only its ratio to the focal length counts."""
+SUN_INTENSITY = math.pi / 4
+"""Of a sun that makes white paper reflect one unit of radiance, as Blender, Karma and Storm take
+it; by the letter of UsdLux it is four times as much."""
 CLIPPING_M = (0.05, 10000.0)
 
 
@@ -264,8 +267,7 @@ def _lights(stage: Any, setting: Setting) -> None:
 
     most, color = strength(setting.sky.sun_rgb)
     sun = UsdLux.DistantLight.Define(stage, f"{SURROUNDINGS}/Sun")
-    # White paper that faces a light of intensity pi reflects one unit of radiance.
-    sun.CreateIntensityAttr(math.pi * most)
+    sun.CreateIntensityAttr(SUN_INTENSITY * most)
     sun.CreateColorAttr(Gf.Vec3f(*color))
     sun.CreateAngleAttr(0.53)
     sun.CreateNormalizeAttr(True)
