@@ -65,20 +65,12 @@ def _export(
     trust: bool,
     form: Literal["usda", "usdc", "usdz"],
 ) -> list[Path]:
-    from esg.compile.export import animation
-    from esg.compile.export import export as run
     from esg.compile.replay import require_ours
-    from esg.engines.manifest import load_manifest
-    from esg.view.setting import setting_in
+    from esg.view.setting import export_folder
 
     if to == "unreal" and not trust:
         require_ours(folder)  # whoever gets the plugin compiles it
-    if to not in ("usd", "glb") or not (folder / "manifest.json").is_file():
-        return run(folder, to, target)
-    manifest = load_manifest(folder / "manifest.json")
-    rollout = animation(folder, manifest)
-    setting = setting_in(folder, manifest.scene, rollout)
-    return run(folder, to, target, rollout=rollout, setting=setting, form=form)
+    return export_folder(folder, to, target, form=form)
 
 
 def _is_whole_mcap(path: Path) -> bool:

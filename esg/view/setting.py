@@ -8,8 +8,11 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from esg.assets.looks import Look
+from esg.compile.export import Target, animation, export
 from esg.compile.visuals.decals import is_ground
 from esg.compile.visuals.setting import Setting, View
+from esg.compile.visuals.usd_files import UsdForm
+from esg.engines.manifest import load_manifest
 from esg.engines.scene import Rollout, SimScene
 from esg.scenereading import absent, read_metrics
 from esg.view.camera import Camera
@@ -72,6 +75,23 @@ def setting_in(folder: Path, scene: SimScene, rollout: Rollout) -> Setting | Non
             known = {k: v for k, v in found.items() if k in SceneVerdict.model_fields}
             verdict = SceneVerdict.model_validate(known)
     return setting_of(scene, rollout, verdict, doc)
+
+
+def export_folder(folder: Path, to: Target, out: Path, *, form: UsdForm = "usda") -> list[Path]:
+    """Writes a scene folder for another program, in its setting where the format has one.
+
+    Args:
+        folder: Compiled scene folder.
+        to: As for `esg.compile.export.export`, which tells what it raises.
+        out: Folder to write into.
+        form: Of `usd`.
+    """
+    if to not in ("usd", "glb") or not (folder / "manifest.json").is_file():
+        return export(folder, to, out)
+    manifest = load_manifest(folder / "manifest.json")
+    rollout = animation(folder, manifest)
+    setting = setting_in(folder, manifest.scene, rollout)
+    return export(folder, to, out, rollout=rollout, setting=setting, form=form)
 
 
 def _surroundings(scene: SimScene, doc: EsgDocument) -> Surroundings:

@@ -6,7 +6,7 @@ stand for it in every file, so that whoever merges files can tell that two pictu
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cache
 import hashlib
 import io
@@ -130,4 +130,4 @@ def tinted(surface: Surface) -> Surface:
         for k, factor in enumerate(surface.color)
     ]
     base = picture(np.stack(channels, axis=-1))
-    return Surface(**(vars(surface) | {"color": (1.0, 1.0, 1.0), "base": base}))
+    return replace(surface, color=(1.0, 1.0, 1.0), base=base)

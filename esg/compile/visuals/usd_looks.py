@@ -8,6 +8,7 @@ asset holds its materials below itself, because a reference brings nothing from 
 from __future__ import annotations
 
 from collections.abc import Iterable
+from dataclasses import replace
 import math
 from typing import Any
 
@@ -138,7 +139,7 @@ class UsdLooks:
         if surface.two_sided:
             mesh.CreateDoubleSidedAttr(True)
         if not textured:
-            surface = Surface(**(vars(surface) | dict.fromkeys(("base", "normal", "rough_metal"))))
+            surface = replace(surface, base=None, normal=None, rough_metal=None)
         UsdShade.MaterialBindingAPI.Apply(mesh.GetPrim()).Bind(self._material(root, surface))
 
     def _material(self, root: str, surface: Surface) -> Any:
