@@ -20,13 +20,13 @@ from esg.assets.gltf.asset import gltf_vector
 from esg.assets.gltf.document import Document, unit
 from esg.assets.gltf.surfaces import surface_of
 from esg.compile.assets import mesh_file
-from esg.compile.visuals.decals import drawn_lifts, is_ground
+from esg.compile.visuals.decals import drawn_lifts
 from esg.compile.visuals.ropes import LOOKS, Rope, rope_mesh, ropes_of
 from esg.compile.visuals.setting import (
     Setting,
     View,
     by_look,
-    by_name,
+    by_thing,
     facing,
     ground_mesh,
     seen_at,
@@ -43,7 +43,6 @@ if TYPE_CHECKING:
 Floats = NDArray[np.float64]
 
 LIGHTS = "KHR_lights_punctual"
-NEAR_M = 0.05
 
 
 def to_gltf_quaternion(q: Any) -> Floats:
@@ -85,10 +84,10 @@ def scene_glb(
     document = Document({"asset": {"version": "2.0", "generator": "esg-scenes"}, "scene": 0})
     library: dict[str, tuple[list[dict[str, Any]], list[int]]] = {}
     document.data["nodes"] = []
-    lifts = drawn_lifts(scene) if setting is not None else {}
+    lifts = {} if setting is None else drawn_lifts(scene, setting.covered)
     roots: list[int] = []
     for i, body in enumerate(scene.bodies):
-        if setting is not None and is_ground(body):
+        if setting is not None and body.name in setting.covered:
             continue
         key, data = mesh_of(body, folder)
         if data is None:
@@ -200,7 +199,7 @@ def _surroundings(document: Document, setting: Setting) -> list[int]:
     nodes = [document.append("nodes", {"name": "ground", "mesh": mesh})]
     dressing = [
         document.append("nodes", {"name": name, "mesh": _dressing(document, name, parts)})
-        for name, parts in by_name(setting.parts).items()
+        for name, parts in by_thing(setting.parts).items()
     ]
     if dressing:
         nodes.append(document.append("nodes", {"name": "dressing", "children": dressing}))
@@ -236,7 +235,7 @@ def _dressing(document: Document, name: str, parts: list[Part]) -> int:
 
 def _view(document: Document, view: View, time: Floats) -> int:
     """Adds a camera; returns its node."""
-    lens = {"yfov": view.fov, "aspectRatio": view.aspect, "znear": NEAR_M}
+    lens = {"yfov": view.fov, "aspectRatio": view.aspect, "znear": view.near}
     camera = {"type": "perspective", "name": view.name, "perspective": lens}
     at, turn = seen_at(view, time)
     at, turn = gltf_vector(at), continuous(to_gltf_looking(turn))

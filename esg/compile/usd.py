@@ -29,7 +29,7 @@ from esg.compile.usd_physx import (
     physx_scene,
 )
 from esg.compile.usd_program import write_program
-from esg.compile.visuals.decals import drawn_lifts, is_ground
+from esg.compile.visuals.decals import drawn_lifts
 from esg.compile.visuals.ropes import Rope, ropes_of
 from esg.compile.visuals.setting import Setting, View, seen_at
 from esg.compile.visuals.usd_files import (
@@ -200,9 +200,9 @@ def _seen(
     scene = manifest.scene
     library: dict[str, str] = {}
     out: list[tuple[str, str]] = []
-    lifts = drawn_lifts(scene) if setting is not None else {}
+    lifts = {} if setting is None else drawn_lifts(scene, setting.covered)
     for index, body in enumerate(scene.bodies):
-        if setting is not None and is_ground(body):
+        if setting is not None and body.name in setting.covered:
             continue
         key, data = mesh_of(body, folder)
         if data is None:

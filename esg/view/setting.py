@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from esg.assets.looks import Look
 from esg.compile.export import Target, animation, export
@@ -26,6 +28,10 @@ if TYPE_CHECKING:
 
 ASPECT = 16 / 9
 """Width over height of what the camera of an export sees."""
+NEAR = 0.05
+"""Nearest of what a camera sees, by its distance from what it looks at."""
+SIDES, SIDES_M = 24.0, (30.0, 900.0)
+"""Side of the drawn ground by the extent of the action, so that one does not look over its edge."""
 
 
 def setting_of(
@@ -41,11 +47,21 @@ def setting_of(
     """
     around = _surroundings(scene, doc)
     cameras = action_cameras(scene, rollout, verdict, doc, 1, ASPECT) if scene.bodies else []
+    low, high = _span(rollout)
+    x, y = (float(v) for v in 0.5 * (low + high))
+    side = float(np.clip(SIDES * max(*(high - low), 0.0), *SIDES_M))
+    covered = frozenset(b.name for b in scene.bodies if is_ground(b))
     views = tuple(_still("Camera", camera) for camera in cameras)
+    return Setting(around.sky, around.ground, (x, y), side, covered, around.parts, views)
+
+
+def _span(rollout: Rollout) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Corners of where bodies are [m], without those that run away, each of shape [2]."""
     points = rollout.position[0, :, :, :2].reshape(-1, 2)
     points = points[np.isfinite(points).all(axis=1)]
-    x, y = (float(v) for v in np.median(points, axis=0)) if len(points) else (0.0, 0.0)
-    return Setting(around.sky, around.ground, (x, y), around.parts, views)
+    if not len(points):
+        return np.zeros(2), np.zeros(2)
+    return np.percentile(points, 2, axis=0), np.percentile(points, 98, axis=0)
 
 
 def setting_in(folder: Path, scene: SimScene, rollout: Rollout) -> Setting | None:
@@ -102,4 +118,5 @@ def _surroundings(scene: SimScene, doc: EsgDocument) -> Surroundings:
 
 def _still(name: str, camera: Camera) -> View:
     eye, turn = np.array([camera.eye]), camera.quaternion()[None]
-    return View(name, np.zeros(1), eye, turn, camera.fov, ASPECT)
+    near = NEAR * math.dist(camera.eye, camera.target)
+    return View(name, np.zeros(1), eye, turn, camera.fov, ASPECT, near)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from esg.engines.scene import Body, SimScene
 
 GROUND_HALF_EXTENT_M = 45.0
@@ -15,16 +17,20 @@ def is_ground(body: Body) -> bool:
     return not body.collides and max(body.half_extents[:2]) > GROUND_HALF_EXTENT_M
 
 
-def drawn_lifts(scene: SimScene) -> dict[int, float]:
+def drawn_lifts(scene: SimScene, covered: Collection[str] = ()) -> dict[int, float]:
     """How much higher than it stands each decal is drawn [m], by the index of its body.
 
     Roads and markings lie on the ground, the smaller on the larger. Their thickness goes into the
     ground, or what stands at z = 0 would be sunk in them.
+
+    Args:
+        scene: The bodies.
+        covered: Names of those that are not drawn.
     """
     decals = [
         (4 * b.half_extents[0] * b.half_extents[1], index)
         for index, b in enumerate(scene.bodies)
-        if not b.collides and not is_ground(b)
+        if not b.collides and b.name not in covered
     ]
     return {
         index: LAYER_M * layer - 2 * scene.bodies[index].half_extents[2]

@@ -18,8 +18,9 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
-GROUND_SIDE_M = 900.0
-"""Side of the drawn ground, which stands for an endless plane."""
+SUNK, SUNK_M = 2e-5, 0.01
+"""The drawn ground lies so much below the plane, by its side and at most [m]: whoever draws by
+depth cannot tell it from what lies on it otherwise."""
 
 
 @dataclass(frozen=True)
@@ -33,6 +34,7 @@ class View:
         quaternion: (x, y, z, w), shape [T, 4].
         fov: Vertical field of view [rad].
         aspect: Width over height.
+        near: Nearest of what it sees [m]: so far off that a centimetre on the ground is told apart.
     """
 
     name: str
@@ -41,6 +43,7 @@ class View:
     quaternion: Floats
     fov: float
     aspect: float = 1.5
+    near: float = 0.05
 
 
 @dataclass(frozen=True)
@@ -51,13 +54,18 @@ class Setting:
         sky: Light from above.
         ground: The endless plane at z = 0.
         middle: Point of the plane that the action is about [m], shape [2].
-        parts: Meshes fixed to the world, in its frame.
+        side: Of the square of it that is drawn [m].
+        covered: Names of bodies in whose place the ground is seen.
+        parts: Meshes fixed to the world, in its frame; those of one thing have names that are the
+            same up to a slash.
         views: Cameras; the first is the one to look through.
     """
 
     sky: Sky
     ground: Look
     middle: tuple[float, float] = (0.0, 0.0)
+    side: float = 100.0
+    covered: frozenset[str] = frozenset()
     parts: tuple[Part, ...] = ()
     views: tuple[View, ...] = ()
 
@@ -83,18 +91,12 @@ def seen_at(view: View, time: Floats) -> tuple[Floats, Floats]:
     return at(view.position), turned / np.linalg.norm(turned, axis=1, keepdims=True)
 
 
-def ground_mesh(
-    setting: Setting, side: float = GROUND_SIDE_M
-) -> tuple[Floats, NDArray[np.int64], Floats, Floats]:
-    """The drawn ground: vertices [m], faces, normals and texture coordinates in tiles.
-
-    Args:
-        setting: Where it lies, and the size of its tiles.
-        side: Of the square [m].
-    """
-    corners = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]) * side / 2
+def ground_mesh(setting: Setting) -> tuple[Floats, NDArray[np.int64], Floats, Floats]:
+    """The drawn ground: vertices [m], faces, normals and texture coordinates in tiles."""
+    corners = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]) * setting.side / 2
     corners = corners + np.asarray(setting.middle)
-    vertices = np.concatenate([corners, np.zeros((4, 1))], axis=1)
+    height = -min(SUNK_M, SUNK * setting.side)
+    vertices = np.concatenate([corners, np.full((4, 1), height)], axis=1)
     normals = np.tile([0.0, 0.0, 1.0], (4, 1))
     return vertices, np.array([[0, 1, 2], [0, 2, 3]]), normals, corners / setting.ground.tile_m
 
@@ -115,11 +117,11 @@ def facing(direction: tuple[float, float, float]) -> Floats:
     return turn / np.linalg.norm(turn)
 
 
-def by_name(parts: Iterable[Part]) -> dict[str, list[Part]]:
-    """Parts of one name together, in their order."""
+def by_thing(parts: Iterable[Part]) -> dict[str, list[Part]]:
+    """Parts of one thing together, in their order, by the name of the thing."""
     groups: dict[str, list[Part]] = {}
     for part in parts:
-        groups.setdefault(part.name or "part", []).append(part)
+        groups.setdefault(part.name.partition("/")[0] or "part", []).append(part)
     return groups
 
 

@@ -23,7 +23,7 @@ from esg.compile.visuals.setting import (
     Setting,
     View,
     by_look,
-    by_name,
+    by_thing,
     facing,
     ground_mesh,
     seen_at,
@@ -41,7 +41,7 @@ SENSOR_MM = 36.0
 SUN_INTENSITY = math.pi / 4
 """Of a sun that makes white paper reflect one unit of radiance, as Blender, Karma and Storm take
 it; by the letter of UsdLux it is four times as much."""
-CLIPPING_M = (0.05, 10000.0)
+FAR_M = 10000.0
 
 
 class UsdLooks:
@@ -82,7 +82,7 @@ class UsdLooks:
         UsdGeom.Xform.Define(self._stage, SURROUNDINGS)
         ground = surface_of(setting.ground)
         self._mesh(f"{SURROUNDINGS}/Ground", ground_mesh(setting), ground, SURROUNDINGS)
-        for name, parts in by_name(setting.parts).items():
+        for name, parts in by_thing(setting.parts).items():
             path = self._free(SURROUNDINGS, name)
             looks = by_look(parts)
             if len(looks) > 1:
@@ -289,7 +289,7 @@ def camera_prim(stage: Any, path: str, view: View, time: Any) -> None:
     camera.CreateHorizontalApertureAttr(SENSOR_MM)
     camera.CreateVerticalApertureAttr(height)
     camera.CreateFocalLengthAttr(height / 2 / math.tan(view.fov / 2))
-    camera.CreateClippingRangeAttr(Gf.Vec2f(*CLIPPING_M))
+    camera.CreateClippingRangeAttr(Gf.Vec2f(view.near, FAR_M))
     at, turn = seen_at(view, time[:1])
     place(camera, at[0], turn[0])
 
