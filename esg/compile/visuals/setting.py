@@ -18,6 +18,8 @@ if TYPE_CHECKING:
 
 Floats = NDArray[np.float64]
 
+CELLS = 16
+"""Of the drawn ground along each side."""
 SUNK, SUNK_M = 2e-5, 0.01
 """The drawn ground lies so much below the plane, by its side and at most [m]: whoever draws by
 depth cannot tell it from what lies on it otherwise."""
@@ -93,12 +95,20 @@ def seen_at(view: View, time: Floats) -> tuple[Floats, Floats]:
 
 def ground_mesh(setting: Setting) -> tuple[Floats, NDArray[np.int64], Floats, Floats]:
     """The drawn ground: vertices [m], faces, normals and texture coordinates in tiles."""
-    corners = np.array([[-1.0, -1.0], [1.0, -1.0], [1.0, 1.0], [-1.0, 1.0]]) * setting.side / 2
-    corners = corners + np.asarray(setting.middle)
-    height = -min(SUNK_M, SUNK * setting.side)
-    vertices = np.concatenate([corners, np.full((4, 1), height)], axis=1)
-    normals = np.tile([0.0, 0.0, 1.0], (4, 1))
-    return vertices, np.array([[0, 1, 2], [0, 2, 3]]), normals, corners / setting.ground.tile_m
+    # Small cells in the middle: depth is not exact enough inside of what is larger than the view.
+    line = np.linspace(-1.0, 1.0, CELLS + 1)
+    line = np.sign(line) * line**2 * setting.side / 2
+    y, x = np.meshgrid(line, line, indexing="ij")
+    corners = np.stack([x.ravel(), y.ravel()], axis=1) + np.asarray(setting.middle)
+    height = np.full((len(corners), 1), -min(SUNK_M, SUNK * setting.side))
+    first = (np.arange(CELLS) + (CELLS + 1) * np.arange(CELLS)[:, None]).reshape(-1, 1)
+    right, above = 1, CELLS + 1
+    faces = np.concatenate(
+        [first + [0, right, right + above], first + [0, right + above, above]], axis=1
+    ).reshape(-1, 3)
+    normals = np.tile([0.0, 0.0, 1.0], (len(corners), 1))
+    uvs = corners / setting.ground.tile_m
+    return np.concatenate([corners, height], axis=1), faces, normals, uvs
 
 
 def strength(rgb: Color) -> tuple[float, Color]:
