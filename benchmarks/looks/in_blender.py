@@ -16,6 +16,7 @@ from typing import Any
 import bpy
 
 PRINCIPLED = "BSDF_PRINCIPLED"
+INPUTS = {"base": "Base Color", "rough_metal": "Roughness", "normal": "Normal"}
 
 
 def open_file(path: str) -> None:
@@ -36,12 +37,13 @@ def surface_of(material: Any) -> dict[str, Any] | None:
     if not found:
         return None
     inputs = found[0].inputs
-    fed = {name: pictures(inputs[name]) for name in ("Base Color", "Roughness", "Metallic", "Normal")}
+    fed = {kind: pictures(inputs[name]) for kind, name in INPUTS.items()}
+    color, rough, metal = (inputs[n] for n in ("Base Color", "Roughness", "Metallic"))
     return {
-        "color": None if inputs["Base Color"].links else list(inputs["Base Color"].default_value)[:3],
-        "roughness": None if inputs["Roughness"].links else inputs["Roughness"].default_value,
-        "metalness": None if inputs["Metallic"].links else inputs["Metallic"].default_value,
-        "pictures": {name: sizes for name, sizes in fed.items() if sizes},
+        "color": None if color.links else list(color.default_value)[:3],
+        "roughness": None if rough.links else rough.default_value,
+        "metalness": None if metal.links else metal.default_value,
+        "pictures": {kind: sizes[0] for kind, sizes in fed.items() if sizes},
     }
 
 
@@ -102,7 +104,7 @@ def main() -> None:
         "version": bpy.app.version_string,
         "materials": {m.name: surface_of(m) for m in bpy.data.materials if m.users},
         "places": places(job["times"], rate),
-        "lights": [[o.name, o.data.type, o.data.energy, list(o.data.color)] for o in scene.objects if o.type == "LIGHT"],
+        "lights": {o.name: o.data.energy for o in scene.objects if o.type == "LIGHT"},
         "cameras": [o.name for o in scene.objects if o.type == "CAMERA"],
         "meshes": sum(o.type == "MESH" for o in scene.objects),
     }

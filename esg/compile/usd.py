@@ -72,7 +72,7 @@ DRIVE_STRENGTH = 1e4
 _RAD_TO_DEG = 180.0 / np.pi
 
 
-def _reserved(scene: SimScene, setting: Setting | None) -> tuple[str, ...]:
+def reserved(scene: SimScene, setting: Setting | None) -> tuple[str, ...]:
     """Names of prims that no body gets."""
     ropes = ("Ropes",) if any(j.flexible for j in scene.joints) else ()
     joints = ("Joints",) if scene.joints else ()
@@ -146,7 +146,7 @@ def physics_layer(
     physics.CreateGravityDirectionAttr(Gf.Vec3f(*map(float, down)))
     physics.CreateGravityMagnitudeAttr(strength)
     physx_scene(physics.GetPrim(), manifest.dt)
-    idents = names.unique_identifiers(scene.names, reserved=_reserved(scene, setting))
+    idents = names.unique_identifiers(scene.names, reserved=reserved(scene, setting))
     paths = {name: f"/World/{ident}" for name, ident in idents.items()}
     moving = [b for b in scene.bodies if b.collides and not b.static]
     wheeled = [idents[b.name] for b in moving if b.wheeled]
@@ -511,7 +511,7 @@ def _animation_layer(
     from pxr import Sdf, Usd
 
     scene = manifest.scene
-    idents = names.unique_identifiers(scene.names, reserved=_reserved(scene, setting))
+    idents = names.unique_identifiers(scene.names, reserved=reserved(scene, setting))
     rate = 1.0 / (rollout.time[1] - rollout.time[0]) if len(rollout.time) > 1 else 1.0
     layer = Sdf.Layer.CreateAnonymous(".usda")
     stage = Usd.Stage.Open(layer)

@@ -103,9 +103,8 @@ def ground_mesh(setting: Setting) -> tuple[Floats, NDArray[np.int64], Floats, Fl
     height = np.full((len(corners), 1), -min(SUNK_M, SUNK * setting.side))
     first = (np.arange(CELLS) + (CELLS + 1) * np.arange(CELLS)[:, None]).reshape(-1, 1)
     right, above = 1, CELLS + 1
-    faces = np.concatenate(
-        [first + [0, right, right + above], first + [0, right + above, above]], axis=1
-    ).reshape(-1, 3)
+    corner = np.array([0, right, right + above, 0, right + above, above])
+    faces = (first + corner).reshape(-1, 3)
     normals = np.tile([0.0, 0.0, 1.0], (len(corners), 1))
     uvs = corners / setting.ground.tile_m
     return np.concatenate([corners, height], axis=1), faces, normals, uvs
