@@ -18,7 +18,9 @@ from numpy.typing import NDArray
 
 from esg.assets.gltf.asset import gltf_vector
 from esg.assets.gltf.document import Document, unit
-from esg.assets.gltf.surfaces import surface_of
+from esg.assets.gltf.parts import node_matrices, parts_of
+from esg.assets.gltf.surfaces import Surface, surface_of
+from esg.assets.textures import linear
 from esg.compile.assets import mesh_file
 from esg.compile.visuals.decals import drawn_lifts
 from esg.compile.visuals.ropes import LOOKS, Rope, rope_mesh, ropes_of
@@ -275,23 +277,17 @@ def mesh_of(body: Body, folder: Path) -> tuple[str, bytes | None]:
 
 
 def _shapes_glb(body: Body) -> bytes:
-    import trimesh
-    from trimesh.visual import TextureVisuals
-    from trimesh.visual.material import PBRMaterial
-
-    color = [round(255 * c) for c in body.color] + [255]
-    scene = trimesh.Scene()
+    document = Document({"asset": {"version": "2.0", "generator": "esg-scenes"}, "scene": 0})
+    red, green, blue = (float(c) for c in linear(body.color))
+    material = document.material(Surface("collision", (red, green, blue), roughness=0.8))
     for number, shape in enumerate(body.shapes):
         mesh = shape_mesh(shape, body)
-        vertices = gltf_vector(mesh.vertices)
-        solid = trimesh.Trimesh(vertices, mesh.faces, process=False)
-        material = PBRMaterial(name="collision", baseColorFactor=color, metallicFactor=0.0)
-        solid.visual = TextureVisuals(material=material)
+        corners = gltf_vector(mesh.vertices), np.asarray(mesh.faces), None, None
         name = f"shape_{number}"
-        scene.add_geometry(solid, node_name=name, geom_name=name)
-    data = scene.export(file_type="glb")
-    assert isinstance(data, bytes)
-    return data
+        index = document.mesh(name, [(corners, material)])
+        document.append("nodes", {"name": name, "mesh": index})
+    document.data["scenes"] = [{"nodes": list(range(len(body.shapes)))}]
+    return document.glb()
 
 
 def shape_mesh(shape: Shape, body: Body) -> Any:
@@ -320,22 +316,20 @@ def part_of(data: bytes, *, holders: Collection[str] = (), without: Collection[s
 
     What one node holds comes in that node's frame.
     """
-    import io
-
-    import trimesh
-
-    loaded: Any = trimesh.load(io.BytesIO(data), file_type="glb", force="scene")
-    parents = loaded.graph.transforms.parents
-    scene = trimesh.Scene()
-    for name in loaded.graph.nodes_geometry:
-        holder = parents.get(name, "")
-        if holder in without or (holders and holder not in holders):
+    document = Document({"asset": {"version": "2.0", "generator": "esg-scenes"}, "scene": 0})
+    frames = node_matrices(data)
+    nodes: list[int] = []
+    for part in parts_of(data):
+        if part.holder in without or (holders and part.holder not in holders):
             continue
-        transform, geometry = loaded.graph[name]
+        vertices = gltf_vector(part.vertices)
+        normals = None if part.normals is None else gltf_vector(part.normals)
         if holders:
-            transform = np.linalg.inv(loaded.graph[holder][0]) @ transform
-        mesh = loaded.geometry[geometry]
-        scene.add_geometry(mesh, node_name=name, geom_name=geometry, transform=transform)
-    out = scene.export(file_type="glb")
-    assert isinstance(out, bytes)
-    return out
+            back = np.linalg.inv(frames[part.holder])
+            vertices = vertices @ back[:3, :3].T + back[:3, 3]
+            normals = None if normals is None else normals @ back[:3, :3].T
+        corners = vertices, part.faces, normals, part.uvs
+        mesh = document.mesh(part.name, [(corners, document.material(part.surface))])
+        nodes.append(document.append("nodes", {"name": part.name, "mesh": mesh}))
+    document.data["scenes"] = [{"nodes": nodes}]
+    return document.glb()

@@ -193,7 +193,9 @@ class Document:
         mime = _MIME[picture.suffix]
         sign = f"{mime} {hashlib.sha256(picture.data).hexdigest()}"
         if ("images", sign) not in self.known:
-            image = {"bufferView": self.view(picture.data), "mimeType": mime}
+            image: Item = {"bufferView": self.view(picture.data), "mimeType": mime}
+            if picture.name:
+                image["name"] = picture.name
             self.once("images", image, by=sign)
         source = self.known["images", sign]
         return self.once("textures", {"sampler": self.once("samplers", _SAMPLER), "source": source})

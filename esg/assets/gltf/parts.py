@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -53,25 +54,37 @@ def parts_of(data: bytes) -> list[MeshPart]:
         ValueError: If it is no GLB or holds what does not fit together.
     """
     document, binary = read_glb(data)
+    surfaces = [_surface(document, binary, m) for m in document.get("materials", [])]
+    out: list[MeshPart] = []
+    for node, matrix, holder in _walked(document):
+        if "mesh" not in node:
+            continue
+        for primitive in document["meshes"][node["mesh"]]["primitives"]:
+            part = _part(document, binary, primitive, matrix, surfaces)
+            if part is not None:
+                out.append(MeshPart(holder, str(node.get("name", "")), *part))
+    return out
+
+
+def node_matrices(data: bytes) -> dict[str, Floats]:
+    """Where the nodes of a GLB are, by name, in glTF's frame [m], shape [4, 4]."""
+    document, _ = read_glb(data)
+    return {str(node.get("name", "")): matrix for node, matrix, _ in _walked(document)}
+
+
+def _walked(document: dict[str, Any]) -> Iterator[tuple[dict[str, Any], Floats, str]]:
+    """The nodes of a document's scene, with their matrices and the names of what holds them."""
     nodes = document.get("nodes", [])
     scenes = document.get("scenes", [])
     roots = scenes[document.get("scene", 0)].get("nodes", []) if scenes else range(len(nodes))
-    surfaces = [_surface(document, binary, m) for m in document.get("materials", [])]
-    out: list[MeshPart] = []
     waiting = [(index, np.eye(4), "") for index in reversed(roots)]
     while waiting:
         index, above, holder = waiting.pop()
         node = nodes[index]
         matrix = above @ _matrix(node)
+        yield node, matrix, holder
         name = str(node.get("name", ""))
-        if "mesh" in node:
-            for primitive in document["meshes"][node["mesh"]]["primitives"]:
-                part = _part(document, binary, primitive, matrix, surfaces)
-                if part is not None:
-                    vertices, faces, normals, uvs, surface = part
-                    out.append(MeshPart(holder, name, vertices, faces, normals, uvs, surface))
         waiting += [(child, matrix, name) for child in reversed(node.get("children", []))]
-    return out
 
 
 def _part(
@@ -190,10 +203,11 @@ def _picture(document: dict[str, Any], binary: bytes, texture: int | None) -> Pi
     if texture is None:
         return None
     source = document["textures"][texture].get("source")
-    view = document["images"][source].get("bufferView") if source is not None else None
-    if view is None:
+    image = document["images"][source] if source is not None else {}
+    if "bufferView" not in image:
         return None
-    view = document["bufferViews"][view]
+    view = document["bufferViews"][image["bufferView"]]
     start = view.get("byteOffset", 0)
-    found = Picture(binary[start : start + view["byteLength"]])
+    name = str(image.get("name", ""))
+    found = Picture(binary[start : start + view["byteLength"]], name)
     return found if found.suffix else None

@@ -6,7 +6,7 @@ stand for it in every file, so that whoever merges files can tell that two pictu
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cache
 import hashlib
 import io
@@ -28,9 +28,11 @@ class Picture:
 
     Args:
         data: Bytes of a PNG or JPEG file.
+        name: What it shows.
     """
 
     data: bytes
+    name: str = field(default="", compare=False)
 
     @property
     def suffix(self) -> str:
@@ -94,7 +96,11 @@ def surface_of(look: Look) -> Surface:
 def _pictures(texture: str) -> tuple[Picture, Picture, Picture]:
     """The three pictures of a set of maps."""
     found = maps(texture, PICTURE_PX)
-    return picture(found.base_color), picture(found.normal), picture(rough_metal(found.roughness))
+    return (
+        picture(found.base_color, f"{texture}_color"),
+        picture(found.normal, f"{texture}_normal"),
+        picture(rough_metal(found.roughness), f"{texture}_rough"),
+    )
 
 
 def rough_metal(roughness: NDArray[np.uint8]) -> NDArray[np.uint8]:
@@ -107,13 +113,13 @@ def rough_metal(roughness: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return np.stack([full, roughness, full], axis=-1)
 
 
-def picture(pixels: NDArray[np.uint8]) -> Picture:
+def picture(pixels: NDArray[np.uint8], name: str = "") -> Picture:
     """Encodes a picture, shape [height, width, 3]; the same pixels give the same bytes."""
     from PIL import Image
 
     out = io.BytesIO()
     Image.fromarray(pixels).save(out, "JPEG", quality=90, subsampling=0)
-    return Picture(out.getvalue())
+    return Picture(out.getvalue(), name)
 
 
 def tinted(surface: Surface) -> Surface:
@@ -129,5 +135,5 @@ def tinted(surface: Surface) -> Surface:
         np.rint(255.0 * srgb(levels * factor)).astype(np.uint8)[pixels[..., k]]
         for k, factor in enumerate(surface.color)
     ]
-    base = picture(np.stack(channels, axis=-1))
+    base = picture(np.stack(channels, axis=-1), surface.base.name)
     return replace(surface, color=(1.0, 1.0, 1.0), base=base)
