@@ -57,7 +57,7 @@ def setting_of(
 
 def _span(rollout: Rollout) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Corners of where bodies are [m], without those that run away, each of shape [2]."""
-    points = rollout.position[0, :, :, :2].reshape(-1, 2)
+    points = rollout.position[0, :, :, :2].reshape(-1, 2).astype(np.float64)
     points = points[np.isfinite(points).all(axis=1)]
     if not len(points):
         return np.zeros(2), np.zeros(2)

@@ -273,7 +273,7 @@ def unit(q: Any) -> list[float]:
     return _units(np.asarray(q, float)[None])[0].tolist()
 
 
-def _units(values: Any) -> NDArray[np.float32]:
+def _units(values: Any) -> NDArray[Any]:
     single = np.asarray(values).astype(np.float32)
     length = np.linalg.norm(single, axis=-1, keepdims=True)
     return single / np.where(length > 0.0, length, 1.0)

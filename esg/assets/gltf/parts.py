@@ -131,7 +131,7 @@ def _normal_matrix(matrix: Floats) -> Floats:
     """The inverse transpose of a matrix, up to a positive factor; itself where it has none."""
     turn = matrix[:3, :3]
     determinant = float(np.linalg.det(turn))
-    return np.linalg.inv(turn).T if abs(determinant) > 1e-12 else turn
+    return np.linalg.inv(turn).T.astype(float) if abs(determinant) > 1e-12 else turn
 
 
 def _faces(index: Faces, mode: int) -> Faces:
