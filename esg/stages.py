@@ -317,10 +317,11 @@ def _dress(state: SceneState, folder: Path) -> None:
 
 def _record(state: SceneState, folder: Path) -> None:
     from esg.assets import write_meshes
-    from esg.compile.export import export
+    from esg.compile.export import export, thinned
     from esg.engines.rollout_file import load_rollout
     from esg.store.mcap_log import write_mcap
     from esg.view.preview import preview
+    from esg.view.setting import setting_of
 
     doc = load_doc(state, "dress")
     scene, program = load_scene(state)
@@ -331,14 +332,17 @@ def _record(state: SceneState, folder: Path) -> None:
     # Exports read a scene folder: lend them the manifest, which belongs to another stage.
     manifest = folder / "manifest.json"
     manifest.write_bytes((state.artifact("compile") / manifest.name).read_bytes())
-    export(folder, "usd", rollout=rollout)
-    export(folder, "glb", rollout=rollout)
+    shown = verdict
+    if not verdict.events and "own_timeline" in metrics:
+        shown = _read_verdict(metrics["own_timeline"])  # a suite that asks for nothing
+    played = thinned(rollout)
+    setting = setting_of(scene, played, shown, doc)
+    export(folder, "usd", rollout=played, setting=setting)
+    export(folder, "glb", rollout=played, setting=setting)
     manifest.unlink()
     write_mcap(folder / "rollout.mcap", scene, program, rollout, verdict, doc)
     note = f"{metrics['outcome']}  |  replayed in {rollout.engine} at {1 / rollout.dt:.0f} Hz"
-    if not verdict.events and "own_timeline" in metrics:
-        verdict = _read_verdict(metrics["own_timeline"])  # a suite that asks for nothing
-    preview(scene, rollout, verdict, doc, folder, note=note)
+    preview(scene, rollout, shown, doc, folder, note=note)
 
 
 def write_doc(doc: EsgDocument, folder: Path) -> None:
