@@ -146,10 +146,13 @@ def load_suite_scene(request: SceneRequest, doc: EsgDocument) -> tuple[SuiteScen
 
 def _draft(state: SceneState, folder: Path) -> None:
     from esg.draft import draft
-    from esg.graph import verify
+    from esg.graph import EsgDocument, verify
 
     request = state.request
-    doc = draft(request.prompt, seed=request.seed, drafter=request.drafter)
+    if request.document:
+        doc = EsgDocument.model_validate_json(request.document)
+    else:
+        doc = draft(request.prompt, seed=request.seed, drafter=request.drafter)
     if request.traffic != "right":
         scene = doc.scene_definition.model_copy(update={"traffic": request.traffic})
         doc = doc.model_copy(update={"scene_definition": scene})
@@ -358,7 +361,7 @@ def _write_json(value: Any, path: Path) -> None:
 
 
 SPECS: dict[str, Spec] = {
-    "draft": Spec(_draft, (), ("prompt", "seed", "drafter", "traffic")),
+    "draft": Spec(_draft, (), ("prompt", "seed", "drafter", "traffic", "document")),
     "resolve": Spec(_resolve, ("draft",), ("seed",)),
     "cast": Spec(_cast, ("resolve",), ("seed",)),
     "layout": Spec(_layout, ("cast",), ("seed", "choreographed")),
