@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Literal
 from esg.assets.looks import Color, Look
 
 if TYPE_CHECKING:
-    from esg.view.render import Part
+    from esg.view.pieces import Part
 
 Vec = tuple[float, float, float]
 
