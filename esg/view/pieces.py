@@ -73,6 +73,11 @@ class Movers:
     def __len__(self) -> int:
         return self._n_bodies + len(self._wheels)
 
+    @property
+    def bodies(self) -> list[int]:
+        """Body of everything that has a pose."""
+        return [*range(self._n_bodies), *self._carriers]
+
     def of(self, part: Part) -> int:
         """Index of the pose that moves a part; -1 for the world."""
         if part.wheel is None:
