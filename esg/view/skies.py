@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 import math
 from typing import Any
 
@@ -49,6 +50,7 @@ AIRS = {
 }
 
 
+@lru_cache(maxsize=8)
 def sky_map(sky: Sky, seed: int = 0, size: tuple[int, int] = SKY_PX) -> Floats:
     """Linear colour of every direction above the horizon, shape [rows, columns, 3].
 

@@ -21,11 +21,13 @@ GROUND = wp.constant(-1)
 """Instance of the ground plane."""
 FAR_M = wp.constant(2000.0)
 PATTERN = wp.constant(9)
+"""Pixels that share a pattern of rays toward sun and sky, three by three."""
+RAYS = wp.constant(2)
+"""Rays a pixel toward the sun, and as many toward the sky."""
 LAYERS = wp.constant(4)
 """So many clear surfaces are looked through."""
 ALIKE = wp.constant(0.92)
 """Cosine between normals above which two pixels show one surface."""
-NO_FOG = wp.constant(0.0)
 
 
 @wp.struct
@@ -120,7 +122,7 @@ def _from_front(mesh: wp.uint64, o: wp.vec3, d: wp.vec3, reach: float):
     """The nearest face of a mesh that is seen from its front."""
     hit = Hit()
     hit.instance = NOTHING
-    start = float(0.0)
+    start = 0.0
     for _k in range(8):
         q = wp.mesh_query_ray(mesh, o + d * start, d, reach - start)
         if not q.result:
@@ -160,7 +162,7 @@ def _closest(s: Scene, world: int, o: wp.vec3, d: wp.vec3, reach: float):
             best.instance = s.instances + 1
     if s.bvh != wp.uint64(0):
         query = wp.bvh_query_ray(s.bvh, o, d, wp.bvh_get_group_root(s.bvh, world))
-        i = int(0)
+        i = 0
         while wp.bvh_query_next(query, i, best.t):
             away = wp.transform_inverse(s.pose[i])
             local = wp.transform_vector(away, d)
@@ -180,7 +182,7 @@ def _hidden(s: Scene, world: int, o: wp.vec3, d: wp.vec3, reach: float) -> bool:
             return True
     if s.bvh != wp.uint64(0):
         query = wp.bvh_query_ray(s.bvh, o, d, wp.bvh_get_group_root(s.bvh, world))
-        i = int(0)
+        i = 0
         while wp.bvh_query_next(query, i, reach):
             if s.clear[i] == 0:
                 away = wp.transform_inverse(s.pose[i])
@@ -278,28 +280,32 @@ def _across(n: wp.vec3) -> wp.vec3:
 
 
 @wp.func
-def _lit(s: Scene, world: int, at: wp.vec3, n: wp.vec3, flat: wp.vec3, t: float, k: int):
-    """Shares of sun, sky and ground light at a point, from `k` of the pattern."""
+def _lit(s: Scene, world: int, at: wp.vec3, n: wp.vec3, flat: wp.vec3, t: float, k: int, rays: int):
+    """Shares of sun, sky and ground light at a point, by the rays of place `k` of the pattern."""
     start = at + flat * (2.0e-4 + 1.0e-4 * t)
-    # Points of a sunflower: the k-th of PATTERN, spread over a disc.
-    radius = wp.sqrt((float(k) + 0.5) / float(PATTERN))
-    angle = 2.39996323 * float(k)
-    cx = radius * wp.cos(angle)
-    cy = radius * wp.sin(angle)
-    sun = float(0.0)
-    side = _across(s.sun)
-    up = wp.cross(s.sun, side)
-    toward = wp.normalize(s.sun + (side * cx + up * cy) * s.sun_radius)
-    facing = wp.dot(n, toward)
-    if facing > 0.0 and wp.dot(flat, toward) > 0.0:
-        if not _hidden(s, world, start, toward, s.sun_reach):
-            sun = facing
-    open_ = float(1.0)
+    reach = wp.clamp(0.2 * t, 0.03, 1.6)
+    sun_side = _across(s.sun)
+    sun_up = wp.cross(s.sun, sun_side)
     side = _across(flat)
     up = wp.cross(flat, side)
-    away = side * cx + up * cy + flat * wp.sqrt(wp.max(0.0, 1.0 - radius * radius))
-    if _hidden(s, world, start, away, wp.clamp(0.2 * t, 0.03, 1.6)):
-        open_ = 0.0
+    sun = 0.0
+    open_ = 0.0
+    for i in range(rays):
+        # A sunflower's seeds, spread over a disc: PATTERN pixels share RAYS * PATTERN of them.
+        seed = float(k + i * PATTERN)
+        radius = wp.sqrt((seed + 0.5) / float(rays * PATTERN))
+        cx = radius * wp.cos(2.39996323 * seed)
+        cy = radius * wp.sin(2.39996323 * seed)
+        toward = wp.normalize(s.sun + (sun_side * cx + sun_up * cy) * s.sun_radius)
+        facing = wp.dot(n, toward)
+        if facing > 0.0 and wp.dot(flat, toward) > 0.0:
+            if not _hidden(s, world, start, toward, s.sun_reach):
+                sun = sun + facing
+        away = side * cx + up * cy + flat * wp.sqrt(wp.max(0.0, 1.0 - radius * radius))
+        if not _hidden(s, world, start, away, reach):
+            open_ = open_ + 1.0
+    sun = sun / float(rays)
+    open_ = open_ / float(rays)
     rise = 0.5 + 0.5 * n[2]
     return wp.vec3(sun, open_ * rise, open_ * (1.0 - rise))
 
@@ -372,12 +378,12 @@ def _highlight(s: Scene, m: Material, n: wp.vec3, d: wp.vec3) -> wp.vec3:
 
 
 @wp.func
-def _shade(s: Scene, world: int, o: wp.vec3, d: wp.vec3, hit: Hit, pixel: float, k: int):
+def _shade(s: Scene, world: int, o: wp.vec3, d: wp.vec3, hit: Hit, pixel: float, k: int, rays: int):
     """Light along a ray whose nearest surface is `hit`; what is clear lets the next through."""
     out = Shade()
-    left = float(1.0)
+    left = 1.0
     here = hit
-    travelled = float(0.0)
+    travelled = 0.0
     origin = o
     for layer in range(LAYERS):
         if here.instance == NOTHING:
@@ -392,8 +398,8 @@ def _shade(s: Scene, world: int, o: wp.vec3, d: wp.vec3, hit: Hit, pixel: float,
         opaque = m.alpha
         light = wp.vec3(1.0, 0.5, 0.5)
         if layer == 0 or opaque >= 0.5:
-            light = _lit(s, world, at, n, here.normal, travelled, k)
-        haze = float(0.0)
+            light = _lit(s, world, at, n, here.normal, travelled, k, rays)
+        haze = 0.0
         if s.haze_m > 0.0:
             haze = 1.0 - wp.exp(-wp.pow(travelled / s.haze_m, 1.5))
         clear = left * (1.0 - haze)
@@ -417,9 +423,7 @@ def _shade(s: Scene, world: int, o: wp.vec3, d: wp.vec3, hit: Hit, pixel: float,
 def _ray(view: View, x: float, y: float, width: int, height: int) -> wp.vec3:
     """Unit direction in the world through a point of the picture [px]."""
     scale = 2.0 * view.tangent / float(height)
-    local = wp.vec3(
-        (x - 0.5 * float(width)) * scale, (0.5 * float(height) - y) * scale, -1.0
-    )
+    local = wp.vec3((x - 0.5 * float(width)) * scale, (0.5 * float(height) - y) * scale, -1.0)
     return wp.transform_vector(view.pose, wp.normalize(local))
 
 
@@ -474,7 +478,7 @@ def look(
     ahead = -wp.dot(d, wp.transform_vector(view.pose, wp.vec3(0.0, 0.0, 1.0)))
     n = wp.vec3(0.0)
     owner = NOTHING
-    far = float(0.0)
+    far = 0.0
     if hit.instance != NOTHING:
         n = hit.normal
         far = hit.t * ahead
@@ -486,7 +490,7 @@ def look(
     mover[w, y, x] = owner
     if colored > 0:
         pixel = 2.0 * view.tangent / float(height)
-        shade = _shade(s, w, o, d, hit, pixel, 3 * (y % 3) + x % 3)
+        shade = _shade(s, w, o, d, hit, pixel, 3 * (y % 3) + x % 3, RAYS)
         albedo[w, y, x] = shade.albedo
         light[w, y, x] = shade.light
         mirror[w, y, x] = shade.mirror
@@ -575,7 +579,7 @@ def refine(
             height,
         )
         hit = _closest(s, w, o, d, FAR_M)
-        shade = _shade(s, w, o, d, hit, pixel, (3 * (y % 3) + x % 3 + 2 * i) % PATTERN)
+        shade = _shade(s, w, o, d, hit, pixel, (3 * (y % 3) + x % 3 + 2 * i) % PATTERN, 1)
         total = total + _added(s, shade, shade.light)
     edge[w, y, x] = total / float(samples)
     is_edge[w, y, x] = 1
@@ -620,7 +624,7 @@ def develop(
         here.shine = shine[w, y, x]
         here.rest = rest[w, y, x]
         total = wp.vec3(0.0)
-        count = float(0.0)
+        count = 0.0
         for j in range(9):
             v = y + j / 3 - 1
             u = x + j % 3 - 1

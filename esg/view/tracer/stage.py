@@ -70,9 +70,9 @@ def bundles(parts: Sequence[Part], movers: Movers) -> tuple[list[Bundle], list[L
                 mover,
                 clear,
                 np.concatenate([p.vertices for p in members]).astype(np.float32),
-                np.concatenate(
-                    [p.faces + s for p, s in zip(members, starts, strict=True)]
-                ).astype(np.int32),
+                np.concatenate([p.faces + s for p, s in zip(members, starts, strict=True)]).astype(
+                    np.int32
+                ),
                 np.concatenate([_corners(p.normals, p.faces, 3) for p in members]),
                 np.concatenate([_corners(p.uvs, p.faces, 2) for p in members]),
                 np.repeat(kinds, [len(p.faces) for p in members]).astype(np.int32),
@@ -184,7 +184,9 @@ class Stage:
         count = worlds * len(moving)
         scene.instances = count
         own = [made[k] for k in moving]
-        scene.mesh = self._array(np.array([meshes[k].id for k in moving] * worlds, np.uint64), wp.uint64)
+        scene.mesh = self._array(
+            np.array([meshes[k].id for k in moving] * worlds, np.uint64), wp.uint64
+        )
         scene.clear = self._array(np.array([b.clear for b in own] * worlds, np.int32), wp.int32)
         scene.face_first = self._array(
             np.array([firsts[k] for k in moving] * worlds, np.int32), wp.int32
