@@ -1,4 +1,4 @@
-"""Pictures of the sky, one for all renderers: a gradient, seeded clouds and a glow around the sun."""
+"""Pictures of the sky, the same for all renderers: gradient, seeded clouds, glow of the sun."""
 
 from __future__ import annotations
 
@@ -83,6 +83,25 @@ def sky_map(sky: Sky, seed: int = 0, size: tuple[int, int] = SKY_PX) -> Floats:
     angle = np.arccos(toward)
     out = out + air.glow * np.array(sky.sun_rgb) * (np.exp(-angle / 0.12) + 0.3 * np.exp(-angle))
     return out.astype(np.float32)
+
+
+def sky_at(sky: Floats, directions: NDArray[Any]) -> NDArray[np.float64]:
+    """Colours of a picture of the sky; below the horizon that of the horizon, shape [..., 3].
+
+    Args:
+        sky: Of `sky_map`.
+        directions: Unit vectors, shape [..., 3].
+    """
+    rows, columns = sky.shape[:2]
+    d = np.asarray(directions, float)
+    x = (np.arctan2(d[..., 1], d[..., 0]) / (2 * math.pi) + 0.5) * columns - 0.5
+    y = np.arcsin(np.clip(d[..., 2], 0, 1)) / (math.pi / 2) * rows - 0.5
+    y = np.clip(y, 0, rows - 1.001)
+    x0, y0 = np.floor(x).astype(int), y.astype(int)
+    fx, fy = (x - x0)[..., None], (y - y0)[..., None]
+    xa, xb, y1 = x0 % columns, (x0 + 1) % columns, np.minimum(y0 + 1, rows - 1)
+    low = sky[y0, xa] * (1 - fx) + sky[y0, xb] * fx
+    return low * (1 - fy) + (sky[y1, xa] * (1 - fx) + sky[y1, xb] * fx) * fy
 
 
 def _clouded(out: Any, d: Any, sky: Sky, air: Air, seed: int) -> Any:

@@ -56,6 +56,12 @@ class Poses:
         angles = None if self.angles is None else self.angles[first:last]
         return Poses(self.position[first:last], self.quaternion[first:last], angles)
 
+    def middle(self) -> Poses:
+        """The instant in the middle of every frame: what exact channels show."""
+        k = self.position.shape[1] // 2
+        angles = None if self.angles is None else self.angles[:, k : k + 1]
+        return Poses(self.position[:, k : k + 1], self.quaternion[:, k : k + 1], angles)
+
 
 @dataclass(frozen=True)
 class Quality:

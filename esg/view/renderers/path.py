@@ -1,0 +1,187 @@
+"""The faithful renderer: Mitsuba's path tracer, denoised, with motion blur."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.outcomes import UserError
+from esg.view.camera import Camera
+from esg.view.maps import encoded
+from esg.view.pieces import Movers
+from esg.view.renderers import mitsuba
+from esg.view.renderers.raster import Raster
+from esg.view.renderers.records import Kind, Poses, Quality, Scenery
+from esg.view.skies import AIRS, sky_at, sky_map
+from esg.view.surroundings import Sky
+from esg.view.truth import Pinhole
+from esg.view.worlds import Views
+
+SAMPLES = 64
+DEPTH = 6
+PASS_RAYS = 1 << 23
+"""Rays a pass: more fill the memory, fewer waste time between passes."""
+BRIGHTEST = 12.0
+"""Light of a pixel in a pass is cut here: a lone sample of the sun would not average out."""
+
+
+class PathTracer:
+    """Traces frames one by one; see `Drawer`.
+
+    Args:
+        scenery: What there is.
+        quality: How to draw it.
+
+    Raises:
+        UserError: If Mitsuba or its denoiser is not installed.
+    """
+
+    def __init__(self, scenery: Scenery, quality: Quality) -> None:
+        self._mi = mi = mitsuba.loaded(quality.device)
+        self._denoise = _denoiser()
+        self._scenery, self._quality = scenery, quality
+        parts = scenery.everything
+        self._movers = Movers(parts, scenery.n_bodies)
+        self._groups = mitsuba.groups(parts, self._movers)
+        around = scenery.surroundings
+        self._sky = around.sky if around else Sky()
+        ground = around.ground if around else None
+        bsdfs = {g.look: mitsuba.material(mi, g.look) for g in self._groups}
+        made: dict[str, Any] = {
+            "type": "scene",
+            **mitsuba.lamps(mi, self._sky, ground, quality.seed),
+        }
+        if ground is not None:
+            made["ground"] = mitsuba.ground_plane(mi, ground)
+        for k, group in enumerate(self._groups):
+            made[f"part{k}"] = mitsuba.shape(mi, f"part{k}", group, bsdfs[group.look])
+        self._scene = mi.load_dict(made)
+        self._params = mi.traverse(self._scene)
+        self._integrator = mi.load_dict(
+            {
+                "type": "aov",
+                "aovs": "albedo:albedo,normal:sh_normal,distance:depth",
+                "image": {"type": "path", "max_depth": DEPTH, "hide_emitters": True},
+            }
+        )
+        self._exact = Raster(scenery, quality) if quality.exact else None
+
+    def draw(self, poses: Poses, cameras: Sequence[Camera]) -> Views:
+        """Pictures of F frames; instants of a frame share its samples."""
+        frames = [self._frame(poses.part(k, k + 1), c) for k, c in enumerate(cameras)]
+        rgb = np.stack(frames)
+        if self._exact is not None:
+            from dataclasses import replace
+
+            return replace(self._exact.draw(poses.middle(), cameras), rgb=rgb)
+        shape = rgb.shape[:3]
+        none = np.full(shape, -2, np.int32)
+        blank = np.zeros(shape, np.float32)
+        return Views(rgb, blank, np.zeros((*shape, 3), np.float32), none, none)
+
+    def channels(self, poses: Poses, camera: Camera) -> dict[str, NDArray[np.float32]]:
+        """Mean radiance, albedo, normal, distance and coverage of one frame, not denoised.
+
+        Args:
+            poses: Of one frame.
+            camera: That looks.
+
+        Returns:
+            `color`, `albedo`, `normal` of shape [H, L, 3]; `distance` [m] and `alpha`, [H, L].
+        """
+        mi, quality = self._mi, self._quality
+        width, height = quality.size
+        wanted = quality.samples or SAMPLES
+        instants = poses.position.shape[1]
+        passes = max(instants, math.ceil(wanted * width * height / PASS_RAYS))
+        each = max(1, round(wanted / passes))
+        sensor = mitsuba.sensor(mi, camera, quality.size)
+        total: Any = 0.0
+        shown = -1
+        for k in range(passes):
+            instant = k * instants // passes
+            if instant != shown:
+                self._pose(poses, instant)
+                shown = instant
+            seed = (quality.seed * 7919 + k) & 0x7FFFFFFF
+            image = mi.render(
+                self._scene, sensor=sensor, integrator=self._integrator, spp=each, seed=seed
+            )
+            found = np.nan_to_num(np.array(image), posinf=0.0, neginf=0.0)
+            found[..., :3] = np.minimum(found[..., :3], BRIGHTEST)
+            total = total + found.astype(np.float64)
+        mean = (total / passes).astype(np.float32)
+        return {
+            "color": mean[..., :3],
+            "alpha": np.clip(mean[..., 3], 0, 1),
+            "albedo": np.clip(mean[..., 4:7], 0, 1),
+            "normal": mean[..., 7:10],
+            "distance": mean[..., 10],
+        }
+
+    def _pose(self, poses: Poses, instant: int) -> None:
+        angles = None if poses.angles is None else poses.angles[0, instant]
+        at, turn = self._movers.poses(
+            poses.position[0, instant].astype(float), poses.quaternion[0, instant].astype(float),
+            angles,
+        )  # fmt: skip
+        changed = False
+        for k, group in enumerate(self._groups):
+            if group.mover >= 0:
+                vertices, normals = mitsuba.moved(group, at, turn)
+                self._params[f"part{k}.vertex_positions"] = vertices.ravel()
+                if normals is not None:
+                    self._params[f"part{k}.vertex_normals"] = normals.ravel()
+                changed = True
+        if changed:
+            self._params.update()
+
+    def _frame(self, poses: Poses, camera: Camera) -> NDArray[np.uint8]:
+        """One picture, shape [H, L, 3]."""
+        seen = self.channels(poses, camera)
+        alpha = seen["alpha"][..., None]
+        # The sky is put behind what is clean already, as sharp as it is.
+        clean = self._denoise(seen["color"], seen["albedo"], seen["normal"])
+        air = AIRS[self._sky.kind]
+        sky = sky_map(self._sky, self._quality.seed)
+        d = view_directions(camera, self._quality.size)
+        if air.haze_m:
+            thin = np.exp(-((np.maximum(seen["distance"], 0.0) / air.haze_m) ** 1.5))[..., None]
+            clean = clean * thin + alpha * (1.0 - thin) * sky[0].mean(axis=0)
+        return encoded(clean + (1.0 - alpha) * sky_at(sky, d))
+
+
+def view_directions(camera: Camera, size: tuple[int, int]) -> NDArray[np.float64]:
+    """Unit directions in the world through all pixel centres, shape [H, L, 3]."""
+    points = Pinhole.of(camera, size).unproject(np.ones((size[1], size[0])))
+    d = points - np.asarray(camera.eye)
+    return d / np.linalg.norm(d, axis=-1, keepdims=True)
+
+
+def _denoiser() -> Any:
+    """A function of colour, albedo and normal, each of shape [H, L, 3]."""
+    try:
+        import mitsuba_oidn as oidn
+    except ImportError:
+        raise UserError(
+            "--renderer path needs its denoiser: pip install 'esg-scenes[render]'"
+        ) from None
+
+    def denoise(color: Any, albedo: Any, normal: Any) -> NDArray[np.float32]:
+        images = (np.ascontiguousarray(v, np.float32) for v in (color, albedo, normal))
+        return np.maximum(np.asarray(oidn.denoise(*images, hdr=True)), 0.0)
+
+    return denoise
+
+
+def _version() -> str:
+    from importlib.metadata import version
+
+    return f"mitsuba {version('mitsuba')}, mitsuba-oidn {version('mitsuba-oidn')}"
+
+
+KIND = Kind("path", SAMPLES, PathTracer, _version, batch=1)
