@@ -46,7 +46,7 @@ def bench(
         strict: Count scenes as failed that are partial or not plausible.
         workers: Worker processes; default one a core.
     """
-    from esg.commands import inputs
+    from esg.api import inputs
     from esg.commands.live import live
     from esg.failures import report_failures
     from esg.files import write_json

@@ -56,9 +56,7 @@ def serve(
         cached: Use finished stages of earlier runs instead of making everything anew.
         json: Print one JSON document (with --once).
     """
-    from esg.commands.bench import MAX_RUNS
-    from esg.commands.console import emit
-    from esg.commands.inputs import (
+    from esg.api.inputs import (
         check_cache,
         check_device,
         check_seed,
@@ -66,6 +64,8 @@ def serve(
         checked,
         in_range,
     )
+    from esg.commands.bench import MAX_RUNS
+    from esg.commands.console import emit
     from esg.metrics import load_suite
     from esg.runs import database_path
     from esg.scenefolder import check_writable
