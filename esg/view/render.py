@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+import math
 from typing import Any
 
 import numpy as np
@@ -38,7 +39,13 @@ class Renderer:
     ) -> None:
         self.width, self.height = width, height
         self._world = WorldRenderer(
-            parts, n_bodies, 1, (width, height), surroundings=surroundings, seed=seed
+            parts,
+            n_bodies,
+            1,
+            (width, height),
+            sun=math.pi / 2,
+            surroundings=surroundings,
+            seed=seed,
         )
 
     def light(self, azimuth: float) -> None:

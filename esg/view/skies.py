@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.view.surroundings import Sky
+from esg.view.surroundings import Sky, Vec
 
 Floats = NDArray[np.float32]
 
@@ -48,6 +48,18 @@ AIRS = {
     "night": Air(0.15, 0.1, 0.03, haze_m=400.0),
     "indoor": Air(0.0, 0.0, 0.12, reach_m=2.2, haze_m=0.0),
 }
+
+
+def sun_behind(azimuth: float) -> Vec:
+    """Direction of a sun behind a viewer's right shoulder, so that what one sees is lit.
+
+    Args:
+        azimuth: Direction from the scene to the viewer, counter-clockwise from +X [rad].
+    """
+    toward = azimuth - math.radians(42)
+    sun = np.array([0.67 * math.cos(toward), 0.67 * math.sin(toward), 0.9])
+    x, y, z = sun / np.linalg.norm(sun)
+    return float(x), float(y), float(z)
 
 
 @lru_cache(maxsize=8)
@@ -102,6 +114,29 @@ def sky_at(sky: Floats, directions: NDArray[Any]) -> NDArray[np.float64]:
     xa, xb, y1 = x0 % columns, (x0 + 1) % columns, np.minimum(y0 + 1, rows - 1)
     low = sky[y0, xa] * (1 - fx) + sky[y0, xb] * fx
     return low * (1 - fy) + (sky[y1, xa] * (1 - fx) + sky[y1, xb] * fx) * fy
+
+
+def lighting_map(sky: Sky, seed: int, below: NDArray[Any]) -> Floats:
+    """The light of the sky from all sides, as strong as `Sky.ambient_rgb` says.
+
+    Args:
+        sky: Its colours.
+        seed: Of the clouds.
+        below: Linear colour of what is below the horizon, shape [3].
+
+    Returns:
+        Linear colours, shape [2 rows, columns, 3], rows from straight down to straight up, columns
+        as of `sky_map`.
+    """
+    seen = sky_map(sky, seed)
+    rise = (np.arange(len(seen)) + 0.5) / len(seen) * math.pi / 2
+    share = (np.sin(rise) * np.cos(rise))[:, None, None]
+    irradiance = (seen * share).sum(axis=(0, 1)) / (share.sum() * seen.shape[1])
+    ambient = np.array(sky.ambient_rgb)
+    lower = np.broadcast_to(below * ambient, seen.shape)
+    return np.concatenate([lower, seen * (ambient / np.maximum(irradiance, 1e-6))]).astype(
+        np.float32
+    )
 
 
 def _clouded(out: Any, d: Any, sky: Sky, air: Air, seed: int) -> Any:

@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from esg.view.camera import Camera
 from esg.view.pieces import Movers, Part
+from esg.view.skies import sun_behind
 from esg.view.surroundings import Surroundings
 from esg.view.tracer.stage import Stage
 
@@ -55,7 +56,7 @@ class WorldRenderer:
         worlds: Number of worlds W.
         size: Width and height [px].
         device: cpu or cuda:N.
-        sun: Azimuth of the viewer that the sun of a plain sky stands behind [rad].
+        sun: Azimuth of the viewer that the sun of a plain sky stands behind [rad]; None leaves it.
         surroundings: Sky, ground and what dresses the place; None for neither.
         seed: Of the clouds.
     """
@@ -68,7 +69,7 @@ class WorldRenderer:
         size: tuple[int, int],
         *,
         device: str = "cpu",
-        sun: float = math.pi / 2,
+        sun: float | None = None,
         surroundings: Surroundings | None = None,
         seed: int = 0,
     ) -> None:
@@ -82,7 +83,8 @@ class WorldRenderer:
         self._last = size
         # Index -2 is nothing and -1 the ground: the last two rows.
         self._body = np.array([*self.movers.bodies, NOTHING, GROUND], np.int32)
-        self.light(sun)
+        if sun is not None:
+            self.light(sun)
 
     @property
     def movers(self) -> Movers:
@@ -96,10 +98,7 @@ class WorldRenderer:
             azimuth: Direction from the scene to the viewer, counter-clockwise from +X [rad].
         """
         if self._plain:
-            toward = azimuth - math.radians(42)
-            sun = np.array([0.67 * math.cos(toward), 0.67 * math.sin(toward), 0.9])
-            x, y, z = sun / np.linalg.norm(sun)
-            self._stage.turn_sun((float(x), float(y), float(z)))
+            self._stage.turn_sun(sun_behind(azimuth))
 
     def pose(
         self, position: NDArray[Any], quaternion: NDArray[Any], angles: NDArray[Any] | None = None

@@ -3,10 +3,10 @@
 from __future__ import annotations
 
 from esg.outcomes import UserError
-from esg.view.renderers import path, raster
+from esg.view.renderers import cycles, path, raster
 from esg.view.renderers.records import Kind
 
-KINDS: dict[str, Kind] = {kind.name: kind for kind in (raster.KIND, path.KIND)}
+KINDS: dict[str, Kind] = {kind.name: kind for kind in (raster.KIND, path.KIND, cycles.KIND)}
 
 
 def kind_named(name: str) -> Kind:

@@ -2,9 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
 import ctypes.util
-from dataclasses import dataclass
 from functools import cache
 import glob
 import math
@@ -18,15 +16,14 @@ from esg.assets.looks import Look
 from esg.outcomes import UserError
 from esg.view.camera import Camera
 from esg.view.maps import linear, mean_color
-from esg.view.pieces import Movers, Part
-from esg.view.skies import AIRS, sky_at, sky_map
+from esg.view.renderers.groups import Group
+from esg.view.skies import AIRS, lighting_map
 from esg.view.surroundings import Sky
-from esg.view.tracer.stage import BOUNCE, CLEAR, surface
+from esg.view.tracer.stage import BOUNCE, CLEAR
 
 TEXTURE_PX = 512
 GROUND_HALF_M = 1500.0
 SUN_AWAY_M = 8000.0
-SKY_PX = (1024, 512)
 PANE = 0.6
 """What is less opaque and as smooth as glass is a pane: it mirrors, and bends nothing."""
 PANE_ROUGHNESS = 0.2
@@ -51,9 +48,7 @@ def loaded(device: str) -> Any:
                 os.environ["DRJIT_LIBLLVM_PATH"] = found
         import mitsuba as mi
     except ImportError:
-        raise UserError(
-            "--renderer path needs Mitsuba: pip install 'esg-scenes[render]'"
-        ) from None
+        raise UserError("--renderer path needs Mitsuba: pip install 'esg-scenes[render]'") from None
     if device != "cpu":
         mi.set_variant("cuda_ad_rgb")
     else:
@@ -74,50 +69,6 @@ def _llvm() -> str | None:
         if paths or name:
             return paths[0] if paths else name
     return None
-
-
-@dataclass
-class Group:
-    """All parts of one look that move as one.
-
-    Args:
-        mover: Index among `Movers`; -1 for the world.
-        vertices: Shape [n, 3] [m].
-        normals: At the vertices, shape [n, 3]; None for flat faces.
-    """
-
-    mover: int
-    look: Look
-    vertices: NDArray[np.float32]
-    faces: NDArray[np.uint32]
-    normals: NDArray[np.float32] | None
-    uvs: NDArray[np.float32]
-
-
-def groups(parts: Iterable[Part], movers: Movers) -> list[Group]:
-    """Parts of one look, one pose and one kind of normals together."""
-    found: dict[tuple[int, Look, bool], list[Part]] = {}
-    for part in parts:
-        if len(part.faces):
-            key = (movers.of(part), surface(part), part.normals is not None)
-            found.setdefault(key, []).append(part)
-    out: list[Group] = []
-    for (mover, look, smooth), members in found.items():
-        starts = np.cumsum([0, *(len(p.vertices) for p in members[:-1])])
-        faces = [p.faces + s for p, s in zip(members, starts, strict=True)]
-        uvs = [np.zeros((len(p.vertices), 2)) if p.uvs is None else p.uvs for p in members]
-        normals = [p.normals for p in members if p.normals is not None] if smooth else None
-        out.append(
-            Group(
-                mover,
-                look,
-                np.concatenate([p.vertices for p in members]).astype(np.float32),
-                np.concatenate(faces).astype(np.uint32),
-                np.concatenate(normals).astype(np.float32) if normals else None,
-                np.concatenate(uvs).astype(np.float32),
-            )
-        )
-    return out
 
 
 def material(mi: Any, look: Look, uv_scale: float = 1.0) -> Any:
@@ -210,22 +161,10 @@ def lamps(mi: Any, sky: Sky, ground: Look | None, seed: int) -> dict[str, Any]:
     The sun is a far disc, so that its shadows are as soft as in the other renderers.
     """
     below = np.array(BOUNCE) if ground is None else mean_color(ground.color, ground.texture)
-    columns, rows = SKY_PX
-    azimuth = (np.arange(columns) + 0.5) / columns * 2 * math.pi
-    polar = (np.arange(rows) + 0.5) / rows * math.pi
-    d = np.stack(
-        [
-            np.outer(np.sin(polar), np.sin(azimuth)),
-            np.outer(np.sin(polar), np.cos(azimuth)),
-            np.repeat(np.cos(polar)[:, None], columns, axis=1),
-        ],
-        axis=-1,
-    )
-    light = sky_at(sky_map(sky, seed), d)
-    up = np.maximum(d[..., 2:], 0) * np.sin(polar)[:, None, None]
-    irradiance = (light * up).sum(axis=(0, 1)) / up.sum()
-    light = light * (np.array(sky.ambient_rgb) / np.maximum(irradiance, 1e-6))
-    light[d[..., 2] < 0] = below * np.array(sky.ambient_rgb)
+    light = lighting_map(sky, seed, below)
+    columns = light.shape[1]
+    # Mitsuba's rows fall, and its columns go clockwise from +Y once its up is ours.
+    turned = light[::-1, (3 * columns // 4 - 1 - np.arange(columns)) % columns]
     t = mi.ScalarTransform4f()
     air = AIRS[sky.kind]
     spread = math.tan(air.sun_radius)
@@ -235,8 +174,7 @@ def lamps(mi: Any, sky: Sky, ground: Look | None, seed: int) -> dict[str, Any]:
     return {
         "sky": {
             "type": "envmap",
-            "bitmap": mi.Bitmap(light.astype(np.float32)),
-            # Mitsuba's up is Y; its columns begin at -Z and go to +X.
+            "bitmap": mi.Bitmap(np.ascontiguousarray(turned)),
             "to_world": t.rotate([1, 0, 0], 90),
         },
         "sun": {
@@ -273,15 +211,3 @@ def sensor(mi: Any, camera: Camera, size: tuple[int, int]) -> Any:
             "sampler": {"type": "independent"},
         }
     )
-
-
-def moved(group: Group, position: NDArray[Any], quaternion: NDArray[Any]) -> Sequence[Any]:
-    """Vertices and normals of a group in the world, for poses of all movers."""
-    from esg.units import quat_rotate
-
-    at, turn = position[group.mover], quaternion[group.mover]
-    vertices = quat_rotate(turn, group.vertices.astype(np.float64)) + at
-    normals = None
-    if group.normals is not None:
-        normals = quat_rotate(turn, group.normals.astype(np.float64)).astype(np.float32)
-    return vertices.astype(np.float32), normals

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 import math
 from typing import Any
 
@@ -11,14 +12,12 @@ from numpy.typing import NDArray
 
 from esg.outcomes import UserError
 from esg.view.camera import Camera
-from esg.view.maps import encoded
 from esg.view.pieces import Movers
 from esg.view.renderers import mitsuba
+from esg.view.renderers.finish import finished
+from esg.view.renderers.groups import groups, moved
 from esg.view.renderers.raster import Raster
-from esg.view.renderers.records import Kind, Poses, Quality, Scenery
-from esg.view.skies import AIRS, sky_at, sky_map
-from esg.view.surroundings import Sky
-from esg.view.truth import Pinhole
+from esg.view.renderers.records import Kind, Poses, Quality, Scenery, blank
 from esg.view.worlds import Views
 
 SAMPLES = 64
@@ -46,14 +45,12 @@ class PathTracer:
         self._scenery, self._quality = scenery, quality
         parts = scenery.everything
         self._movers = Movers(parts, scenery.n_bodies)
-        self._groups = mitsuba.groups(parts, self._movers)
-        around = scenery.surroundings
-        self._sky = around.sky if around else Sky()
-        ground = around.ground if around else None
+        self._groups = groups(parts, self._movers)
+        ground = scenery.ground
         bsdfs = {g.look: mitsuba.material(mi, g.look) for g in self._groups}
         made: dict[str, Any] = {
             "type": "scene",
-            **mitsuba.lamps(mi, self._sky, ground, quality.seed),
+            **mitsuba.lamps(mi, scenery.sky, ground, quality.seed),
         }
         if ground is not None:
             made["ground"] = mitsuba.ground_plane(mi, ground)
@@ -75,13 +72,8 @@ class PathTracer:
         frames = [self._frame(poses.part(k, k + 1), c) for k, c in enumerate(cameras)]
         rgb = np.stack(frames)
         if self._exact is not None:
-            from dataclasses import replace
-
             return replace(self._exact.draw(poses.middle(), cameras), rgb=rgb)
-        shape = rgb.shape[:3]
-        none = np.full(shape, -2, np.int32)
-        blank = np.zeros(shape, np.float32)
-        return Views(rgb, blank, np.zeros((*shape, 3), np.float32), none, none)
+        return blank(rgb)
 
     def channels(self, poses: Poses, camera: Camera) -> dict[str, NDArray[np.float32]]:
         """Mean radiance, albedo, normal, distance and coverage of one frame, not denoised.
@@ -132,7 +124,7 @@ class PathTracer:
         changed = False
         for k, group in enumerate(self._groups):
             if group.mover >= 0:
-                vertices, normals = mitsuba.moved(group, at, turn)
+                vertices, normals = moved(group, at, turn)
                 self._params[f"part{k}.vertex_positions"] = vertices.ravel()
                 if normals is not None:
                     self._params[f"part{k}.vertex_normals"] = normals.ravel()
@@ -143,23 +135,10 @@ class PathTracer:
     def _frame(self, poses: Poses, camera: Camera) -> NDArray[np.uint8]:
         """One picture, shape [H, L, 3]."""
         seen = self.channels(poses, camera)
-        alpha = seen["alpha"][..., None]
         # The sky is put behind what is clean already, as sharp as it is.
         clean = self._denoise(seen["color"], seen["albedo"], seen["normal"])
-        air = AIRS[self._sky.kind]
-        sky = sky_map(self._sky, self._quality.seed)
-        d = view_directions(camera, self._quality.size)
-        if air.haze_m:
-            thin = np.exp(-((np.maximum(seen["distance"], 0.0) / air.haze_m) ** 1.5))[..., None]
-            clean = clean * thin + alpha * (1.0 - thin) * sky[0].mean(axis=0)
-        return encoded(clean + (1.0 - alpha) * sky_at(sky, d))
-
-
-def view_directions(camera: Camera, size: tuple[int, int]) -> NDArray[np.float64]:
-    """Unit directions in the world through all pixel centres, shape [H, L, 3]."""
-    points = Pinhole.of(camera, size).unproject(np.ones((size[1], size[0])))
-    d = points - np.asarray(camera.eye)
-    return d / np.linalg.norm(d, axis=-1, keepdims=True)
+        sky, seed = self._scenery.sky, self._quality.seed
+        return finished(clean, seen["alpha"], seen["distance"], sky, seed, camera)
 
 
 def _denoiser() -> Any:

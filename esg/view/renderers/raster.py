@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import replace
+from dataclasses import fields, replace
 
 import numpy as np
 
 from esg.view.camera import Camera
 from esg.view.renderers.records import Kind, Poses, Quality, Scenery
-from esg.view.worlds import Views, WorldRenderer
+from esg.view.worlds import SAMPLES, Views, WorldRenderer
 
-SAMPLES = 4
 BATCH = 24
+"""Frames drawn in one launch."""
 
 
 class Raster:
@@ -28,28 +28,44 @@ class Raster:
         self._worlds: WorldRenderer | None = None
 
     def draw(self, poses: Poses, cameras: Sequence[Camera]) -> Views:
-        """Pictures of F frames; instants of a frame are drawn one by one and averaged."""
-        if self._worlds is None or self._worlds.worlds != len(poses):
-            self._worlds = self._made(len(poses))
+        """Pictures of F frames; light of the instants of a frame is averaged."""
+        count, instants = poses.position.shape[:2]
+        if self._worlds is None or self._worlds.worlds < count:
+            self._worlds = self._made(count)
         worlds = self._worlds
-        instants = poses.position.shape[1]
-        middle = instants // 2
-        total = np.zeros(0)
-        exact = None
+        # A last batch that is not full draws its last frame several times.
+        filled = np.minimum(np.arange(worlds.worlds), count - 1)
+        shown = [cameras[k] for k in filled]
+        exact: Views | None = None
+        rgb = None
         for s in range(instants):
-            angles = None if poses.angles is None else poses.angles[:, s]
-            worlds.pose(poses.position[:, s], poses.quaternion[:, s], angles)
-            worlds.draw(cameras)
-            views = worlds.read()
-            assert views.rgb is not None
-            total = views.rgb.astype(np.float64) + (total if s else 0.0)
-            exact = views if s == middle else exact
+            angles = None if poses.angles is None else poses.angles[filled, s]
+            worlds.pose(poses.position[filled, s], poses.quaternion[filled, s], angles)
+            worlds.draw(
+                shown,
+                rgb=self._quality.color,
+                samples=self._quality.samples or SAMPLES,
+                instant=(s, instants),
+            )
+            views = worlds.read(rgb=self._quality.color)
+            exact = views if s == instants // 2 else exact
+            rgb = views.rgb
         assert exact is not None
-        return replace(exact, rgb=np.rint(total / instants).astype(np.uint8))
+        whole = replace(exact, rgb=rgb)
+        kept = {f.name: getattr(whole, f.name) for f in fields(whole)}
+        return Views(**{name: v if v is None else v[:count] for name, v in kept.items()})
 
     def _made(self, worlds: int) -> WorldRenderer:
         s, q = self._scenery, self._quality
-        return WorldRenderer(s.everything, s.n_bodies, worlds, q.size, device=q.device)
+        return WorldRenderer(
+            s.parts,
+            s.n_bodies,
+            worlds,
+            q.size,
+            device=q.device,
+            surroundings=s.surroundings,
+            seed=q.seed,
+        )
 
 
 def _version() -> str:

@@ -6,12 +6,14 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any, Protocol
 
+import numpy as np
 from numpy.typing import NDArray
 
+from esg.assets.looks import Look
 from esg.view.camera import Camera
 from esg.view.pieces import Part
-from esg.view.surroundings import Surroundings
-from esg.view.worlds import Views
+from esg.view.surroundings import Sky, Surroundings
+from esg.view.worlds import NOTHING, Views
 
 
 @dataclass(frozen=True)
@@ -32,6 +34,16 @@ class Scenery:
     def everything(self) -> tuple[Part, ...]:
         """All meshes, those of the surroundings last."""
         return (*self.parts, *(self.surroundings.parts if self.surroundings else ()))
+
+    @property
+    def sky(self) -> Sky:
+        """Light from above."""
+        return self.surroundings.sky if self.surroundings else Sky()
+
+    @property
+    def ground(self) -> Look | None:
+        """The endless plane."""
+        return self.surroundings.ground if self.surroundings else None
 
 
 @dataclass(frozen=True)
@@ -73,6 +85,7 @@ class Quality:
         seed: Of noise and clouds.
         device: cpu or cuda:N.
         exact: Also draw depth, normals and bodies.
+        color: Draw colours.
     """
 
     size: tuple[int, int]
@@ -80,6 +93,7 @@ class Quality:
     seed: int = 0
     device: str = "cpu"
     exact: bool = False
+    color: bool = True
 
 
 class Drawer(Protocol):
@@ -112,3 +126,11 @@ class Kind:
     load: Callable[[Scenery, Quality], Drawer]
     version: Callable[[], str]
     batch: int = 24
+
+
+def blank(rgb: NDArray[np.uint8]) -> Views:
+    """Pictures without exact channels."""
+    shape = rgb.shape[:3]
+    nothing = np.full(shape, NOTHING, np.int32)
+    zero = np.zeros(shape, np.float32)
+    return Views(rgb, zero, np.zeros((*shape, 3), np.float32), nothing, nothing)

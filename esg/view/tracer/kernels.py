@@ -13,6 +13,8 @@ from __future__ import annotations
 # pyright: reportArgumentType=false, reportCallIssue=false, reportIndexIssue=false
 # pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 # pyright: reportAttributeAccessIssue=false
+# Warp evaluates both sides of `and`: nested conditions save the search on the right one.
+# ruff: noqa: SIM102
 import warp as wp
 
 NOTHING = wp.constant(-2)
