@@ -2,9 +2,9 @@
 
     blender --background --factory-startup --python blender_script.py -- FOLDER
 
-Reads scene.json and the arrays that it lists, writes frame0.bin, ...: linear colour and coverage
-of every pixel, rows from bottom to top, and far0.bin, ... with distances in the first of four
-channels. Not every Blender has numpy.
+Reads scene.json and the arrays that it lists, writes image0.bin, ...: linear colour and coverage
+of every pixel, rows from bottom to top, and Depth0.bin, Normal0.bin and DiffCol0.bin, four channels
+each. Nothing is denoised: not every Blender can, and not every one has numpy.
 """
 
 from __future__ import annotations
@@ -23,6 +23,7 @@ from mathutils import Matrix, Quaternion, Vector
 
 GROUND_HALF_M = 1500.0
 PANE, PANE_ROUGHNESS, CLEAR = 0.6, 0.2, 0.97
+PASSES = ("Depth", "Normal", "DiffCol")
 STEP = 10
 """Frames of Blender between two of ours; the shutter is open for two of them."""
 
@@ -46,10 +47,11 @@ def main(folder: Path) -> None:
         scene.frame_set(STEP * k)
         scene.render.filepath = str(folder / "seen.exr")
         bpy.ops.render.render(write_still=True)
-        keep(folder / "seen.exr", folder / f"frame{k}.bin")
-        found = sorted(folder.glob("distance*.exr"))[0]
-        keep(found, folder / f"far{k}.bin")
-        found.unlink()
+        keep(folder / "seen.exr", folder / f"image{k}.bin")
+        for name in PASSES:
+            found = sorted(folder.glob(f"{name}-*.exr"))[0]
+            keep(found, folder / f"{name}{k}.bin")
+            found.unlink()
 
 
 def read(path: Path, kind: str) -> Any:
@@ -228,7 +230,7 @@ def settings(scene: Any, told: Any, folder: Path, blurred: bool) -> None:
     scene.cycles.max_bounces = 6
     scene.cycles.pixel_filter_type = "BOX"
     scene.cycles.film_transparent_glass = False
-    scene.cycles.use_denoising = True
+    scene.cycles.use_denoising = False
     if told["device"] != "cpu":
         kinds = bpy.context.preferences.addons["cycles"].preferences
         kinds.compute_device_type = "CUDA"
@@ -236,19 +238,22 @@ def settings(scene: Any, told: Any, folder: Path, blurred: bool) -> None:
         for device in kinds.devices:
             device.use = device.type == "CUDA"
         scene.cycles.device = "GPU"
-    bpy.context.view_layer.use_pass_z = True
+    layer = bpy.context.view_layer
+    layer.use_pass_z = layer.use_pass_normal = layer.use_pass_diffuse_color = True
     scene.use_nodes = True
     tree = scene.node_tree
     tree.nodes.clear()
     layers = tree.nodes.new("CompositorNodeRLayers")
     final = tree.nodes.new("CompositorNodeComposite")
     tree.links.new(layers.outputs["Image"], final.inputs["Image"])
-    far = tree.nodes.new("CompositorNodeOutputFile")
-    far.format.file_format = "OPEN_EXR"
-    far.format.color_depth = "32"
-    far.base_path = str(folder)
-    far.file_slots[0].path = "distance"
-    tree.links.new(layers.outputs["Depth"], far.inputs[0])
+    passes = tree.nodes.new("CompositorNodeOutputFile")
+    passes.base_path = str(folder)
+    passes.format.file_format = "OPEN_EXR"
+    passes.format.color_depth = "32"
+    passes.file_slots.clear()
+    for name in PASSES:
+        passes.file_slots.new(f"{name}-")
+        tree.links.new(layers.outputs[name], passes.inputs[-1])
 
 
 main(Path(sys.argv[sys.argv.index("--") + 1]))

@@ -21,7 +21,7 @@ from esg.outcomes import UserError
 from esg.view.camera import Camera
 from esg.view.maps import linear, mean_color
 from esg.view.pieces import Movers
-from esg.view.renderers.finish import finished
+from esg.view.renderers.finish import denoiser, finished
 from esg.view.renderers.groups import groups
 from esg.view.renderers.raster import Raster
 from esg.view.renderers.records import Kind, Poses, Quality, Scenery, blank
@@ -33,6 +33,8 @@ SAMPLES = 32
 SCRIPT = Path(__file__).with_name("blender_script.py")
 TEXTURE_PX = 512
 BATCH = 24
+PASSES = ("image", "Depth", "Normal", "DiffCol")
+"""What the script writes of every frame."""
 
 
 @cache
@@ -74,6 +76,7 @@ class Cycles:
         self._program = blender()[0]
         self._scenery, self._quality = scenery, quality
         self._movers = Movers(scenery.everything, scenery.n_bodies)
+        self._denoise = denoiser()
         self._exact = Raster(scenery, quality) if quality.exact else None
 
     def draw(self, poses: Poses, cameras: Sequence[Camera]) -> Views:
@@ -93,20 +96,23 @@ class Cycles:
             if run.returncode:
                 said = "\n".join((run.stdout + run.stderr).strip().splitlines()[-12:])
                 raise UserError(f"{self._program} failed with code {run.returncode}:\n{said}")
-            seen = [
-                _pictures(folder / f"frame{k}.bin", self._quality.size) for k in range(len(poses))
+            size, count = self._quality.size, len(poses)
+            found = [
+                [_pictures(folder / f"{name}{k}.bin", size) for name in PASSES]
+                for k in range(count)
             ]
-            far = [_pictures(folder / f"far{k}.bin", self._quality.size) for k in range(len(poses))]
-        sky, seed = self._scenery.sky, self._quality.seed
-        rgb = np.stack(
-            [
-                finished(a[..., :3], a[..., 3], b[..., 0], sky, seed, camera)
-                for a, b, camera in zip(seen, far, cameras, strict=True)
-            ]
-        )
+        rgb = np.stack([self._developed(*v) for v in zip(found, cameras, strict=True)])
         if self._exact is None:
             return blank(rgb)
         return replace(self._exact.draw(poses.middle(), cameras), rgb=rgb)
+
+    def _developed(self, passes: Sequence[NDArray[Any]], camera: Camera) -> NDArray[np.uint8]:
+        image, depth, normal, albedo = passes
+        color = image[..., :3]
+        if self._denoise is not None:
+            color = self._denoise(color, albedo[..., :3], normal[..., :3])
+        sky, seed = self._scenery.sky, self._quality.seed
+        return finished(color, image[..., 3], depth[..., 0], sky, seed, camera)
 
     def _write(self, folder: Path, poses: Poses, cameras: Sequence[Camera]) -> None:
         """The scene as arrays and a description, for `blender_script.py`."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -12,6 +13,8 @@ from esg.view.maps import encoded
 from esg.view.skies import AIRS, sky_at, sky_map
 from esg.view.surroundings import Sky
 from esg.view.truth import Pinhole
+
+Denoiser = Callable[..., NDArray[np.float32]]
 
 
 def finished(
@@ -49,3 +52,17 @@ def view_directions(camera: Camera, size: tuple[int, int]) -> NDArray[np.float64
     points = Pinhole.of(camera, size).unproject(np.ones((size[1], size[0])))
     d = points - np.asarray(camera.eye)
     return d / np.linalg.norm(d, axis=-1, keepdims=True)
+
+
+def denoiser() -> Denoiser | None:
+    """A function of colour, albedo and normal, each of shape [H, L, 3]; None if not installed."""
+    try:
+        import mitsuba_oidn as oidn
+    except ImportError:
+        return None
+
+    def denoise(*images: NDArray[Any]) -> NDArray[np.float32]:
+        plain = (np.ascontiguousarray(v, np.float32) for v in images)
+        return np.maximum(np.asarray(oidn.denoise(*plain, hdr=True)), 0.0)
+
+    return denoise

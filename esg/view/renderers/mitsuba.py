@@ -21,6 +21,7 @@ from esg.view.skies import AIRS, lighting_map
 from esg.view.surroundings import Sky
 from esg.view.tracer.stage import BOUNCE, CLEAR
 
+INSTALL = "pip install 'esg-scenes[render]'"
 TEXTURE_PX = 512
 GROUND_HALF_M = 1500.0
 SUN_AWAY_M = 8000.0
@@ -48,7 +49,7 @@ def loaded(device: str) -> Any:
                 os.environ["DRJIT_LIBLLVM_PATH"] = found
         import mitsuba as mi
     except ImportError:
-        raise UserError("--renderer path needs Mitsuba: pip install 'esg-scenes[render]'") from None
+        raise UserError(f"--renderer path needs Mitsuba: {INSTALL}") from None
     if device != "cpu":
         mi.set_variant("cuda_ad_rgb")
     else:

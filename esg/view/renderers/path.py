@@ -14,7 +14,7 @@ from esg.outcomes import UserError
 from esg.view.camera import Camera
 from esg.view.pieces import Movers
 from esg.view.renderers import mitsuba
-from esg.view.renderers.finish import finished
+from esg.view.renderers.finish import denoiser, finished
 from esg.view.renderers.groups import groups, moved
 from esg.view.renderers.raster import Raster
 from esg.view.renderers.records import Kind, Poses, Quality, Scenery, blank
@@ -41,7 +41,10 @@ class PathTracer:
 
     def __init__(self, scenery: Scenery, quality: Quality) -> None:
         self._mi = mi = mitsuba.loaded(quality.device)
-        self._denoise = _denoiser()
+        denoise = denoiser()
+        if denoise is None:
+            raise UserError(f"--renderer path needs its denoiser: {mitsuba.INSTALL}")
+        self._denoise = denoise
         self._scenery, self._quality = scenery, quality
         parts = scenery.everything
         self._movers = Movers(parts, scenery.n_bodies)
@@ -141,26 +144,13 @@ class PathTracer:
         return finished(clean, seen["alpha"], seen["distance"], sky, seed, camera)
 
 
-def _denoiser() -> Any:
-    """A function of colour, albedo and normal, each of shape [H, L, 3]."""
-    try:
-        import mitsuba_oidn as oidn
-    except ImportError:
-        raise UserError(
-            "--renderer path needs its denoiser: pip install 'esg-scenes[render]'"
-        ) from None
-
-    def denoise(color: Any, albedo: Any, normal: Any) -> NDArray[np.float32]:
-        images = (np.ascontiguousarray(v, np.float32) for v in (color, albedo, normal))
-        return np.maximum(np.asarray(oidn.denoise(*images, hdr=True)), 0.0)
-
-    return denoise
-
-
 def _version() -> str:
-    from importlib.metadata import version
+    from importlib.metadata import PackageNotFoundError, version
 
-    return f"mitsuba {version('mitsuba')}, mitsuba-oidn {version('mitsuba-oidn')}"
+    try:
+        return f"mitsuba {version('mitsuba')}, mitsuba-oidn {version('mitsuba-oidn')}"
+    except PackageNotFoundError as error:
+        raise UserError(f"--renderer path needs {error.name}: {mitsuba.INSTALL}") from None
 
 
 KIND = Kind("path", SAMPLES, PathTracer, _version, batch=1)
