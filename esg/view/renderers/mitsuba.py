@@ -108,7 +108,12 @@ def material(mi: Any, look: Look, uv_scale: float = 1.0) -> Any:
     }
     if maps is not None:
         bent = _bitmap(mi, maps.normal.astype(np.float32) / 255.0, uv_scale)
-        bsdf = {"type": "normalmap", "normalmap": bent, "bsdf": bsdf}
+        bsdf = {
+            "type": "normalmap",
+            "normalmap": bent,
+            "use_shadowing_function": False,
+            "bsdf": bsdf,
+        }
     bsdf = {"type": "twosided", "bsdf": bsdf}
     if look.alpha < CLEAR:
         bsdf = {"type": "mask", "opacity": float(look.alpha), "bsdf": bsdf}

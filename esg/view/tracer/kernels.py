@@ -14,7 +14,8 @@ from __future__ import annotations
 # pyright: reportOperatorIssue=false, reportReturnType=false, reportAssignmentType=false
 # pyright: reportAttributeAccessIssue=false
 # Warp evaluates both sides of `and`: nested conditions save the search on the right one.
-# ruff: noqa: SIM102
+# Without `float()` a number is a constant to it.
+# ruff: noqa: SIM102, UP018, RUF046
 import warp as wp
 
 NOTHING = wp.constant(-2)
@@ -124,7 +125,7 @@ def _from_front(mesh: wp.uint64, o: wp.vec3, d: wp.vec3, reach: float):
     """The nearest face of a mesh that is seen from its front."""
     hit = Hit()
     hit.instance = NOTHING
-    start = 0.0
+    start = float(0.0)
     for _k in range(8):
         q = wp.mesh_query_ray(mesh, o + d * start, d, reach - start)
         if not q.result:
@@ -164,7 +165,7 @@ def _closest(s: Scene, world: int, o: wp.vec3, d: wp.vec3, reach: float):
             best.instance = s.instances + 1
     if s.bvh != wp.uint64(0):
         query = wp.bvh_query_ray(s.bvh, o, d, wp.bvh_get_group_root(s.bvh, world))
-        i = 0
+        i = int(0)
         while wp.bvh_query_next(query, i, best.t):
             away = wp.transform_inverse(s.pose[i])
             local = wp.transform_vector(away, d)
@@ -184,7 +185,7 @@ def _hidden(s: Scene, world: int, o: wp.vec3, d: wp.vec3, reach: float) -> bool:
             return True
     if s.bvh != wp.uint64(0):
         query = wp.bvh_query_ray(s.bvh, o, d, wp.bvh_get_group_root(s.bvh, world))
-        i = 0
+        i = int(0)
         while wp.bvh_query_next(query, i, reach):
             if s.clear[i] == 0:
                 away = wp.transform_inverse(s.pose[i])
@@ -290,8 +291,8 @@ def _lit(s: Scene, world: int, at: wp.vec3, n: wp.vec3, flat: wp.vec3, t: float,
     sun_up = wp.cross(s.sun, sun_side)
     side = _across(flat)
     up = wp.cross(flat, side)
-    sun = 0.0
-    open_ = 0.0
+    sun = float(0.0)
+    open_ = float(0.0)
     for i in range(rays):
         # A sunflower's seeds, spread over a disc: PATTERN pixels share RAYS * PATTERN of them.
         seed = float(k + i * PATTERN)
@@ -383,9 +384,9 @@ def _highlight(s: Scene, m: Material, n: wp.vec3, d: wp.vec3) -> wp.vec3:
 def _shade(s: Scene, world: int, o: wp.vec3, d: wp.vec3, hit: Hit, pixel: float, k: int, rays: int):
     """Light along a ray whose nearest surface is `hit`; what is clear lets the next through."""
     out = Shade()
-    left = 1.0
+    left = float(1.0)
     here = hit
-    travelled = 0.0
+    travelled = float(0.0)
     origin = o
     for layer in range(LAYERS):
         if here.instance == NOTHING:
@@ -401,7 +402,7 @@ def _shade(s: Scene, world: int, o: wp.vec3, d: wp.vec3, hit: Hit, pixel: float,
         light = wp.vec3(1.0, 0.5, 0.5)
         if layer == 0 or opaque >= 0.5:
             light = _lit(s, world, at, n, here.normal, travelled, k, rays)
-        haze = 0.0
+        haze = float(0.0)
         if s.haze_m > 0.0:
             haze = 1.0 - wp.exp(-wp.pow(travelled / s.haze_m, 1.5))
         clear = left * (1.0 - haze)
@@ -480,7 +481,7 @@ def look(
     ahead = -wp.dot(d, wp.transform_vector(view.pose, wp.vec3(0.0, 0.0, 1.0)))
     n = wp.vec3(0.0)
     owner = NOTHING
-    far = 0.0
+    far = float(0.0)
     if hit.instance != NOTHING:
         n = hit.normal
         far = hit.t * ahead
@@ -626,7 +627,7 @@ def develop(
         here.shine = shine[w, y, x]
         here.rest = rest[w, y, x]
         total = wp.vec3(0.0)
-        count = 0.0
+        count = float(0.0)
         for j in range(9):
             v = y + j / 3 - 1
             u = x + j % 3 - 1
