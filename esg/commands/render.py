@@ -103,7 +103,7 @@ def drawn_by(renderer: str, samples: int | None) -> tuple[str, int | None]:
     Raises:
         UserError: Naming the options and what they take, or what the renderer lacks here.
     """
-    from esg.commands.inputs import checked, in_range
+    from esg.api.inputs import checked, in_range
     from esg.view.renderers.kinds import kind_named
 
     kind, _ = checked(

@@ -13,6 +13,9 @@ from esg.assets.looks import Color
 RASTER_PX = 256
 """Edge of the largest level that the fast renderer keeps of a texture."""
 
+RELIEF = 0.6
+"""Share of a normal map's slopes that is drawn: renderers darken what is steeper when it is low."""
+
 
 def linear(srgb: Any) -> NDArray[np.float32]:
     """Linear light of sRGB values in [0, 1] (IEC 61966-2-1)."""

@@ -35,11 +35,11 @@ def main(folder: Path) -> None:
     scene = bpy.context.scene
     movers = moving(arrays)
     for k, group in enumerate(told["groups"]):
-        made = mesh(f"part{k}", arrays, k, material(group["look"], folder))
+        made = mesh(f"part{k}", arrays, k, material(group["look"], folder, told["relief"]))
         if group["mover"] >= 0:
             made.parent = movers[group["mover"]]
     if told["ground"]:
-        ground(told["ground"], folder)
+        ground(told["ground"], folder, told["relief"])
     light(told["sun"], arrays["sky"])
     settings(scene, told, folder, blurred=arrays["position"][1][1] > 1)
     for k, camera in enumerate(told["cameras"]):
@@ -126,7 +126,7 @@ def mesh(name: str, arrays: Any, k: int, surface: Any) -> Any:
     return made
 
 
-def ground(look: Any, folder: Path) -> None:
+def ground(look: Any, folder: Path, relief: float) -> None:
     """The plane at z = 0; its texture counts metres."""
     h = GROUND_HALF_M
     data = bpy.data.meshes.new("ground")
@@ -134,11 +134,11 @@ def ground(look: Any, folder: Path) -> None:
     layer = data.uv_layers.new(name="uv")
     t = h / look["tile_m"]
     layer.data.foreach_set("uv", [-t, -t, t, -t, t, t, -t, t])
-    data.materials.append(material(look, folder))
+    data.materials.append(material(look, folder, relief))
     bpy.context.scene.collection.objects.link(bpy.data.objects.new("ground", data))
 
 
-def material(look: Any, folder: Path) -> Any:
+def material(look: Any, folder: Path, relief: float) -> Any:
     """A principled surface in a look's colour, roughness, metalness and textures."""
     made = bpy.data.materials.new(look["material"] or "plain")
     made.use_nodes = True
@@ -170,6 +170,7 @@ def material(look: Any, folder: Path) -> Any:
     links.new(texture("roughness", "Non-Color"), rough.inputs[0])
     links.new(rough.outputs[0], surface.inputs["Roughness"])
     bent = nodes.new("ShaderNodeNormalMap")
+    bent.inputs["Strength"].default_value = relief
     links.new(texture("normal", "Non-Color"), bent.inputs["Color"])
     links.new(bent.outputs["Normal"], surface.inputs["Normal"])
     return made

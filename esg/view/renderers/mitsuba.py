@@ -23,6 +23,7 @@ from esg.view.tracer.stage import BOUNCE, CLEAR
 
 INSTALL = "pip install 'esg-scenes[render]'"
 TEXTURE_PX = 512
+FLAT = np.array([0.5, 0.5, 1.0], np.float32)
 GROUND_HALF_M = 1500.0
 SUN_AWAY_M = 8000.0
 PANE = 0.6
