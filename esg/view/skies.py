@@ -16,7 +16,7 @@ Floats = NDArray[np.float32]
 
 SKY_PX = (1024, 256)
 """Columns around the horizon and rows up to the zenith."""
-BLURRED_PX = (64, 32)
+BLURRED_PX = (32, 16)
 BLURS_RAD = (0.12, 0.3, 0.6, 1.0)
 """What surfaces of growing roughness reflect is blurred by so much."""
 

@@ -81,8 +81,10 @@ class WorldRenderer:
         self._plain = surroundings is None or surroundings.sky.kind == "plain"
         self._images: dict[tuple[int, int], dict[str, Any]] = {}
         self._last = size
-        # Index -2 is nothing and -1 the ground: the last two rows.
-        self._body = np.array([*self.movers.bodies, NOTHING, GROUND], np.int32)
+        # Of the kernels' owners, -3 are meshes of the world, -2 nothing and -1 the ground plane.
+        rest = [GROUND, NOTHING, GROUND]
+        self._body = np.array([*self.movers.bodies, *rest], np.int32)
+        self._mover = np.array([*range(len(self.movers)), *rest], np.int32)
         if sun is not None:
             self.light(sun)
 
@@ -153,7 +155,7 @@ class WorldRenderer:
     def read(self, *, rgb: bool = True) -> Views:
         """The pictures of the last `draw`, as copies."""
         images = self._images[self._last]
-        mover = images["mover"].numpy()
+        owner = images["mover"].numpy()
         color = None
         if rgb:
             packed = images["packed"].numpy()
@@ -162,9 +164,9 @@ class WorldRenderer:
         return Views(
             rgb=color,
             depth=images["depth"].numpy().copy(),
-            normal=images["normal"].numpy().reshape(*mover.shape, 3).copy(),
-            body=self._body[mover],
-            mover=mover.astype(np.int32),
+            normal=images["normal"].numpy().reshape(*owner.shape, 3).copy(),
+            body=self._body[owner],
+            mover=self._mover[owner],
         )
 
     def _allocated(self, size: tuple[int, int]) -> dict[str, Any]:

@@ -21,7 +21,9 @@ import warp as wp
 NOTHING = wp.constant(-2)
 """Owner of what is not there."""
 GROUND = wp.constant(-1)
-"""Instance of the ground plane."""
+"""Instance and owner of the ground plane."""
+FIXED = wp.constant(-3)
+"""Owner of meshes that belong to no body."""
 FAR_M = wp.constant(2000.0)
 PATTERN = wp.constant(9)
 """Pixels that share a pattern of rays toward sun and sky, three by three."""
@@ -248,6 +250,23 @@ def _sky(s: Scene, d: wp.vec3) -> wp.vec3:
 
 
 @wp.func
+def _blurred(s: Scene, k: int, x: float, y: float) -> wp.vec3:
+    """A level of the blurred surroundings between its pixels."""
+    height = s.blurred.shape[1]
+    width = s.blurred.shape[2]
+    y = wp.clamp(y, 0.0, float(height) - 1.001)
+    x0 = int(wp.floor(x))
+    y0 = int(y)
+    fx = x - float(x0)
+    fy = y - float(y0)
+    xa = _wrapped(x0, width)
+    xb = _wrapped(x0 + 1, width)
+    low = s.blurred[k, y0, xa] * (1.0 - fx) + s.blurred[k, y0, xb] * fx
+    top = s.blurred[k, y0 + 1, xa] * (1.0 - fx) + s.blurred[k, y0 + 1, xb] * fx
+    return low * (1.0 - fy) + top * fy
+
+
+@wp.func
 def _mirrored(s: Scene, d: wp.vec3, roughness: float) -> wp.vec3:
     """What a surface of a roughness reflects from a direction: the sky, or the ground."""
     levels = s.blurred.shape[0]
@@ -255,15 +274,12 @@ def _mirrored(s: Scene, d: wp.vec3, roughness: float) -> wp.vec3:
     width = s.blurred.shape[2]
     level = roughness * float(levels)
     k = wp.min(int(level), levels - 1)
-    x = int((wp.atan2(d[1], d[0]) * 0.15915494 + 0.5) * float(width))
-    y = int((wp.asin(wp.clamp(d[2], -1.0, 1.0)) * 0.31830989 + 0.5) * float(height))
-    x = _wrapped(x, width)
-    y = wp.clamp(y, 0, height - 1)
-    rough = s.blurred[k, y, x]
+    x = (wp.atan2(d[1], d[0]) * 0.15915494 + 0.5) * float(width) - 0.5
+    y = (wp.asin(wp.clamp(d[2], -1.0, 1.0)) * 0.31830989 + 0.5) * float(height) - 0.5
+    rough = _blurred(s, k, x, y)
     if level >= 1.0:
         f = level - float(k)
-        k1 = wp.min(k + 1, levels - 1)
-        return rough * (1.0 - f) + s.blurred[k1, y, x] * f
+        return rough * (1.0 - f) + _blurred(s, wp.min(k + 1, levels - 1), x, y) * f
     sharp = s.bounce_rgb
     if d[2] > 0.0:
         sharp = _sky(s, d)
@@ -486,6 +502,8 @@ def look(
         n = hit.normal
         far = hit.t * ahead
         owner = GROUND
+        if hit.instance >= s.instances:
+            owner = FIXED
         if hit.instance >= 0 and hit.instance < s.instances:
             owner = s.owner[hit.instance]
     depth[w, y, x] = far
@@ -519,6 +537,8 @@ def _differs(
         return True
     if wp.dot(normal[w, y, x], normal[w, v, u]) < ALIKE and mover[w, y, x] != NOTHING:
         return True
+    if mover[w, y, x] == GROUND:  # however fast it recedes
+        return False
     a = depth[w, y, x]
     b = depth[w, v, u]
     return wp.abs(a - b) > 0.08 * wp.min(a, b)
