@@ -552,6 +552,29 @@ def _added(s: Scene, a: Shade, light: wp.vec3) -> wp.vec3:
     return wp.cw_mul(a.albedo, total) + a.mirror * open_ + a.shine * light[0] + a.rest
 
 
+@wp.func
+def _smoothed(
+    depth: wp.array3d(dtype=float),
+    normal: wp.array3d(dtype=wp.vec3),
+    mover: wp.array3d(dtype=int),
+    light: wp.array3d(dtype=wp.vec3),
+    w: int,
+    y: int,
+    x: int,
+) -> wp.vec3:
+    """Mean light of a pixel and its neighbours on the same surface."""
+    total = wp.vec3(0.0)
+    count = float(0.0)
+    for j in range(9):
+        v = y + j / 3 - 1
+        u = x + j % 3 - 1
+        if v >= 0 and u >= 0 and v < depth.shape[1] and u < depth.shape[2]:
+            if not _differs(depth, normal, mover, w, y, x, v, u):
+                total = total + light[w, v, u]
+                count = count + 1.0
+    return total / count
+
+
 @wp.kernel(enable_backward=False)
 def refine(
     s: Scene,
@@ -568,7 +591,11 @@ def refine(
     edge: wp.array3d(dtype=wp.vec3),
     is_edge: wp.array3d(dtype=int),
 ):
-    """The mean of more rays where neighbouring pixels show different surfaces."""
+    """The mean of more rays where neighbouring pixels show different surfaces.
+
+    They take their light from the same places of the pattern everywhere: what is not smoothed
+    must not show it.
+    """
     w, y, x = wp.tid()
     is_edge[w, y, x] = 0
     found = (
@@ -589,7 +616,7 @@ def refine(
     here.mirror = mirror[w, y, x]
     here.shine = shine[w, y, x]
     here.rest = rest[w, y, x]
-    total = _added(s, here, light[w, y, x])
+    total = _added(s, here, _smoothed(depth, normal, mover, light, w, y, x))
     for i in range(1, samples):
         # Kronecker's sequence in the plane (Roberts 2018) spreads any number of points well.
         dx = float(i) * 0.7548776662
@@ -602,7 +629,7 @@ def refine(
             height,
         )
         hit = _closest(s, w, o, d, FAR_M)
-        shade = _shade(s, w, o, d, hit, pixel, (3 * (y % 3) + x % 3 + 2 * i) % PATTERN, 1)
+        shade = _shade(s, w, o, d, hit, pixel, (4 * i) % PATTERN, 1)
         total = total + _added(s, shade, shade.light)
     edge[w, y, x] = total / float(samples)
     is_edge[w, y, x] = 1
@@ -646,16 +673,7 @@ def develop(
         here.mirror = mirror[w, y, x]
         here.shine = shine[w, y, x]
         here.rest = rest[w, y, x]
-        total = wp.vec3(0.0)
-        count = float(0.0)
-        for j in range(9):
-            v = y + j / 3 - 1
-            u = x + j % 3 - 1
-            if v >= 0 and u >= 0 and v < depth.shape[1] and u < depth.shape[2]:
-                if not _differs(depth, normal, mover, w, y, x, v, u):
-                    total = total + light[w, v, u]
-                    count = count + 1.0
-        color = _added(s, here, total / count)
+        color = _added(s, here, _smoothed(depth, normal, mover, light, w, y, x))
     if first > 0:
         radiance[w, y, x] = color * share
     else:
