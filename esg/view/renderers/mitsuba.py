@@ -26,6 +26,7 @@ TEXTURE_PX = 512
 FLAT = np.array([0.5, 0.5, 1.0], np.float32)
 GROUND_HALF_M = 1500.0
 SUN_AWAY_M = 8000.0
+NEAR_M = 0.01
 PANE = 0.6
 """What is less opaque and as smooth as glass is a pane: it mirrors, and bends nothing."""
 PANE_ROUGHNESS = 0.2
@@ -202,7 +203,7 @@ def sensor(mi: Any, camera: Camera, size: tuple[int, int]) -> Any:
             "type": "perspective",
             "fov": math.degrees(camera.fov),
             "fov_axis": "y",
-            "near_clip": 0.01,
+            "near_clip": NEAR_M,
             "far_clip": 20000.0,
             "to_world": mi.ScalarTransform4f().look_at(
                 origin=_floats(camera.eye), target=_floats(camera.target), up=[0, 0, 1]

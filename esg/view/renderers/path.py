@@ -14,7 +14,7 @@ from esg.outcomes import UserError
 from esg.view.camera import Camera
 from esg.view.pieces import Movers
 from esg.view.renderers import mitsuba
-from esg.view.renderers.finish import denoiser, finished
+from esg.view.renderers.finish import denoiser, finished, view_directions
 from esg.view.renderers.groups import groups, moved
 from esg.view.renderers.raster import Raster
 from esg.view.renderers.records import Kind, Poses, Quality, Scenery, blank
@@ -110,12 +110,15 @@ class PathTracer:
             found[..., :3] = np.minimum(found[..., :3], BRIGHTEST)
             total = total + found.astype(np.float64)
         mean = (total / passes).astype(np.float32)
+        # Mitsuba's rays begin at the near plane.
+        ahead = view_directions(camera, quality.size) @ -camera.axes[:, 2]
+        distance = mean[..., 10] + mean[..., 3] * (mitsuba.NEAR_M / ahead).astype(np.float32)
         return {
             "color": mean[..., :3],
             "alpha": np.clip(mean[..., 3], 0, 1),
             "albedo": np.clip(mean[..., 4:7], 0, 1),
             "normal": mean[..., 7:10],
-            "distance": mean[..., 10],
+            "distance": distance,
         }
 
     def _pose(self, poses: Poses, instant: int) -> None:
