@@ -136,7 +136,7 @@ class WorldRenderer:
         """
         wp, kernels, scene = self._stage.tools
         images = self._allocated(size or self.size)
-        views = np.zeros(self.worlds, kernels.View.numpy_dtype())
+        views: Any = np.zeros(self.worlds, kernels.View.numpy_dtype())
         views["pose"] = np.array([[*c.eye, *c.quaternion()] for c in cameras], np.float32)
         views["tangent"] = [math.tan(c.fov / 2) for c in cameras]
         shown = wp.array(views, dtype=kernels.View, device=self._device)

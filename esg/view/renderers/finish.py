@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -57,7 +58,7 @@ def view_directions(camera: Camera, size: tuple[int, int]) -> NDArray[np.float64
 def denoiser() -> Denoiser | None:
     """A function of colour, albedo and normal, each of shape [H, L, 3]; None if not installed."""
     try:
-        import mitsuba_oidn as oidn
+        oidn: Any = import_module("mitsuba_oidn")
     except ImportError:
         return None
 

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import fields, replace
 
 import numpy as np
 
@@ -51,9 +50,13 @@ class Raster:
             exact = views if s == instants // 2 else exact
             rgb = views.rgb
         assert exact is not None
-        whole = replace(exact, rgb=rgb)
-        kept = {f.name: getattr(whole, f.name) for f in fields(whole)}
-        return Views(**{name: v if v is None else v[:count] for name, v in kept.items()})
+        return Views(
+            None if rgb is None else rgb[:count],
+            exact.depth[:count],
+            exact.normal[:count],
+            exact.body[:count],
+            exact.mover[:count],
+        )
 
     def _made(self, worlds: int) -> WorldRenderer:
         s, q = self._scenery, self._quality
