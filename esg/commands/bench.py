@@ -32,7 +32,7 @@ def bench(
     """Run every scene of a suite with several seeds and report SLR, ECR and PPA.
 
     Args:
-        suite: Suite file (YAML).
+        suite: Suite file (YAML), or name of one that comes with the package: paper.
         runs: Seeds a scene: seed, seed + 1, ...
         seed: First seed.
         strategy: How the physics is searched; none keeps the first guess.

@@ -39,8 +39,8 @@ def replay(
         hz: Physics steps a second; default 240.
         dt: Physics step in seconds, instead of --hz.
         compare: Replay in every engine at 120, 240 and 480 Hz and compare with PhysX at 240 Hz.
-        suite: Suite file to judge against, its scene found by prompt; default the scene's own
-            timeline.
+        suite: Suite to judge against (file or name), its scene found by prompt; default the
+            scene's own timeline.
         trust: Run the class whatever it is: you vouch for who made it.
         json: Print one JSON document: the verdict, or the matrix.
     """
