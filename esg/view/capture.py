@@ -30,7 +30,7 @@ from esg.view.pieces import Movers
 from esg.view.renderers.kinds import kind_named
 from esg.view.renderers.records import Quality
 from esg.view.renderers.shutter import OPEN, poses_at
-from esg.view.scenery import scenery_of
+from esg.view.scenery import scenery_of, seen_from
 from esg.view.truth import Pinhole
 from esg.view.worlds import Views
 
@@ -197,8 +197,7 @@ def _write(
     settings: Settings,
     on_frames: Callable[[int], None],
 ) -> None:
-    direction = np.subtract(cameras[0].eye, cameras[0].target)
-    scenery = scenery_of(scene, rollout, doc, sun=math.atan2(direction[1], direction[0]))
+    scenery = scenery_of(scene, rollout, doc)
     frames = frame_indices(rollout, settings.fps)
     points, owner = _tracked(scenery.parts, len(scene.bodies), settings)
     manifest = _manifest(scene, rollout, doc, cameras, frames, settings, points, owner)
@@ -210,12 +209,12 @@ def _write(
     quality = Quality(
         settings.size, settings.samples, settings.seed, settings.device, exact=exact, color=color
     )
-    drawer = kind.load(scenery, quality)
     angles = scene_angles(scene, rollout)
     movers = Movers(scenery.parts, len(scene.bodies))
     moved = movers.poses(rollout.position[0], rollout.quaternion[0], angles)
     for number, camera in enumerate(cameras):
         pinhole = Pinhole.of(camera, settings.size)
+        drawer = kind.load(seen_from(scenery, [camera], scene, rollout), quality)
         for first in range(0, len(frames), kind.batch):
             shown = frames[first : first + kind.batch]
             poses = poses_at(rollout, shown, angles, settings.open_s)

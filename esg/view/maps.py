@@ -13,9 +13,6 @@ from esg.assets.looks import Color
 RASTER_PX = 256
 """Edge of the largest level that the fast renderer keeps of a texture."""
 
-RELIEF = 0.6
-"""Share of a normal map's slopes that is drawn: renderers darken what is steeper when it is low."""
-
 
 def linear(srgb: Any) -> NDArray[np.float32]:
     """Linear light of sRGB values in [0, 1] (IEC 61966-2-1)."""
@@ -55,3 +52,10 @@ def mean_color(color: Color, texture: str | None) -> NDArray[np.float32]:
     """Linear mean colour of a surface, shape [3]."""
     plain = linear(color)
     return plain if texture is None else plain * pyramid(texture)[-1][0, 0, :3]
+
+
+def bent(normal: NDArray[np.uint8], strength: float) -> NDArray[np.float32]:
+    """A normal map whose slopes are multiplied with `strength`, in [0, 1], shape [n, n, 3]."""
+    n = normal.astype(np.float32) / 127.5 - 1.0
+    n[..., :2] *= strength
+    return (0.5 + 0.5 * n / np.linalg.norm(n, axis=-1, keepdims=True)).astype(np.float32)

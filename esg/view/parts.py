@@ -14,7 +14,7 @@ from esg.graph.casting import effective
 from esg.graph.models import EsgDocument
 from esg.lexicon.places import places
 from esg.units import CM_PER_M
-from esg.view.render import Part, Turning
+from esg.view.pieces import Part, Turning
 
 GROUND_HALF_EXTENT_M = 45.0
 """A surface without collision at least this wide is the ground."""

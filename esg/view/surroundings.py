@@ -156,7 +156,7 @@ def surroundings_of(doc: EsgDocument, scene: SimScene, rollout: Rollout) -> Surr
         color = ground_color(scene, doc)
         return Surroundings(Sky(), Look("", color, 0.9), checkerboard(rollout, color))
     from esg.dressing.meshes import meshes_of, surface_look
-    from esg.view.render import Part
+    from esg.view.pieces import Part
 
     parts = [
         Part(-1, m.vertices, m.faces, m.color, None, m.look, m.normals, m.uvs, m.name)

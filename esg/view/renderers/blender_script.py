@@ -35,11 +35,11 @@ def main(folder: Path) -> None:
     scene = bpy.context.scene
     movers = moving(arrays)
     for k, group in enumerate(told["groups"]):
-        made = mesh(f"part{k}", arrays, k, material(group["look"], folder, told["relief"]))
+        made = mesh(f"part{k}", arrays, k, material(group["look"], folder))
         if group["mover"] >= 0:
             made.parent = movers[group["mover"]]
     if told["ground"]:
-        ground(told["ground"], folder, told["relief"])
+        ground(told["ground"], folder)
     light(told["sun"], arrays["sky"])
     settings(scene, told, folder, blurred=arrays["position"][1][1] > 1)
     for k, camera in enumerate(told["cameras"]):
@@ -126,19 +126,19 @@ def mesh(name: str, arrays: Any, k: int, surface: Any) -> Any:
     return made
 
 
-def ground(look: Any, folder: Path, relief: float) -> None:
-    """The plane at z = 0; its texture counts metres."""
-    h = GROUND_HALF_M
+def ground(look: Any, folder: Path) -> None:
+    """The plane just below z = 0; its texture counts metres."""
+    h, z = GROUND_HALF_M, -0.0002
     data = bpy.data.meshes.new("ground")
-    data.from_pydata([(-h, -h, 0), (h, -h, 0), (h, h, 0), (-h, h, 0)], [], [(0, 1, 2, 3)])
+    data.from_pydata([(-h, -h, z), (h, -h, z), (h, h, z), (-h, h, z)], [], [(0, 1, 2, 3)])
     layer = data.uv_layers.new(name="uv")
     t = h / look["tile_m"]
     layer.data.foreach_set("uv", [-t, -t, t, -t, t, t, -t, t])
-    data.materials.append(material(look, folder, relief))
+    data.materials.append(material(look, folder))
     bpy.context.scene.collection.objects.link(bpy.data.objects.new("ground", data))
 
 
-def material(look: Any, folder: Path, relief: float) -> Any:
+def material(look: Any, folder: Path) -> Any:
     """A principled surface in a look's colour, roughness, metalness and textures."""
     made = bpy.data.materials.new(look["material"] or "plain")
     made.use_nodes = True
@@ -170,7 +170,7 @@ def material(look: Any, folder: Path, relief: float) -> Any:
     links.new(texture("roughness", "Non-Color"), rough.inputs[0])
     links.new(rough.outputs[0], surface.inputs["Roughness"])
     bent = nodes.new("ShaderNodeNormalMap")
-    bent.inputs["Strength"].default_value = relief
+    bent.inputs["Strength"].default_value = look["normal_strength"]
     links.new(texture("normal", "Non-Color"), bent.inputs["Color"])
     links.new(bent.outputs["Normal"], surface.inputs["Normal"])
     return made

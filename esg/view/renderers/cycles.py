@@ -19,7 +19,7 @@ from PIL import Image
 
 from esg.outcomes import UserError
 from esg.view.camera import Camera
-from esg.view.maps import RELIEF, linear, mean_color
+from esg.view.maps import linear, mean_color
 from esg.view.pieces import Movers
 from esg.view.renderers.finish import denoiser, finished
 from esg.view.renderers.groups import groups
@@ -148,7 +148,6 @@ class Cycles:
             "samples": quality.samples or SAMPLES,
             "seed": quality.seed,
             "device": quality.device,
-            "relief": RELIEF,
             "arrays": {
                 k: ["i" if v.dtype == np.int32 else "f", v.shape] for k, v in arrays.items()
             },

@@ -16,6 +16,7 @@ from esg.assets.looks import Look
 from esg.outcomes import UserError
 from esg.view.camera import Camera
 from esg.view.maps import linear, mean_color
+from esg.view.parts import TILE_RAISE_M
 from esg.view.renderers.groups import Group
 from esg.view.skies import AIRS, lighting_map
 from esg.view.surroundings import Sky
@@ -23,7 +24,6 @@ from esg.view.tracer.stage import BOUNCE, CLEAR
 
 INSTALL = "pip install 'esg-scenes[render]'"
 TEXTURE_PX = 512
-FLAT = np.array([0.5, 0.5, 1.0], np.float32)
 GROUND_HALF_M = 1500.0
 SUN_AWAY_M = 8000.0
 NEAR_M = 0.01
@@ -158,7 +158,7 @@ def ground_plane(mi: Any, look: Look) -> dict[str, Any]:
     t = mi.ScalarTransform4f()
     return {
         "type": "rectangle",
-        "to_world": t.scale([GROUND_HALF_M, GROUND_HALF_M, 1.0]),
+        "to_world": t.translate([0, 0, -TILE_RAISE_M]).scale([GROUND_HALF_M, GROUND_HALF_M, 1.0]),
         "bsdf": material(mi, look, 2 * GROUND_HALF_M / look.tile_m),
     }
 

@@ -25,6 +25,8 @@ GROUND = wp.constant(-1)
 FIXED = wp.constant(-3)
 """Owner of meshes that belong to no body."""
 FAR_M = wp.constant(2000.0)
+GROUND_M = wp.constant(-2.0e-4)
+"""The plane lies so much below what is drawn at z = 0."""
 PATTERN = wp.constant(9)
 """Pixels that share a pattern of rays toward sun and sky, three by three."""
 RAYS = wp.constant(2)
@@ -149,8 +151,8 @@ def _closest(s: Scene, world: int, o: wp.vec3, d: wp.vec3, reach: float):
     best = Hit()
     best.t = reach
     best.instance = NOTHING
-    if s.has_ground > 0 and d[2] < -1.0e-6 and o[2] > 0.0:
-        t = -o[2] / d[2]
+    if s.has_ground > 0 and d[2] < -1.0e-6 and o[2] > GROUND_M:
+        t = (GROUND_M - o[2]) / d[2]
         if t < best.t:
             best.t = t
             best.instance = GROUND
