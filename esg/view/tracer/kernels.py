@@ -600,12 +600,10 @@ def refine(
     """
     w, y, x = wp.tid()
     is_edge[w, y, x] = 0
-    found = (
-        _differs(depth, normal, mover, w, y, x, y, x + 1)
-        or _differs(depth, normal, mover, w, y, x, y, x - 1)
-        or _differs(depth, normal, mover, w, y, x, y + 1, x)
-        or _differs(depth, normal, mover, w, y, x, y - 1, x)
-    )
+    found = bool(False)
+    for j in range(9):
+        if not found:
+            found = _differs(depth, normal, mover, w, y, x, y + j / 3 - 1, x + j % 3 - 1)
     if samples < 2 or not found:
         return
     view = views[w]
