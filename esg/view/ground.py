@@ -8,7 +8,7 @@ from numpy.typing import NDArray
 from esg.assets.looks import Color, Look
 from esg.engines.scene import Body, Rollout, SimScene
 from esg.graph.models import EsgDocument
-from esg.view.render import Part
+from esg.view.pieces import Part
 
 GROUND_HALF_EXTENT_M = 45.0
 """A surface without collision at least this wide is the ground."""

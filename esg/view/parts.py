@@ -15,7 +15,7 @@ from esg.graph.models import EsgDocument
 from esg.lexicon.places import places
 from esg.units import CM_PER_M
 from esg.view.ground import is_ground, plane, span
-from esg.view.render import Part, Turning
+from esg.view.pieces import Part, Turning
 
 
 def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Part]:
