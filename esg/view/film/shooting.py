@@ -1,0 +1,100 @@
+"""Shooting a scene: takes of the director, drawn frame by frame, with time and speed in a corner."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.view.director.acting import Action
+from esg.view.director.review import Viewfinder
+from esg.view.director.staging import direct
+from esg.view.director.takes import Take
+from esg.view.film.cutting import Cut, cuts_of, told
+from esg.view.film.encoding import write_film
+from esg.view.lettering import font
+from esg.view.preview import ropes_at
+from esg.view.scan.drawer import Scan
+from esg.view.sheet import draw_ropes
+
+SIZE_PX = (480, 272)
+CORNER_PX = 12
+"""Size of the letters in the corner."""
+
+
+@dataclass(frozen=True)
+class Shot:
+    """One stretch of a film and the camera that takes it; both of F frames."""
+
+    cut: Cut
+    take: Take
+
+
+def shots_of(finder: Viewfinder, seed: int = 0) -> list[Shot]:
+    """The film of a scene: every stretch has a take of its own.
+
+    Args:
+        finder: Of the scene.
+        seed: Of lenses, sides and angles.
+    """
+    out: list[Shot] = []
+    for cut in cuts_of(finder.action.beats, float(finder.action.time[-1])):
+        take = direct(finder, float(cut.time_s[0]), float(cut.time_s[-1]), seed=seed)
+        out.append(Shot(cut, take.at(cut.time_s)))
+    return out
+
+
+def film(
+    action: Action, scan: Scan, path: Path, seed: int = 0, finder: Viewfinder | None = None
+) -> Path:
+    """Writes the film of a scene.
+
+    Args:
+        action: What happens.
+        scan: Draws the scene, in pictures of `SIZE_PX`.
+        path: Of the file.
+        seed: Of lenses, sides and angles.
+        finder: If there is one already.
+
+    Raises:
+        NoFilmError: If it cannot be written.
+    """
+    finder = finder or Viewfinder(action, scan)
+    return write_film(path, frames_of(finder, shots_of(finder, seed)), scan.size)
+
+
+def frames_of(finder: Viewfinder, shots: Sequence[Shot]) -> Iterator[NDArray[np.uint8]]:
+    """The finished pictures of all shots, one after the other."""
+    scan, action = finder.scan, finder.action
+    for shot in shots:
+        take = shot.take
+        arms = np.linalg.norm(take.eye - take.target, axis=1)
+        middle = 0.5 * (take.target.min(axis=0) + take.target.max(axis=0))
+        roam = 0.5 * float(np.ptp(take.target, axis=0).max())
+        scan.light(middle, roam + 1.1 * float(arms.max()))
+        for k, time in enumerate(shot.cut.time_s):
+            finder.pose(float(time))
+            camera = take.camera(k)
+            image = scan.color(camera)
+            image = draw_ropes(image, camera, ropes_at(action.scene, action.rollout, finder.frame))
+            yield _lettered(image, told(float(time), float(shot.cut.speed[k])))
+
+
+def _lettered(image: NDArray[np.uint8], text: str) -> NDArray[np.uint8]:
+    """Text in the lower left corner, on a shadow of its own."""
+    from PIL import Image, ImageDraw
+
+    strip = image[-(CORNER_PX + 10) :]
+    picture: Any = Image.fromarray(strip)
+    draw = ImageDraw.Draw(picture)
+    for x, color in ((9, (20, 24, 28)), (8, (250, 250, 248))):
+        draw.text((x, x - 6), text, fill=color, font=font(CORNER_PX))
+    out = image.copy()
+    out[-(CORNER_PX + 10) :] = np.asarray(picture)
+    return out
+
+
