@@ -12,11 +12,9 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.joints import joint_ends, joint_poses
 from esg.engines.scene import Rollout, SimScene
 from esg.engines.wheels import scene_angles
 from esg.graph.models import EsgDocument
-from esg.thresholds import PIECE_GAP_M
 from esg.view.camera import Camera
 from esg.view.framing import (
     PANEL_PX,
@@ -30,6 +28,7 @@ from esg.view.framing import (
 from esg.view.moments import Moment, failures, moments_of
 from esg.view.parts import scene_parts
 from esg.view.render import SAMPLES, Renderer
+from esg.view.ropes import ropes_at
 from esg.view.sheet import Panel, draw_ropes, draw_trail, write_loop, write_sheet
 
 if TYPE_CHECKING:
@@ -112,20 +111,6 @@ def preview(
         note=note,
         footnotes=failures(scene, verdict),
     )
-
-
-def ropes_at(scene: SimScene, rollout: Rollout, frame: int) -> list[NDArray[np.float64]]:
-    """Ends [m] of the ropes and springs that hold at a frame of the first world, each [2, 3]."""
-    p, q = rollout.position[0, frame], rollout.quaternion[0, frame]
-    out: list[NDArray[np.float64]] = []
-    for joint in scene.joints:
-        if not joint.flexible:
-            continue
-        ends = np.array(joint_ends(joint, *joint_poses(scene, joint, p, q)))
-        slack = joint.upper if joint.kind == "rope" and joint.upper is not None else np.inf
-        if float(np.linalg.norm(ends[1] - ends[0])) <= slack + PIECE_GAP_M:
-            out.append(ends)
-    return out
 
 
 def _threads() -> int:

@@ -260,13 +260,13 @@ def hung() -> tuple[SimScene, Rollout]:
 
 def test_ropes_are_drawn_between_their_ends_while_they_hold():
     jointed, played = hung()
-    (ends,) = previews.ropes_at(jointed, played, 0)
+    (ends,) = ropes_at(jointed, played, 0)
     rope = jointed.joints[0]
     assert ends[1] == pytest.approx(played.position[0, 0, jointed.index(rope.child)], abs=1e-5)
     assert ends[0] == pytest.approx(played.position[0, 0, jointed.index(rope.parent)], abs=1e-5)
     torn = replace(jointed, joints=(replace(rope, upper=0.5 * (rope.upper or 0.0)),))
-    assert previews.ropes_at(torn, played, 0) == []
-    assert previews.ropes_at(scene(), played, 0) == []
+    assert ropes_at(torn, played, 0) == []
+    assert ropes_at(scene(), played, 0) == []
 
 
 def test_a_rope_darkens_the_picture_along_its_line_only():

@@ -24,6 +24,8 @@ BRIEF = frozenset(
     ["collision", "bounces", "breaks", "separates", "topples", "enters", "falls", "misses"]
 )
 """Events that are over in an instant: films slow down around them."""
+ARRIVALS = frozenset(["enters", "placed", "picked_up"])
+"""Events after which the place is what is looked at."""
 MOVING_MPS = 0.05
 BEFORE_S, AFTER_S = 0.4, 0.3
 """Who moves so long before an event leads in it; the next event's turn comes so long after it."""
@@ -123,6 +125,8 @@ class Action:
             beat: Default the one whose turn it is.
         """
         beat = beat or self.beat_at(time)
+        if beat.type in ARRIVALS:  # nobody follows a ball into the pocket
+            time = min(time, beat.time_s + 0.1)
         frame = self.frame(time)
         leads = self.corners(frame, beat.leads)
         centers = leads.mean(axis=1)

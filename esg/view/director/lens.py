@@ -14,7 +14,7 @@ Floats = NDArray[np.float64]
 
 FILL_LEAST, FILL_MOST = 0.15, 0.50
 """Who acts fills so much of a picture; see `Extent.fill`."""
-FILL_WANTED = 0.36
+FILL_WANTED = 0.42
 SAFE = 0.86
 """Nothing that acts comes closer to the picture's edge than this part of its half."""
 EYE_M = 1.6
@@ -159,7 +159,7 @@ def on_thirds(camera: Camera, points: Floats, view: View) -> Camera:
     for part in (1.0, 0.6, 0.3):
         shift = part * THIRD * away * tan
         moved = np.asarray(camera.target) + shift * (
-            0.6 * up + view.lead * view.aspect * right
+            up + view.lead * view.aspect * right
         )
         turned = replace(camera, target=_vec(moved))
         if extent(turned, points, view.aspect).overflow <= SAFE:

@@ -13,7 +13,6 @@ from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 from esg.view.camera import Camera
 from esg.view.director.acting import Action, Beat
 from esg.view.director.lens import (
-    FILL_LEAST,
     LOWEST_M,
     SAFE,
     View,
@@ -32,6 +31,8 @@ SOFT_S = (0.25, 0.4, 0.65, 1.0)
 KEPT_S = ((0.7, 0.5), (0.4, 0.4), (0.2, 0.25), (0.08, 0.1), (0.0, 0.0))
 """A standing camera keeps in view what acts so long before and after every beat: as long as it can
 be large enough."""
+FILL_STANDING = 0.3
+"""As large as who acts should be at every beat where the camera stands still."""
 PUSH = 1.35
 """A dolly starts so many times as far away as it ends."""
 SWING_RAD = math.radians(26)
@@ -50,7 +51,7 @@ def static(action: Action, times: Floats, view: View) -> Take | None:
         camera = framed(_kept(action, beats, times, before, after), view)
         best = camera
         fills = [extent(camera, action.acting(b.time_s, b), view.aspect).fill for b in beats]
-        if min(fills) >= 1.2 * FILL_LEAST:
+        if min(fills) >= FILL_STANDING:
             break
     return standing(best, times) if best is not None else None
 

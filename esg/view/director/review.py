@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from esg.engines.wheels import scene_angles
 from esg.view.camera import Camera
 from esg.view.director.acting import Action, Beat
-from esg.view.director.lens import extent
+from esg.view.director.lens import FILL_LEAST, FILL_MOST, extent
 from esg.view.director.takes import Take
 from esg.view.scan.drawer import Scan
 
@@ -47,8 +47,9 @@ class Seen:
 
     @property
     def good(self) -> bool:
-        """Whether it is in view and enough of it is unobscured."""
-        return self.inside >= IN_VIEW and self.unobscured >= UNOBSCURED
+        """Whether it is in view, unobscured and neither too small nor too large."""
+        shown = self.inside >= IN_VIEW and self.unobscured >= UNOBSCURED
+        return shown and FILL_LEAST <= self.fill <= FILL_MOST
 
 
 class Viewfinder:

@@ -59,13 +59,13 @@ class Take:
         Args:
             times: Of the scene [s], shape [n].
         """
+        from scipy.interpolate import CubicSpline
+
         wanted = np.asarray(times, float)
-
-        def between(values: Floats) -> Floats:
-            axes = [np.interp(wanted, self.time_s, values[:, k]) for k in range(3)]
-            return np.stack(axes, axis=1)
-
-        return replace(self, time_s=wanted, eye=between(self.eye), target=between(self.target))
+        inside = np.clip(wanted, self.time_s[0], self.time_s[-1])
+        # A spline, or slow motion would show every knot as a jerk.
+        eye, target = (CubicSpline(self.time_s, v)(inside) for v in (self.eye, self.target))
+        return replace(self, time_s=wanted, eye=eye, target=target)
 
     def record(self, size: tuple[int, int]) -> dict[str, Any]:
         """Kind, lens, intrinsics and the extrinsics of every instant, for a manifest.

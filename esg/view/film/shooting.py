@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -17,11 +17,17 @@ from esg.view.director.takes import Take
 from esg.view.film.cutting import Cut, cuts_of, told
 from esg.view.film.encoding import write_film
 from esg.view.lettering import font
-from esg.view.preview import ropes_at
+from esg.view.parts import scene_parts
+from esg.view.ropes import ropes_at
 from esg.view.scan.drawer import Scan
 from esg.view.sheet import draw_ropes
 
+if TYPE_CHECKING:
+    from esg.graph.models import EsgDocument
+
 SIZE_PX = (480, 272)
+SHORTEST_S = 0.2
+"""Events closer together than this are not parted by a cut."""
 CORNER_PX = 12
 """Size of the letters in the corner."""
 
@@ -34,6 +40,17 @@ class Shot:
     take: Take
 
 
+def loaded(action: Action, doc: EsgDocument) -> Scan:
+    """A scene as films draw it, in pictures of `SIZE_PX`.
+
+    Args:
+        action: What happens in it.
+        doc: Its assets and place.
+    """
+    parts = scene_parts(action.scene, action.rollout, doc)
+    return Scan(parts, len(action.scene.bodies), SIZE_PX, still=action.still)
+
+
 def shots_of(finder: Viewfinder, seed: int = 0) -> list[Shot]:
     """The film of a scene: every stretch has a take of its own.
 
@@ -41,11 +58,23 @@ def shots_of(finder: Viewfinder, seed: int = 0) -> list[Shot]:
         finder: Of the scene.
         seed: Of lenses, sides and angles.
     """
-    out: list[Shot] = []
-    for cut in cuts_of(finder.action.beats, float(finder.action.time[-1])):
-        take = direct(finder, float(cut.time_s[0]), float(cut.time_s[-1]), seed=seed)
-        out.append(Shot(cut, take.at(cut.time_s)))
-    return out
+    cuts = cuts_of(finder.action.beats, float(finder.action.time[-1]))
+    return [shot for cut in cuts for shot in _shots(finder, cut, seed)]
+
+
+def _shots(finder: Viewfinder, cut: Cut, seed: int) -> list[Shot]:
+    """One take of a stretch; of a stretch that one camera cannot show, one before and one after."""
+    take = direct(finder, float(cut.time_s[0]), float(cut.time_s[-1]), seed=seed)
+    seen = finder.review(take)
+    times = [s.beat.time_s for s in seen]
+    gaps = np.diff(times)
+    if all(s.good for s in seen) or not len(gaps) or float(gaps.max()) < SHORTEST_S:
+        return [Shot(cut, take.at(cut.time_s))]
+    k = int(np.argmax(gaps))
+    split = int(np.searchsorted(cut.time_s, 0.5 * (times[k] + times[k + 1])))
+    parts = (slice(None, split), slice(split, None))
+    halves = [Cut(cut.time_s[part], cut.speed[part]) for part in parts]
+    return [shot for half in halves for shot in _shots(finder, half, seed)]
 
 
 def film(
