@@ -31,11 +31,13 @@ class Camera:
     @property
     def axes(self) -> Floats:
         """Columns right, up, backward in the world, shape [3, 3]."""
-        forward = np.subtract(self.target, self.eye)
-        forward = forward / np.linalg.norm(forward)
-        right = np.cross(forward, (0.0, 0.0, 1.0))
-        right = right / np.linalg.norm(right)
-        return np.stack([right, np.cross(right, forward), -forward], axis=1)
+        # Written out: directors ask thousands of times, and np.cross is slow for single vectors.
+        x, y, z = (t - e for t, e in zip(self.target, self.eye, strict=True))
+        length = math.sqrt(x * x + y * y + z * z)
+        x, y, z = x / length, y / length, z / length
+        flat = math.sqrt(x * x + y * y)
+        u, v = y / flat, -x / flat
+        return np.array([[u, v * z, -x], [v, -u * z, -y], [0.0, u * y - v * x, -z]])
 
     def quaternion(self) -> Floats:
         """Orientation (x, y, z, w) of a camera that looks along its -Z with +Y up, shape [4]."""

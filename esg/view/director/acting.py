@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 import itertools
 from typing import TYPE_CHECKING
 
@@ -85,7 +85,6 @@ class Action:
     ) -> None:
         self.scene, self.rollout = scene, rollout
         self.time = np.asarray(rollout.time, float)
-        self.beats = _beats(scene, rollout, verdict, doc)
         signs = np.array(list(itertools.product((-1, 1), (-1, 1), (0, 2))), float)
         half = np.array([b.half_extents for b in scene.bodies])
         offset = np.array([b.origin_offset for b in scene.bodies])
@@ -96,6 +95,8 @@ class Action:
             if float(np.ptp(rollout.position[0, :, i], axis=0).max()) < 1e-5
             and float(np.ptp(rollout.quaternion[0, :, i], axis=0).max()) < 1e-5
         )
+        self._acting: dict[tuple[Beat, int], Floats] = {}
+        self.beats = tuple(self._met(b) for b in _beats(scene, rollout, verdict, doc))
 
     def frame(self, time: float) -> int:
         """Index of the frame nearest to a time [s]."""
@@ -114,6 +115,21 @@ class Action:
         """The beat whose turn it is at a time [s]."""
         return next((b for b in self.beats if b.time_s + AFTER_S >= time), self.beats[-1])
 
+    def _met(self, beat: Beat) -> Beat:
+        """A beat of something alone, with what is beside it then: what it falls from, stops at."""
+        if beat.others or beat.company:
+            return beat
+        frame = self.frame(beat.time_s)
+        low, high, reach = _around(self.corners(frame, beat.leads).reshape(-1, 3))
+        near = [
+            i
+            for i, b in enumerate(self.scene.bodies)
+            if b.collides and i not in beat.leads
+            for box in self.corners(frame, (i,))
+            if np.all((box.max(axis=0) > low - reach) & (box.min(axis=0) < high + reach))
+        ]
+        return replace(beat, company=tuple(near))
+
     def acting(self, time: float, beat: Beat | None = None) -> Floats:
         """Corners of the boxes of who acts at a time [m], shape [n, 3].
 
@@ -128,14 +144,20 @@ class Action:
         if beat.type in ARRIVALS:  # nobody follows a ball into the pocket
             time = min(time, beat.time_s + 0.1)
         frame = self.frame(time)
+        key = (beat, frame)
+        if key not in self._acting:
+            self._acting[key] = self._boxes(beat, frame)
+        return self._acting[key]
+
+    def _boxes(self, beat: Beat, frame: int) -> Floats:
         leads = self.corners(frame, beat.leads)
         centers = leads.mean(axis=1)
         middle = np.median(centers, axis=0)
         leads = leads[np.linalg.norm(centers - middle, axis=1) <= FAR_M]
         points = leads.reshape(-1, 3)
-        low, high = points.min(axis=0), points.max(axis=0)
-        span = float((high - low).max())
-        reach = min(3.0 * span, 0.5 * span + 1.0) * (1.0 if time < beat.time_s else AFTERMATH)
+        low, high, reach = _around(points)
+        if beat.others and self.time[frame] >= beat.time_s:
+            reach *= AFTERMATH
         out = [points]
         mates = (*beat.others, *beat.company)
         for box in self.corners(frame, mates) if mates else ():
@@ -160,6 +182,13 @@ class Action:
         leads = sorted({i for b in self.beats for i in b.leads})
         ways = (p[1] - p[0])[leads]
         return ways[int(np.argmax(np.linalg.norm(ways, axis=1)))]
+
+
+def _around(points: Floats) -> tuple[Floats, Floats, float]:
+    """Corners of a box around points [m], and how far from it things belong to it [m]."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    span = float((high - low).max())
+    return low, high, min(3.0 * span, 0.5 * span + 1.0)
 
 
 def _beats(

@@ -25,7 +25,8 @@ from esg.units import quat_rotate
 Floats = NDArray[np.float64]
 Path = Callable[[Action, Floats, View], "Take | None"]
 
-KNOT_S = 1.0 / 24.0
+KNOT_S = 1.0 / 12.0
+FINE_HZ = 96.0
 SOFT_S = (0.25, 0.4, 0.65, 1.0)
 """A camera that follows is slowed by a bell so wide [s]; a wider one where it would jerk."""
 KEPT_S = ((0.7, 0.5), (0.4, 0.4), (0.2, 0.25), (0.08, 0.1), (0.0, 0.0))
@@ -150,7 +151,10 @@ def knots(start: float, end: float) -> Floats:
 
 def is_smooth(take: Take) -> bool:
     """Whether a take keeps the bounds on turning and on gaining speed."""
-    turn, gain, speed = motion_of(take)
+    # Between the knots, too: slow motion shows what is there.
+    steps = max(2, 1 + round((take.time_s[-1] - take.time_s[0]) * FINE_HZ))
+    fine = take.at(np.linspace(take.time_s[0], take.time_s[-1], steps))
+    turn, gain, speed = motion_of(fine)
     return turn <= TURN_MOST and gain <= TURN_JERK and speed <= SPEED_JERK
 
 

@@ -18,6 +18,7 @@ Floats = NDArray[np.float64]
 
 PROBE_PX = (112, 63)
 """Pictures in which visible pixels are counted while candidates are compared."""
+GLANCE_PX = (64, 36)
 CLEAR_SHARE, CLEAR_M = 0.12, 0.25
 """Nothing is closer to an eye than this share of its distance to the target, at most so far."""
 UNOBSCURED = 0.6
@@ -90,6 +91,14 @@ class Viewfinder:
         union = _share(np.sum(np.isin(shown, who)), np.sum(alone >= 0))
         return Seen(beat, found.inside, union, min(shares, default=0.0), found.fill)
 
+    def sight(self, take: Take, time: float) -> float:
+        """Share of the pixels of who acts at a time [s] that nothing else hides."""
+        self.pose(time)
+        beat, camera = self.action.beat_at(time), take.at([time]).camera(0)
+        shown, _ = self.scan.look(camera, GLANCE_PX)
+        alone, _ = self.scan.look(camera, GLANCE_PX, beat.participants)
+        return _share(np.sum(np.isin(shown, beat.participants)), np.sum(alone >= 0))
+
     def review(self, take: Take) -> list[Seen]:
         """What a take shows of every event that happens during it."""
         times = take.time_s
@@ -104,7 +113,7 @@ class Viewfinder:
             return False
         for k in sorted({round(v) for v in np.linspace(0, len(take) - 1, looks)}):
             self.pose(float(take.time_s[k]))
-            _, nearness = self.scan.look(take.camera(k), (48, 27))
+            _, nearness = self.scan.look(take.camera(k), GLANCE_PX)
             away = float(np.linalg.norm(target[k] - eye[k]))
             if float(nearness.max()) > 1.0 / min(CLEAR_M, CLEAR_SHARE * away):
                 return False

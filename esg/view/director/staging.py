@@ -28,6 +28,8 @@ RISES_DEG: dict[bool, tuple[float | None, ...]] = {
 """Heights that are tried, by whether people stand beside the action; None is eye height."""
 TRIED = 5
 """So many of the best places are looked at in full."""
+CONTENT = 0.6
+"""Worth beyond that of keeping all rules at the events with which the search ends."""
 FULL = 1.3
 """Worth of a place from which everything is seen."""
 AUTO = ("static", "tracking")
@@ -66,7 +68,7 @@ def direct(
             worth = _worth(finder, take, view.aspect)
             if worth > most + 1e-9:
                 best, most = take, worth
-        if most >= 2.0:
+        if most >= 2.0 + CONTENT:
             break
     if best is None:  # a kind that this scene has no use for: a dash without a vehicle
         return direct(finder, start, end, seed=seed, apart=apart)
@@ -133,13 +135,17 @@ def _lead(way: Floats, azimuth: float) -> float:
 
 
 def _worth(finder: Viewfinder, take: Take, aspect: float) -> float:
-    """At least 2 for a take that keeps all rules, less for each that it breaks."""
+    """At least 2 for a take that keeps all rules at every event, up to 0.8 more for the rest of it."""
+    worth = 2.0
     seen = finder.review(take)
-    worth = 2.0 + 0.1 * _steady(finder.action, take, aspect)
     for one in seen:
-        worth -= _lacks(one) / max(1, len(seen))
-    if not is_smooth(take):
-        worth -= 0.6
+        worth -= 2.0 * _lacks(one) / max(1, len(seen))
+    worth -= 0.6 * (not is_smooth(take))
+    if worth > 1.0:  # else it will not be chosen anyway
+        worth += 0.5 * _steady(finder.action, take, aspect)
+        start, end = take.time_s[0], take.time_s[-1]
+        glances = [finder.sight(take, start + k * (end - start)) for k in (0.15, 0.5, 0.98)]
+        worth += 0.1 * sum(share >= UNOBSCURED for share in glances)
     return worth if finder.clear(take) else worth - 1.0
 
 
@@ -161,7 +167,7 @@ def _steady(action: Action, take: Take, aspect: float) -> float:
     steps = range(0, len(take), 4)
     for k in steps:
         found = extent(take.camera(k), action.acting(float(take.time_s[k])), aspect)
-        good += found.inside >= 0.8 and FILL_LEAST <= found.fill <= FILL_MOST
+        good += found.inside >= 0.8 and 0.8 * FILL_LEAST <= found.fill <= FILL_MOST
     return good / len(steps)
 
 

@@ -63,18 +63,21 @@ def shots_of(finder: Viewfinder, seed: int = 0) -> list[Shot]:
 
 
 def _shots(finder: Viewfinder, cut: Cut, seed: int) -> list[Shot]:
-    """One take of a stretch; of a stretch that one camera cannot show, one before and one after."""
+    """One take of a stretch; one before and one after a cut where that shows more events."""
     take = direct(finder, float(cut.time_s[0]), float(cut.time_s[-1]), seed=seed)
     seen = finder.review(take)
+    whole = [Shot(cut, take.at(cut.time_s))]
     times = [s.beat.time_s for s in seen]
     gaps = np.diff(times)
     if all(s.good for s in seen) or not len(gaps) or float(gaps.max()) < SHORTEST_S:
-        return [Shot(cut, take.at(cut.time_s))]
+        return whole
     k = int(np.argmax(gaps))
     split = int(np.searchsorted(cut.time_s, 0.5 * (times[k] + times[k + 1])))
     parts = (slice(None, split), slice(split, None))
     halves = [Cut(cut.time_s[part], cut.speed[part]) for part in parts]
-    return [shot for half in halves for shot in _shots(finder, half, seed)]
+    parted = [shot for half in halves for shot in _shots(finder, half, seed)]
+    shown = sum(s.good for shot in parted for s in finder.review(shot.take))
+    return parted if shown > sum(s.good for s in seen) else whole
 
 
 def film(
