@@ -28,6 +28,7 @@ from esg.view.director.lens import FILL_LEAST, FILL_MOST
 from esg.view.director.paths import is_smooth
 from esg.view.director.review import IN_VIEW, UNOBSCURED, Viewfinder
 from esg.view.film.shooting import SIZE_PX, frames_of, loaded, shots_of
+from esg.view.parts import scene_parts
 
 
 def measure(folder: Path, size: tuple[int, int], seed: int, frames: Path | None) -> Any:
@@ -40,8 +41,8 @@ def measure(folder: Path, size: tuple[int, int], seed: int, frames: Path | None)
     verdict = SceneVerdict.model_validate(found)
     doc = load_document(folder / "esg.json")
     action = Action(replays[0].scene, replays[0].rollout, verdict, doc)
+    scan = loaded(action, scene_parts(replays[0].scene, replays[0].rollout, doc))
     began = time.process_time()
-    scan = loaded(action, doc)
     finder = Viewfinder(action, scan)
     shots = shots_of(finder, seed)
     directed = time.process_time()

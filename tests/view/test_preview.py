@@ -1,4 +1,4 @@
-"""Framing: who is in the picture, from where, and that a whole sheet and loop come out."""
+"""Framing: who is in the picture, from where, and that a whole sheet comes out."""
 
 from __future__ import annotations
 
@@ -38,6 +38,7 @@ from esg.view.framing import (
 )
 from esg.view.moments import failures, moments_of
 from esg.view.render import Part, Renderer
+from esg.view.ropes import ropes_at
 from esg.view.sheet import draw_ropes, draw_trail
 from tests.report.folders import HIT_S, rollout, scene
 
@@ -175,14 +176,13 @@ def simple(monkeypatch: pytest.MonkeyPatch) -> None:
     ]
     monkeypatch.setattr(previews, "scene_parts", lambda *_: parts)
     monkeypatch.setattr(previews, "PANEL_PX", (96, 64))
-    monkeypatch.setattr(previews, "LOOP_PX", (60, 40))
 
 
 @pytest.mark.usefixtures("simple")
-def test_sheet_and_loop_are_the_same_with_one_thread_and_two(
+def test_sheet_and_film_are_the_same_with_one_thread_and_two(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Which thread draws a picture makes no difference; the loop shows the whole action."""
+    """Which thread draws a picture makes no difference, and films are the same."""
     made = []
     for threads in (1, 2):
         monkeypatch.setattr(previews, "_threads", lambda n=threads: n)
@@ -190,12 +190,8 @@ def test_sheet_and_loop_are_the_same_with_one_thread_and_two(
         folder.mkdir()
         previews.preview(scene(), rollout(), verdict(EVENT), DOC, folder)
         made.append({p.name: p.read_bytes() for p in folder.iterdir()})
-    assert made[0].keys() == {"preview.png", "preview.webp"}
+    assert made[0].keys() == {"preview.png", "preview.mp4"}
     assert made[0] == made[1]
-    with Image.open(tmp_path / "1" / "preview.webp") as loop:
-        assert loop.size == (60, 40)
-        # One second at ten frames a second; what rests is one long frame.
-        assert 3 <= loop.n_frames <= 10
     with Image.open(tmp_path / "1" / "preview.png") as sheet:
         picture = np.asarray(sheet.convert("RGB")).astype(int)
     red = (picture[..., 0] > 1.6 * picture[..., 1]) & (picture[..., 0] > 1.6 * picture[..., 2])

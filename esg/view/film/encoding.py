@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from esg.view.film.cutting import FPS
 
+CODEC = "libx264"
 OPTIONS = {"preset": "veryfast", "crf": "25", "threads": "1", "g": "24", "bf": "2"}
 """One thread, or frames would be split differently from machine to machine."""
 CONTAINER = {"movflags": "+faststart", "fflags": "+bitexact"}
@@ -18,6 +19,22 @@ CONTAINER = {"movflags": "+faststart", "fflags": "+bitexact"}
 
 class NoFilmError(Exception):
     """Why there is no film."""
+
+
+def check_encoder() -> None:
+    """Finds out, before anything is drawn, whether films can be written.
+
+    Raises:
+        NoFilmError: If PyAV is missing or has no H.264.
+    """
+    try:
+        import av
+
+        av.codec.Codec(CODEC, "w")
+    except ImportError as error:
+        raise NoFilmError(f"PyAV cannot be imported ({error})") from None
+    except ValueError:  # PyAV's error for a name it does not know
+        raise NoFilmError(f"PyAV was built without {CODEC}") from None
 
 
 def write_film(path: Path, frames: Iterable[NDArray[np.uint8]], size: tuple[int, int]) -> Path:
@@ -31,14 +48,13 @@ def write_film(path: Path, frames: Iterable[NDArray[np.uint8]], size: tuple[int,
     Raises:
         NoFilmError: If PyAV is missing or has no H.264, or the disk does not take the file.
     """
-    try:
-        import av
-    except ImportError as error:
-        raise NoFilmError(f"PyAV cannot be imported ({error})") from None
+    check_encoder()
+    import av
+
     partial = path.with_suffix(".partial.mp4")
     try:
         with av.open(str(partial), "w", options=CONTAINER) as container:
-            stream = container.add_stream("libx264", rate=FPS, options=OPTIONS)
+            stream = container.add_stream(CODEC, rate=FPS, options=OPTIONS)
             stream.width, stream.height = size
             stream.pix_fmt = "yuv420p"
             stream.codec_context.thread_count = 1

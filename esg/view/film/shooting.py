@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,15 +15,12 @@ from esg.view.director.review import Viewfinder
 from esg.view.director.staging import direct
 from esg.view.director.takes import Take
 from esg.view.film.cutting import Cut, cuts_of, told
-from esg.view.film.encoding import write_film
+from esg.view.film.encoding import check_encoder, write_film
 from esg.view.lettering import font
-from esg.view.parts import scene_parts
+from esg.view.render import Part
 from esg.view.ropes import ropes_at
 from esg.view.scan.drawer import Scan
 from esg.view.sheet import draw_ropes
-
-if TYPE_CHECKING:
-    from esg.graph.models import EsgDocument
 
 SIZE_PX = (480, 272)
 SHORTEST_S = 0.2
@@ -40,14 +37,13 @@ class Shot:
     take: Take
 
 
-def loaded(action: Action, doc: EsgDocument) -> Scan:
+def loaded(action: Action, parts: Sequence[Part]) -> Scan:
     """A scene as films draw it, in pictures of `SIZE_PX`.
 
     Args:
         action: What happens in it.
-        doc: Its assets and place.
+        parts: Its meshes.
     """
-    parts = scene_parts(action.scene, action.rollout, doc)
     return Scan(parts, len(action.scene.bodies), SIZE_PX, still=action.still)
 
 
@@ -80,23 +76,21 @@ def _shots(finder: Viewfinder, cut: Cut, seed: int) -> list[Shot]:
     return parted if shown > sum(s.good for s in seen) else whole
 
 
-def film(
-    action: Action, scan: Scan, path: Path, seed: int = 0, finder: Viewfinder | None = None
-) -> Path:
-    """Writes the film of a scene.
+def write_scene_film(action: Action, parts: Sequence[Part], path: Path, seed: int = 0) -> Path:
+    """Directs, draws and writes the film of a scene.
 
     Args:
         action: What happens.
-        scan: Draws the scene, in pictures of `SIZE_PX`.
+        parts: Its meshes.
         path: Of the file.
         seed: Of lenses, sides and angles.
-        finder: If there is one already.
 
     Raises:
         NoFilmError: If it cannot be written.
     """
-    finder = finder or Viewfinder(action, scan)
-    return write_film(path, frames_of(finder, shots_of(finder, seed)), scan.size)
+    check_encoder()
+    finder = Viewfinder(action, loaded(action, parts))
+    return write_film(path, frames_of(finder, shots_of(finder, seed)), SIZE_PX)
 
 
 def frames_of(finder: Viewfinder, shots: Sequence[Shot]) -> Iterator[NDArray[np.uint8]]:
