@@ -21,14 +21,13 @@ from esg.view.film.encoding import NoFilmError
 from esg.view.film.shooting import write_scene_film
 from esg.view.framing import (
     PANEL_PX,
-    camera_for,
     camera_of_moment,
     corners_of,
     frame_at,
     pose,
     viewpoint,
 )
-from esg.view.moments import Moment, failures, moments_of
+from esg.view.moments import failures, moments_of
 from esg.view.parts import scene_parts
 from esg.view.render import SAMPLES, Part, Renderer
 from esg.view.ropes import ropes_at
@@ -38,6 +37,7 @@ if TYPE_CHECKING:
     from esg.metrics.models import SceneVerdict
 
 FILM = "preview.mp4"
+
 
 @dataclass(frozen=True)
 class Shot:

@@ -28,6 +28,7 @@ from esg.metrics.models import EventVerdict, LayoutVerdict, SceneVerdict
 from esg.view import preview as previews
 from esg.view.camera import Camera, box_corners
 from esg.view.cameras import action_cameras
+from esg.view.film.encoding import NoFilmError
 from esg.view.framing import (
     camera_for,
     camera_of_moment,
@@ -273,3 +274,26 @@ def test_a_rope_darkens_the_picture_along_its_line_only():
     dark = np.argwhere((drawn < 150).any(axis=2))
     assert 5 < len(dark) < 120
     assert np.ptp(dark[:, 1]) <= 3
+
+
+@pytest.mark.usefixtures("simple")
+def test_a_scene_is_recorded_without_its_film(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A film that cannot be written costs the film, not the sheet, which says why."""
+
+    def refuse(*_: object) -> None:
+        raise NoFilmError("no space left")
+
+    notes: list[list[str]] = []
+    real = previews.write_sheet
+
+    def sheet(*args: object, **more: object) -> object:
+        notes.append(list(more["footnotes"]))  # type: ignore[call-overload]
+        return real(*args, **more)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(previews, "write_scene_film", refuse)
+    monkeypatch.setattr(previews, "write_sheet", sheet)
+    previews.preview(scene(), rollout(), verdict(EVENT), DOC, tmp_path)
+    assert [p.name for p in tmp_path.iterdir()] == ["preview.png"]
+    assert notes == [["no film: no space left"]]

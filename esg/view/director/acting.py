@@ -204,9 +204,7 @@ def _beats(
     return (Beat("", "", min(1.0, float(rollout.time[-1])), moving),)
 
 
-def _beat(
-    scene: SimScene, rollout: Rollout, doc: EsgDocument, event: EventVerdict
-) -> Beat | None:
+def _beat(scene: SimScene, rollout: Rollout, doc: EsgDocument, event: EventVerdict) -> Beat | None:
     bodies = tuple(dict.fromkeys(scene.index(n) for n in event.bodies if n in scene.names))
     time = float(event.time_s or 0.0)
     if not bodies:

@@ -100,9 +100,7 @@ def extent(camera: Camera, points: Floats, aspect: float) -> Extent:
         return Extent((-math.inf, -math.inf), (math.inf, math.inf), False)
     tan = math.tan(camera.fov / 2)
     x, y = local[:, 0] / (depth * tan * aspect), local[:, 1] / (depth * tan)
-    return Extent(
-        (float(x.min()), float(y.min())), (float(x.max()), float(y.max())), ahead=True
-    )
+    return Extent((float(x.min()), float(y.min())), (float(x.max()), float(y.max())), ahead=True)
 
 
 def framed(points: Floats, view: View, wanted: float = FILL_WANTED) -> Camera:
@@ -158,9 +156,7 @@ def on_thirds(camera: Camera, points: Floats, view: View) -> Camera:
     right, up, _ = camera.axes.T
     for part in (1.0, 0.6, 0.3):
         shift = part * THIRD * away * tan
-        moved = np.asarray(camera.target) + shift * (
-            up + view.lead * view.aspect * right
-        )
+        moved = np.asarray(camera.target) + shift * (up + view.lead * view.aspect * right)
         turned = replace(camera, target=_vec(moved))
         if extent(turned, points, view.aspect).overflow <= SAFE:
             return turned

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 
+from esg.units import quat_rotate
 from esg.view.camera import Camera
 from esg.view.director.acting import Action, Beat
 from esg.view.director.lens import (
@@ -20,7 +21,6 @@ from esg.view.director.lens import (
     framed,
 )
 from esg.view.director.takes import Take, standing
-from esg.units import quat_rotate
 
 Floats = NDArray[np.float64]
 Path = Callable[[Action, Floats, View], "Take | None"]
@@ -118,7 +118,11 @@ def dash(action: Action, times: Floats, view: View) -> Take | None:
     q = rollout.quaternion[0, frames, body].astype(float)
     b = scene.bodies[body]
     # Above the roof, where nothing of the vehicle hides the road.
-    seat = np.asarray(b.origin_offset) + (0.25 * b.half_extents[0], 0, 2.0 * b.half_extents[2] + 0.3)
+    seat = np.asarray(b.origin_offset) + (
+        0.25 * b.half_extents[0],
+        0,
+        2.0 * b.half_extents[2] + 0.3,
+    )
     knots = max((times[-1] - times[0]) / max(len(times) - 1, 1), 1e-6)
     eye = _soft(p + quat_rotate(q, np.tile(seat, (len(p), 1))), 0.12 / knots)
     ahead = quat_rotate(q, np.tile((1.0, 0.0, 0.0), (len(p), 1)))
@@ -179,9 +183,7 @@ def motion_of(take: Take) -> tuple[float, float, float]:
     return float(np.linalg.norm(turn, axis=1).max()), float(gain.max()), float(rush.max())
 
 
-def _kept(
-    action: Action, beats: list[Beat], times: Floats, before: float, after: float
-) -> Floats:
+def _kept(action: Action, beats: list[Beat], times: Floats, before: float, after: float) -> Floats:
     """What acts around the beats, within the take [m], shape [n, 3]."""
     out: list[Floats] = []
     for beat in beats:

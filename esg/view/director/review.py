@@ -109,6 +109,7 @@ class Viewfinder:
     def clear(self, take: Take, looks: int = 4) -> bool:
         """Whether the eye is never in or too close to a thing, nor passes through one."""
         eye, target = take.eye, take.target
+        self.pose(float(take.time_s[0]))
         if _crosses(eye, self.scan.still_triangles):
             return False
         for k in sorted({round(v) for v in np.linspace(0, len(take) - 1, looks)}):

@@ -26,6 +26,8 @@ RISES_DEG: dict[bool, tuple[float | None, ...]] = {
     False: (22.0, 36.0, 55.0),
 }
 """Heights that are tried, by whether people stand beside the action; None is eye height."""
+APART_RAD = math.radians(40)
+"""Several cameras stand at least so far from each other, seen from the action, if they can."""
 TRIED = 5
 """So many of the best places are looked at in full."""
 CONTENT = 0.6
@@ -60,7 +62,8 @@ def direct(
     action, times = finder.action, knots(start, max(end, start + 0.1))
     beats = beats_in(action, times)
     best, most = None, -math.inf
-    for view in _places(finder, beats, seed, apart)[:TRIED]:
+    places = _places(finder, beats, seed, apart)[: 2 if apart else TRIED]
+    for view in places:
         for kind in kinds:
             take = KINDS[kind](action, times, view)
             if take is None:
@@ -105,7 +108,8 @@ def _places(
             _lead(way, azimuth),
         )
         cost = 0.0016 * abs(turn) + 0.004 * ((rise or 6.0) - first)
-        cost += sum(0.5 * max(0.0, math.cos(azimuth - other)) for other in apart)
+        if any(math.cos(azimuth - other) > math.cos(APART_RAD) for other in apart):
+            cost += 1.0
         options.append((cost, view))
     options.sort(key=lambda option: option[0])
     picked = [beats[k] for k in sorted({0, len(beats) // 2, len(beats) - 1})]
@@ -177,5 +181,3 @@ def _beside(way: Floats) -> float:
         return math.pi / 2
     side = math.atan2(way[1], way[0]) + math.pi / 2
     return side + math.pi if math.sin(side) < -1e-6 else side
-
-

@@ -122,5 +122,3 @@ def _lettered(image: NDArray[np.uint8], text: str) -> NDArray[np.uint8]:
     out = image.copy()
     out[-(CORNER_PX + 10) :] = np.asarray(picture)
     return out
-
-

@@ -364,7 +364,9 @@ def shade(
         if sun > 0.0 and s.roughness < 0.6:
             glint = wp.max(wp.dot(bounce, light.sun), 0.0)
             power = 2.0 / (s.roughness * s.roughness * s.roughness * s.roughness + 0.01)
-            color = color + wp.cw_mul(tint, light.sun_rgb) * (sun * wp.pow(glint, power) * gloss * 4.0)
+            color = color + wp.cw_mul(tint, light.sun_rgb) * (
+                sun * wp.pow(glint, power) * gloss * 4.0
+            )
         haze = wp.clamp((depth - 60.0) / 240.0, 0.0, 0.85)
         color = color * (1.0 - haze) + light.horizon * haze
     for k in range(3):
@@ -392,9 +394,7 @@ def smooth(
         w = wp.clamp(y + wp.where(k == 2, 1, wp.where(k == 3, -1, 0)), 0, bottom)
         other = hit[w, u]
         if other != me:
-            if other < 0:
-                border = True
-            elif part[other] != mine:
+            if other < 0 or part[other] != mine:
                 border = True
     for c in range(3):
         value = int(source[y, x, c])
