@@ -2,10 +2,11 @@
 
     python -m benchmarks.framing RUN... [--size 320x180] [--seed 0] [--json FILE] [--frames FOLDER]
 
-RUN is a folder of finished scene folders, or one of them. Of every event it prints the kind of camera,
-the share of the rectangle around who acts that is in the picture, the share of its participants' pixels
-that nothing else hides, the same of the participant that is seen least, and the fill, as
-docs/view/cameras.md defines them. With --frames, pictures of every film are written beside each other.
+RUN is a folder of finished scene folders, or one of them. Of every event it prints the kind of
+camera, the share of the rectangle around who acts that is in the picture, the share of its
+participants' pixels that nothing else hides, the same of the participant that is seen least, and
+the fill, as docs/view/cameras.md defines them. With --frames, pictures of every film are written
+beside each other.
 """
 
 from __future__ import annotations
@@ -27,7 +28,7 @@ from esg.view.director.acting import Action
 from esg.view.director.lens import FILL_LEAST, FILL_MOST
 from esg.view.director.paths import is_smooth
 from esg.view.director.review import IN_VIEW, UNOBSCURED, Viewfinder
-from esg.view.film.shooting import SIZE_PX, frames_of, loaded, shots_of
+from esg.view.film.shooting import SIZE_PX, frames_of, shots_of, viewfinder
 from esg.view.parts import scene_parts
 
 
@@ -41,14 +42,14 @@ def measure(folder: Path, size: tuple[int, int], seed: int, frames: Path | None)
     verdict = SceneVerdict.model_validate(found)
     doc = load_document(folder / "esg.json")
     action = Action(replays[0].scene, replays[0].rollout, verdict, doc)
-    scan = loaded(action, scene_parts(replays[0].scene, replays[0].rollout, doc))
+    parts = scene_parts(replays[0].scene, replays[0].rollout, doc)
     began = time.process_time()
-    finder = Viewfinder(action, scan)
+    finder = viewfinder(action, doc, parts)
     shots = shots_of(finder, seed)
     directed = time.process_time()
     images = list(frames_of(finder, shots))
     drawn = time.process_time()
-    judge = Viewfinder(action, scan, size)
+    judge = Viewfinder(action, finder.scan, size, finder.around)
     rows = []
     for number, shot in enumerate(shots):
         clear, smooth = judge.clear(shot.take, 12), is_smooth(shot.take)

@@ -114,7 +114,7 @@ def _with_openings(scene: SimScene, doc: EsgDocument, cast: tuple[int, ...]) -> 
 
 
 def openings_of(scene: SimScene, doc: EsgDocument, cast: Sequence[int]) -> tuple[int, ...]:
-    """The goal, hole or basket that bodies enter; what is flat, which fills the picture, is none."""
+    """The goal, hole or basket that bodies enter; none that is flat and fills the picture."""
     timeline = doc.timeline_system
     if timeline is None:
         return ()

@@ -97,7 +97,7 @@ def preview(
         image = draw_trail(image, shot.camera, trails, specks)
         panels.append(Panel(image, moment.title, moment.caption))
         since = moment.time
-    lost = _filmed(Action(scene, rollout, verdict, doc), parts, folder) if film else []
+    lost = _filmed(Action(scene, rollout, verdict, doc), doc, parts, folder) if film else []
     return write_sheet(
         folder / "preview.png",
         panels,
@@ -107,10 +107,12 @@ def preview(
     )
 
 
-def _filmed(action: Action, parts: Sequence[Part], folder: Path) -> list[str]:
+def _filmed(
+    action: Action, doc: EsgDocument, parts: Sequence[Part], folder: Path
+) -> list[str]:
     """Writes the film; why there is none, in a line, if it cannot be written."""
     try:
-        write_scene_film(action, parts, folder / FILM)
+        write_scene_film(action, doc, parts, folder / FILM)
     except NoFilmError as error:
         return [f"no film: {error}"]
     return []

@@ -19,7 +19,7 @@ from esg.graph.models import (
 from esg.metrics.models import EventVerdict, LayoutVerdict, SceneVerdict
 from esg.view.director.acting import Action
 from esg.view.director.review import Viewfinder
-from esg.view.film.shooting import loaded
+from esg.view.film.shooting import viewfinder
 from esg.view.render import Part
 
 Way = Callable[[float], tuple[float, float, float]]
@@ -267,5 +267,6 @@ def action_of(play: Play) -> Action:
 
 def finder_of(play: Play, size: tuple[int, int] = (240, 135)) -> Viewfinder:
     """A viewfinder onto it."""
-    action = action_of(play)
-    return Viewfinder(action, loaded(action, parts_of(play)), size)
+    finder = viewfinder(action_of(play), document_of(play), parts_of(play))
+    finder.size = size
+    return finder

@@ -136,7 +136,7 @@ def test_fill_counts_what_is_inside_the_picture() -> None:
     camera = Camera((0.0, -10.0, 0.0), (0.0, 0.0, 0.0), 2 * math.atan(0.5))
     square = np.array([[x, 0.0, z] for x in (-1, 1) for z in (-1, 1)], float)
     assert extent(camera, square, 1.0).fill == pytest.approx(0.2)
-    beside = extent(camera, square + (5.0, 0, 0), 1.0)
+    beside = extent(camera, np.add(square, (5.0, 0, 0)), 1.0)
     assert beside.fill == pytest.approx(0.2 / math.sqrt(2)) and beside.inside == pytest.approx(0.5)
     assert extent(camera, square - (0, 20.0, 0), 1.0).fill == 0.0
 

@@ -23,7 +23,7 @@ from esg.view.film.cutting import (
 )
 from esg.view.film.encoding import NoFilmError, write_film
 from esg.view.film.shooting import SIZE_PX, frames_of, shots_of, write_scene_film
-from tests.view.plays import PLAYS, action_of, finder_of, parts_of
+from tests.view.plays import PLAYS, action_of, document_of, finder_of, parts_of
 
 DROP = next(play for play in PLAYS if play.name == "drop")
 
@@ -93,8 +93,8 @@ def test_a_film_opens_with_its_rate_duration_and_pictures(tmp_path: Path) -> Non
     finder = finder_of(DROP)
     shots = shots_of(finder)
     drawn = list(frames_of(finder, shots))
-    one = write_scene_film(action_of(DROP), parts_of(DROP), tmp_path / "one.mp4")
-    two = write_scene_film(action_of(DROP), parts_of(DROP), tmp_path / "two.mp4")
+    one = write_scene_film(action_of(DROP), document_of(DROP), parts_of(DROP), tmp_path / "one.mp4")
+    two = write_scene_film(action_of(DROP), document_of(DROP), parts_of(DROP), tmp_path / "two.mp4")
     assert one.read_bytes() == two.read_bytes()
     found = opened(one)
     assert (found["codec"], found["pixels"], found["rate"]) == ("h264", "yuv420p", FPS)

@@ -118,11 +118,7 @@ def dash(action: Action, times: Floats, view: View) -> Take | None:
     q = rollout.quaternion[0, frames, body].astype(float)
     b = scene.bodies[body]
     # Above the roof, where nothing of the vehicle hides the road.
-    seat = np.asarray(b.origin_offset) + (
-        0.25 * b.half_extents[0],
-        0,
-        2.0 * b.half_extents[2] + 0.3,
-    )
+    seat = np.add(b.origin_offset, (0.25 * b.half_extents[0], 0, 2.0 * b.half_extents[2] + 0.3))
     knots = max((times[-1] - times[0]) / max(len(times) - 1, 1), 1e-6)
     eye = _soft(p + quat_rotate(q, np.tile(seat, (len(p), 1))), 0.12 / knots)
     ahead = quat_rotate(q, np.tile((1.0, 0.0, 0.0), (len(p), 1)))

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +13,9 @@ from esg.view.camera import Camera
 from esg.view.director.acting import Action, Beat
 from esg.view.director.lens import FILL_LEAST, FILL_MOST, extent
 from esg.view.director.takes import Take
+from esg.view.render import Part
 from esg.view.scan.drawer import Scan
+from esg.view.surroundings import in_the_way
 
 Floats = NDArray[np.float64]
 
@@ -60,10 +63,17 @@ class Viewfinder:
         action: What happens.
         scan: Draws its scene.
         size: Of the pictures in which pixels are counted [px].
+        around: What stands around it, of which is left out what is in a camera's way.
     """
 
-    def __init__(self, action: Action, scan: Scan, size: tuple[int, int] = PROBE_PX) -> None:
-        self.action, self.scan, self.size = action, scan, size
+    def __init__(
+        self,
+        action: Action,
+        scan: Scan,
+        size: tuple[int, int] = PROBE_PX,
+        around: Sequence[Part] = (),
+    ) -> None:
+        self.action, self.scan, self.size, self.around = action, scan, size, around
         self.aspect = size[0] / size[1]
         self._angles = scene_angles(action.scene, action.rollout)
         self.frame = -1
@@ -76,6 +86,19 @@ class Viewfinder:
             p = np.nan_to_num(rollout.position[0, frame])
             self.scan.pose(p, rollout.quaternion[0, frame], self._angles[frame])
             self.frame = frame
+
+    def dress(self, take: Take) -> int:
+        """Leaves out what stands between a take's cameras and who acts, as in a dollhouse.
+
+        Returns:
+            The number of things that are left out.
+        """
+        picked = sorted({round(v) for v in np.linspace(0, len(take) - 1, 5)})
+        points = [self.action.acting(float(take.time_s[k])) for k in picked]
+        shown = np.concatenate([p.mean(axis=0, keepdims=True) for p in points] + points[2:3])
+        hidden = in_the_way(self.around, take.eye[picked], shown)
+        self.scan.hide(hidden)
+        return len(hidden)
 
     def seen(self, beat: Beat, camera: Camera) -> Seen:
         """What a camera shows of an event."""
@@ -101,6 +124,7 @@ class Viewfinder:
 
     def review(self, take: Take) -> list[Seen]:
         """What a take shows of every event that happens during it."""
+        self.dress(take)
         times = take.time_s
         beats = [b for b in self.action.beats if times[0] - 1e-6 <= b.time_s <= times[-1] + 1e-6]
         shot = take.at([b.time_s for b in beats])
@@ -109,6 +133,7 @@ class Viewfinder:
     def clear(self, take: Take, looks: int = 4) -> bool:
         """Whether the eye is never in or too close to a thing, nor passes through one."""
         eye, target = take.eye, take.target
+        self.dress(take)
         self.pose(float(take.time_s[0]))
         if _crosses(eye, self.scan.still_triangles):
             return False

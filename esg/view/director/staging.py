@@ -14,6 +14,7 @@ from esg.view.director.lens import FILL_LEAST, FILL_MOST, View, extent, framed
 from esg.view.director.paths import KINDS, beats_in, is_smooth, knots
 from esg.view.director.review import IN_VIEW, UNOBSCURED, Seen, Viewfinder
 from esg.view.director.takes import Take
+from esg.view.surroundings import in_the_way
 
 Floats = NDArray[np.float64]
 
@@ -30,6 +31,8 @@ APART_RAD = math.radians(40)
 """Several cameras stand at least so far from each other, seen from the action, if they can."""
 TRIED = 5
 """So many of the best places are looked at in full."""
+LEFT_OUT = 0.07
+"""Worth that a thing costs which a camera can only look past if it is left out, up to three."""
 CONTENT = 0.6
 """Worth beyond that of keeping all rules at the events with which the search ends."""
 FULL = 1.3
@@ -119,9 +122,19 @@ def _places(
         if len(rated) >= TRIED and sorted(r for r, _ in rated)[-2] >= FULL - cost - 0.02:
             break
         shown = [_shown(finder, beat, view) for beat in picked]
+        cost += LEFT_OUT * min(3, _left_out(finder, picked[-1], view))
         rated.append((min(shown) + (FULL - 1.0) * sum(shown) / len(shown) - cost, view))
     rated.sort(key=lambda one: -one[0])
     return [view for _, view in rated]
+
+
+def _left_out(finder: Viewfinder, beat: Beat, view: View) -> int:
+    """How many things would have to be left out of the surroundings to see a beat."""
+    if not finder.around:
+        return 0
+    points = finder.action.acting(beat.time_s, beat)
+    eye = np.array([framed(points, view).eye])
+    return len(in_the_way(finder.around, eye, points.mean(axis=0, keepdims=True)))
 
 
 def _shown(finder: Viewfinder, beat: Beat, view: View) -> float:
@@ -139,8 +152,8 @@ def _lead(way: Floats, azimuth: float) -> float:
 
 
 def _worth(finder: Viewfinder, take: Take, aspect: float) -> float:
-    """At least 2 for a take that keeps all rules at every event, up to 0.8 more for the rest of it."""
-    worth = 2.0
+    """At least 2 for a take that keeps all rules at the events, up to 0.8 more for its rest."""
+    worth = 2.0 - LEFT_OUT * min(3, finder.dress(take))
     seen = finder.review(take)
     for one in seen:
         worth -= 2.0 * _lacks(one) / max(1, len(seen))

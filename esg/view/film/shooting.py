@@ -1,15 +1,16 @@
-"""Shooting a scene: takes of the director, drawn frame by frame, with time and speed in a corner."""
+"""Shooting a scene: takes of the director, drawn frame by frame, with the time in a corner."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.assets.textures import maps
 from esg.view.director.acting import Action
 from esg.view.director.review import Viewfinder
 from esg.view.director.staging import direct
@@ -21,8 +22,13 @@ from esg.view.render import Part
 from esg.view.ropes import ropes_at
 from esg.view.scan.drawer import Scan
 from esg.view.sheet import draw_ropes
+from esg.view.surroundings import GROUND, surroundings_of, thing_of
+
+if TYPE_CHECKING:
+    from esg.graph.models import EsgDocument
 
 SIZE_PX = (480, 272)
+TEXTURE_PX = 128
 SHORTEST_S = 0.2
 """Events closer together than this are not parted by a cut."""
 CORNER_PX = 12
@@ -37,14 +43,29 @@ class Shot:
     take: Take
 
 
-def loaded(action: Action, parts: Sequence[Part]) -> Scan:
+def viewfinder(action: Action, doc: EsgDocument, parts: Sequence[Part]) -> Viewfinder:
     """A scene as films draw it, in pictures of `SIZE_PX`.
 
     Args:
         action: What happens in it.
-        parts: Its meshes.
+        doc: Its place.
+        parts: Meshes of its bodies and of the ground.
     """
-    return Scan(parts, len(action.scene.bodies), SIZE_PX, still=action.still)
+    around = surroundings_of(doc, action.scene, action.rollout)
+    standing = [part for part in around.parts if thing_of(part) != GROUND]
+    scan = Scan(
+        [*parts, *standing],
+        len(action.scene.bodies),
+        SIZE_PX,
+        sky=around.sky,
+        still=action.still,
+        textures=_base_colors,
+    )
+    return Viewfinder(action, scan, around=standing)
+
+
+def _base_colors(name: str) -> NDArray[np.uint8]:
+    return maps(name, TEXTURE_PX).base_color
 
 
 def shots_of(finder: Viewfinder, seed: int = 0) -> list[Shot]:
@@ -76,12 +97,15 @@ def _shots(finder: Viewfinder, cut: Cut, seed: int) -> list[Shot]:
     return parted if shown > sum(s.good for s in seen) else whole
 
 
-def write_scene_film(action: Action, parts: Sequence[Part], path: Path, seed: int = 0) -> Path:
+def write_scene_film(
+    action: Action, doc: EsgDocument, parts: Sequence[Part], path: Path, seed: int = 0
+) -> Path:
     """Directs, draws and writes the film of a scene.
 
     Args:
         action: What happens.
-        parts: Its meshes.
+        doc: Its place.
+        parts: Meshes of its bodies and of the ground.
         path: Of the file.
         seed: Of lenses, sides and angles.
 
@@ -89,7 +113,7 @@ def write_scene_film(action: Action, parts: Sequence[Part], path: Path, seed: in
         NoFilmError: If it cannot be written.
     """
     check_encoder()
-    finder = Viewfinder(action, loaded(action, parts))
+    finder = viewfinder(action, doc, parts)
     return write_film(path, frames_of(finder, shots_of(finder, seed)), SIZE_PX)
 
 
@@ -98,6 +122,7 @@ def frames_of(finder: Viewfinder, shots: Sequence[Shot]) -> Iterator[NDArray[np.
     scan, action = finder.scan, finder.action
     for shot in shots:
         take = shot.take
+        finder.dress(take)
         arms = np.linalg.norm(take.eye - take.target, axis=1)
         middle = 0.5 * (take.target.min(axis=0) + take.target.max(axis=0))
         roam = 0.5 * float(np.ptp(take.target, axis=0).max())

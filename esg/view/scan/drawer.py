@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from esg.view.camera import Camera
 from esg.view.render import Movers, Part
-from esg.view.surroundings import Sky
+from esg.view.surroundings import Sky, thing_of
 
 SHADOW_PX = 768
 """Side of the map of what the sun sees."""
@@ -65,6 +65,8 @@ class Scan:
         mover = np.repeat([self._movers.of(p) for p in parts], counts) + 1
         moving = np.repeat([p.body not in rest for p in parts], faces)
         self._part = np.repeat(np.arange(len(parts)), faces)
+        self._moving, self._hidden = moving, frozenset[str]()
+        self._things = [thing_of(p) if p.body < 0 else "" for p in parts]
         self._order = {
             "still": self._array(np.flatnonzero(~moving), int),
             "moving": self._array(np.flatnonzero(moving), int),
@@ -89,6 +91,20 @@ class Scan:
         self._light: Any = None
         side = SHADOW_PX
         self._heights = [wp.empty((side, side), dtype=float, device="cpu") for _ in range(2)]
+        self._shadowed = False
+
+    def hide(self, things: frozenset[str]) -> None:
+        """Leaves things of the surroundings out, and shows all others.
+
+        Args:
+            things: Their ids; see `Surroundings.parts`.
+        """
+        if things == self._hidden:
+            return
+        gone = np.array([thing in things for thing in self._things], bool)
+        order = np.flatnonzero(~self._moving & ~gone[self._part])
+        self._order["still"] = self._array(order, int)
+        self._hidden, self._stood, self._lit = things, None, None
         self._shadowed = False
 
     def light(self, center: Any, reach: float) -> None:

@@ -7,7 +7,8 @@ Camera space has x right, y up and z ahead [m]. A pixel's ray is (x, y, 1) at de
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
 # pyright: reportArgumentType=false, reportCallIssue=false, reportOperatorIssue=false
 
-# ruff: noqa: RUF046, UP018  (Warp needs plain statements and int())
+# Warp looks at both sides of `and` and `or`, whatever the first one says.
+# ruff: noqa: RUF046, UP018, SIM102, SIM114  (Warp needs plain statements and int())
 from __future__ import annotations
 
 import warp as wp
@@ -394,7 +395,9 @@ def smooth(
         w = wp.clamp(y + wp.where(k == 2, 1, wp.where(k == 3, -1, 0)), 0, bottom)
         other = hit[w, u]
         if other != me:
-            if other < 0 or part[other] != mine:
+            if other < 0:
+                border = True
+            elif part[other] != mine:
                 border = True
     for c in range(3):
         value = int(source[y, x, c])
