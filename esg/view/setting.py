@@ -19,7 +19,7 @@ from esg.engines.scene import Rollout, SimScene
 from esg.scenereading import absent, read_metrics
 from esg.view.camera import Camera
 from esg.view.cameras import action_cameras
-from esg.view.parts import GROUND_RGB
+from esg.view.ground import GROUND_RGB
 from esg.view.surroundings import Sky, Surroundings
 
 if TYPE_CHECKING:
