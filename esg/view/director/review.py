@@ -109,9 +109,9 @@ class Viewfinder:
         shares = []
         for body in who:
             own = alone if len(who) == 1 else self.scan.look(camera, self.size, (body,))[0]
-            shares.append(_share(np.sum(shown == body), np.sum(own == body)))
+            shares.append(_share(np.count_nonzero(shown == body), np.count_nonzero(own == body)))
         found = extent(camera, self.action.acting(beat.time_s, beat), self.aspect)
-        union = _share(np.sum(np.isin(shown, who)), np.sum(alone >= 0))
+        union = _share(np.count_nonzero(np.isin(shown, who)), np.count_nonzero(alone >= 0))
         return Seen(beat, found.inside, union, min(shares, default=0.0), found.fill)
 
     def sight(self, take: Take, time: float) -> float:
@@ -120,7 +120,7 @@ class Viewfinder:
         beat, camera = self.action.beat_at(time), take.at([time]).camera(0)
         shown, _ = self.scan.look(camera, GLANCE_PX)
         alone, _ = self.scan.look(camera, GLANCE_PX, beat.participants)
-        return _share(np.sum(np.isin(shown, beat.participants)), np.sum(alone >= 0))
+        return _share(np.count_nonzero(np.isin(shown, beat.participants)), np.count_nonzero(alone >= 0))
 
     def review(self, take: Take) -> list[Seen]:
         """What a take shows of every event that happens during it."""

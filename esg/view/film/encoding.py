@@ -28,9 +28,9 @@ def check_encoder() -> None:
         NoFilmError: If PyAV is missing or has no H.264.
     """
     try:
-        import av
+        from av.codec import Codec
 
-        av.codec.Codec(CODEC, "w")
+        Codec(CODEC, "w")
     except ImportError as error:
         raise NoFilmError(f"PyAV cannot be imported ({error})") from None
     except ValueError:  # PyAV's error for a name it does not know
@@ -50,6 +50,8 @@ def write_film(path: Path, frames: Iterable[NDArray[np.uint8]], size: tuple[int,
     """
     check_encoder()
     import av
+    from av.codec.context import Flags
+    from av.error import FFmpegError
 
     partial = path.with_suffix(".partial.mp4")
     try:
@@ -58,13 +60,13 @@ def write_film(path: Path, frames: Iterable[NDArray[np.uint8]], size: tuple[int,
             stream.width, stream.height = size
             stream.pix_fmt = "yuv420p"
             stream.codec_context.thread_count = 1
-            stream.codec_context.flags |= av.codec.context.Flags.bitexact
+            stream.codec_context.flags |= Flags.bitexact
             for frame in frames:
                 picture = av.VideoFrame.from_ndarray(np.ascontiguousarray(frame), format="rgb24")
                 container.mux(stream.encode(picture))
             container.mux(stream.encode())
         os.replace(partial, path)
-    except (OSError, ValueError, av.FFmpegError) as error:
+    except (OSError, ValueError, FFmpegError) as error:
         partial.unlink(missing_ok=True)
         raise NoFilmError(f"the film could not be written ({error})") from None
     return path
