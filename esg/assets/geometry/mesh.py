@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from esg.assets.colors import color_word
 from esg.assets.configuration import parametric_entry
-from esg.assets.geometry.finishing import Surface, finished, joined
+from esg.assets.geometry.finishing import Surface, completed, finished, joined
 from esg.assets.geometry.rolling import drawn_size, is_rolling_form, rolling
 from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
 from esg.assets.geometry.sketch import Sketch
@@ -57,6 +57,9 @@ class Model:
 _BEVELLED = 0.03
 """Boxes and rods longer than this share of their asset's longest extent are bevelled."""
 
+_FOREIGN_TILE_CM = 100.0
+"""Edge of one tile of the coordinates that an imported mesh without any is given."""
+
 
 def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
     """The asset's geometry [cm] in its local frame, one mesh a look, apart for every wheel.
@@ -73,7 +76,7 @@ def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
 
     entry = parametric_entry(config)
     if entry is None:
-        return load_imported(config)
+        return _completed(load_imported(config))
     scene = trimesh.Scene()
     models, wheels = _models(configured_sketch(entry, config))
     for wheel in wheels:
@@ -101,6 +104,13 @@ def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
             geom_name=model.name,
             parent_node_name=None if model.wheel is None else wheels[model.wheel].name,
         )
+    return scene
+
+
+def _completed(scene: trimesh.Scene) -> trimesh.Scene:
+    """A foreign asset with the normals and texture coordinates it lacks."""
+    for name, geometry in list(scene.geometry.items()):
+        scene.geometry[name] = completed(geometry, _FOREIGN_TILE_CM)
     return scene
 
 
