@@ -31,20 +31,9 @@ def edge(sign: int, extent: float, thickness: float) -> Span:
     return mirrored(sign, extent / 2 - thickness, extent / 2)
 
 
-FINISHES: dict[str, tuple[float, float]] = {
-    "car_body": (0.2, 0.1), "glass_dark": (0.05, 0.0), "lamp": (0.1, 0.0), "plastic": (0.5, 0.0), "plastic_hard": (0.3, 0.0),
-    "rubber": (0.85, 0.0), "aluminium": (0.3, 0.7), "steel": (0.35, 0.7), "chrome": (0.1, 0.9), "mirror": (0.02, 1.0),
-    "flesh": (0.6, 0.0), "textile": (0.95, 0.0), "leather": (0.5, 0.0), "hair": (0.7, 0.0), "eye": (0.1, 0.0), "fur": (0.9, 0.0),
-    "wood": (0.55, 0.0), "oak": (0.5, 0.0), "pine": (0.55, 0.0), "ceramic": (0.12, 0.0), "glass": (0.04, 0.0), "paper": (0.9, 0.0),
-    "cardboard": (0.9, 0.0), "paint": (0.4, 0.0), "concrete": (0.85, 0.0), "wicker": (0.75, 0.0), "screen": (0.08, 0.0),
-    "cast_iron": (0.6, 0.9), "leaf": (0.9, 0.0), "bark": (0.95, 0.0), "brass": (0.25, 1.0),
-}
-
-
-def piece(s: Sketch, name: str, material: str, make: Callable[[], Any], c: Color, alpha: float = 1.0) -> None:
+def piece(s: Sketch, name: str, material: str, make: Callable[[], Any], c: Color, alpha: float | None = None) -> None:
     """Draws a named part of a material."""
-    rough, metal = FINISHES[material]
-    s.add(make, c, rough, metal, alpha)
+    s.add(make, c, alpha=alpha, of=material, name=name)
 
 
 def bone(

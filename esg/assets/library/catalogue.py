@@ -7,6 +7,7 @@ from functools import lru_cache
 import re
 from typing import Any
 
+from esg.assets.appearance import USUAL, Appearance
 from esg.assets.geometry.sketch import Sketch
 from esg.assets.geometry.stretch import scaled, sound, stretched
 from esg.graph.models import Vec3
@@ -137,7 +138,12 @@ def lexicon() -> dict[str, str]:
     return table
 
 
-def build_sketch(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, float]) -> Sketch:
+def build_sketch(
+    entry: Entry,
+    dimensions_cm: Vec3,
+    color: tuple[float, float, float],
+    appearance: Appearance = USUAL,
+) -> Sketch:
     """Draws an entry of the parametric library at the given extents.
 
     Builders that keep their proportions are drawn at the usual size and scaled by the height ratio
@@ -146,9 +152,10 @@ def build_sketch(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, f
     from esg.assets.builders import BUILDERS, DRAWN, load_builders
 
     load_builders()
-    sketch = Sketch(material=entry.material)
+    color = appearance.color or color
+    sketch = Sketch(material=entry.material, appearance=appearance)
     if policy(entry) == "free":
-        return _free(entry, dimensions_cm, color)
+        return _free(entry, dimensions_cm, color, appearance)
     params = dict(entry.params)
     size = entries_by_name()[params.pop("like")].dimensions_cm if "like" in params else None
     size = size or entry.dimensions_cm
@@ -157,7 +164,12 @@ def build_sketch(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, f
     return scaled(sketch, uniform_factor(drawn, dimensions_cm))
 
 
-def _free(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, float]) -> Sketch:
+def _free(
+    entry: Entry,
+    dimensions_cm: Vec3,
+    color: tuple[float, float, float],
+    appearance: Appearance,
+) -> Sketch:
     """At any extents: built there, else at the usual volume and scaled, else stretched."""
     from esg.assets.builders import BUILDERS
 
@@ -165,14 +177,14 @@ def _free(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, float]) 
     factor = uniform_factor(usual, dimensions_cm)
     middling: Vec3 = tuple(d / factor for d in dimensions_cm)  # type: ignore[assignment]
     for size in (dimensions_cm, middling):
-        sketch = Sketch(material=entry.material)
+        sketch = Sketch(material=entry.material, appearance=appearance)
         try:
             BUILDERS[entry.builder](sketch, *size, color, **dict(entry.params))
             if sound(sketch):
                 return sketch if size is dimensions_cm else scaled(sketch, factor)
         except (ArithmeticError, ValueError):
             continue
-    sketch = Sketch(material=entry.material)
+    sketch = Sketch(material=entry.material, appearance=appearance)
     BUILDERS[entry.builder](sketch, *usual, color, **dict(entry.params))
     l, w, h = (b / a for a, b in zip(usual, dimensions_cm, strict=True))  # noqa: E741
     return stretched(sketch, (l, w, h))

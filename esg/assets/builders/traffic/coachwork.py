@@ -17,7 +17,7 @@ from esg.assets.geometry.sketch import CHROME, DARK, GLASS, WHITE, Color, Sketch
 from esg.assets.lazy import forms, shapes
 
 Curve = tuple[tuple[float, float], ...]
-LAMP, TAIL = (0.82, 0.84, 0.86), (0.42, 0.01, 0.02)
+LAMP, TAIL = (0.66, 0.69, 0.72), (0.42, 0.01, 0.02)
 TRIM = rgb(30, 31, 34)
 
 

@@ -79,7 +79,7 @@ def _van() -> dict[str, Any]:
     glass, proud = forms.fattened(body, 0.4), forms.fattened(body, 0.25)
     screen = _lean([(-88, 136), (88, 136), (76, 204), (-76, 204)], 5)
     side = _lean([(182, 138), (152, 196), (96, 196), (96, 132), (170, 132)], 5)
-    low = [*forms.prism(_rounded((-250, 250), (20, 44), 2), (-150, 150))]
+    low = [*forms.prism(_rounded((-262, 262), (20, 58), 2), (-150, 150))]
     lines = [_rounded((x - 0.5, x + 0.5), (46, 222), 0.1) for x in (88, -40)]
     gaps = [p for line in lines for p in forms.prism(line, (-150, 150))]
     gaps += forms.prism(_rounded((-0.5, 0.5), (46, 225), 0.1), (-280, -250), "yz")

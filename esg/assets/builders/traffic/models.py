@@ -50,7 +50,7 @@ COUPE = Coach(
     lamps=((50, 62), (74, 86)),
     grille=(38, 48, 0.36),
     plan=5.5,
-    edge=4.2,
+    edge=6.0,
     lean=0.22,
     gap=2.6,
 )
