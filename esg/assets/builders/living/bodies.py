@@ -79,12 +79,12 @@ def head() -> Any:
         forms.tube([(-3.4, 0, 139), (-3.0, 0, 146), (-1.6, 0, 153)], [6.4, 5.5, 5.4], 18, round_ends=False)
     )
     nose = [(x + 9.0, 0, z + 2.4), (x + 9.9, 0, z - 0.4), (x + 10.6, 0, z - 2.9)]
-    parts.append(forms.tube(nose, [0.75, 1.05, 1.5], 12))
+    parts.append(forms.tube(nose, [0.7, 0.95, 1.3], 12))
     for side in (-1, 1):
-        parts.append(forms.cushion((1.8, 1.7, 1.4), (x + 9.6, side * 1.25, z - 3.2), plan=2.2, side=0.8, sections=10, levels=7))
+        parts.append(forms.cushion((1.6, 1.5, 1.2), (x + 9.5, side * 1.1, z - 3.2), plan=2.2, side=0.8, sections=10, levels=7))
         ear = [(x - 0.6, side * 7.4, z + 2.2), (x - 1.2, side * 8.3, z - 0.2), (x - 0.5, side * 7.3, z - 3.4)]
         parts.append(forms.tube(ear, [1.4, 1.6, 1.0], 10))
-        parts.append(forms.cushion((2.4, 3.3, 1.1), (x + 8.0, side * 3.1, z + 2.0), plan=2.2, side=0.8, sections=12, levels=7))
+        parts.append(forms.cushion((2.6, 3.6, 1.2), (x + 7.75, side * 3.15, z + 2.1), plan=2.2, side=0.8, sections=12, levels=7))
     return forms.gather(parts)
 
 
@@ -94,8 +94,8 @@ def eyes() -> tuple[Any, Any]:
     x, _, z = HEAD
     white, iris = [], []
     for side in (-1, 1):
-        white.append(forms.cushion((2.2, 2.7, 1.9), (x + 8.05, side * 3.1, z + 0.9), plan=2.2, side=0.8, sections=14, levels=9))
-        iris.append(forms.cushion((0.5, 1.25, 1.3), (x + 9.1, side * 3.0, z + 0.9), plan=2.0, side=0.9, sections=12, levels=7))
+        white.append(forms.cushion((2.4, 3.0, 2.0), (x + 7.75, side * 3.15, z + 0.9), plan=2.2, side=0.8, sections=14, levels=9))
+        iris.append(forms.cushion((0.7, 1.5, 1.55), (x + 8.72, side * 3.2, z + 0.9), plan=2.0, side=0.9, sections=12, levels=7))
     return forms.gather(white), forms.gather(iris)
 
 
@@ -103,7 +103,7 @@ def eyes() -> tuple[Any, Any]:
 def mouth() -> Any:
     """Lips."""
     x, _, z = HEAD
-    return forms.tube([(x + 8.4, -2.3, z - 6.5), (x + 9.15, 0, z - 6.3), (x + 8.4, 2.3, z - 6.5)], [0.3, 0.6, 0.3], 8, flat=0.9)
+    return forms.tube([(x + 7.9, -2.9, z - 6.1), (x + 9.0, -1.4, z - 6.5), (x + 9.3, 0, z - 6.5), (x + 9.0, 1.4, z - 6.5), (x + 7.9, 2.9, z - 6.1)], [0.22, 0.55, 0.6, 0.55, 0.22], 8, flat=0.9)
 
 
 @lru_cache(maxsize=2)
@@ -129,7 +129,7 @@ def hair(style: str) -> Any:
     face = Polygon(_FACE)
     if style == "bald":
         face = face.union(Polygon([(-30, 4.5), (30, 4.5), (30, 40), (-30, 40)]))
-    thick = {"short": 0.85, "bald": 0.4}.get(style, 1.1)
+    thick = {"short": 1.0, "bald": 0.4}.get(style, 1.1)
     tool = forms.prism(face, (-30, 30))
     for mesh in tool:
         mesh.apply_translation([HEAD[0], 0, HEAD[2]])
@@ -233,7 +233,7 @@ def laces(ankle: Point, pitch: float) -> Any:
 
 def foot(ankle: Point, pitch: float) -> Any:
     """A bare foot."""
-    shape = ((-7.4, 2.2, -4), (-6.0, 3.2, -0.6), (-1, 3.6, 1.0), (4, 3.9, -1.6), (9, 4.4, -4.6), (14, 4.5, -6.2), (17, 3.6, -7.0), (18.4, 1.6, -7.8))
+    shape = ((-8.6, 2.2, -4), (-7.2, 3.3, -0.6), (-1, 3.7, 1.0), (4, 4.0, -1.6), (9.6, 4.6, -4.6), (15.4, 4.7, -6.2), (18.8, 3.8, -7.0), (20.4, 1.7, -7.8))
     ring = forms.superellipse(18, 2.4)
     rings = []
     for x, wide, top in shape:
@@ -251,5 +251,11 @@ def posed(mesh: Any, move: Any) -> Any:
 
 def raised(mesh: Any, skeleton: Skeleton) -> Any:
     """A mesh on the ground, or on the seat, that its body is on."""
-    mesh.vertices = np.asarray(mesh.vertices) + [0, 0, skeleton.lift]
+    mesh.vertices = np.asarray(mesh.vertices) + skeleton.lift
+    return mesh
+
+
+def scaled(mesh: Any, factor: float) -> Any:
+    """A mesh scaled about the origin."""
+    mesh.vertices = np.asarray(mesh.vertices) * factor
     return mesh

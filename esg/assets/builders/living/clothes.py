@@ -62,7 +62,7 @@ def hats(s: Sketch, marks: frozenset[str], hat: Color, c: Color) -> None:
         s.ball(1.5, (9.9, 0, 169.0), BRASS, detail=2, name="cap_badge")
     if "cap" in marks:
         _dome(s, 163.2, hat, "textile", 10.2, 9.4, "cap")
-        _brim(s, (9.2, 0, 163.8), (7.4, 6.8), shade(hat, 0.85), "textile")
+        _brim(s, (8.4, 0, 163.8), (6.8, 6.8), shade(hat, 0.85), "textile")
         s.ball(0.7, (-0.6, 0, 172.7), shade(hat, 0.8), detail=2, of="textile", name="cap_button")
     if "toque" in marks:
         _turned(s, [(9.8, 0), (9.9, 5.2), (11.4, 7), (12.6, 10.5), (11.6, 13.6), (7, 15)], (-0.8, 0, 162.5), hat, "linen", "toque")
@@ -179,7 +179,7 @@ def coats(s: Sketch, marks: frozenset[str], c: Color, seated: bool) -> None:
                 z = 140 - (140 - (82 if seated else 8)) * t
                 y = np.linspace(-1, 1, 19) * (15 + 7 * t)
                 fold = 0.9 * np.cos(np.linspace(0, 9, 19) * math.pi) * t
-                back = -9.5 - 6 * t + fold + 0.018 * y**2
+                back = -10.5 - 2.4 * t + fold + 0.012 * y**2
                 rings.append(np.concatenate([np.c_[back, y, np.full(19, z)], np.c_[back - 1.0, y, np.full(19, z)][::-1]]))
             return forms.loft(np.array(rings))
 
@@ -217,12 +217,12 @@ def trimmings(s: Sketch, marks: frozenset[str], c: Color) -> None:
     if "ruff" in marks:
         _turned(s, [(8 + 3.6 * math.cos(a), 142.5 + 2.4 * math.sin(a)) for a in (math.pi * k / 6 for k in range(12))] + [(11.6, 142.5)], (-2, 0, 0), WHITE, "linen", "ruff")
     if "pack" in marks:
-        s.add(lambda: forms.cushion((9.5, 22, 32), (-15.2, 0, 119), plan=5, side=0.35), shade(c, 0.72), of="textile", name="backpack")
+        s.add(lambda: forms.cushion((7, 22, 32), (-12.6, 0, 119), plan=5, side=0.35), shade(c, 0.72), of="textile", name="backpack")
         _straps(s, shade(c, 0.5))
     if "big_pack" in marks:
-        s.add(lambda: forms.cushion((12, 26, 46), (-16.2, 0, 118), plan=4.5, side=0.4), rgb(190, 70, 36), of="textile", name="backpack")
-        s.add(lambda: forms.cushion((5, 20, 18), (-22.6, 0, 110), plan=4.5, side=0.4), rgb(166, 58, 30), of="textile", name="pack_pocket")
-        s.add(lambda: forms.turned([(2, -14), (4.6, -14), (4.8, 0), (4.6, 14), (2, 14)], (-15.2, 0, 145), 20, "y"), rgb(70, 92, 70), of="foam", name="bedroll")
+        s.add(lambda: forms.cushion((7, 26, 46), (-12.6, 0, 118), plan=4.5, side=0.4), rgb(190, 70, 36), of="textile", name="backpack")
+        s.add(lambda: forms.cushion((2.4, 18, 18), (-14.6, 0, 110), plan=4.5, side=0.4), rgb(166, 58, 30), of="textile", name="pack_pocket")
+        s.add(lambda: forms.turned([(2, -14), (4.6, -14), (4.8, 0), (4.6, 14), (2, 14)], (-11.6, 0, 145), 20, "y"), rgb(70, 92, 70), of="foam", name="bedroll")
         _straps(s, rgb(60, 44, 34))
 
 

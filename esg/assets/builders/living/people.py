@@ -100,6 +100,7 @@ DRESSES: dict[str, Dress] = {
     ),
     "hiker": _dress(_PALE, _FAIR_HAIR, rgb(132, 112, 76), "cap belt big_pack", rgb(96, 60, 34)),
     "clown": _dress(_PALE, ORANGE, rgb(44, 98, 190), "wig ruff red_nose buttons_large", RED),
+    "child": _dress(_FAIR, _BROWN_HAIR, rgb(52, 74, 120), "", rgb(230, 230, 226)),
     "bather": _dress(_FAIR, _BROWN_HAIR, _FAIR, "bare shorts_own", _FAIR),
 }
 
@@ -110,6 +111,7 @@ class _Drawer:
 
     s: Sketch
     skeleton: Skeleton
+    size: float = 1.0
 
     def on(self, move: Callable[[Any], Any], draw: Callable[[Sketch], None]) -> None:
         """Draws what a straight body wears and leads it along with the pose."""
@@ -120,10 +122,13 @@ class _Drawer:
 
     def add(self, make: Callable[[], Any], c: Color, of: str, name: str) -> None:
         """Draws what follows the joints by itself."""
-        self.s.add(lambda: bodies.raised(make(), self.skeleton), c, of=of, name=name)
+        self.s.add(lambda: self._placed(make()), c, of=of, name=name)
 
     def _led(self, make: Callable[[], Any], move: Callable[[Any], Any]) -> Callable[[], Any]:
-        return lambda: bodies.raised(bodies.posed(make(), move), self.skeleton)
+        return lambda: self._placed(bodies.posed(make(), move))
+
+    def _placed(self, mesh: Any) -> Any:
+        return bodies.scaled(bodies.raised(mesh, self.skeleton), self.size)
 
 
 def _legs(body: _Drawer, marks: frozenset[str], d: Dress, c: Color) -> None:
@@ -198,12 +203,22 @@ def _varied(d: Dress, a: Appearance) -> Dress:
     return replace(d, skin=skin, hair=hair, legs=legs, shoes=shoes)
 
 
-@builder("figure")
-def figure(s: Sketch, L: float, W: float, H: float, c: Color, dress: str = "plain") -> None:
-    """Person of 30 x 50 x 172, dressed as `DRESSES` say and posed as the appearance says."""
-    d = _varied(DRESSES[dress], s.appearance)
+def draw_person(
+    s: Sketch, d: Dress, c: Color, pose: str, size: float = 1.0, head_size: float = 1.0
+) -> None:
+    """Draws somebody in a dress and a pose.
+
+    Args:
+        s: Receives the parts.
+        d: What is worn.
+        c: Of coat or dress.
+        pose: A name of `POSES`.
+        size: Of the body against an adult of 172 cm.
+        head_size: Of the head against that of such a body.
+    """
+    d = _varied(d, s.appearance)
     marks = d.marks
-    body = _Drawer(s, skeleton(POSES[s.appearance.pose or "stand"]))
+    body = _Drawer(s, skeleton(POSES[pose], head_size), size)
     seated = body.skeleton.pose.seated
     _legs(body, marks, d, c)
     top = d.skin if "bare" in marks else c
@@ -233,6 +248,14 @@ def figure(s: Sketch, L: float, W: float, H: float, c: Color, dress: str = "plai
         clothes.hats(flat, marks, d.hat or c, c)
 
     body.on(body.skeleton.head, head)
+
+
+@builder("figure")
+def figure(s: Sketch, L: float, W: float, H: float, c: Color, dress: str = "plain") -> None:
+    """Person of 30 x 50 x 172, dressed as `DRESSES` say and posed as the appearance says."""
+    d = DRESSES[dress]
+    usual = "laden" if d.marks & {"pack", "big_pack"} else "stand"
+    draw_person(s, d, c, s.appearance.pose or usual)
     s.proxy_slab((-15, 15), (-20, 20), (0, 2), 4)
     s.proxy_slab((-9, 9), (-18, 18), (2, 86), 0.8)
     s.proxy_slab((-12, 12), (-25, 25), (86, 142), 0.9)

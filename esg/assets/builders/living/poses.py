@@ -61,10 +61,12 @@ def _both(limb: Limb) -> tuple[Limb, Limb]:
     return (limb, limb)
 
 
-_EASY = Limb(2, 8.0, 14, 3)
-_STRAIGHT = Limb(1, 1.5, 2)
+_EASY = Limb(2, 7.4, 14, 3)
+_STRAIGHT = Limb(-2, 1.5, 1.5)
 POSES: dict[str, Pose] = {
     "stand": Pose(_both(_EASY), _both(_STRAIGHT)),
+    "laden": Pose(_both(Limb(-6, 7.4, 10, 3)), _both(Limb(-3.4, 1.5, 1.5))),
+    "play": Pose(_both(Limb(4, 20, 35, 10)), (Limb(0, 3, 2), Limb(-4, 3, 2))),
     "walk": Pose(
         (Limb(-20, 6, 16, 4), Limb(24, 6, 26, 6)), (Limb(24, 1, 6, -12), Limb(-16, 1, 20, 28)), 4
     ),
@@ -83,7 +85,7 @@ POSES: dict[str, Pose] = {
         nod=16,
     ),
     "throw": Pose(
-        (Limb(66, 12, 18, 0), Limb(70, 62, 96, -40)),
+        (Limb(62, 14, 16, 0), Limb(30, 76, 118, 52)),
         (Limb(28, 3, 16, 0), Limb(-20, 4, 18, 26)),
         4,
         twist=-16,
@@ -142,14 +144,16 @@ class Skeleton:
         arms: Shoulder, elbow and wrist, shape [3, 3] each.
         legs: Hip, knee and ankle, shape [3, 3] each.
         feet: Pitch of each foot, toes down [deg].
-        lift: What everything is raised by to stand on z = 0, or sit on it [cm].
+        lift: What everything is moved by to stand on the origin, or sit on it [cm], shape [3].
+        head_size: Of the head against that of an adult.
     """
 
     pose: Pose
     arms: tuple[Point, Point]
     legs: tuple[Point, Point]
     feet: tuple[float, float]
-    lift: float
+    lift: Point
+    head_size: float = 1.0
 
     def trunk(self, points: Point) -> Point:
         """Where the trunk's leaning takes points of a straight one: the waist bends smoothly."""
@@ -165,11 +169,12 @@ class Skeleton:
 
     def head(self, points: Point) -> Point:
         """Where trunk and neck take points of an upright head."""
-        nodded = turned_about(points, NECK, self.pose.nod, -0.6 * self.pose.twist)
+        grown = NECK + self.head_size * (points - NECK)
+        nodded = turned_about(grown, NECK, self.pose.nod, -0.6 * self.pose.twist)
         return turned_about(nodded, PIVOT, self.pose.lean, self.pose.twist)
 
 
-def skeleton(pose: Pose) -> Skeleton:
+def skeleton(pose: Pose, head_size: float = 1.0) -> Skeleton:
     """The joints of a pose."""
     arms, legs, feet = [], [], []
     for side, arm, leg in zip((1, -1), pose.arms, pose.legs, strict=True):
@@ -184,12 +189,12 @@ def skeleton(pose: Pose) -> Skeleton:
         ankle = knee + SHANK * _down(leg.swing - leg.bend, 0.3 * leg.out, side)
         legs.append(np.array([hip, knee, ankle]))
         feet.append(leg.turn)
+    soles = []
+    for leg, pitch in zip(legs, feet, strict=True):
+        sole = np.array([[-8.9, 0, -9.2], [20.0, 0, -9.2], [8.0, 0, -9.2]])
+        soles.append(turned_about(sole, np.zeros(3), pitch) + leg[2])
+    under = np.concatenate(soles)
+    lift = np.array([-0.5 * float(under[:, 0].min() + under[:, 0].max()), 0.0, -under[:, 2].min()])
     if pose.seated:
-        lift = -SEAT
-    else:
-        soles = []
-        for leg, pitch in zip(legs, feet, strict=True):
-            sole = np.array([[-8.5, 0, -9.2], [20.0, 0, -9.2], [8.0, 0, -9.2]])
-            soles.append((turned_about(sole, np.zeros(3), pitch) + leg[2])[:, 2].min())
-        lift = -min(soles)
-    return Skeleton(pose, (arms[0], arms[1]), (legs[0], legs[1]), (feet[0], feet[1]), lift)
+        lift = np.array([0.0, 0.0, -SEAT])
+    return Skeleton(pose, (arms[0], arms[1]), (legs[0], legs[1]), (feet[0], feet[1]), lift, head_size)

@@ -298,20 +298,20 @@ def _fittings(s: Sketch, b: Coach, c: Color) -> None:
     foot = b.screens[0][1]
     at = foot - 34
     z = float(forms.profile(b.belt)(at)) + 7
-    near = float(forms.profile(b.sides)(at)) - 2
+    near = w + 4.5 - 8.5
     for side, word in ((1, "left"), (-1, "right")):
         def shell(side: int = side) -> Any:
             return forms.gather(
                 [
-                    forms.cushion((10, 17, 11), (at, side * (near + 15), z + 1), plan=3.0, side=0.6, sections=16, levels=9),
-                    forms.tube([(at + 3, side * (near - 4), z - 5), (at + 1, side * (near + 12), z)], [3.4, 2.4], 10),
+                    forms.cushion((10, 17, 11), (at, side * near, z + 1), plan=3.0, side=0.6, sections=16, levels=9),
+                    forms.tube([(at + 3, side * (near - 16), z - 5), (at + 1, side * (near - 4), z)], [3.4, 2.4], 10),
                 ]
             )
 
         piece(s, f"mirror_{word}", "car_body", shell, c)
 
         def face(side: int = side) -> Any:
-            return forms.cushion((1.5, 14, 8.6), (at - 4.6, side * (near + 15), z + 1), plan=3.5, sections=12, levels=5)
+            return forms.cushion((1.5, 14, 8.6), (at - 4.6, side * near, z + 1), plan=3.5, sections=12, levels=5)
 
         piece(s, f"mirror_glass_{word}", "chrome", face, CHROME)
 

@@ -111,7 +111,7 @@ def draw_van(s: Sketch, c: Color) -> None:
     _glazing(s, _van, ("seams",), shade(c, 0.2), "plastic")
     _glazing(s, _van, ("headlights",), LAMP, "lamp")
     _glazing(s, _van, ("taillights",), TAIL, "lamp")
-    _mirrors(s, (158, 108, 150), (12, 8, 24))
+    _mirrors(s, (158, 100, 150), (12, 8, 24))
     piece(s, "number_plates", "plastic", lambda: forms.gather([shapes.box((2, 50, 11), (267.4, 0, 56)), shapes.box((2, 50, 11), (-267.2, 0, 66))]), WHITE)
     for side, word in SIDES:
         piece(s, f"slide_rail_{word}", "plastic", lambda side=side: shapes.box((150, 1.6, 2.4), (-118, side * 100.2, 128)), shade(c, 0.45))
