@@ -188,11 +188,11 @@ def _body(s: Sketch, b: Beast, c: Color) -> None:
     mouth = [*gape, *((p, -q, v) for p, q, v in reversed(gape[:-1]))]
     s.add(lambda: _curved(mouth, [0.07 * muzzle] * 5, 17, 6), shade(c, 0.3), of="skin", name="mouth")
     for side, word in ((-1, "right"), (1, "left")):
-        at = (x + 0.58 * r, side * 0.56 * r, z + 0.34 * r)
-        s.ball(0.17 * r, at, DARK, of="glass_dark", alpha=1.0, detail=3, name=f"eye_{word}")
-        lid = (at[0] - 0.03 * r, at[1] - side * 0.03 * r, at[2] + 0.07 * r)
+        at = (x + 0.58 * r, side * 0.53 * r, z + 0.34 * r)
+        s.ball(0.16 * r, at, DARK, of="glass_dark", alpha=1.0, detail=3, name=f"eye_{word}")
+        lid = (at[0] - 0.03 * r, at[1] - side * 0.02 * r, at[2] + 0.14 * r)
         s.add(
-            lambda lid=lid: forms.cushion((0.44 * r, 0.4 * r, 0.24 * r), lid, plan=2, side=0.8, sections=12, levels=7),
+            lambda lid=lid: forms.cushion((0.4 * r, 0.3 * r, 0.16 * r), lid, plan=2, side=0.8, sections=12, levels=7),
             shade(c, 0.82), of=coat, name=f"lid_{word}",
         )  # fmt: skip
 

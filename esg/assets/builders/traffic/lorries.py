@@ -38,8 +38,8 @@ def _cut(body: Any, axles: tuple[float, ...], r: float, width: float) -> Any:
 def _wheels(
     s: Sketch, axles: tuple[float, float], y: float, r: float, width: float, spokes: int = 5
 ) -> None:
-    for row, x in zip(("front", "rear"), axles, strict=True):
-        for side, word in SIDES[::-1]:
+    for side, word in SIDES[::-1]:
+        for row, x in zip(("front", "rear"), axles, strict=True):
             name = f"{row}_{word}"
             car_wheel(s, x, side * y, r, width, side, name, spokes)
 

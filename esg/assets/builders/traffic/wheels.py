@@ -6,6 +6,7 @@ import math
 from typing import Any
 
 from esg.assets.builders import builder
+from esg.assets.builders.common import shade
 from esg.assets.builders.traffic.cycles import draw_bicycle, draw_motorcycle, draw_scooter
 from esg.assets.geometry.sketch import CHROME, DARK, RUBBER, STEEL, Color, Sketch
 from esg.assets.lazy import forms, shapes
@@ -72,7 +73,7 @@ def skateboard(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         return forms.loft(np.array(rings))
 
     s.add(lambda: board(-1.0, 0.0, 0), c, of="plywood", name="deck")
-    s.add(lambda: board(-0.1, 0.12, 0.4), DARK, of="rubber_floor", name="grip_tape")
+    s.add(lambda: board(-0.1, 0.12, 0.4), shade(c, 0.72), of="rubber_floor", name="grip_tape")
     for x, row in ((-21, "rear"), (21, "front")):
         s.add(lambda x=x: _truck(x), STEEL, of="aluminium", name=f"truck_{row}")
         for y, side in ((-9.4, "right"), (5.8, "left")):
