@@ -173,6 +173,15 @@ def superellipse(count: int, power: float, start: float = 0.0, end: float = 2 * 
     return np.stack([r * c, r * s], -1)
 
 
+def _cornered(count: int, power: float) -> Points:
+    """A superellipse with its points where it bends: for nearly square ones."""
+    turn = 2 * math.pi * (np.arange(count) + 0.5) / count
+    c, s = np.cos(turn), np.sin(turn)
+    return np.stack(
+        [np.sign(c) * np.abs(c) ** (2 / power), np.sign(s) * np.abs(s) ** (2 / power)], -1
+    )
+
+
 def cushion(
     size: Any,
     center: Any,
@@ -192,7 +201,7 @@ def cushion(
         sections, levels: Points around it, and from bottom to top.
     """
     half = 0.5 * np.asarray(size, float)
-    around = superellipse(sections, plan) * half[:2]
+    around = (superellipse if plan <= 5 else _cornered)(sections, plan) * half[:2]
     tilt = np.radians(np.linspace(-87, 87, levels))
     wide, high = np.cos(tilt) ** side, np.sign(tilt) * np.abs(np.sin(tilt)) ** side
     rings = [np.c_[around * q, np.full(sections, z * half[2])] for q, z in zip(wide, high, strict=True)]

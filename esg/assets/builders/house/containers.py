@@ -219,16 +219,16 @@ def _weave(r: float, H: float, odd: int) -> Any:
     """Every second withy, in and out of the stakes."""
     import numpy as np
 
-    rows, stakes, count = 12, 22, 88
+    rows, stakes, count = 9, 22, 66
     thick = 0.46 * H / rows
     turn = 2 * math.pi * np.arange(count) / count
     out = []
     for k in range(odd, rows, 2):
-        z = (k + 0.5) * H * 0.94 / rows
+        z = thick + k * (0.95 * H - 2 * thick) / (rows - 1)
         wave = (0.9 * thick) * np.cos(turn * stakes / 2 + (math.pi if odd else 0))
         q = _flank(r, H, z) - thick + wave * 0.7
         path = np.c_[q * np.cos(turn), q * np.sin(turn), np.full(count, z)]
-        out.append(forms.tube(path, thick, 6, closed=True))
+        out.append(forms.tube(path, thick, 5, closed=True))
     return forms.gather(out)
 
 
@@ -244,12 +244,12 @@ def _stakes(r: float, H: float) -> Any:
 def _braid(r: float, H: float) -> Any:
     import numpy as np
 
-    turn = 2 * math.pi * np.arange(96) / 96
+    turn = 2 * math.pi * np.arange(72) / 72
     out = []
     for phase in (0.0, 2 * math.pi / 3, 4 * math.pi / 3):
         q = r * 0.955 + 0.028 * r * np.cos(turn * 14 + phase)
         z = H * 0.962 + 0.02 * H * np.sin(turn * 14 + phase)
-        out.append(forms.tube(np.c_[q * np.cos(turn), q * np.sin(turn), z], 0.019 * H, 6, closed=True))
+        out.append(forms.tube(np.c_[q * np.cos(turn), q * np.sin(turn), z], 0.019 * H, 5, closed=True))
     return forms.gather(out)
 
 

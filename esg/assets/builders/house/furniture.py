@@ -16,7 +16,7 @@ from esg.assets.geometry.sketch import (
     Color,
     Sketch,
 )
-from esg.assets.lazy import forms
+from esg.assets.lazy import forms, shapes
 from esg.graph.models import ProxyKind
 
 
@@ -310,6 +310,43 @@ def bench(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("top", H, (L / 2, W / 2))
 
 
+_BINDINGS = (
+    (0.6, 0.2, 0.18), (0.2, 0.3, 0.5), (0.25, 0.42, 0.3), (0.8, 0.7, 0.45), (0.35, 0.25, 0.4),
+    (0.86, 0.84, 0.78), (0.16, 0.17, 0.2),
+)  # fmt: skip
+
+
+def _books(s: Sketch, L: float, W: float, H: float, t: float, n: int) -> None:
+    """Rows of books of all heights, here and there one that leans, with bands on their spines."""
+    import random
+
+    rng = random.Random(11 + s.appearance.pick("books", 50))
+    gap = (H - 4 - t) / n
+    shelves: dict[int, list[Any]] = {}
+    bands: list[Any] = []
+    for k in range(n):
+        z = 4 + gap * k + t
+        y = -W / 2 + t + 1
+        while y < W / 2 - t - 8:
+            w = rng.uniform(1.9, 4.6)
+            h = min(gap * 0.9 - t, rng.uniform(18, 27))
+            d = min(L * 0.75, rng.uniform(13, 18))
+            x = -L / 2 + 2 + d / 2 + min(L * 0.12, 2.5)
+            if rng.random() < 0.1:
+                y += rng.uniform(2.0, 5.0)
+                continue
+            shelves.setdefault(rng.randrange(len(_BINDINGS)), []).append(((d, 0.94 * w, h), (x, y + w / 2, z + h / 2)))
+            for share in (0.16, 0.82):
+                bands.append(((0.3, 0.95 * w, 0.05 * h), (x + d / 2, y + w / 2, z + h * share)))
+            y += w
+    for tone, boxes in sorted(shelves.items()):
+        s.add(
+            lambda boxes=boxes: forms.gather([forms.cushion(size, at, plan=9, side=0.08, sections=12, levels=4) for size, at in boxes]),
+            _BINDINGS[tone], of="linen", name=f"books_{tone + 1}",
+        )  # fmt: skip
+    s.add(lambda: forms.gather([shapes.box(*b) for b in bands]), (0.78, 0.66, 0.36), of="paint", name="spine_bands")
+
+
 @builder("shelf", "free")
 def shelf(s: Sketch, L: float, W: float, H: float, c: Color, books: bool = False) -> None:
     """Open shelving unit with a back panel; faces +X."""
@@ -318,33 +355,14 @@ def shelf(s: Sketch, L: float, W: float, H: float, c: Color, books: bool = False
         s.slab((-L / 2, L / 2), edge(y, W, t), (0, H), c, solid=1)
     s.slab((-L / 2, -L / 2 + 1), (-W / 2 + t, W / 2 - t), (0, H), shade(c, 0.85), solid=1)
     n = max(2, round(H / 36))
-    palette = [
-        (0.6, 0.2, 0.18),
-        (0.2, 0.3, 0.5),
-        (0.25, 0.42, 0.3),
-        (0.8, 0.7, 0.45),
-        (0.35, 0.25, 0.4),
-    ]
     for k in range(n + 1):
         z = 4 + (H - 4 - t) * k / n
-        s.slab((-L / 2 + 1, L / 2), (-W / 2 + t, W / 2 - t), (z, z + t), c, solid=1)
+        s.slab((-L / 2 + 1, L / 2), (-W / 2 + t, W / 2 - t), (z, z + t), c, solid=1, name=f"board_{k + 1}")
         name = "top" if k == n else f"shelf {k + 1}"
         s.surface(name, z + t, ((L - 1) / 2 - 0.5, W / 2 - t), (0.5, 0))
-        if books and k < n:
-            y = -W / 2 + t + 1
-            i = k
-            gap = (H - 4 - t) / n
-            while y < W / 2 - t - 8:
-                w = 2.2 + (i * 7 % 5) * 0.6
-                h = min(gap * 0.9 - t, 19 + (i * 5 % 4) * 2.5)
-                s.slab(
-                    (-L / 2 + 2, -L / 2 + 2 + min(L * 0.7, 17)),
-                    (y, y + w - 0.2),
-                    (z + t, z + t + h),
-                    palette[i % 5],
-                )
-                y += w
-                i += 1
+    s.slab((L / 2 - 2.4, L / 2 - 0.8), (-W / 2 + t, W / 2 - t), (0, 4), shade(c, 0.8), name="plinth")
+    if books:
+        _books(s, L, W, H, t, n)
     s.surfaces.insert(0, s.surfaces.pop())
 
 

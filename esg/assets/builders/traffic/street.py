@@ -286,12 +286,12 @@ def mailbox(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def _bench_end(y: float) -> Any:
     """Cast legs, back and arm of a bench at one end."""
     paths = (
-        ([(28, y, 1), (25, y, 14), (27, y, 30), (26, y, 40), (10, y, 41.2), (-16, y, 41.2), (-20.5, y, 46), (-24, y, 62), (-28.4, y, 82.5)], 1.9),
-        ([(-29.4, y, 1), (-24, y, 16), (-20, y, 30), (-16, y, 41)], 1.9),
+        ([(27.4, y, 2.2), (25, y, 14), (27, y, 30), (26, y, 40), (10, y, 41.2), (-16, y, 41.2), (-20.5, y, 46), (-24, y, 62), (-28.4, y, 82.5)], 1.9),
+        ([(-28.6, y, 2.2), (-24, y, 16), (-20, y, 30), (-16, y, 41)], 1.9),
         ([(26, y, 41), (28.6, y, 52), (25.6, y, 61.6), (12, y, 63.6), (-6, y, 63), (-23.4, y, 64.4)], 1.5),
         ([(24.6, y, 16), (6, y, 21), (-22, y, 17)], 1.1),
     )
-    out = [forms.tube(forms.smooth_path(path, 34), r, 12, flat=1.25) for path, r in paths]
+    out = [forms.tube(forms.smooth_path(path, 24), r, 10, flat=1.25) for path, r in paths]
     out += [forms.cushion((7, 6, 2), (x, y, 1), plan=4, side=0.5, sections=18, levels=7) for x in (26.4, -28)]
     out.append(forms.cushion((12, 5, 2.4), (20.5, y, 63.2), plan=3, side=0.6, sections=20, levels=7))
     return forms.gather(out)
@@ -302,10 +302,10 @@ def park_bench(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Slatted bench with a backrest, drawn at 62 x 160 x 84; one sits facing +X."""
     for k in range(4):
         x = -11 + 11.5 * k
-        s.add(lambda x=x: forms.cushion((9.6, 160, 3.2), (x, 0, 43.4), plan=30, side=0.28, sections=40, levels=9), c, of="wood", name=f"seat_slat_{k + 1}")
+        s.add(lambda x=x: forms.cushion((9.6, 160, 3.2), (x, 0, 43.4), plan=30, side=0.28, sections=20, levels=7), c, of="wood", name=f"seat_slat_{k + 1}")
     for k, z in enumerate((54, 66, 78)):
         x = -20 - (z - 45) * 0.22
-        s.add(lambda x=x, z=z: forms.cushion((3.0, 160, 9.6), (x, 0, z), plan=24, side=0.2, sections=40, levels=9), c, of="wood", name=f"back_slat_{k + 1}")
+        s.add(lambda x=x, z=z: forms.cushion((3.0, 160, 9.6), (x, 0, z), plan=24, side=0.2, sections=20, levels=7), c, of="wood", name=f"back_slat_{k + 1}")
     for y, word in ((-66, "right"), (66, "left")):
         s.add(lambda y=y: _bench_end(y), DARK, of="cast_iron", name=f"end_{word}")
         s.proxy_slab((-31, 29), (y - 3, y + 3), (0, 41), 0.7)
