@@ -68,9 +68,10 @@ def turned(profile: Any, at: Any = (0, 0, 0), sections: int = 32, axis: str = "z
         {"z": (r * c, r * s, h), "x": (h, r * c, r * s), "y": (r * s, h, r * c)}[axis], -1
     ) + np.asarray(at, float)
     if np.allclose(points[0], points[-1]):
-        return _torus(rings[:-1])
-    keep = points[:, 0] > 1e-9
-    mesh = loft(rings[keep])
+        mesh = _torus(rings[:-1])
+    else:
+        mesh = loft(rings[points[:, 0] > 1e-9])
+    mesh.metadata["shape"] = "lathe"
     return mesh
 
 

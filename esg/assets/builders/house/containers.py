@@ -138,11 +138,11 @@ def _staves() -> Any:
     """Twenty staves, each a little rounded, with grooves between them."""
     import numpy as np
 
-    n, per = 20, 6
+    n, per = 20, 4
     turn = 2 * math.pi * np.arange(n * per) / (n * per)
     groove = np.where(np.arange(n * per) % per == 0, 0.55, 0.0)
     rings = []
-    for z in np.linspace(0, 88, 17):
+    for z in np.linspace(0, 88, 13):
         r = _belly(float(z)) - groove
         rings.append(np.c_[r * np.cos(turn), r * np.sin(turn), np.full(len(turn), z)])
     inner = [(q * np.ones_like(turn), z) for q, z in ((22.6, 88.0), (22.4, 84.4))]

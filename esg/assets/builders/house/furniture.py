@@ -183,8 +183,8 @@ def _castors() -> Any:
         a = 2 * math.pi * k / 5
         x, y = 28 * math.cos(a), 28 * math.sin(a)
         for q in (-1.5, 1.5):
-            out.append(forms.turned([(1, -0.9), (2.7, -0.9), (3, -0.4), (3, 0.4), (2.7, 0.9), (1, 0.9)], (x, y + q, 3), 20, "y"))
-        out.append(forms.cushion((4.6, 5, 3.2), (x, y, 5), plan=3, side=0.6, sections=14, levels=7))
+            out.append(forms.turned([(1, -0.9), (2.7, -0.9), (3, -0.4), (3, 0.4), (2.7, 0.9), (1, 0.9)], (x, y + q, 3), 14, "y"))
+        out.append(forms.cushion((4.6, 5, 3.2), (x, y, 5), plan=3, side=0.6, sections=10, levels=5))
     return forms.gather(out)
 
 
@@ -227,7 +227,7 @@ def _pad(x: tuple[float, float], y: tuple[float, float], z: tuple[float, float],
     """An upholstered block."""
     size = (x[1] - x[0], y[1] - y[0], z[1] - z[0])
     at = ((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, (z[0] + z[1]) / 2)
-    return forms.cushion(size, at, plan=plan, side=side, sections=36, levels=11)
+    return forms.cushion(size, at, plan=plan, side=side, sections=28, levels=9)
 
 
 def _lean_pad(x: float, y: tuple[float, float], z: tuple[float, float], thick: float) -> Any:
@@ -336,12 +336,11 @@ def _books(s: Sketch, L: float, W: float, H: float, t: float, n: int) -> None:
                 y += rng.uniform(2.0, 5.0)
                 continue
             shelves.setdefault(rng.randrange(len(_BINDINGS)), []).append(((d, 0.94 * w, h), (x, y + w / 2, z + h / 2)))
-            for share in (0.16, 0.82):
-                bands.append(((0.3, 0.95 * w, 0.05 * h), (x + d / 2, y + w / 2, z + h * share)))
+            bands.append(((0.3, 0.95 * w, 0.05 * h), (x + d / 2, y + w / 2, z + 0.82 * h)))
             y += w
     for tone, boxes in sorted(shelves.items()):
         s.add(
-            lambda boxes=boxes: forms.gather([forms.cushion(size, at, plan=9, side=0.08, sections=12, levels=4) for size, at in boxes]),
+            lambda boxes=boxes: forms.gather([forms.cushion(size, at, plan=9, side=0.08, sections=8, levels=3) for size, at in boxes]),
             _BINDINGS[tone], of="linen", name=f"books_{tone + 1}",
         )  # fmt: skip
     s.add(lambda: forms.gather([shapes.box(*b) for b in bands]), (0.78, 0.66, 0.36), of="paint", name="spine_bands")

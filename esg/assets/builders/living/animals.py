@@ -38,7 +38,7 @@ def _legs(s: Sketch, b: Beast, c: Color) -> None:
                 thigh = 1.18 if row == "rear" else 1.0
                 radii = [1.05 * top * thigh, 0.98 * top * thigh, 0.72 * low, 0.86 * foot, 0.82 * foot]
             s.add(
-                lambda p=path, r=radii: _curved(p, r, 15, 14, 0.8), c, of=_coat(b), name=f"leg_{name}"
+                lambda p=path, r=radii: _curved(p, r, 12, 12, 0.8), c, of=_coat(b), name=f"leg_{name}"
             )
             if "hooves" in b.marks:
                 hoof = [(1.25 * foot, 0.0), (1.05 * foot, 1.5 * foot), (0.8 * foot, 1.7 * foot)]
@@ -66,10 +66,10 @@ def _curved(path: Any, radii: Any, count: int, sections: int, flat: float = 1.0)
 def _paw(x: float, y: float, foot: float) -> Any:
     size = (2.7 * foot, 2.3 * foot, 1.9 * foot)
     toes = [
-        forms.cushion((1.5 * foot, 0.72 * foot, 1.0 * foot), (x + 1.15 * foot, y + k * 0.62 * foot, 0.5 * foot), plan=2, side=0.8, sections=10, levels=7)
+        forms.cushion((1.5 * foot, 0.72 * foot, 1.0 * foot), (x + 1.15 * foot, y + k * 0.62 * foot, 0.5 * foot), plan=2, side=0.8, sections=8, levels=5)
         for k in (-1, 0, 1)
     ]  # fmt: skip
-    return forms.gather([forms.cushion(size, (x + 0.2 * foot, y, 0.95 * foot), plan=2.4, side=0.7, sections=16, levels=9), *toes])
+    return forms.gather([forms.cushion(size, (x + 0.2 * foot, y, 0.95 * foot), plan=2.4, side=0.7, sections=14, levels=7), *toes])
 
 
 def _ears(s: Sketch, b: Beast, c: Color) -> None:
@@ -173,7 +173,7 @@ def _body(s: Sketch, b: Beast, c: Color) -> None:
         (front + 0.45 * (x - front) * 0.6, 0, zf + 0.5 * (rf - thick) + 0.34 * (z - zf)),
         (x - 0.35 * r, 0, z - 0.05 * r),
     ]
-    s.add(lambda: _curved(nape, [thick, 0.5 * (thick + thin), thin], 14, 18, 0.86), c, of=coat, name="neck")
+    s.add(lambda: _curved(nape, [thick, 0.5 * (thick + thin), thin], 10, 16, 0.86), c, of=coat, name="neck")
     s.add(lambda: _skull(b), c, of=coat, name="head")
     tip = (x + reach + 0.98 * muzzle, 0.0, z + drop + 0.36 * muzzle)
     s.add(
@@ -189,7 +189,7 @@ def _body(s: Sketch, b: Beast, c: Color) -> None:
     s.add(lambda: _curved(mouth, [0.07 * muzzle] * 5, 17, 6), shade(c, 0.3), of="skin", name="mouth")
     for side, word in ((-1, "right"), (1, "left")):
         at = (x + 0.58 * r, side * 0.53 * r, z + 0.34 * r)
-        s.ball(0.16 * r, at, DARK, of="glass_dark", alpha=1.0, detail=3, name=f"eye_{word}")
+        s.ball(0.16 * r, at, DARK, of="glass_dark", alpha=1.0, detail=2, name=f"eye_{word}")
         lid = (at[0] - 0.03 * r, at[1] - side * 0.02 * r, at[2] + 0.14 * r)
         s.add(
             lambda lid=lid: forms.cushion((0.4 * r, 0.3 * r, 0.16 * r), lid, plan=2, side=0.8, sections=12, levels=7),
@@ -207,7 +207,7 @@ def _skull(b: Beast) -> Any:
         (x + reach + 0.45 * muzzle, 0, z + drop),
     ]  # fmt: skip
     middle = max(muzzle * 1.02, 0.5 * (0.8 * r + muzzle))
-    return _curved(path, [0.78 * r, r, 0.84 * r, middle, muzzle, 0.8 * muzzle], 22, 22, 0.88)
+    return _curved(path, [0.78 * r, r, 0.84 * r, middle, muzzle, 0.8 * muzzle], 18, 18, 0.88)
 
 
 def _proxies(s: Sketch, b: Beast) -> None:

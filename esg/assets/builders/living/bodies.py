@@ -60,9 +60,9 @@ def front_of(outline: Any, low: float, high: float, grow: float) -> Any:
 @lru_cache(maxsize=4)
 def _skull(grow: float) -> Any:
     table = np.array(_SKULL)
-    z = np.linspace(table[0, 0], table[-1, 0], 22)
+    z = np.linspace(table[0, 0], table[-1, 0], 18)
     middle, deep, wide = (forms.profile(table[:, [0, k]])(z) for k in (1, 2, 3))
-    ring = forms.superellipse(28, 2.25)
+    ring = forms.superellipse(24, 2.25)
     rings = [
         np.c_[ring * [d + grow, w + grow] + [m, 0.0], np.full(len(ring), t + grow * t / 13)]
         for t, m, d, w in zip(z, middle, deep, wide, strict=True)
@@ -79,12 +79,12 @@ def head() -> Any:
         forms.tube([(-3.4, 0, 139), (-3.0, 0, 146), (-1.6, 0, 153)], [6.4, 5.5, 5.4], 18, round_ends=False)
     )
     nose = [(x + 9.0, 0, z + 2.4), (x + 9.9, 0, z - 0.4), (x + 10.6, 0, z - 2.9)]
-    parts.append(forms.tube(nose, [0.7, 0.95, 1.3], 12))
+    parts.append(forms.tube(nose, [0.7, 0.95, 1.3], 8))
     for side in (-1, 1):
-        parts.append(forms.cushion((1.6, 1.5, 1.2), (x + 9.5, side * 1.1, z - 3.2), plan=2.2, side=0.8, sections=10, levels=7))
+        parts.append(forms.cushion((1.6, 1.5, 1.2), (x + 9.5, side * 1.1, z - 3.2), plan=2.2, side=0.8, sections=8, levels=5))
         ear = [(x - 0.6, side * 7.4, z + 2.2), (x - 1.2, side * 8.3, z - 0.2), (x - 0.5, side * 7.3, z - 3.4)]
-        parts.append(forms.tube(ear, [1.4, 1.6, 1.0], 10))
-        parts.append(forms.cushion((2.6, 3.6, 1.2), (x + 7.75, side * 3.15, z + 2.1), plan=2.2, side=0.8, sections=12, levels=7))
+        parts.append(forms.tube(ear, [1.4, 1.6, 1.0], 8))
+        parts.append(forms.cushion((2.6, 3.6, 1.2), (x + 7.75, side * 3.15, z + 2.1), plan=2.2, side=0.8, sections=10, levels=5))
     return forms.gather(parts)
 
 
@@ -143,7 +143,7 @@ def hair(style: str) -> Any:
     return forms.gather(out)
 
 
-def limb(joints: Point, radii: tuple[float, ...], sections: int = 16) -> Any:
+def limb(joints: Point, radii: tuple[float, ...], sections: int = 14) -> Any:
     """A sleeve, a trouser leg or a bare limb through three joints, or a part of it.
 
     Args:
@@ -153,9 +153,9 @@ def limb(joints: Point, radii: tuple[float, ...], sections: int = 16) -> Any:
     """
     a, b, c = joints
     path = np.array([a, a + 0.5 * (b - a), b - 0.1 * (b - a), b + 0.1 * (c - b), b + 0.5 * (c - b), c])
-    fine = forms.smooth_path(path, 15)
+    fine = forms.smooth_path(path, 12)
     along = np.linspace(0, 1, len(radii))
-    return forms.tube(fine, np.interp(np.linspace(0, 1, 15), along, radii), sections)
+    return forms.tube(fine, np.interp(np.linspace(0, 1, 12), along, radii), sections)
 
 
 def between(joints: Point, start: float, end: float) -> Point:
@@ -181,8 +181,8 @@ def hand(wrist: Point, elbow: Point, side: int, grip: bool) -> Any:
         return np.asarray(p, float) @ frame + wrist
 
     palm = [(0, 2.4, 1.6), (2.2, 3.2, 1.75), (5, 3.9, 1.6), (8, 3.9, 1.35), (9.4, 3.6, 1.1)]
-    ring = forms.superellipse(16, 2.6)
-    rings = np.array([place(np.c_[ring * [w, h], np.full(16, at)]) for at, w, h in palm])
+    ring = forms.superellipse(12, 2.6)
+    rings = np.array([place(np.c_[ring * [w, h], np.full(12, at)]) for at, w, h in palm])
     parts = [forms.loft(rings)]
     curl = 2.0 if grip else 0.5
     for k, length in enumerate((6.6, 7.6, 7.2, 5.8)):
@@ -192,9 +192,9 @@ def hand(wrist: Point, elbow: Point, side: int, grip: bool) -> Any:
             bend += curl * 0.55
             at = at + length * share * np.array([0, math.sin(bend), math.cos(bend)])
             path.append(tuple(at))
-        parts.append(forms.tube(place(path), [0.95, 0.9, 0.8, 0.65], 8))
+        parts.append(forms.tube(place(path), [0.95, 0.9, 0.8, 0.65], 6))
     thumb = [(2.4, 0.4, 2.4), (4.6, 1.4, 5.0), (5.0, 2.4, 7.6 if not grip else 6.4)]
-    parts.append(forms.tube(place(thumb), [1.15, 1.0, 0.75], 8))
+    parts.append(forms.tube(place(thumb), [1.15, 1.0, 0.75], 6))
     return forms.gather(parts)
 
 

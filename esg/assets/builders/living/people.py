@@ -164,11 +164,11 @@ def _arms(body: _Drawer, marks: frozenset[str], d: Dress, top: Color) -> None:
         shoulder, elbow, wrist = joints = body.skeleton.arms[k]
         side = 1 if k == 0 else -1
         if bare or short:
-            body.add(lambda j=joints: bodies.limb(j, (5.2, 4.7, 4.2, 3.7, 3.9, 3.2, 2.6), 14), d.skin, "skin", f"arm_{word}")
+            body.add(lambda j=joints: bodies.limb(j, (5.2, 4.7, 4.2, 3.7, 3.9, 3.2, 2.6), 12), d.skin, "skin", f"arm_{word}")
         if short:
-            body.add(lambda j=joints: bodies.limb(bodies.between(j, 0, 0.3), (5.8, 5.9, 5.6, 5.5), 14), top, "textile", f"sleeve_{word}")
+            body.add(lambda j=joints: bodies.limb(bodies.between(j, 0, 0.3), (5.8, 5.9, 5.6, 5.5), 12), top, "textile", f"sleeve_{word}")
         elif not bare:
-            body.add(lambda j=joints: bodies.limb(j, (5.6, 5.7, 5.2, 4.7, 4.7, 4.2, 3.8), 14), top, "textile", f"sleeve_{word}")
+            body.add(lambda j=joints: bodies.limb(j, (5.6, 5.7, 5.2, 4.7, 4.7, 4.2, 3.8), 12), top, "textile", f"sleeve_{word}")
         glove = {"great_helm": ("steel", STEEL), "space_helmet": ("textile", shade(top, 0.8))}
         worn = next((v for m, v in glove.items() if m in marks), ("skin", d.skin))
         body.add(lambda w=wrist, e=elbow, q=side: bodies.hand(w, e, q, grip), worn[1], worn[0], f"hand_{word}")

@@ -36,7 +36,7 @@ def _leafy(variant: int) -> tuple[Any, Any]:
         bumps = 1 + 0.07 * np.sin(d @ waves.T + rng.uniform(0, 6.3, 5)).sum(1)
         at = np.array([x, y, z]) + rng.uniform(-6, 6, 3)
         clumps.append(trimesh.Trimesh(d * (r * 0.90 * bumps)[:, None] * [1, 1, 0.9] + at, base.faces, process=False))
-        n = round(0.034 * r * r)
+        n = round(0.028 * r * r)
         out = rng.normal(size=(n, 3))
         out /= np.linalg.norm(out, axis=1, keepdims=True)
         twigs.append(np.concatenate([at + out * r * rng.uniform(0.86, 1.06, (n, 1)) * [1, 1, 0.92], out], 1))

@@ -52,9 +52,9 @@ def _hexagon_seams(r: float) -> Any:
     for i, a in enumerate(corners):
         for b in corners[:i]:
             if a @ b > 0.4:
-                path = np.array([a + (b - a) * u for u in np.linspace(0.32, 0.68, 8)])
+                path = np.array([a + (b - a) * u for u in np.linspace(0.32, 0.68, 6)])
                 path *= 0.9975 * r / np.linalg.norm(path, axis=1, keepdims=True)
-                out.append(forms.tube(path + [0, 0, r], 0.011 * r, 6))
+                out.append(forms.tube(path + [0, 0, r], 0.011 * r, 5, round_ends=False))
     return forms.gather(out)
 
 

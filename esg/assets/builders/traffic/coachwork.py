@@ -85,11 +85,11 @@ def hull(
 
     rear, front = bottom[-1][0], bottom[0][0]
     mid, half = (rear + front) / 2, (front - rear) / 2
-    u = np.sin(np.radians(np.linspace(-86, 86, 36)))
+    u = np.sin(np.radians(np.linspace(-86, 86, 30)))
     x = mid + half * u
     across = 0.5 * width * (1 - np.abs(u) ** plan) ** (1 / plan)
     low, high = forms.profile(bottom)(x), forms.profile(top)(x)
-    ring = forms.superellipse(40, edge)
+    ring = forms.superellipse(36, edge)
     middle = low + 0.52 * (high - low)
     rise = np.where(ring[:, 1] > 0, (high - middle)[:, None], (middle - low)[:, None])
     z = middle[:, None] + rise * ring[:, 1]
@@ -106,12 +106,12 @@ def _cabin_rings(b: Coach) -> Any:
 
     xs = [x for x, _ in b.cabin]
     # Ever denser where the line is steep: at the windscreen and at the rear.
-    x = np.linspace(min(xs), max(xs), 34)
+    x = np.linspace(min(xs), max(xs), 28)
     roof = forms.smooth_path(sorted(b.cabin), 400)
     top = np.interp(x, roof[:, 0], roof[:, 1])
     low = forms.profile(b.belt)(x) - 9
     wide = forms.profile(b.sides)(x)
-    ring = forms.superellipse(25, b.roof, 0.0, math.pi)
+    ring = forms.superellipse(21, b.roof, 0.0, math.pi)
     high = np.maximum(top - low, 0.6)
     z = low[:, None] + high[:, None] * ring[:, 1]
     full = float(np.max(high))
@@ -179,7 +179,7 @@ def _wells(b: Coach, deep: float = 30.0) -> list[Any]:
     for x in b.axles:
         for side in (-1, 1):
             inner, outer = side * (b.width / 2 - deep), side * (b.width / 2 + 8)
-            out.append(shapes.rod(b.radius + b.gap, (x, inner, b.radius + 1), (x, outer, b.radius + 1), 32))
+            out.append(shapes.rod(b.radius + b.gap, (x, inner, b.radius + 1), (x, outer, b.radius + 1), 26))
     return out
 
 
@@ -199,9 +199,9 @@ def _meshes(b: Coach) -> dict[str, Any]:
     out["side_windows"] = forms.inlay(glass, forms.prism(sides, (-b.width, b.width)))
     for name, shape in zip(("windscreen", "rear_window"), screens, strict=True):
         out[name] = forms.inlay(glass, forms.prism(shape, (0, 400), "xy"))
-    frames = forms.prism(sides.buffer(1.7, quad_segs=2), (-b.width, b.width))
+    frames = forms.prism(sides.buffer(1.7, quad_segs=1).simplify(0.5), (-b.width, b.width))
     for shape in screens:
-        frames += forms.prism(shape.buffer(2.2, quad_segs=2), (0, 400), "xy")
+        frames += forms.prism(shape.buffer(2.2, quad_segs=1).simplify(0.5), (0, 400), "xy")
     out["window_frames"] = forms.inlay(forms.fattened(house, 0.15), frames)
     proud = forms.fattened(body, 0.25)
     seam = forms.inlay(proud, forms.prism(_seams(b), (-b.width, b.width)))
@@ -234,7 +234,7 @@ def _meshes(b: Coach) -> dict[str, Any]:
     if b.cladding:
         for x in b.axles:
             for y0, y1 in ((-b.width, -w * 0.6), (w * 0.6, b.width)):
-                trim.append(shapes.rod(b.radius + 10, (x, y0, b.radius + 1), (x, y1, b.radius + 1), 32))
+                trim.append(shapes.rod(b.radius + 10, (x, y0, b.radius + 1), (x, y1, b.radius + 1), 26))
         plastic = forms.fattened(body, 1.0)
     out["trim"] = forms.carved(forms.inlay(plastic, trim), wells)
     return out
@@ -274,7 +274,7 @@ def draw_coach(s: Sketch, b: Coach, c: Color) -> None:
 def _liner(s: Sketch, b: Coach, x: float, side: int, name: str) -> None:
     """The dark inside of a wheel well."""
     r, w = b.radius + b.gap - 0.2, b.width / 2
-    turn = [math.pi * k / 14 for k in range(15)]
+    turn = [math.pi * k / 10 for k in range(11)]
     arch = [(x + q * math.cos(t), b.radius + 1 + q * math.sin(t)) for q, t in
             [(r, t) for t in turn] + [(r - 1.5, t) for t in reversed(turn)]]
     span = sorted((side * (w - 30), side * (w - 4)))
@@ -303,7 +303,7 @@ def _fittings(s: Sketch, b: Coach, c: Color) -> None:
         def shell(side: int = side) -> Any:
             return forms.gather(
                 [
-                    forms.cushion((10, 17, 11), (at, side * near, z + 1), plan=3.0, side=0.6, sections=16, levels=9),
+                    forms.cushion((10, 17, 11), (at, side * near, z + 1), plan=3.0, side=0.6, sections=12, levels=6),
                     forms.tube([(at + 3, side * (near - 16), z - 5), (at + 1, side * (near - 4), z)], [3.4, 2.4], 10),
                 ]
             )
@@ -318,7 +318,7 @@ def _fittings(s: Sketch, b: Coach, c: Color) -> None:
     def grips() -> Any:
         return forms.gather(
             [
-                forms.cushion((17, 3.4, 3.0), (x, side * (w - 1.2 + 0.4), hz), plan=3.0, side=0.6, sections=10, levels=7)
+                forms.cushion((17, 3.4, 3.0), (x, side * (w - 1.2 + 0.4), hz), plan=3.0, side=0.6, sections=8, levels=5)
                 for x, hz in handles(b)
                 for side in (-1, 1)
             ]

@@ -13,7 +13,7 @@ LAMP, TAIL, AMBER = (0.95, 0.95, 0.92), (0.5, 0.02, 0.02), (0.92, 0.45, 0.06)
 _SADDLE = rgb(34, 30, 30)
 
 
-def _bend(path: Any, radius: float, count: int = 16, sections: int = 12) -> Any:
+def _bend(path: Any, radius: float, count: int = 14, sections: int = 10) -> Any:
     return forms.tube(forms.smooth_path(path, count), radius, sections)
 
 
@@ -153,7 +153,7 @@ def _motor_wheel(s: Sketch, x: float, r: float, t: float, name: str) -> None:
     turn = [math.radians(a) for a in range(-150, 151, 25)]
     section = [(r - t + t * math.cos(a), 1.05 * t * math.sin(a)) for a in turn]
     groove = [(q - (0.05 * t if k % 2 else 0), y) for k, (q, y) in enumerate(section)]
-    s.add(lambda: forms.turned([*groove, groove[0]], at, 44, "y"), RUBBER, name=f"tyre_{name}")
+    s.add(lambda: forms.turned([*groove, groove[0]], at, 34, "y"), RUBBER, name=f"tyre_{name}")
     rim = r - 1.75 * t
 
     def alloy() -> Any:
@@ -166,16 +166,16 @@ def _motor_wheel(s: Sketch, x: float, r: float, t: float, name: str) -> None:
         return forms.gather(out)
 
     s.add(alloy, (0.2, 0.2, 0.21), of="aluminium", name=f"rim_{name}")
-    s.add(lambda: forms.turned([(7.5, 6.2), (13.5, 6.2), (13.5, 6.8), (7.5, 6.8), (7.5, 6.2)], at, 32, "y"), STEEL, name=f"brake_{name}")
+    s.add(lambda: forms.turned([(7.5, 6.2), (13.5, 6.2), (13.5, 6.8), (7.5, 6.8), (7.5, 6.2)], at, 22, "y"), STEEL, name=f"brake_{name}")
     s.wheel(at, r, parts=3)
 
 
-def _pod(stations: Any, sections: int = 20, power: float = 2.8) -> Any:
+def _pod(stations: Any, sections: int = 18, power: float = 2.8) -> Any:
     """A smooth body along X: stations of x, height of its middle, half width, half height."""
     import numpy as np
 
     table = np.array(stations, float)
-    x = np.linspace(table[0, 0], table[-1, 0], 26)
+    x = np.linspace(table[0, 0], table[-1, 0], 20)
     z, wide, high = (forms.profile(table[:, [0, k]])(x) for k in (1, 2, 3))
     ring = forms.superellipse(sections, power)
     rings = [
@@ -199,8 +199,8 @@ def draw_motorcycle(s: Sketch, c: Color) -> None:
     s.add(lambda: shapes.box((0.8, 18, 12), (-100.6, 0, 58)), rgb(236, 236, 232), of="paint", name="number_plate")
     for side, word in ((1, "left"), (-1, "right")):
         y = 9.5 * side
-        s.add(lambda y=y: forms.tube([(xf, y, r), (58, y, 62)], 3.1, 14), rgb(40, 40, 44), of="aluminium", name=f"fork_leg_{word}")
-        s.add(lambda y=y: forms.tube([(59, y, 60), (46, y, 91)], 2.1, 14), CHROME, name=f"fork_tube_{word}")
+        s.add(lambda y=y: forms.tube([(xf, y, r), (58, y, 62)], 3.1, 10), rgb(40, 40, 44), of="aluminium", name=f"fork_leg_{word}")
+        s.add(lambda y=y: forms.tube([(59, y, 60), (46, y, 91)], 2.1, 10), CHROME, name=f"fork_tube_{word}")
         s.add(lambda y=y: forms.tube([(xr, y, r), (-44, y, 36), (-20, y, 40)], [2.6, 2.8, 3.2], 12), rgb(58, 58, 62), of="aluminium", name=f"swing_arm_{word}")
         s.add(lambda y=y: _spring((xr + 10, y, r + 8), (-42, y * 0.9, 70)), rgb(176, 30, 30), of="steel", name=f"shock_{word}")
         s.add(lambda side=side: _indicators(side), AMBER, of="lamp", name=f"indicators_{word}")
@@ -223,12 +223,12 @@ def _spring(a: Any, b: Any) -> Any:
     rings = []
     for k in range(1, 9):
         t = 0.18 + 0.72 * k / 9
-        rings.append(forms.tube([p + (q - p) * (t - 0.02), p + (q - p) * (t + 0.02)], 3.1, 12))
-    return forms.gather([forms.tube([p, q], 1.7, 12), *rings])
+        rings.append(forms.tube([p + (q - p) * (t - 0.02), p + (q - p) * (t + 0.02)], 3.1, 10, round_ends=False))
+    return forms.gather([forms.tube([p, q], 1.7, 10), *rings])
 
 
 def _indicators(side: int) -> Any:
-    return forms.gather([forms.cushion((5, 5, 4), at, plan=2.2, side=0.8, sections=12, levels=7) for at in ((57, side * 17, 84), (-88, side * 14, 80))])
+    return forms.gather([forms.cushion((5, 5, 4), at, plan=2.2, side=0.8, sections=8, levels=5) for at in ((57, side * 17, 84), (-88, side * 14, 80))])
 
 
 def _motor_mirror(side: int) -> Any:
@@ -243,7 +243,7 @@ def _motor_mirror(side: int) -> Any:
 def _guard(x: float, r: float, half: float, gap: float, start: float, end: float) -> Any:
     import numpy as np
 
-    around = np.radians(np.linspace(start, end, 18))
+    around = np.radians(np.linspace(start, end, 13))
     y = np.linspace(-1, 1, 9)
     rings = []
     for a in around:
@@ -262,7 +262,7 @@ def _engine(s: Sketch) -> None:
         out = []
         for k in range(7):
             t = k / 6
-            out.append(forms.cushion((25 - 3 * t, 27 - 2 * t, 1.7), (13 + 8 * t, 0, 48 + 19 * t), plan=6, side=0.3, sections=24, levels=5))
+            out.append(forms.cushion((25 - 3 * t, 27 - 2 * t, 1.7), (13 + 8 * t, 0, 48 + 19 * t), plan=6, side=0.3, sections=16, levels=4))
         out.append(forms.tube([(12, 0, 45), (21, 0, 70)], 9, 18))
         return forms.gather(out)
 

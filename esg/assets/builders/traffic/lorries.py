@@ -165,7 +165,7 @@ def draw_truck(s: Sketch, c: Color) -> None:
 
 def _cargo_box(s: Sketch) -> None:
     panel = rgb(238, 239, 240)
-    piece(s, "cargo_box", "paint", lambda: forms.cushion((583, 248, 243), (-87.5, 0, 218.5), plan=60, side=0.035, sections=48), panel)
+    piece(s, "cargo_box", "paint", lambda: forms.cushion((583, 248, 243), (-87.5, 0, 218.5), plan=60, side=0.035, sections=20, levels=5), panel)
 
     def rails() -> Any:
         edges = [shapes.box((585, 6, 7), (-87.5, y, z)) for y in (-122, 122) for z in (99.5, 336.5)]

@@ -103,11 +103,11 @@ def _rail_wheel(at: tuple[float, float, float], r: float, side: int) -> Any:
     x, y, z = at
     h = 6.0
     tread = [(0.3 * r, -h * 0.5), (0.8 * r, -h * 0.4), (0.86 * r, -h), (r, -h), (r, -0.6 * h), (0.95 * r, -0.3 * h), (0.93 * r, h), (0.84 * r, h), (0.8 * r, 0.4 * h), (0.34 * r, 0.5 * h), (0.3 * r, h), (0.1 * r, h)]
-    out = [forms.turned([(q, side * v) for q, v in tread], at, 40, "y")]
+    out = [forms.turned([(q, side * v) for q, v in tread], at, 26, "y")]
     for k in range(5):
         a = 2 * math.pi * k / 5
         p = (x + 0.57 * r * math.cos(a), z + 0.57 * r * math.sin(a))
-        out.append(shapes.rod(0.11 * r, (p[0], y - 0.62 * h, p[1]), (p[0], y + 0.62 * h, p[1]), 12))
+        out.append(shapes.rod(0.11 * r, (p[0], y - 0.62 * h, p[1]), (p[0], y + 0.62 * h, p[1]), 8))
     return forms.gather(out)
 
 

@@ -291,7 +291,7 @@ def _bench_end(y: float) -> Any:
         ([(26, y, 41), (28.6, y, 52), (25.6, y, 61.6), (12, y, 63.6), (-6, y, 63), (-23.4, y, 64.4)], 1.5),
         ([(24.6, y, 16), (6, y, 21), (-22, y, 17)], 1.1),
     )
-    out = [forms.tube(forms.smooth_path(path, 24), r, 10, flat=1.25) for path, r in paths]
+    out = [forms.tube(forms.smooth_path(path, 20), r, 8, flat=1.25) for path, r in paths]
     out += [forms.cushion((7, 6, 2), (x, y, 1), plan=4, side=0.5, sections=18, levels=7) for x in (26.4, -28)]
     out.append(forms.cushion((12, 5, 2.4), (20.5, y, 63.2), plan=3, side=0.6, sections=20, levels=7))
     return forms.gather(out)

@@ -16,12 +16,12 @@ def tyre(at: tuple[float, float, float], r: float, width: float, rim: float) -> 
     """A tyre about Y with a grooved tread: outer radius r, bead at `rim` [cm]."""
     h = width / 2
     deep = 0.025 * r
-    crown = [(-0.75, 0.985), (-0.36, 1.0), (-0.34, -1), (-0.26, -1), (-0.24, 1.0)]
+    crown = [(-0.72, 1.0), (-0.32, 1.0), (-0.30, -1), (-0.20, 1.0)]
     crown += [(-y, q) for y, q in reversed(crown)]
     outer = [(r - deep if q < 0 else r * q, h * y) for y, q in crown]
-    wall = [(rim, -0.80 * h), (rim + 0.3 * (r - rim), -h), (rim + 0.62 * (r - rim), -h), (r * 0.955, -0.9 * h)]
+    wall = [(rim, -0.80 * h), (rim + 0.35 * (r - rim), -h), (r * 0.955, -0.9 * h)]
     loop = [*wall, *outer, *((q, -y) for q, y in reversed(wall)), (rim, -0.80 * h)]
-    return forms.turned(loop, at, 28, "y")
+    return forms.turned(loop, at, 22, "y")
 
 
 def rim(at: tuple[float, float, float], r: float, width: float, side: int, spokes: int = 5) -> Any:
@@ -29,7 +29,7 @@ def rim(at: tuple[float, float, float], r: float, width: float, side: int, spoke
     x, y, z = at
     face = side * width * 0.40
     ring = [(r * 1.01, -0.46), (r * 1.01, 0.46), (r * 0.9, 0.44), (r * 0.88, -0.46), (r * 1.01, -0.46)]
-    parts = [forms.turned([(q, v * width) for q, v in ring], at, 28, "y")]
+    parts = [forms.turned([(q, v * width) for q, v in ring], at, 24, "y")]
     parts.append(forms.turned([(r * 0.24, -1.6), (r * 0.24, 0.6), (r * 0.17, 1.6)], (x, y + face * 0.95, z), 16, "y"))
     for k in range(spokes):
         for off in (-0.16, 0.16):
