@@ -21,6 +21,7 @@ from esg.assets.geometry.rolling import drawn_size, is_rolling_form, rolling
 from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
 from esg.assets.geometry.sketch import Sketch
 from esg.assets.geometry.wheels import wheels_of
+from esg.assets.gltf.asset import asset_glb
 from esg.assets.imports.imported import load_imported
 from esg.assets.library.catalogue import Entry, build_sketch
 from esg.assets.looks import Color, Look
@@ -175,6 +176,8 @@ def configured_sketch(entry: Entry, config: AssetConfiguration) -> Sketch:
 def glb_bytes(config: AssetConfiguration) -> bytes:
     """The asset as binary glTF (metres, Y up); the same configuration gives the same bytes."""
     scene = build_mesh(config)
+    if all("look" in geometry.metadata for geometry in scene.geometry.values()):
+        return asset_glb(scene)
     _to_gltf(scene)
     data = scene.export(file_type="glb")
     if not isinstance(data, bytes):
