@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 import re
 from typing import Any
@@ -10,6 +10,7 @@ from typing import Any
 from esg.assets.appearance import USUAL, Appearance
 from esg.assets.geometry.sketch import Sketch
 from esg.assets.geometry.stretch import scaled, sound, stretched
+from esg.assets.materials import MATERIALS
 from esg.graph.models import Vec3
 from esg.lexicon import Kind, kinds, singular
 
@@ -155,13 +156,13 @@ def build_sketch(
     color = appearance.color or color
     sketch = Sketch(material=entry.material, appearance=appearance)
     if policy(entry) == "free":
-        return _free(entry, dimensions_cm, color, appearance)
+        return worn(_free(entry, dimensions_cm, color, appearance), appearance)
     params = dict(entry.params)
     size = entries_by_name()[params.pop("like")].dimensions_cm if "like" in params else None
     size = size or entry.dimensions_cm
     BUILDERS[entry.builder](sketch, *size, color, **params)
     drawn = DRAWN.get(entry.builder, size)
-    return scaled(sketch, uniform_factor(drawn, dimensions_cm))
+    return worn(scaled(sketch, uniform_factor(drawn, dimensions_cm)), appearance)
 
 
 def _free(
@@ -188,6 +189,21 @@ def _free(
     BUILDERS[entry.builder](sketch, *usual, color, **dict(entry.params))
     l, w, h = (b / a for a, b in zip(usual, dimensions_cm, strict=True))  # noqa: E741
     return stretched(sketch, (l, w, h))
+
+
+def worn(sketch: Sketch, appearance: Appearance) -> Sketch:
+    """The sketch as it looks after some use: a little duller and darker, or as good as new."""
+    if appearance.seed is None:
+        return sketch
+    wear = appearance.share("wear")
+    tone, rough = 1.04 - 0.1 * wear, 0.9 + 0.4 * wear
+    for k, part in enumerate(sketch.parts):
+        red, green, blue = (min(1.0, tone * v) for v in part.color)
+        own = MATERIALS[part.material].roughness if part.roughness is None else part.roughness
+        sketch.parts[k] = replace(
+            part, color=(red, green, blue), roughness=min(1.0, round(rough * own, 3))
+        )
+    return sketch
 
 
 def uniform_factor(usual: Vec3, wanted: Vec3) -> float:

@@ -91,9 +91,10 @@ POSES: dict[str, Pose] = {
         twist=-16,
     ),
     "push": Pose(
-        _both(Limb(58, 8, 26, 6)), (Limb(34, 2, 42, 0), Limb(-16, 2, 8, 30)), 26, nod=-16
+        _both(Limb(4, 14, 84, 10)), (Limb(30, 2, 40, 0), Limb(-18, 2, 10, 30)), 16, nod=-10
     ),
     "hold": Pose(_both(Limb(18, 10, 74, 16)), _both(_STRAIGHT), 2),
+    "bear": Pose(_both(Limb(150, 34, 38, 40)), (Limb(16, 1, 6, -8), Limb(-10, 1, 12, 18))),
     "swing": Pose(
         (Limb(62, -6, 20, 26), Limb(48, 4, 40, 34)), (Limb(14, 9, 16, 0), Limb(8, 9, 14, 8)), 14,
         twist=12, nod=-4, grip=True,

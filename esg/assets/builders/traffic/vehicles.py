@@ -11,6 +11,7 @@ from typing import Any
 from esg.assets.builders import builder
 from esg.assets.builders.common import holes, mirrored
 from esg.assets.builders.traffic.coachwork import draw_coach
+from esg.assets.builders.traffic.liveries import draw_livery, van_livery
 from esg.assets.builders.traffic.lorries import draw_bus, draw_truck, draw_van
 from esg.assets.builders.traffic.models import COUPE, HATCHBACK, JEEP, PICKUP, SEDAN, SUV
 from esg.assets.geometry.sketch import (
@@ -45,6 +46,7 @@ def _box_proxies(
 def sedan(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Three-box passenger car, drawn at 455 x 182 x 146."""
     draw_coach(s, SEDAN, c)
+    draw_livery(s, SEDAN, s.appearance.livery)
     _box_proxies(s, (-227, 229), 176, 96, (-135, 90), 146)
 
 
@@ -104,6 +106,7 @@ def pickup(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def van(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Panel van, drawn at 540 x 206 x 235."""
     draw_van(s, c)
+    van_livery(s, s.appearance.livery)
     s.proxy_slab((-268, 269), (-100, 100), (0, 115), 1.0)
     s.proxy_slab((-268, 170), (-100, 100), (115, 233), 0.3)
     s.surface("roof", 233, (180, 80), (-80, 0))
