@@ -15,6 +15,7 @@ from dataclasses import dataclass, field, replace
 import itertools
 from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
+from esg.assets.appearance import USUAL, Appearance
 from esg.assets.geometry.collider import Collider
 from esg.assets.geometry.rotations import IDENTITY, direction
 from esg.assets.lazy import shapes
@@ -115,11 +116,13 @@ class Sketch(Collider):
 
     Args:
         material: Of what is drawn in a colour that names none.
+        appearance: What the builder chooses details by.
     """
 
     parts: list[Part] = field(default_factory=list)
     axles: list[Axle] = field(default_factory=list)
     material: str = "plastic_hard"
+    appearance: Appearance = USUAL
 
     def add(
         self,

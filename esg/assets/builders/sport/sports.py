@@ -48,7 +48,7 @@ PIN = [
 def bowling_pin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Regulation pin, drawn at 12.1 x 12.1 x 38.1; it stands on its flat 5.2 cm base."""
     profile = [(d * 1.27, h * 2.54) for h, d in PIN]
-    s.lathe([(0, 0), *profile], c, smooth=90, sections=56, rough=0.25)
+    s.lathe([(0, 0), *profile], c, smooth=60, sections=40, rough=0.25)
     for z in (24.2, 26.6):
         r = 2.36 if z < 25 else 2.33
         s.lathe([(r - 0.3, z), (r, z), (r + 0.05, z + 1.1), (r - 0.3, z + 1.1), (r - 0.3, z)], RED)
