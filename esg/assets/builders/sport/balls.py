@@ -116,7 +116,7 @@ def tennis_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def bowling_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Polished ball with three finger holes."""
     r = H / 2
-    s.add(lambda: _drilled(r), c, 0.12)
+    s.add(lambda: _drilled(r), c)
     from esg.graph.models import ProxyKind
 
     s.proxy(ProxyKind.SPHERE, (r, r, r), (0, 0, r))
@@ -179,13 +179,13 @@ def billiard_ball(
             s.add(
                 lambda n=n: shapes.shell_patch(n, 26, r * 1.004, r * 0.03, 32, (0, 0, r)),
                 WHITE,
-                0.1,
+                of="phenolic_ball",
             )
             for z in (-0.13, 0.13):
                 s.torus(0.11 * r, 0.03 * r, (side * 0.998 * r, 0, r + z * r), DARK, axis="x")
         return
     for n in ((1, 0.15, 0.5), (-1, -0.15, -0.5)):
-        s.add(lambda n=n: shapes.shell_patch(n, 24, r * 1.004, r * 0.03, 32, (0, 0, r)), WHITE, 0.1)
+        s.add(lambda n=n: shapes.shell_patch(n, 24, r * 1.004, r * 0.03, 32, (0, 0, r)), WHITE, of="phenolic_ball")
     digit = s.appearance.pick("number", len(_DIGITS))
     s.add(lambda: _number(r, digit), DARK, of="phenolic_ball", name="number")
 
@@ -205,7 +205,6 @@ def golf_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.add(
             lambda d=d: shapes.shell_patch(d, 5.2, r * 1.002, r * 0.02, 8, (0, 0, r)),
             dimple,
-            0.3,
         )
 
 
@@ -218,7 +217,7 @@ def beach_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for k in range(3):
         a = 2 * math.pi * k / 3
         s.add(
-            lambda a=a: shapes.lune(a, math.pi / 3, r * 1.003, r * 0.03, (0, 0, r)), colors[k], 0.3
+            lambda a=a: shapes.lune(a, math.pi / 3, r * 1.003, r * 0.03, (0, 0, r)), colors[k], of="inflatable"
         )
     for z, word in ((-1, "low"), (1, "high")):
         n = (0.0, 0.0, float(z))

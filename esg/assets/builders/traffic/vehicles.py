@@ -72,7 +72,7 @@ def suv(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Tall estate, drawn at 465 x 188 x 172."""
     draw_coach(s, SUV, c)
     for y in (-62, 62):
-        s.pipe(2, [(20, y, 171), (-165, y, 171)], CHROME, metal=0.7)
+        s.pipe(2, [(20, y, 171), (-165, y, 171)], CHROME)
     _box_proxies(s, (-231, 233), 182, 114, (-216, 90), 171)
 
 
