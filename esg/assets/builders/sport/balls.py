@@ -54,7 +54,7 @@ def _hexagon_seams(r: float) -> Any:
             if a @ b > 0.4:
                 path = np.array([a + (b - a) * u for u in np.linspace(0.32, 0.68, 6)])
                 path *= 0.9975 * r / np.linalg.norm(path, axis=1, keepdims=True)
-                out.append(forms.tube(path + [0, 0, r], 0.011 * r, 5, round_ends=False))
+                out.append(forms.tube(np.add(path, (0, 0, r)), 0.011 * r, 5, round_ends=False))
     return forms.gather(out)
 
 
@@ -64,9 +64,16 @@ def soccer_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     r = H / 2
     _sphere(s, r, WHITE if sum(c) > 2.4 else c, 0.4)
     s.add(
-        lambda: forms.gather([shapes.shell_patch(n, 20.5, r * 1.003, r * 0.03, 5, (0, 0, r), a) for n, a in _pentagons()]),
-        DARK, of="leather_ball", name="pentagons",
-    )  # fmt: skip
+        lambda: forms.gather(
+            [
+                shapes.shell_patch(n, 20.5, r * 1.003, r * 0.03, 5, (0, 0, r), a)
+                for n, a in _pentagons()
+            ]
+        ),
+        DARK,
+        of="leather_ball",
+        name="pentagons",
+    )
     s.add(lambda: _hexagon_seams(r), shade(WHITE, 0.55), of="leather_ball", name="seams")
 
 
@@ -139,9 +146,18 @@ _DIGITS = (
     ((-0.5, 0.6), (-0.1, 0.95), (0.4, 0.75), (0.4, 0.3), (-0.5, -0.9), (0.5, -0.9)),
     ((0.3, -0.95), (0.3, 0.95), (-0.5, -0.3), (0.55, -0.3)),
     ((0.45, 0.9), (-0.35, 0.9), (-0.4, 0.1), (0.2, 0.2), (0.5, -0.3), (0.2, -0.9), (-0.45, -0.8)),
-    ((0.4, 0.9), (-0.2, 0.4), (-0.45, -0.4), (-0.1, -0.9), (0.35, -0.7), (0.4, -0.2), (0.0, 0.05), (-0.4, -0.2)),
+    (
+        (0.4, 0.9),
+        (-0.2, 0.4),
+        (-0.45, -0.4),
+        (-0.1, -0.9),
+        (0.35, -0.7),
+        (0.4, -0.2),
+        (0.0, 0.05),
+        (-0.4, -0.2),
+    ),
     ((-0.5, 0.9), (0.5, 0.9), (-0.1, -0.95)),
-)  # fmt: skip
+)
 """Strokes of the numbers 3, 1, 2, 4, 5, 6, 7, in a square of side 2."""
 
 
@@ -150,7 +166,9 @@ def _number(r: float, digit: int) -> Any:
     import numpy as np
     from shapely.geometry import LineString
 
-    shape = LineString([(0.16 * r * y, 0.18 * r * z) for y, z in _DIGITS[digit]]).buffer(0.042 * r, quad_segs=3)
+    shape = LineString([(0.16 * r * y, 0.18 * r * z) for y, z in _DIGITS[digit]]).buffer(
+        0.042 * r, quad_segs=3
+    )
     out = []
     skin = shapes.ball(r * 1.009, (0, 0, 0), detail=5)
     for n in ((1, 0.15, 0.5), (-1, -0.15, -0.5)):
@@ -222,8 +240,19 @@ def beach_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         )
     for z, word in ((-1, "low"), (1, "high")):
         n = (0.0, 0.0, float(z))
-        s.add(lambda n=n: shapes.shell_patch(n, 13, r * 1.006, r * 0.03, 32, (0, 0, r)), WHITE, name=f"cap_{word}")
-    s.add(lambda: forms.turned([(0.05 * r, 1.99 * r), (0.05 * r, 2.012 * r), (0.03 * r, 2.02 * r)], sections=16), WHITE, of="plastic_hard", name="valve")
+        s.add(
+            lambda n=n: shapes.shell_patch(n, 13, r * 1.006, r * 0.03, 32, (0, 0, r)),
+            WHITE,
+            name=f"cap_{word}",
+        )
+    s.add(
+        lambda: forms.turned(
+            [(0.05 * r, 1.99 * r), (0.05 * r, 2.012 * r), (0.03 * r, 2.02 * r)], sections=16
+        ),
+        WHITE,
+        of="plastic_hard",
+        name="valve",
+    )
 
 
 @builder("american_football")

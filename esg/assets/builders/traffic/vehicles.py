@@ -6,10 +6,8 @@ relative densities put the centre of mass at 0.5-0.7 m for cars, as measured car
 
 from __future__ import annotations
 
-from typing import Any
-
 from esg.assets.builders import builder
-from esg.assets.builders.common import holes, mirrored
+from esg.assets.builders.common import mirrored
 from esg.assets.builders.traffic.coachwork import draw_coach
 from esg.assets.builders.traffic.liveries import draw_livery, van_livery
 from esg.assets.builders.traffic.lorries import draw_bus, draw_truck, draw_van
@@ -17,15 +15,11 @@ from esg.assets.builders.traffic.models import COUPE, HATCHBACK, JEEP, PICKUP, S
 from esg.assets.geometry.sketch import (
     CHROME,
     DARK,
-    GLASS,
     RUBBER,
-    STEEL,
-    WHITE,
-    YELLOW,
     Color,
     Sketch,
 )
-from esg.assets.lazy import shapes
+
 
 def _box_proxies(
     s: Sketch,
