@@ -89,7 +89,7 @@ def laptop(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
     s.add(lambda: lid(0.0, -0.45, 0.35, 24.0), c, of="aluminium", name="lid")
     s.add(lambda: lid(0.5, 0.2, 0.5, 24.0), DARK, of="plastic_hard", name="bezel")
-    s.add(lambda: lid(1.3, 0.4, 0.56, 60.0), (0.16, 0.3, 0.5), of="screen", name="screen")
+    s.add(lambda: lid(1.3, 0.4, 0.56, 60.0), (0.16, 0.3, 0.5), of="screen", name="display")
     s.add(
         lambda: forms.cushion(
             (3.6, 3.6, 0.2), (0, 0, 0), plan=3, side=0.5, sections=20, levels=5

@@ -79,6 +79,7 @@ def table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             edge(y, W - 2 * a, 2),
             (H - t - H * 0.09, H - t),
             shade(c, 0.9),
+            name="apron_left" if y > 0 else "apron_right",
         )
     for x in (-1, 1):
         s.slab(
@@ -86,6 +87,7 @@ def table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             (-W / 2 + 2 * a, W / 2 - 2 * a),
             (H - t - H * 0.09, H - t),
             shade(c, 0.9),
+            name="apron_front" if x > 0 else "apron_rear",
         )
     s.surface("top", H, (L / 2, W / 2))
 
@@ -130,26 +132,35 @@ def round_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def desk(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Office desk with a drawer pedestal; the knee side faces +X."""
     t = 2.8
-    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (H - t, H), c, solid=1, rough=0.35)
+    top = ((-L / 2, L / 2), (-W / 2, W / 2), (H - t, H))
+    s.add(lambda: _board(*top, corner=60.0), c, name="top")
+    s.proxy_slab(*top, 1)
     side = min(3.0, W * 0.03)
-    s.slab((-L / 2 + 2, L / 2 - 2), (-W / 2, -W / 2 + side), (0, H - t), shade(c, 0.9), solid=0.8)
+    pale = shade(c, 0.9)
+    s.slab(
+        (-L / 2 + 2, L / 2 - 2), (-W / 2, -W / 2 + side), (0, H - t), pale, solid=0.8, name="side"
+    )
     ped = min(42.0, W * 0.3)
     y0 = W / 2 - ped
-    s.slab((-L / 2 + 2, L / 2 - 4), (y0, W / 2), (0, H - t), shade(c, 0.9), solid=0.5)
-    s.slab(
-        (-L / 2 + 2, -L / 2 + 4), (-W / 2 + side, y0), (H * 0.35, H - t), shade(c, 0.85), solid=0.8
-    )
+    s.slab((-L / 2 + 2, L / 2 - 4), (y0, W / 2), (0, H - t), pale, solid=0.5, name="pedestal")
+    back = (-L / 2 + 2, -L / 2 + 4)
+    s.slab(back, (-W / 2 + side, y0), (H * 0.35, H - t), shade(c, 0.85), solid=0.8, name="back")
+    front = L / 2 - 2.4
     for k in range(3):
         z0, z1 = H * (0.06 + 0.3 * k), H * (0.34 + 0.3 * k)
-        s.slab((L / 2 - 4, L / 2 - 2.4), (y0 + 1, W / 2 - 1), (z0, z1), c)
-        s.rod(
-            0.7,
-            (L / 2 - 1.8, y0 + ped * 0.3, z1 - 5),
-            (L / 2 - 1.8, y0 + ped * 0.7, z1 - 5),
-            CHROME,
-            metal=0.8,
-            sections=12,
-        )
+        s.slab((front - 1.6, front), (y0 + 1, W / 2 - 1), (z0, z1), c, name=f"drawer_{3 - k}")
+        ends = (y0 + ped * 0.28, y0 + ped * 0.72)
+        z = z1 - 0.055 * H
+        grip = [(front - 0.5, ends[0], z), (front + 1.6, ends[0], z), (front + 1.6, ends[1], z)]
+        grip.append((front - 0.5, ends[1], z))
+        s.add(lambda p=grip: forms.tube(p, 0.55, 12), CHROME, name=f"handle_{3 - k}")
+    s.add(
+        lambda: forms.turned(
+            [(2.6, H - 0.2), (3.0, H), (3.0, H + 0.06)], (-0.3 * L, 0.1 * W, 0), 24
+        ),
+        DARK,
+        name="cable_outlet",
+    )
     s.surface("top", H, (L / 2, W / 2))
 
 
@@ -525,8 +536,10 @@ def shelf(s: Sketch, L: float, W: float, H: float, c: Color, books: bool = False
     """Open shelving unit with a back panel; faces +X."""
     t = 2.0
     for y in (-1, 1):
-        s.slab((-L / 2, L / 2), edge(y, W, t), (0, H), c, solid=1)
-    s.slab((-L / 2, -L / 2 + 1), (-W / 2 + t, W / 2 - t), (0, H), shade(c, 0.85), solid=1)
+        word = "left" if y > 0 else "right"
+        s.slab((-L / 2, L / 2), edge(y, W, t), (0, H), c, solid=1, name=f"side_{word}")
+    rear = (-L / 2, -L / 2 + 1)
+    s.slab(rear, (-W / 2 + t, W / 2 - t), (0, H), shade(c, 0.85), solid=1, name="back")
     n = max(2, round(H / 36))
     for k in range(n + 1):
         z = 4 + (H - 4 - t) * k / n

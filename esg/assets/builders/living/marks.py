@@ -76,7 +76,7 @@ def _collar(s: Sketch, b: Beast, c: Color) -> None:
     t = 0.45
     p = (front + t * (x - front), 0.0, zf + t * (z - zf) + 1)
     q = (p[0] + 2.2, 0.0, p[2] + 1.6)
-    s.rod(0.99 * b.neck[2], p, q, rgb(178, 34, 40), sections=24)
+    s.rod(0.99 * b.neck[2], p, q, rgb(178, 34, 40), sections=28, of="leather", name="collar")
 
 
 def _whiskers(s: Sketch, b: Beast, c: Color) -> None:

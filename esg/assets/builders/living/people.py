@@ -250,7 +250,7 @@ def _head(flat: Sketch, marks: frozenset[str], d: Dress, style: str) -> None:
     flat.add(lambda: bodies.mouth().copy(), shade(d.skin, 0.66), of="skin", name="mouth")
     flat.add(lambda: bodies.brows().copy(), shade(d.hair, 0.8), of="hair", name="brows")
     if "wig" not in marks:
-        flat.add(lambda: bodies.hair(style).copy(), d.hair, of="hair", name="hair")
+        flat.add(lambda: bodies.hair(style).copy(), d.hair, of="hair", name="hairdo")
     clothes.face_marks(flat, marks, d.hair)
 
 

@@ -18,13 +18,21 @@ ICOSAHEDRON = [
 
 
 def _sphere(s: Sketch, r: float, c: Color, rough: float = 0.5) -> None:
-    s.ball(r, (0, 0, r), c, solid=1, rough=rough, detail=4)
+    s.ball(r, (0, 0, r), c, solid=1, rough=rough, detail=4, name="ball")
 
 
 def _band(s: Sketch, r: float, c: Color, axis: str, offset: float, width: float) -> None:
     """A seam: a thin belt on the ball at `offset` along `axis`."""
     at = {"x": (offset, 0.0, r), "y": (0.0, offset, r), "z": (0.0, 0.0, r + offset)}[axis]
-    s.torus(math.sqrt(r * r - offset * offset) - width * 0.25, width, at, c, axis=axis, rough=0.7)
+    s.torus(
+        math.sqrt(r * r - offset * offset) - width * 0.25,
+        width,
+        at,
+        c,
+        axis=axis,
+        rough=0.7,
+        name=f"seam_{axis}_{round(offset / r * 10)}",
+    )
 
 
 def _pentagons() -> list[tuple[tuple[float, float, float], float]]:
@@ -123,7 +131,7 @@ def tennis_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def bowling_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Polished ball with three finger holes."""
     r = H / 2
-    s.add(lambda: _drilled(r), c, 0.12)
+    s.add(lambda: _drilled(r), c, 0.12, name="ball")
     from esg.graph.models import ProxyKind
 
     s.proxy(ProxyKind.SPHERE, (r, r, r), (0, 0, r))
@@ -202,8 +210,15 @@ def billiard_ball(
             for z in (-0.13, 0.13):
                 s.torus(0.11 * r, 0.03 * r, (side * 0.998 * r, 0, r + z * r), DARK, axis="x")
         return
-    for n in ((1, 0.15, 0.5), (-1, -0.15, -0.5)):
-        s.add(lambda n=n: shapes.shell_patch(n, 24, r * 1.004, r * 0.03, 32, (0, 0, r)), WHITE, 0.1)
+    spots = ((1, 0.15, 0.5), (-1, -0.15, -0.5))
+    s.add(
+        lambda: forms.gather(
+            [shapes.shell_patch(n, 24, r * 1.004, r * 0.03, 32, (0, 0, r)) for n in spots]
+        ),
+        WHITE,
+        0.1,
+        name="spots",
+    )
     digit = s.appearance.pick("number", len(_DIGITS))
     s.add(lambda: _number(r, digit), DARK, of="phenolic_ball", name="number")
 
@@ -236,7 +251,10 @@ def beach_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for k in range(3):
         a = 2 * math.pi * k / 3
         s.add(
-            lambda a=a: shapes.lune(a, math.pi / 3, r * 1.003, r * 0.03, (0, 0, r)), colors[k], 0.3
+            lambda a=a: shapes.lune(a, math.pi / 3, r * 1.003, r * 0.03, (0, 0, r)),
+            colors[k],
+            0.3,
+            name=f"gore_{k + 1}",
         )
     for z, word in ((-1, "low"), (1, "high")):
         n = (0.0, 0.0, float(z))
