@@ -21,9 +21,7 @@ def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
     return run(doc, seed=seed)
 
 
-def build_mesh(
-    config: AssetConfiguration, appearance: Appearance = USUAL
-) -> trimesh.Scene:
+def build_mesh(config: AssetConfiguration, appearance: Appearance = USUAL) -> trimesh.Scene:
     """The asset's geometry [cm] in its local frame: origin bottom centre, front +X, Z up.
 
     Args:

@@ -14,7 +14,7 @@ class Appearance:
     """What a builder may choose by, beyond kind, size and colour.
 
     Args:
-        pose: How a person holds himself (`esg.assets.builders.living.poses`); "" as the builder likes.
+        pose: How a person holds himself (`builders.living.poses`); "" as the builder likes.
         livery: What a vehicle serves as: police, taxi, ambulance.
         seed: Of details that nobody states (hair, patterns, wear); None for the usual ones.
         color: Takes the place of the kind's usual colour; None where the colour is stated.

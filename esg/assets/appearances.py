@@ -115,7 +115,11 @@ def _free_color(
 ) -> Color | None:
     """A colour of the kind's palette that nothing else has; None where the prompt states one."""
     palette = _palette(entry)
-    if palette is None or _colored(doc, asset, entry) or dict(entry.params).get("dress", "plain") != "plain":
+    if (
+        palette is None
+        or _colored(doc, asset, entry)
+        or dict(entry.params).get("dress", "plain") != "plain"
+    ):
         return None
     free = [c for c in palette if not any(_alike(c, other) for other in taken)] or list(palette)
     return free[own.pick("color", len(free))]
@@ -187,7 +191,7 @@ def _loaded(doc: EsgDocument, people: set[str]) -> dict[str, str]:
 
 
 def _doing(doc: EsgDocument, people: set[str]) -> dict[str, str]:
-    """What the prompt says that somebody does: the pose of the last such verb with him as subject."""
+    """What the prompt says that somebody does: the pose of the last such verb of his."""
     prompt = doc.scene_definition.original_description
     items = sorted(doc.coverage.items, key=lambda item: item.start)
     out: dict[str, str] = {}
@@ -218,7 +222,16 @@ def _named(doc: EsgDocument, item: CoverageItem | None) -> list[str]:
 def pose_of(word: str) -> str | None:
     """The pose that a form of a verb asks for: "throws", "throwing", "threw"; None if none does."""
     table = _postures().does
-    irregular = {"threw": "throw", "thrown": "throw", "ran": "run", "held": "hold", "shot": "shoot", "swung": "swing", "flung": "fling", "fled": "flee"}
+    irregular = {
+        "threw": "throw",
+        "thrown": "throw",
+        "ran": "run",
+        "held": "hold",
+        "shot": "shoot",
+        "swung": "swing",
+        "flung": "fling",
+        "fled": "flee",
+    }
     word = irregular.get(word, word)
     stems = [word]
     for ending in ("s", "es", "d", "ed", "ing"):

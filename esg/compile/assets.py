@@ -86,7 +86,7 @@ def mesh_file(folder: Path, mesh: str, node: str = "") -> Path | None:
     Args:
         folder: Of the scene.
         mesh: Path of the mesh in it.
-        node: Whose mesh it is: its own file is preferred, where it looks unlike others of its asset.
+        node: Whose mesh it is: its own file is preferred, if it looks unlike its asset.
 
     Raises:
         UserError: If the path leaves the folder, be it through a symbolic link.

@@ -31,11 +31,6 @@ def edge(sign: int, extent: float, thickness: float) -> Span:
     return mirrored(sign, extent / 2 - thickness, extent / 2)
 
 
-def piece(s: Sketch, name: str, material: str, make: Callable[[], Any], c: Color, alpha: float | None = None) -> None:
-    """Draws a named part of a material."""
-    s.add(make, c, alpha=alpha, of=material, name=name)
-
-
 def bone(
     s: Sketch,
     a: Vec3,

@@ -55,7 +55,9 @@ def loft(rings: Any) -> trimesh.Trimesh:
     return mesh
 
 
-def turned(profile: Any, at: Any = (0, 0, 0), sections: int = 32, axis: str = "z") -> trimesh.Trimesh:
+def turned(
+    profile: Any, at: Any = (0, 0, 0), sections: int = 32, axis: str = "z"
+) -> trimesh.Trimesh:
     """Surface of revolution of (radius, height) points about an axis through `at`.
 
     A profile that ends where it starts makes a ring; any other is closed on the axis.
@@ -205,7 +207,9 @@ def cushion(
     around = (superellipse if plan <= 5 else _cornered)(sections, plan) * half[:2]
     tilt = np.radians(np.linspace(-87, 87, levels))
     wide, high = np.cos(tilt) ** side, np.sign(tilt) * np.abs(np.sin(tilt)) ** side
-    rings = [np.c_[around * q, np.full(sections, z * half[2])] for q, z in zip(wide, high, strict=True)]
+    rings = [
+        np.c_[around * q, np.full(sections, z * half[2])] for q, z in zip(wide, high, strict=True)
+    ]
     return loft(np.array(rings) + np.asarray(center, float))
 
 

@@ -63,9 +63,7 @@ _FOREIGN_TILE_CM = 100.0
 """Edge of one tile of the coordinates that an imported mesh without any is given."""
 
 
-def build_mesh(
-    config: AssetConfiguration, appearance: Appearance = USUAL
-) -> trimesh.Scene:
+def build_mesh(config: AssetConfiguration, appearance: Appearance = USUAL) -> trimesh.Scene:
     """The asset's geometry [cm] in its local frame, one mesh a look, apart for every wheel.
 
     Each mesh has normals and texture coordinates (in tiles, v up); its `metadata` holds the `Look`
@@ -249,9 +247,7 @@ def _write(path: Path, data: bytes) -> None:
         partial.write_bytes(data)
         partial.replace(path)
     except OSError as error:
-        raise UserError(
-            f"cannot write {path}: {error.strerror}; choose another folder"
-        ) from None
+        raise UserError(f"cannot write {path}: {error.strerror}; choose another folder") from None
 
 
 def _write_attribution(doc: EsgDocument, folder: Path) -> None:

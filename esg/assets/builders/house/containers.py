@@ -18,7 +18,20 @@ def _arrows(L: float, W: float, H: float, d: float) -> Any:
     u = 0.05 * min(L, H)
     out = []
     for x in (-L * 0.32, -L * 0.32 + 3 * u):
-        shape = Polygon([(x + a * u, H * 0.18 + b * u) for a, b in ((-0.35, 0), (0.35, 0), (0.35, 2.2), (1, 2.2), (0, 3.6), (-1, 2.2), (-0.35, 2.2))])
+        shape = Polygon(
+            [
+                (x + a * u, H * 0.18 + b * u)
+                for a, b in (
+                    (-0.35, 0),
+                    (0.35, 0),
+                    (0.35, 2.2),
+                    (1, 2.2),
+                    (0, 3.6),
+                    (-1, 2.2),
+                    (-0.35, 2.2),
+                )
+            ]
+        )
         for y in ((W / 2, W / 2 + d), (-W / 2 - d, -W / 2)):
             out += forms.prism(shape, y)
     return forms.gather(out)
@@ -37,10 +50,31 @@ def carton(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for x, side in ((-1, "rear"), (1, "front")):
         span = (L / 2, L / 2 + d) if x > 0 else (-L / 2 - d, -L / 2)
         s.slab(span, wide, (H - down, H + d), tape, of="plastic_hard", name=f"tape_{side}")
-    s.slab((L / 2, L / 2 + d), (W * 0.14, W * 0.42), (H * 0.2, H * 0.5), WHITE, of="paper", name="label")
-    s.slab((L / 2 + d, L / 2 + 1.3 * d), (W * 0.18, W * 0.38), (H * 0.25, H * 0.32), DARK, of="paper", name="barcode")
+    s.slab(
+        (L / 2, L / 2 + d),
+        (W * 0.14, W * 0.42),
+        (H * 0.2, H * 0.5),
+        WHITE,
+        of="paper",
+        name="label",
+    )
+    s.slab(
+        (L / 2 + d, L / 2 + 1.3 * d),
+        (W * 0.18, W * 0.38),
+        (H * 0.25, H * 0.32),
+        DARK,
+        of="paper",
+        name="barcode",
+    )
     for k in (0.37, 0.42):
-        s.slab((L / 2 + d, L / 2 + 1.3 * d), (W * 0.18, W * 0.34), (H * k, H * (k + 0.018)), DARK, of="paper", name="address")
+        s.slab(
+            (L / 2 + d, L / 2 + 1.3 * d),
+            (W * 0.18, W * 0.34),
+            (H * k, H * (k + 0.018)),
+            DARK,
+            of="paper",
+            name="address",
+        )
     s.add(lambda: _arrows(L, W, H, d), shade(c, 0.32), of="paint", name="this_side_up")
     s.surface("top", H, (L / 2, W / 2))
 
@@ -83,7 +117,9 @@ def _battens(L: float, W: float, H: float, b: float, t: float) -> Any:
     for x in (-1, 1):
         for y in (-1, 1):
             out.append(shapes.box((t, b, H), (x * (L / 2 - t / 2), y * (W / 2 - b / 2), H / 2)))
-            out.append(shapes.box((b, t, H), (x * (L / 2 - b / 2 - t * 0.02), y * (W / 2 - t / 2), H / 2)))
+            out.append(
+                shapes.box((b, t, H), (x * (L / 2 - b / 2 - t * 0.02), y * (W / 2 - t / 2), H / 2))
+            )
         for z in (b / 2, H - b / 2):
             out.append(shapes.box((t, W - 2 * b, b), (x * (L / 2 - t / 2), 0, z)))
             out.append(shapes.box((L - 2 * b, t, b), (0, x * (W / 2 - t / 2), z)))
@@ -99,8 +135,12 @@ def _nails(L: float, W: float, H: float, b: float) -> Any:
         for y in (-1, 1):
             for z in (0.3 * b, 0.7 * b, H - 0.7 * b, H - 0.3 * b):
                 e = 0.12 * r
-                out.append(forms.turned([(r, -e), (r, e)], (x * L / 2, y * (W / 2 - b / 2), z), 8, "x"))
-                out.append(forms.turned([(r, -e), (r, e)], (x * (L / 2 - b / 2), y * W / 2, z), 8, "y"))
+                out.append(
+                    forms.turned([(r, -e), (r, e)], (x * L / 2, y * (W / 2 - b / 2), z), 8, "x")
+                )
+                out.append(
+                    forms.turned([(r, -e), (r, e)], (x * (L / 2 - b / 2), y * W / 2, z), 8, "y")
+                )
     return forms.gather(out)
 
 
@@ -109,7 +149,13 @@ def crate(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Closed wooden crate with battens."""
     t = min(L, W, H) * 0.05
     batten, b = shade(c, 0.82), min(L, W, H) * 0.13
-    s.slab((-L / 2 + 1.6 * t, L / 2 - 1.6 * t), (-W / 2 + 1.6 * t, W / 2 - 1.6 * t), (1.6 * t, H - 1.6 * t), shade(c, 0.3), name="inside")
+    s.slab(
+        (-L / 2 + 1.6 * t, L / 2 - 1.6 * t),
+        (-W / 2 + 1.6 * t, W / 2 - 1.6 * t),
+        (1.6 * t, H - 1.6 * t),
+        shade(c, 0.3),
+        name="inside",
+    )
     s.add(lambda: _planks(L, W, H, t, 0), c, name="planks")
     s.add(lambda: _planks(L, W, H, t, 1), shade(c, 0.92), name="planks_dark")
     s.add(lambda: _battens(L, W, H, b, t), batten, name="battens")
@@ -117,13 +163,18 @@ def crate(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         face = edge(x, L, t)
         s.extrude(
             [(-W / 2 + b, b), (-W / 2 + b * 2.0, b), (W / 2 - b, H - b), (W / 2 - b * 2.0, H - b)],
-            face, batten, plane="yz", name=f"brace_{word}",
-        )  # fmt: skip
+            face,
+            batten,
+            plane="yz",
+            name=f"brace_{word}",
+        )
         face = edge(x, W, t)
         s.extrude(
             [(-L / 2 + b, b), (-L / 2 + b * 2.0, b), (L / 2 - b, H - b), (L / 2 - b * 2.0, H - b)],
-            face, batten, name="brace_left" if x > 0 else "brace_right",
-        )  # fmt: skip
+            face,
+            batten,
+            name="brace_left" if x > 0 else "brace_right",
+        )
     s.add(lambda: _nails(L, W, H, b), STEEL, name="nails")
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
     s.surface("top", H, (L / 2, W / 2))
@@ -155,12 +206,28 @@ def _staves() -> Any:
 def barrel(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Wooden barrel with hoops, drawn at 60 x 60 x 88; two cylinders bound its belly."""
     s.add(_staves, c, name="staves")
-    s.add(lambda: forms.gather([forms.turned([(22.6, z), (22.6, z + 2.2)], sections=48) for z in (2.2, 83.6)]), shade(c, 0.8), name="heads")
+    s.add(
+        lambda: forms.gather(
+            [forms.turned([(22.6, z), (22.6, z + 2.2)], sections=48) for z in (2.2, 83.6)]
+        ),
+        shade(c, 0.8),
+        name="heads",
+    )
     for k, z in enumerate((3, 16, 27, 57, 68, 80)):
         low, high = _belly(z), _belly(z + 5)
         hoop = [(low - 1, z), (low + 0.5, z), (high + 0.5, z + 5), (high - 1, z + 5), (low - 1, z)]
-        s.add(lambda hoop=hoop: forms.turned(hoop, sections=56), rgb(70, 70, 74), of="steel", name=f"hoop_{k + 1}")
-    s.add(lambda: forms.turned([(2.0, 29.3), (2.0, 30.2)], (0, 0, 44), 16, "x"), shade(c, 0.6), of="cork", name="bung")
+        s.add(
+            lambda hoop=hoop: forms.turned(hoop, sections=56),
+            rgb(70, 70, 74),
+            of="steel",
+            name=f"hoop_{k + 1}",
+        )
+    s.add(
+        lambda: forms.turned([(2.0, 29.3), (2.0, 30.2)], (0, 0, 44), 16, "x"),
+        shade(c, 0.6),
+        of="cork",
+        name="bung",
+    )
     s.proxy_cylinder(25, (0, 12))
     s.proxy_cylinder(29.5, (12, 76))
     s.proxy_cylinder(25, (76, 88))
@@ -236,7 +303,14 @@ def _stakes(r: float, H: float) -> Any:
     out = []
     for k in range(22):
         a = 2 * math.pi * (k + 0.5) / 22
-        path = [((_flank(r, H, z) - 0.04 * H) * math.cos(a), (_flank(r, H, z) - 0.04 * H) * math.sin(a), z) for z in (0.01 * H, 0.5 * H, 0.95 * H)]
+        path = [
+            (
+                (_flank(r, H, z) - 0.04 * H) * math.cos(a),
+                (_flank(r, H, z) - 0.04 * H) * math.sin(a),
+                z,
+            )
+            for z in (0.01 * H, 0.5 * H, 0.95 * H)
+        ]
         out.append(forms.tube(path, 0.018 * H, 6))
     return forms.gather(out)
 
@@ -249,7 +323,9 @@ def _braid(r: float, H: float) -> Any:
     for phase in (0.0, 2 * math.pi / 3, 4 * math.pi / 3):
         q = r * 0.955 + 0.028 * r * np.cos(turn * 14 + phase)
         z = H * 0.962 + 0.02 * H * np.sin(turn * 14 + phase)
-        out.append(forms.tube(np.c_[q * np.cos(turn), q * np.sin(turn), z], 0.019 * H, 5, closed=True))
+        out.append(
+            forms.tube(np.c_[q * np.cos(turn), q * np.sin(turn), z], 0.019 * H, 5, closed=True)
+        )
     return forms.gather(out)
 
 
@@ -262,7 +338,9 @@ def basket(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.add(lambda: _weave(r, H, 1), shade(c, 0.84), name="weave_dark")
     s.add(lambda: _stakes(r, H), shade(c, 0.7), name="stakes")
     s.add(lambda: _braid(r, H), shade(c, 0.92), name="rim")
-    s.add(lambda: forms.turned([(r * 0.8, 0), (r * 0.8, t)], sections=36), shade(c, 0.8), name="floor")
+    s.add(
+        lambda: forms.turned([(r * 0.8, 0), (r * 0.8, t)], sections=36), shade(c, 0.8), name="floor"
+    )
     s.tub(r * 0.95, (0, H), t)
     h = r * 0.6
     s.region("inside", (-h, h), (-h, h), (t, H))

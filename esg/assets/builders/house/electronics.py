@@ -33,9 +33,18 @@ _LID = (
 @builder("laptop")
 def laptop(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Open laptop, screen facing +X, drawn at 32 x 33 x 22."""
-    s.add(lambda: forms.cushion((24, 33, 1.6), (4, 0, 0.8), plan=24, side=0.35, sections=48, levels=9), c, of="aluminium", name="base")
+    s.add(
+        lambda: forms.cushion(
+            (24, 33, 1.6), (4, 0, 0.8), plan=24, side=0.35, sections=48, levels=9
+        ),
+        c,
+        of="aluminium",
+        name="base",
+    )
     s.proxy_slab((-8, 16), (-16.5, 16.5), (0, 1.6), 3)
-    s.slab((-6.6, 4.9), (-15, 15), (1.54, 1.66), shade(c, 0.55), of="aluminium", name="keyboard_well")
+    s.slab(
+        (-6.6, 4.9), (-15, 15), (1.54, 1.66), shade(c, 0.55), of="aluminium", name="keyboard_well"
+    )
 
     def keys() -> Any:
         out = []
@@ -43,28 +52,52 @@ def laptop(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             x = -5.5 + i * 2.25
             wide = 29.4 / row
             for j in range(row):
-                span = wide * (1 if row > 9 or j != 4 else 1)
-                out.append(shapes.box((1.9, 0.86 * span, 0.26), (x, -14.7 + (j + 0.5) * wide, 1.74)))
+                out.append(
+                    shapes.box((1.9, 0.86 * wide, 0.26), (x, -14.7 + (j + 0.5) * wide, 1.74))
+                )
         return forms.gather(out)
 
     s.add(keys, DARK, of="plastic", name="keys")
     s.slab((6.2, 14.2), (-5.6, 5.6), (1.56, 1.64), shade(c, 0.9), of="aluminium", name="touchpad")
-    s.add(lambda: forms.gather([forms.turned([(0.55, -13), (0.55, 13)], (-8.0, 0, 1.5), 14, "y")]), DARK, of="plastic", name="hinge")
+    s.add(
+        lambda: forms.gather([forms.turned([(0.55, -13), (0.55, 13)], (-8.0, 0, 1.5), 14, "y")]),
+        DARK,
+        of="plastic",
+        name="hinge",
+    )
 
     def lid(inset: float, near: float, far: float, corner: float) -> Any:
         import numpy as np
 
-        mesh = forms.cushion((21.9 - 2 * inset, 33 - 2 * inset, far - near), (10.95, 0, (near + far) / 2), plan=corner, side=0.3, sections=48, levels=7)
+        mesh = forms.cushion(
+            (21.9 - 2 * inset, 33 - 2 * inset, far - near),
+            (10.95, 0, (near + far) / 2),
+            plan=corner,
+            side=0.3,
+            sections=48,
+            levels=7,
+        )
         v = np.asarray(mesh.vertices)
         lean = math.radians(110.0)
         along, out = v[:, 0], v[:, 2]
-        mesh.vertices = np.c_[-8.0 + along * math.cos(lean) + out * math.sin(lean), -v[:, 1], 1.5 + along * math.sin(lean) - out * math.cos(lean)]
+        mesh.vertices = np.c_[
+            -8.0 + along * math.cos(lean) + out * math.sin(lean),
+            -v[:, 1],
+            1.5 + along * math.sin(lean) - out * math.cos(lean),
+        ]
         return mesh
 
     s.add(lambda: lid(0.0, -0.45, 0.35, 24.0), c, of="aluminium", name="lid")
     s.add(lambda: lid(0.5, 0.2, 0.5, 24.0), DARK, of="plastic_hard", name="bezel")
-    s.add(lambda: lid(1.3, 0.4, 0.56, 60.0), (0.16, 0.3, 0.5), of="screen", name="screen")
-    s.add(lambda: forms.cushion((3.6, 3.6, 0.2), (0, 0, 0), plan=3, side=0.5, sections=20, levels=5).apply_transform(_LID), shade(c, 1.25), of="mirror", name="emblem")
+    s.add(lambda: lid(1.3, 0.4, 0.56, 60.0), (0.16, 0.3, 0.5), of="screen", name="display")
+    s.add(
+        lambda: forms.cushion(
+            (3.6, 3.6, 0.2), (0, 0, 0), plan=3, side=0.5, sections=20, levels=5
+        ).apply_transform(_LID),
+        shade(c, 1.25),
+        of="mirror",
+        name="emblem",
+    )
     points = [
         (x, y * 16.5, z)
         for x, z in ((-8.6, 1.6), (-7, 1.6), (-14.8, 22), (-15.9, 21.6))

@@ -188,15 +188,77 @@ def floor_lamp(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Standard lamp, drawn at 40 x 40 x 155."""
     foot = [(14.2, 0), (15, 0.5), (15, 1.6), (13.4, 2.4), (3.4, 3.6), (1.9, 4.6), (1.3, 6)]
     s.add(lambda: forms.turned(foot, sections=44), DARK, of="cast_iron", name="foot")
-    s.add(lambda: forms.turned([(1.2, 5), (1.2, 66), (1.9, 66.6), (1.9, 68.4), (1.1, 69), (1.1, 126)], sections=20), BRASS, name="pole")
-    s.add(lambda: forms.turned([(2.0, 124), (2.3, 125), (2.3, 130), (1.7, 131)], sections=20), DARK, of="plastic_hard", name="socket")
-    shade_ = [(19.7, 122), (20, 122.3), (12, 154.8), (11.8, 155), (11.6, 154.7), (19.4, 122.3), (19.7, 122)]
+    s.add(
+        lambda: forms.turned(
+            [(1.2, 5), (1.2, 66), (1.9, 66.6), (1.9, 68.4), (1.1, 69), (1.1, 126)], sections=20
+        ),
+        BRASS,
+        name="pole",
+    )
+    s.add(
+        lambda: forms.turned([(2.0, 124), (2.3, 125), (2.3, 130), (1.7, 131)], sections=20),
+        DARK,
+        of="plastic_hard",
+        name="socket",
+    )
+    shade_ = [
+        (19.7, 122),
+        (20, 122.3),
+        (12, 154.8),
+        (11.8, 155),
+        (11.6, 154.7),
+        (19.4, 122.3),
+        (19.7, 122),
+    ]
     s.add(lambda: forms.turned(shade_, sections=56), c, of="linen", name="shade")
     for k, (r, z) in enumerate(((20.1, 122.6), (12.1, 154.4))):
-        s.add(lambda r=r, z=z: forms.turned([(r - 0.7, z - 0.7), (r + 0.1, z - 0.7), (r, z + 0.7), (r - 0.8, z + 0.7), (r - 0.7, z - 0.7)], sections=56), shade(c, 0.7), of="textile", name=f"trim_{k + 1}")
-    s.add(lambda: forms.turned([(1.4, 130.6), (1.8, 132), (3.2, 135), (3.3, 137), (2.6, 139.4), (1.2, 140.4)], sections=24), (1.0, 0.95, 0.8), of="lamp", name="bulb")
-    s.add(lambda: forms.gather([forms.tube([(0, 0, 152.5), (11.9 * math.cos(a), 11.9 * math.sin(a), 152.5)], 0.22, 6) for a in (0.3, 2.4, 4.5)] + [forms.tube([(0, 0, 130), (0, 0, 153)], 0.3, 8)]), BRASS, name="harp")
-    s.add(lambda: forms.gather([forms.tube([(3, 0, 129), (5, 0, 128), (5.2, 0, 114)], 0.12, 6), forms.turned([(0.3, 112.4), (0.7, 113), (0.5, 114.2)], (5.2, 0, 0), 12)]), BRASS, name="pull_chain")
+        s.add(
+            lambda r=r, z=z: forms.turned(
+                [
+                    (r - 0.7, z - 0.7),
+                    (r + 0.1, z - 0.7),
+                    (r, z + 0.7),
+                    (r - 0.8, z + 0.7),
+                    (r - 0.7, z - 0.7),
+                ],
+                sections=56,
+            ),
+            shade(c, 0.7),
+            of="textile",
+            name=f"trim_{k + 1}",
+        )
+    s.add(
+        lambda: forms.turned(
+            [(1.4, 130.6), (1.8, 132), (3.2, 135), (3.3, 137), (2.6, 139.4), (1.2, 140.4)],
+            sections=24,
+        ),
+        (1.0, 0.95, 0.8),
+        of="lamp",
+        name="bulb",
+    )
+    s.add(
+        lambda: forms.gather(
+            [
+                forms.tube(
+                    [(0, 0, 152.5), (11.9 * math.cos(a), 11.9 * math.sin(a), 152.5)], 0.22, 6
+                )
+                for a in (0.3, 2.4, 4.5)
+            ]
+            + [forms.tube([(0, 0, 130), (0, 0, 153)], 0.3, 8)]
+        ),
+        BRASS,
+        name="harp",
+    )
+    s.add(
+        lambda: forms.gather(
+            [
+                forms.tube([(3, 0, 129), (5, 0, 128), (5.2, 0, 114)], 0.12, 6),
+                forms.turned([(0.3, 112.4), (0.7, 113), (0.5, 114.2)], (5.2, 0, 0), 12),
+            ]
+        ),
+        BRASS,
+        name="pull_chain",
+    )
     s.proxy_cylinder(15, (0, 4), 16.0)
     s.proxy_cylinder(1.5, (4, 122), 2.0)
     s.proxy_cylinder(18, (122, 155), 0.05)

@@ -36,14 +36,26 @@ def _legs(s: Sketch, b: Beast, c: Color) -> None:
                     (x - 0.2 * foot, y, 1.6 * foot),
                 ]
                 thigh = 1.18 if row == "rear" else 1.0
-                radii = [1.05 * top * thigh, 0.98 * top * thigh, 0.72 * low, 0.86 * foot, 0.82 * foot]
+                radii = [
+                    1.05 * top * thigh,
+                    0.98 * top * thigh,
+                    0.72 * low,
+                    0.86 * foot,
+                    0.82 * foot,
+                ]
             s.add(
-                lambda p=path, r=radii: _curved(p, r, 12, 12, 0.8), c, of=_coat(b), name=f"leg_{name}"
+                lambda p=path, r=radii: _curved(p, r, 12, 12, 0.8),
+                c,
+                of=_coat(b),
+                name=f"leg_{name}",
             )
             if "hooves" in b.marks:
                 hoof = [(1.25 * foot, 0.0), (1.05 * foot, 1.5 * foot), (0.8 * foot, 1.7 * foot)]
                 s.add(
-                    lambda h=hoof, x=x, y=y: forms.turned(h, (x, y, 0), 18), DARK, of="horn", name=f"hoof_{name}"
+                    lambda h=hoof, x=x, y=y: forms.turned(h, (x, y, 0), 18),
+                    DARK,
+                    of="horn",
+                    name=f"hoof_{name}",
                 )
             else:
                 tone = shade(c, 0.35) if "socks" in b.marks else c
@@ -66,10 +78,24 @@ def _curved(path: Any, radii: Any, count: int, sections: int, flat: float = 1.0)
 def _paw(x: float, y: float, foot: float) -> Any:
     size = (2.7 * foot, 2.3 * foot, 1.9 * foot)
     toes = [
-        forms.cushion((1.5 * foot, 0.72 * foot, 1.0 * foot), (x + 1.15 * foot, y + k * 0.62 * foot, 0.5 * foot), plan=2, side=0.8, sections=8, levels=5)
+        forms.cushion(
+            (1.5 * foot, 0.72 * foot, 1.0 * foot),
+            (x + 1.15 * foot, y + k * 0.62 * foot, 0.5 * foot),
+            plan=2,
+            side=0.8,
+            sections=8,
+            levels=5,
+        )
         for k in (-1, 0, 1)
-    ]  # fmt: skip
-    return forms.gather([forms.cushion(size, (x + 0.2 * foot, y, 0.95 * foot), plan=2.4, side=0.7, sections=14, levels=7), *toes])
+    ]
+    return forms.gather(
+        [
+            forms.cushion(
+                size, (x + 0.2 * foot, y, 0.95 * foot), plan=2.4, side=0.7, sections=14, levels=7
+            ),
+            *toes,
+        ]
+    )
 
 
 def _ears(s: Sketch, b: Beast, c: Color) -> None:
@@ -91,7 +117,9 @@ def _ears(s: Sketch, b: Beast, c: Color) -> None:
             if kind == "flop":
                 tip = (x - 0.25 * r, side * 0.98 * r, z + 0.45 * r - 0.7 * length)
                 bulge = (x - 0.35 * r, side * 1.1 * r, z + 0.62 * r)
-                return _curved([root, bulge, tip], [0.16 * length, 0.26 * length, 0.12 * length], 12, 14, 0.5)
+                return _curved(
+                    [root, bulge, tip], [0.16 * length, 0.26 * length, 0.12 * length], 12, 14, 0.5
+                )
             if kind == "fan":
                 size = (0.24 * length, length, 1.24 * length)
                 at = (x - 0.7 * r, side * (0.75 * r + 0.3 * length), z + 0.1 * r)
@@ -99,7 +127,9 @@ def _ears(s: Sketch, b: Beast, c: Color) -> None:
             size = {"disc": (0.5, 1.2, 1.4), "round": (1.0, 1.5, 1.9)}[kind]
             up = 0.4 * length if kind == "disc" else 0.0
             at = (root[0], root[1] * 1.2, root[2] + up)
-            return forms.cushion([length * v for v in size], at, plan=2, side=0.9, sections=18, levels=11)
+            return forms.cushion(
+                [length * v for v in size], at, plan=2, side=0.9, sections=18, levels=11
+            )
 
         tone = {"disc": 1.2, "flop": 0.72, "long": 0.92}.get(kind, 0.86)
         s.add(ear, shade(c, tone), of=_coat(b), name=f"ear_{word}")
@@ -117,7 +147,11 @@ def _leaf(root: Any, tip: Any, wide: float, thick: float, widths: Any, side: int
     ring = forms.superellipse(14, 2.0)
     bend = np.sin(t * np.pi)[:, None] * across * 0.12 * wide
     rings = [
-        a + (b - a) * v + o + ring[:, :1] * across * wide * w + ring[:, 1:] * deep * thick * (0.4 + 0.6 * w)
+        a
+        + (b - a) * v
+        + o
+        + ring[:, :1] * across * wide * w
+        + ring[:, 1:] * deep * thick * (0.4 + 0.6 * w)
         for v, w, o in zip(t, q, bend, strict=True)
     ]
     return forms.loft(np.array(rings))
@@ -132,7 +166,11 @@ def _tail(s: Sketch, b: Beast, c: Color) -> None:
         end = (end[0], 0.0, tip)
     sag = 0.16 * length * (1 if droop >= 0 else -1)
     inside = (start[0] + 0.5 * b.trunk[2], 0.0, start[2] - 0.1 * b.trunk[2])
-    middle = (0.55 * start[0] + 0.45 * end[0] - 0.3 * abs(sag), 0.0, 0.5 * (start[2] + end[2]) - 0.5 * sag)
+    middle = (
+        0.55 * start[0] + 0.45 * end[0] - 0.3 * abs(sag),
+        0.0,
+        0.5 * (start[2] + end[2]) - 0.5 * sag,
+    )
     path, radii = [inside, start, middle, end], [root, root, 0.55 * (root + tip), tip]
     s.add(lambda: _curved(path, radii, 18, 12), c, of=_coat(b), name="tail")
     if b.marks & {"tip", "tuft"}:
@@ -150,12 +188,21 @@ def _trunk(b: Beast) -> Any:
     t = 0.5 + 0.5 * u
     x = (rear - 0.86 * rr) + t * ((front + 0.9 * rf) - (rear - 0.86 * rr))
     girth = forms.profile(
-        [(0, 0.34 * rr), (0.05, 0.7 * rr), (0.17, rr), (0.44, (1 - b.waist) * 0.5 * (rr + rf)),
-         (0.72, rf), (0.9, 0.86 * rf), (1, 0.3 * rf)]
-    )(t)  # fmt: skip
+        [
+            (0, 0.34 * rr),
+            (0.05, 0.7 * rr),
+            (0.17, rr),
+            (0.44, (1 - b.waist) * 0.5 * (rr + rf)),
+            (0.72, rf),
+            (0.9, 0.86 * rf),
+            (1, 0.3 * rf),
+        ]
+    )(t)
     back = forms.profile([(0, zr + 0.1 * rr), (0.3, zr), (0.7, zf), (1, zf + 0.12 * rf)])(t)
     # A waist is drawn in from below: the back stays straight.
-    lift = forms.profile([(0, 0), (0.2, 0), (0.44, 0.5 * b.waist * (rr + rf) * 0.5), (0.7, 0), (1, 0)])(t)
+    lift = forms.profile(
+        [(0, 0), (0.2, 0), (0.44, 0.5 * b.waist * (rr + rf) * 0.5), (0.7, 0), (1, 0)]
+    )(t)
     ring = forms.superellipse(24, 2.2)
     y = girth[:, None] * ring[:, 0]
     z = (back + lift)[:, None] + girth[:, None] * ring[:, 1]
@@ -173,28 +220,48 @@ def _body(s: Sketch, b: Beast, c: Color) -> None:
         (front + 0.45 * (x - front) * 0.6, 0, zf + 0.5 * (rf - thick) + 0.34 * (z - zf)),
         (x - 0.35 * r, 0, z - 0.05 * r),
     ]
-    s.add(lambda: _curved(nape, [thick, 0.5 * (thick + thin), thin], 10, 16, 0.86), c, of=coat, name="neck")
+    s.add(
+        lambda: _curved(nape, [thick, 0.5 * (thick + thin), thin], 10, 16, 0.86),
+        c,
+        of=coat,
+        name="neck",
+    )
     s.add(lambda: _skull(b), c, of=coat, name="head")
     tip = (x + reach + 0.98 * muzzle, 0.0, z + drop + 0.36 * muzzle)
     s.add(
-        lambda: forms.cushion((0.68 * muzzle, 1.0 * muzzle, 0.68 * muzzle), tip, plan=2.4, side=0.8, sections=14, levels=9),
-        DARK, of="leather", name="nose",
-    )  # fmt: skip
+        lambda: forms.cushion(
+            (0.68 * muzzle, 1.0 * muzzle, 0.68 * muzzle),
+            tip,
+            plan=2.4,
+            side=0.8,
+            sections=14,
+            levels=9,
+        ),
+        DARK,
+        of="leather",
+        name="nose",
+    )
     gape = [
         (x + reach - 0.1 * muzzle, 0.82 * muzzle, z + drop - 0.4 * muzzle),
         (x + reach + 0.5 * muzzle, 0.62 * muzzle, z + drop - 0.36 * muzzle),
         (x + reach + 1.2 * muzzle, 0.0, z + drop - 0.2 * muzzle),
     ]
     mouth = [*gape, *((p, -q, v) for p, q, v in reversed(gape[:-1]))]
-    s.add(lambda: _curved(mouth, [0.07 * muzzle] * 5, 17, 6), shade(c, 0.3), of="skin", name="mouth")
+    s.add(
+        lambda: _curved(mouth, [0.07 * muzzle] * 5, 17, 6), shade(c, 0.3), of="skin", name="mouth"
+    )
     for side, word in ((-1, "right"), (1, "left")):
         at = (x + 0.58 * r, side * 0.53 * r, z + 0.34 * r)
         s.ball(0.16 * r, at, DARK, of="glass_dark", alpha=1.0, detail=2, name=f"eye_{word}")
         lid = (at[0] - 0.03 * r, at[1] - side * 0.02 * r, at[2] + 0.14 * r)
         s.add(
-            lambda lid=lid: forms.cushion((0.4 * r, 0.3 * r, 0.16 * r), lid, plan=2, side=0.8, sections=12, levels=7),
-            shade(c, 0.82), of=coat, name=f"lid_{word}",
-        )  # fmt: skip
+            lambda lid=lid: forms.cushion(
+                (0.4 * r, 0.3 * r, 0.16 * r), lid, plan=2, side=0.8, sections=12, levels=7
+            ),
+            shade(c, 0.82),
+            of=coat,
+            name=f"lid_{word}",
+        )
 
 
 def _skull(b: Beast) -> Any:
@@ -202,10 +269,13 @@ def _skull(b: Beast) -> Any:
     x, z = b.neck[:2]
     r, reach, drop, muzzle = b.head
     path = [
-        (x - 0.62 * r, 0, z - 0.04 * r), (x - 0.1 * r, 0, z + 0.02 * r), (x + 0.5 * r, 0, z - 0.08 * r),
-        (x + 0.55 * (reach + 0.5 * r), 0, z + 0.72 * drop), (x + reach, 0, z + drop),
+        (x - 0.62 * r, 0, z - 0.04 * r),
+        (x - 0.1 * r, 0, z + 0.02 * r),
+        (x + 0.5 * r, 0, z - 0.08 * r),
+        (x + 0.55 * (reach + 0.5 * r), 0, z + 0.72 * drop),
+        (x + reach, 0, z + drop),
         (x + reach + 0.45 * muzzle, 0, z + drop),
-    ]  # fmt: skip
+    ]
     middle = max(muzzle * 1.02, 0.5 * (0.8 * r + muzzle))
     return _curved(path, [0.78 * r, r, 0.84 * r, middle, muzzle, 0.8 * muzzle], 18, 18, 0.88)
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import blob, bone, shade, shift
+from esg.assets.builders.common import bone, shade, shift
 from esg.assets.builders.living.people import DRESSES, draw_person
 from esg.assets.geometry.sketch import (
     CHROME,
@@ -19,6 +19,7 @@ from esg.assets.geometry.sketch import (
     Sketch,
     rgb,
 )
+
 
 @builder("child_figure")
 def child_figure(s: Sketch, L: float, W: float, H: float, c: Color) -> None:

@@ -76,7 +76,7 @@ def _collar(s: Sketch, b: Beast, c: Color) -> None:
     t = 0.45
     p = (front + t * (x - front), 0.0, zf + t * (z - zf) + 1)
     q = (p[0] + 2.2, 0.0, p[2] + 1.6)
-    s.rod(0.99 * b.neck[2], p, q, rgb(178, 34, 40), sections=24)
+    s.rod(0.99 * b.neck[2], p, q, rgb(178, 34, 40), sections=28, of="leather", name="collar")
 
 
 def _whiskers(s: Sketch, b: Beast, c: Color) -> None:
@@ -88,7 +88,11 @@ def _whiskers(s: Sketch, b: Beast, c: Color) -> None:
         for side in (-1, 1):
             for k in (-1, 0, 1):
                 start = (x + 0.3 * muzzle, side * 0.6 * muzzle, z + (0.06 * k - 0.1) * muzzle)
-                end = (x + (0.1 + 0.5 * k) * muzzle, side * 2.1 * muzzle, z + (0.35 * k + 0.1) * muzzle)
+                end = (
+                    x + (0.1 + 0.5 * k) * muzzle,
+                    side * 2.68 * muzzle,
+                    z + (0.35 * k + 0.1) * muzzle,
+                )
                 out.append(forms.tube([start, end], [0.05, 0.02], 5, round_ends=False))
         return forms.gather(out)
 

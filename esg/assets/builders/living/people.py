@@ -11,8 +11,8 @@ from dataclasses import dataclass, replace
 import math
 from typing import Any
 
-from esg.assets.builders import builder
 from esg.assets.appearance import Appearance
+from esg.assets.builders import builder
 from esg.assets.builders.common import shade
 from esg.assets.builders.living import bodies, clothes
 from esg.assets.builders.living.clothes import SHIRT
@@ -35,9 +35,14 @@ _BLACK_HAIR, _BROWN_HAIR, _FAIR_HAIR, _GREY_HAIR = (
 _JEANS, _NAVY = rgb(50, 60, 90), rgb(34, 42, 68)
 SIDES = ("left", "right")
 _FOLK = (
-    (_FAIR, _BROWN_HAIR), (_PALE, _FAIR_HAIR), (_TAN, _BLACK_HAIR), (_BROWN, _BLACK_HAIR),
-    (rgb(92, 60, 42), _BLACK_HAIR), (_PALE, rgb(128, 62, 32)), (_FAIR, _GREY_HAIR),
-)  # fmt: skip
+    (_FAIR, _BROWN_HAIR),
+    (_PALE, _FAIR_HAIR),
+    (_TAN, _BLACK_HAIR),
+    (_BROWN, _BLACK_HAIR),
+    (rgb(92, 60, 42), _BLACK_HAIR),
+    (_PALE, rgb(128, 62, 32)),
+    (_FAIR, _GREY_HAIR),
+)
 _TROUSERS = (_JEANS, rgb(44, 46, 52), rgb(120, 104, 80), rgb(70, 84, 108), rgb(88, 92, 74))
 
 
@@ -139,39 +144,100 @@ def _legs(body: _Drawer, marks: frozenset[str], d: Dress, c: Color) -> None:
         joints, pitch = body.skeleton.legs[k], body.skeleton.feet[k]
         ankle = joints[2]
         if bare:
-            body.add(lambda j=joints: bodies.limb(j, (8.4, 8.0, 6.6, 5.4, 5.9, 4.8, 3.5)), d.skin, "skin", f"leg_{word}")
+            body.add(
+                lambda j=joints: bodies.limb(j, (8.4, 8.0, 6.6, 5.4, 5.9, 4.8, 3.5)),
+                d.skin,
+                "skin",
+                f"leg_{word}",
+            )
         else:
-            body.add(lambda j=joints: bodies.limb(j, (9.2, 8.9, 7.8, 6.7, 6.7, 6.3, 5.9)), legs, "textile", f"trousers_{word}")
+            body.add(
+                lambda j=joints: bodies.limb(j, (9.2, 8.9, 7.8, 6.7, 6.7, 6.3, 5.9)),
+                legs,
+                "textile",
+                f"trousers_{word}",
+            )
         if marks & {"shorts", "shorts_own"}:
             short = legs if "shorts" in marks else c
-            body.add(lambda j=joints: bodies.limb(bodies.between(j, 0, 0.34), (9.4, 9.3, 9.2, 9.0)), short, "textile", f"shorts_{word}")
+            body.add(
+                lambda j=joints: bodies.limb(bodies.between(j, 0, 0.34), (9.4, 9.3, 9.2, 9.0)),
+                short,
+                "textile",
+                f"shorts_{word}",
+            )
         if "shorts" in marks:
-            body.add(lambda j=joints: bodies.limb(bodies.between(j, 0.66, 0.97), (6.2, 6.1, 5.2, 4.3)), c, "knit", f"sock_{word}")
+            body.add(
+                lambda j=joints: bodies.limb(bodies.between(j, 0.66, 0.97), (6.2, 6.1, 5.2, 4.3)),
+                c,
+                "knit",
+                f"sock_{word}",
+            )
         if barefoot:
             body.add(lambda a=ankle, p=pitch: bodies.foot(a, p), d.skin, "skin", f"foot_{word}")
             continue
-        boot = 9.0 if marks & {"hard_hat", "helmet", "brim_helmet", "great_helm", "space_helmet"} else 0.0
-        body.add(lambda a=ankle, p=pitch, b=boot: bodies.shoe(a, p, b), d.shoes, "leather", f"shoe_{word}")
-        body.add(lambda a=ankle, p=pitch: bodies.sole(a, p), shade(d.shoes, 0.6) if max(d.shoes) > 0.5 else rgb(196, 194, 188), "rubber", f"sole_{word}")
-        body.add(lambda a=ankle, p=pitch: bodies.laces(a, p), rgb(226, 224, 218) if max(d.shoes) < 0.5 else DARK, "textile", f"laces_{word}")
+        boot = (
+            9.0
+            if marks & {"hard_hat", "helmet", "brim_helmet", "great_helm", "space_helmet"}
+            else 0.0
+        )
+        body.add(
+            lambda a=ankle, p=pitch, b=boot: bodies.shoe(a, p, b),
+            d.shoes,
+            "leather",
+            f"shoe_{word}",
+        )
+        body.add(
+            lambda a=ankle, p=pitch: bodies.sole(a, p),
+            shade(d.shoes, 0.6) if max(d.shoes) > 0.5 else rgb(196, 194, 188),
+            "rubber",
+            f"sole_{word}",
+        )
+        body.add(
+            lambda a=ankle, p=pitch: bodies.laces(a, p),
+            rgb(226, 224, 218) if max(d.shoes) < 0.5 else DARK,
+            "textile",
+            f"laces_{word}",
+        )
 
 
 def _arms(body: _Drawer, marks: frozenset[str], d: Dress, top: Color) -> None:
-    short = bool(marks & {"shorts", "skirt"}) or body.s.appearance.pick("sleeves", 3) == 1 and d is DRESSES["plain"]
+    short = bool(marks & {"shorts", "skirt"}) or (
+        body.s.appearance.pick("sleeves", 3) == 1 and d is DRESSES["plain"]
+    )
     bare = "bare" in marks
     grip = body.skeleton.pose.grip
     for k, word in enumerate(SIDES):
-        shoulder, elbow, wrist = joints = body.skeleton.arms[k]
+        _, elbow, wrist = joints = body.skeleton.arms[k]
         side = 1 if k == 0 else -1
         if bare or short:
-            body.add(lambda j=joints: bodies.limb(j, (5.2, 4.7, 4.2, 3.7, 3.9, 3.2, 2.6), 12), d.skin, "skin", f"arm_{word}")
+            body.add(
+                lambda j=joints: bodies.limb(j, (5.2, 4.7, 4.2, 3.7, 3.9, 3.2, 2.6), 12),
+                d.skin,
+                "skin",
+                f"arm_{word}",
+            )
         if short:
-            body.add(lambda j=joints: bodies.limb(bodies.between(j, 0, 0.3), (5.8, 5.9, 5.6, 5.5), 12), top, "textile", f"sleeve_{word}")
+            body.add(
+                lambda j=joints: bodies.limb(bodies.between(j, 0, 0.3), (5.8, 5.9, 5.6, 5.5), 12),
+                top,
+                "textile",
+                f"sleeve_{word}",
+            )
         elif not bare:
-            body.add(lambda j=joints: bodies.limb(j, (5.6, 5.7, 5.2, 4.7, 4.7, 4.2, 3.8), 12), top, "textile", f"sleeve_{word}")
+            body.add(
+                lambda j=joints: bodies.limb(j, (5.6, 5.7, 5.2, 4.7, 4.7, 4.2, 3.8), 12),
+                top,
+                "textile",
+                f"sleeve_{word}",
+            )
         glove = {"great_helm": ("steel", STEEL), "space_helmet": ("textile", shade(top, 0.8))}
         worn = next((v for m, v in glove.items() if m in marks), ("skin", d.skin))
-        body.add(lambda w=wrist, e=elbow, q=side: bodies.hand(w, e, q, grip), worn[1], worn[0], f"hand_{word}")
+        body.add(
+            lambda w=wrist, e=elbow, q=side: bodies.hand(w, e, q, grip),
+            worn[1],
+            worn[0],
+            f"hand_{word}",
+        )
 
 
 def _head(flat: Sketch, marks: frozenset[str], d: Dress, style: str) -> None:
@@ -184,7 +250,7 @@ def _head(flat: Sketch, marks: frozenset[str], d: Dress, style: str) -> None:
     flat.add(lambda: bodies.mouth().copy(), shade(d.skin, 0.66), of="skin", name="mouth")
     flat.add(lambda: bodies.brows().copy(), shade(d.hair, 0.8), of="hair", name="brows")
     if "wig" not in marks:
-        flat.add(lambda: bodies.hair(style).copy(), d.hair, of="hair", name="hair")
+        flat.add(lambda: bodies.hair(style).copy(), d.hair, of="hair", name="hairdo")
     clothes.face_marks(flat, marks, d.hair)
 
 
@@ -234,14 +300,26 @@ def draw_person(
         else:
             flat.add(lambda: bodies.trunk(86, 145.4, 0.6, 0.9), top, of="textile", name="shirt")
         if not marks & {"bare", "ruff", "shirt", "space_helmet", "great_helm"}:
-            loop = [(6.4 * math.cos(t) - 2.2, 6.6 * math.sin(t), 145.2 - 1.2 * math.cos(t)) for t in (math.pi * k / 12 for k in range(24))]
-            flat.add(lambda: forms.tube(loop, 0.9, 8, closed=True), shade(top, 0.82), of="knit", name="collar")
+            loop = [
+                (6.4 * math.cos(t) - 2.2, 6.6 * math.sin(t), 145.2 - 1.2 * math.cos(t))
+                for t in (math.pi * k / 12 for k in range(24))
+            ]
+            flat.add(
+                lambda: forms.tube(loop, 0.9, 8, closed=True),
+                shade(top, 0.82),
+                of="knit",
+                name="collar",
+            )
         clothes.coats(flat, marks, c, seated)
         clothes.trimmings(flat, marks, c)
 
     body.on(body.skeleton.trunk, trunk)
     _arms(body, marks, d, top)
-    style = "long" if "long_hair" in marks else ("short", "short", "short", "bald", "bun")[s.appearance.pick("cut", 4)]
+    style = (
+        "long"
+        if "long_hair" in marks
+        else ("short", "short", "short", "bald", "bun")[s.appearance.pick("cut", 4)]
+    )
 
     def head(flat: Sketch) -> None:
         _head(flat, marks, d, style)

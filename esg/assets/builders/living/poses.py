@@ -66,7 +66,7 @@ _STRAIGHT = Limb(-2, 1.5, 1.5)
 POSES: dict[str, Pose] = {
     "stand": Pose(_both(_EASY), _both(_STRAIGHT)),
     "laden": Pose(_both(Limb(-6, 7.4, 10, 3)), _both(Limb(-3.4, 1.5, 1.5))),
-    "play": Pose(_both(Limb(4, 20, 35, 10)), (Limb(0, 3, 2), Limb(-4, 3, 2))),
+    "play": Pose(_both(Limb(4, 20, 33, 10)), (Limb(0, 3, 2), Limb(-4, 3, 2))),
     "walk": Pose(
         (Limb(-20, 6, 16, 4), Limb(24, 6, 26, 6)), (Limb(24, 1, 6, -12), Limb(-16, 1, 20, 28)), 4
     ),
@@ -94,10 +94,14 @@ POSES: dict[str, Pose] = {
         _both(Limb(4, 14, 84, 10)), (Limb(30, 2, 40, 0), Limb(-18, 2, 10, 30)), 16, nod=-10
     ),
     "hold": Pose(_both(Limb(18, 10, 74, 16)), _both(_STRAIGHT), 2),
-    "bear": Pose(_both(Limb(150, 34, 38, 40)), (Limb(16, 1, 6, -8), Limb(-10, 1, 12, 18))),
+    "bear": Pose(_both(Limb(112, 44, 66, 46)), (Limb(16, 1, 6, -8), Limb(-10, 1, 12, 18))),
     "swing": Pose(
-        (Limb(62, -6, 20, 26), Limb(48, 4, 40, 34)), (Limb(14, 9, 16, 0), Limb(8, 9, 14, 8)), 14,
-        twist=12, nod=-4, grip=True,
+        (Limb(62, -6, 20, 26), Limb(48, 4, 40, 34)),
+        (Limb(14, 9, 16, 0), Limb(8, 9, 14, 8)),
+        14,
+        twist=12,
+        nod=-4,
+        grip=True,
     ),
     "sit": Pose(_both(Limb(28, 8, 52, 10)), _both(Limb(86, 5, 84, 0)), 2, seated=True),
     "ride": Pose(
@@ -119,7 +123,7 @@ POSES: dict[str, Pose] = {
     "balance": Pose(
         (Limb(14, 48, 24, 0), Limb(-12, 42, 26, 0)), (Limb(24, 4, 34, 0), Limb(-4, 8, 30, 0)), 12
     ),
-}  # fmt: skip
+}
 
 
 def _down(swing: float, out: float, side: int) -> Point:
@@ -182,9 +186,7 @@ def skeleton(pose: Pose, head_size: float = 1.0) -> Skeleton:
         shoulder = np.array([-2.0, side * 16.4, 134.6])
         elbow = shoulder + UPPER_ARM * _down(arm.swing, arm.out, side)
         wrist = elbow + FOREARM * _down(arm.swing + arm.bend, arm.out - arm.turn, side)
-        arms.append(
-            turned_about(np.array([shoulder, elbow, wrist]), PIVOT, pose.lean, pose.twist)
-        )
+        arms.append(turned_about(np.array([shoulder, elbow, wrist]), PIVOT, pose.lean, pose.twist))
         hip = np.array([-1.5, side * 8.4, 91.0])
         knee = hip + THIGH * _down(leg.swing, leg.out, side)
         ankle = knee + SHANK * _down(leg.swing - leg.bend, 0.3 * leg.out, side)
@@ -198,4 +200,6 @@ def skeleton(pose: Pose, head_size: float = 1.0) -> Skeleton:
     lift = np.array([-0.5 * float(under[:, 0].min() + under[:, 0].max()), 0.0, -under[:, 2].min()])
     if pose.seated:
         lift = np.array([0.0, 0.0, -SEAT])
-    return Skeleton(pose, (arms[0], arms[1]), (legs[0], legs[1]), (feet[0], feet[1]), lift, head_size)
+    return Skeleton(
+        pose, (arms[0], arms[1]), (legs[0], legs[1]), (feet[0], feet[1]), lift, head_size
+    )

@@ -256,16 +256,31 @@ def fence(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         out = []
         for k in range(n):
             y = -W / 2 + W * (k + 0.5) / n
-            top = [(y + p * math.cos(a), H - 1.15 * p + 1.15 * p * math.sin(a) ** 0.8) for a in (math.pi * j / 8 for j in range(9))]
-            out.append(shapes.extrude([(y - p, 0.04 * H), (y + p, 0.04 * H), *top], (-L * 0.04, L * 0.2), "yz"))
+            top = [
+                (y + p * math.cos(a), H - 1.15 * p + 1.15 * p * math.sin(a) ** 0.8)
+                for a in (math.pi * j / 8 for j in range(9))
+            ]
+            out.append(
+                shapes.extrude(
+                    [(y - p, 0.04 * H), (y + p, 0.04 * H), *top], (-L * 0.04, L * 0.2), "yz"
+                )
+            )
         return forms.gather(out)
 
     s.add(pickets, c, of="paint" if s.material == "wood" else s.material, name="pickets")
     for z, word in ((H * 0.25, "low"), (H * 0.75, "high")):
-        s.slab((-L * 0.3, -L * 0.04), (-W / 2, W / 2), (z - 0.034 * H, z + 0.034 * H), shade(c, 0.94), name=f"rail_{word}")
+        s.slab(
+            (-L * 0.3, -L * 0.04),
+            (-W / 2, W / 2),
+            (z - 0.034 * H, z + 0.034 * H),
+            shade(c, 0.94),
+            name=f"rail_{word}",
+        )
     for k in range(m):
         y = -W / 2 + 4 + (W - 8) * k / (m - 1)
-        s.slab((-L / 2, L * 0.1), (y - 4, y + 4), (0, H * 0.95), shade(c, 0.94), name=f"post_{k + 1}")
+        s.slab(
+            (-L / 2, L * 0.1), (y - 4, y + 4), (0, H * 0.95), shade(c, 0.94), name=f"post_{k + 1}"
+        )
         s.slab((-L / 2, L / 2), (y - 4.2, y + 4.2), (H * 0.95, H * 0.975), c, name=f"cap_{k + 1}")
 
     def nails() -> Any:
@@ -273,7 +288,11 @@ def fence(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         for k in range(n):
             y = -W / 2 + W * (k + 0.5) / n
             for z in (H * 0.235, H * 0.265, H * 0.735, H * 0.765):
-                heads.append(forms.turned([(0.08 * p, L * 0.19), (0.08 * p, L * 0.2 + 0.02 * p)], (0, y, z), 6, "x"))
+                heads.append(
+                    forms.turned(
+                        [(0.08 * p, L * 0.19), (0.08 * p, L * 0.2 + 0.02 * p)], (0, y, z), 6, "x"
+                    )
+                )
         return forms.gather(heads)
 
     s.add(nails, STEEL, name="nails")

@@ -14,10 +14,19 @@ from esg.graph.models import ProxyKind
 
 _BARK = rgb(96, 74, 54)
 _CLUMPS = (
-    (0, 0, 372, 96), (66, 26, 322, 70), (-62, 36, 330, 72), (14, -70, 326, 70), (-40, -48, 386, 66),
-    (50, -30, 396, 66), (10, 56, 400, 68), (-8, 4, 442, 58), (-86, -20, 316, 52), (84, -22, 344, 50),
-    (-20, 88, 324, 50), (56, 70, 348, 50),
-)  # fmt: skip
+    (0, 0, 372, 96),
+    (66, 26, 322, 70),
+    (-62, 36, 330, 72),
+    (14, -70, 326, 70),
+    (-40, -48, 386, 66),
+    (50, -30, 396, 66),
+    (10, 56, 400, 68),
+    (-8, 4, 442, 58),
+    (-86, -20, 316, 52),
+    (84, -22, 344, 50),
+    (-20, 88, 324, 50),
+    (56, 70, 348, 50),
+)
 """Middle and radius of the clumps of a crown [cm]."""
 
 
@@ -35,11 +44,17 @@ def _leafy(variant: int) -> tuple[Any, Any]:
         waves = rng.normal(size=(5, 3)) * 3.2
         bumps = 1 + 0.07 * np.sin(d @ waves.T + rng.uniform(0, 6.3, 5)).sum(1)
         at = np.array([x, y, z]) + rng.uniform(-6, 6, 3)
-        clumps.append(trimesh.Trimesh(d * (r * 0.90 * bumps)[:, None] * [1, 1, 0.9] + at, base.faces, process=False))
+        clumps.append(
+            trimesh.Trimesh(
+                d * (r * 0.90 * bumps)[:, None] * [1, 1, 0.9] + at, base.faces, process=False
+            )
+        )
         n = round(0.028 * r * r)
         out = rng.normal(size=(n, 3))
         out /= np.linalg.norm(out, axis=1, keepdims=True)
-        twigs.append(np.concatenate([at + out * r * rng.uniform(0.86, 1.06, (n, 1)) * [1, 1, 0.92], out], 1))
+        twigs.append(
+            np.concatenate([at + out * r * rng.uniform(0.86, 1.06, (n, 1)) * [1, 1, 0.92], out], 1)
+        )
     crown, leaves = forms.gather(clumps), _leaves(np.concatenate(twigs), rng)
     _fitted([crown, leaves])
     return crown, leaves
@@ -54,7 +69,11 @@ def _fitted(meshes: list[Any]) -> None:
     scale = np.array([298.0, 298.0, 499.0 - low[2]]) / (high - low)
     for mesh in meshes:
         v = np.asarray(mesh.vertices)
-        mesh.vertices = (v - [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]]) * scale + [0, 0, low[2]]
+        mesh.vertices = (v - [(low[0] + high[0]) / 2, (low[1] + high[1]) / 2, low[2]]) * scale + [
+            0,
+            0,
+            low[2],
+        ]
 
 
 def _leaves(places: Any, rng: Any) -> Any:
@@ -71,8 +90,14 @@ def _leaves(places: Any, rng: Any) -> Any:
     up = np.cross(along, across)
     long, wide = rng.uniform(13, 22, (n, 1)), rng.uniform(5, 8.5, (n, 1))
     corners = np.stack(
-        [at - 0.4 * long * along, at + across * wide + up * 1.6, at + 0.6 * long * along, at - across * wide + up * 1.6], 1
-    )  # fmt: skip
+        [
+            at - 0.4 * long * along,
+            at + across * wide + up * 1.6,
+            at + 0.6 * long * along,
+            at - across * wide + up * 1.6,
+        ],
+        1,
+    )
     faces = np.array([[0, 1, 2], [0, 2, 3], [0, 3, 1], [1, 3, 2]])
     vertices = corners.reshape(-1, 3)
     every = (faces[None] + 4 * np.arange(n)[:, None, None]).reshape(-1, 3)
@@ -91,7 +116,11 @@ def _trunk(variant: int) -> Any:
     out = [forms.tube(fine, radii, 14, round_ends=False)]
     for x, y, z, _ in _CLUMPS[1:8]:
         start = rng.uniform(165, 235)
-        path = [(0, 0, start), (0.35 * x, 0.35 * y, start + 0.5 * (z - start)), (0.8 * x, 0.8 * y, z - 12)]
+        path = [
+            (0, 0, start),
+            (0.35 * x, 0.35 * y, start + 0.5 * (z - start)),
+            (0.8 * x, 0.8 * y, z - 12),
+        ]
         out.append(forms.tube(forms.smooth_path(path, 9), np.linspace(6.4, 2.6, 9), 8))
     return forms.gather(out)
 
@@ -126,7 +155,17 @@ def tree(s: Sketch, L: float, W: float, H: float, c: Color, crown: str = "round"
     """Tree, drawn at 300 x 300 x 500; rooted, so it never moves."""
     variant = s.appearance.pick("tree", 4)
     if crown == "cone":
-        s.add(lambda: forms.tube([(0, 0, 0), (0, 0, 12), (0, 0, 60), (0, 0, 460)], [19, 14, 12, 3], 14, round_ends=False), _BARK, of="bark", name="trunk")
+        s.add(
+            lambda: forms.tube(
+                [(0, 0, 0), (0, 0, 12), (0, 0, 60), (0, 0, 460)],
+                [19, 14, 12, 3],
+                14,
+                round_ends=False,
+            ),
+            _BARK,
+            of="bark",
+            name="trunk",
+        )
         s.proxy_cylinder(14, (0, 250), 3)
         s.add(lambda: _fir(), c, of="leaves", name="boughs")
         s.proxy(ProxyKind.CYLINDER, (90, 90, 120), (0, 0, 240), 0.1)
@@ -135,5 +174,5 @@ def tree(s: Sketch, L: float, W: float, H: float, c: Color, crown: str = "round"
     s.add(lambda: _trunk(variant), _BARK, of="bark", name="trunk")
     s.proxy_cylinder(14, (0, 250), 3)
     s.add(lambda: _leafy(variant)[0].copy(), shade(c, 0.78), of="leaves", name="crown")
-    s.add(lambda: _leafy(variant)[1].copy(), shade(c, 1.12), of="leaves", name="leaves")
+    s.add(lambda: _leafy(variant)[1].copy(), shade(c, 1.12), of="leaves", name="twigs")
     s.proxy(ProxyKind.SPHERE, (145, 145, 145), (0, 0, 350), 0.1)

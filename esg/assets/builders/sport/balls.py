@@ -18,13 +18,21 @@ ICOSAHEDRON = [
 
 
 def _sphere(s: Sketch, r: float, c: Color, rough: float = 0.5) -> None:
-    s.ball(r, (0, 0, r), c, solid=1, rough=rough, detail=4)
+    s.ball(r, (0, 0, r), c, solid=1, rough=rough, detail=4, name="ball")
 
 
 def _band(s: Sketch, r: float, c: Color, axis: str, offset: float, width: float) -> None:
     """A seam: a thin belt on the ball at `offset` along `axis`."""
     at = {"x": (offset, 0.0, r), "y": (0.0, offset, r), "z": (0.0, 0.0, r + offset)}[axis]
-    s.torus(math.sqrt(r * r - offset * offset) - width * 0.25, width, at, c, axis=axis, rough=0.7)
+    s.torus(
+        math.sqrt(r * r - offset * offset) - width * 0.25,
+        width,
+        at,
+        c,
+        axis=axis,
+        rough=0.7,
+        name=f"seam_{axis}_{round(offset / r * 10)}",
+    )
 
 
 def _pentagons() -> list[tuple[tuple[float, float, float], float]]:
@@ -54,7 +62,7 @@ def _hexagon_seams(r: float) -> Any:
             if a @ b > 0.4:
                 path = np.array([a + (b - a) * u for u in np.linspace(0.32, 0.68, 6)])
                 path *= 0.9975 * r / np.linalg.norm(path, axis=1, keepdims=True)
-                out.append(forms.tube(path + [0, 0, r], 0.011 * r, 5, round_ends=False))
+                out.append(forms.tube(np.add(path, (0, 0, r)), 0.011 * r, 5, round_ends=False))
     return forms.gather(out)
 
 
@@ -64,9 +72,16 @@ def soccer_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     r = H / 2
     _sphere(s, r, WHITE if sum(c) > 2.4 else c, 0.4)
     s.add(
-        lambda: forms.gather([shapes.shell_patch(n, 20.5, r * 1.003, r * 0.03, 5, (0, 0, r), a) for n, a in _pentagons()]),
-        DARK, of="leather_ball", name="pentagons",
-    )  # fmt: skip
+        lambda: forms.gather(
+            [
+                shapes.shell_patch(n, 20.5, r * 1.003, r * 0.03, 5, (0, 0, r), a)
+                for n, a in _pentagons()
+            ]
+        ),
+        DARK,
+        of="leather_ball",
+        name="pentagons",
+    )
     s.add(lambda: _hexagon_seams(r), shade(WHITE, 0.55), of="leather_ball", name="seams")
 
 
@@ -116,7 +131,7 @@ def tennis_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def bowling_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Polished ball with three finger holes."""
     r = H / 2
-    s.add(lambda: _drilled(r), c)
+    s.add(lambda: _drilled(r), c, name="ball")
     from esg.graph.models import ProxyKind
 
     s.proxy(ProxyKind.SPHERE, (r, r, r), (0, 0, r))
@@ -139,9 +154,18 @@ _DIGITS = (
     ((-0.5, 0.6), (-0.1, 0.95), (0.4, 0.75), (0.4, 0.3), (-0.5, -0.9), (0.5, -0.9)),
     ((0.3, -0.95), (0.3, 0.95), (-0.5, -0.3), (0.55, -0.3)),
     ((0.45, 0.9), (-0.35, 0.9), (-0.4, 0.1), (0.2, 0.2), (0.5, -0.3), (0.2, -0.9), (-0.45, -0.8)),
-    ((0.4, 0.9), (-0.2, 0.4), (-0.45, -0.4), (-0.1, -0.9), (0.35, -0.7), (0.4, -0.2), (0.0, 0.05), (-0.4, -0.2)),
+    (
+        (0.4, 0.9),
+        (-0.2, 0.4),
+        (-0.45, -0.4),
+        (-0.1, -0.9),
+        (0.35, -0.7),
+        (0.4, -0.2),
+        (0.0, 0.05),
+        (-0.4, -0.2),
+    ),
     ((-0.5, 0.9), (0.5, 0.9), (-0.1, -0.95)),
-)  # fmt: skip
+)
 """Strokes of the numbers 3, 1, 2, 4, 5, 6, 7, in a square of side 2."""
 
 
@@ -150,7 +174,9 @@ def _number(r: float, digit: int) -> Any:
     import numpy as np
     from shapely.geometry import LineString
 
-    shape = LineString([(0.16 * r * y, 0.18 * r * z) for y, z in _DIGITS[digit]]).buffer(0.042 * r, quad_segs=3)
+    shape = LineString([(0.16 * r * y, 0.18 * r * z) for y, z in _DIGITS[digit]]).buffer(
+        0.042 * r, quad_segs=3
+    )
     out = []
     skin = shapes.ball(r * 1.009, (0, 0, 0), detail=5)
     for n in ((1, 0.15, 0.5), (-1, -0.15, -0.5)):
@@ -184,8 +210,15 @@ def billiard_ball(
             for z in (-0.13, 0.13):
                 s.torus(0.11 * r, 0.03 * r, (side * 0.998 * r, 0, r + z * r), DARK, axis="x")
         return
-    for n in ((1, 0.15, 0.5), (-1, -0.15, -0.5)):
-        s.add(lambda n=n: shapes.shell_patch(n, 24, r * 1.004, r * 0.03, 32, (0, 0, r)), WHITE, of="phenolic_ball")
+    spots = ((1, 0.15, 0.5), (-1, -0.15, -0.5))
+    s.add(
+        lambda: forms.gather(
+            [shapes.shell_patch(n, 24, r * 1.004, r * 0.03, 32, (0, 0, r)) for n in spots]
+        ),
+        WHITE,
+        of="phenolic_ball",
+        name="spots",
+    )
     digit = s.appearance.pick("number", len(_DIGITS))
     s.add(lambda: _number(r, digit), DARK, of="phenolic_ball", name="number")
 
@@ -217,12 +250,26 @@ def beach_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for k in range(3):
         a = 2 * math.pi * k / 3
         s.add(
-            lambda a=a: shapes.lune(a, math.pi / 3, r * 1.003, r * 0.03, (0, 0, r)), colors[k], of="inflatable"
+            lambda a=a: shapes.lune(a, math.pi / 3, r * 1.003, r * 0.03, (0, 0, r)),
+            colors[k],
+            of="inflatable",
+            name=f"gore_{k + 1}",
         )
     for z, word in ((-1, "low"), (1, "high")):
         n = (0.0, 0.0, float(z))
-        s.add(lambda n=n: shapes.shell_patch(n, 13, r * 1.006, r * 0.03, 32, (0, 0, r)), WHITE, name=f"cap_{word}")
-    s.add(lambda: forms.turned([(0.05 * r, 1.99 * r), (0.05 * r, 2.012 * r), (0.03 * r, 2.02 * r)], sections=16), WHITE, of="plastic_hard", name="valve")
+        s.add(
+            lambda n=n: shapes.shell_patch(n, 13, r * 1.006, r * 0.03, 32, (0, 0, r)),
+            WHITE,
+            name=f"cap_{word}",
+        )
+    s.add(
+        lambda: forms.turned(
+            [(0.05 * r, 1.99 * r), (0.05 * r, 2.012 * r), (0.03 * r, 2.02 * r)], sections=16
+        ),
+        WHITE,
+        of="plastic_hard",
+        name="valve",
+    )
 
 
 @builder("american_football")

@@ -48,10 +48,14 @@ PIN = [
 def bowling_pin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Regulation pin, drawn at 12.1 x 12.1 x 38.1; it stands on its flat 5.2 cm base."""
     profile = [(d * 1.27, h * 2.54) for h, d in PIN]
-    s.lathe([(0, 0), *profile], c, smooth=60, sections=40, rough=0.25)
-    for z in (24.2, 26.6):
+    s.lathe([(0, 0), *profile], c, smooth=60, sections=40, rough=0.25, name="pin")
+    for k, z in enumerate((24.2, 26.6)):
         r = 2.36 if z < 25 else 2.33
-        s.lathe([(r - 0.3, z), (r, z), (r + 0.05, z + 1.1), (r - 0.3, z + 1.1), (r - 0.3, z)], RED)
+        s.lathe(
+            [(r - 0.3, z), (r, z), (r + 0.05, z + 1.1), (r - 0.3, z + 1.1), (r - 0.3, z)],
+            RED,
+            name=f"stripe_{k + 1}",
+        )
     s.proxy_cylinder(2.58, (0, 5.0))
     s.proxy_cylinder(5.7, (5.0, 18.0))
     s.proxy_cylinder(2.75, (18.0, 38.1))

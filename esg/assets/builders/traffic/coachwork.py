@@ -11,7 +11,7 @@ from functools import lru_cache
 import math
 from typing import Any
 
-from esg.assets.builders.common import piece, shade
+from esg.assets.builders.common import shade
 from esg.assets.builders.traffic.tyres import car_wheel
 from esg.assets.geometry.sketch import CHROME, DARK, GLASS, WHITE, Color, Sketch, rgb
 from esg.assets.lazy import forms, shapes
@@ -167,10 +167,16 @@ def _seams(b: Coach) -> Any:
     for k, x in enumerate(b.doors):
         lean = 4.0 if k == 0 else -3.0 if k == len(b.doors) - 1 else 0.0
         lines.append(
-            LineString([(x, belt(x) + 1), (x + lean, belt(x) * 0.62), (x, low(x) + 13)]).buffer(0.45, cap_style="flat")
+            LineString([(x, belt(x) + 1), (x + lean, belt(x) * 0.62), (x, low(x) + 13)]).buffer(
+                0.45, cap_style="flat"
+            )
         )
     first, last = b.doors[0], b.doors[-1]
-    lines.append(LineString([(first, low(first) + 13), (last, low(last) + 13)]).buffer(0.45, cap_style="flat"))
+    lines.append(
+        LineString([(first, low(first) + 13), (last, low(last) + 13)]).buffer(
+            0.45, cap_style="flat"
+        )
+    )
     return unary_union(lines)
 
 
@@ -179,7 +185,9 @@ def _wells(b: Coach, deep: float = 30.0) -> list[Any]:
     for x in b.axles:
         for side in (-1, 1):
             inner, outer = side * (b.width / 2 - deep), side * (b.width / 2 + 8)
-            out.append(shapes.rod(b.radius + b.gap, (x, inner, b.radius + 1), (x, outer, b.radius + 1), 26))
+            out.append(
+                shapes.rod(b.radius + b.gap, (x, inner, b.radius + 1), (x, outer, b.radius + 1), 26)
+            )
     return out
 
 
@@ -211,22 +219,41 @@ def _meshes(b: Coach) -> dict[str, Any]:
     lamps = []
     for sign in (-1, 1):
         shape = Polygon(
-            [(sign * w * 0.52, h0 + 2), (sign * w * 1.1, h0 + 4), (sign * w * 1.1, h1 + 4), (sign * w * 0.6, h1)]
+            [
+                (sign * w * 0.52, h0 + 2),
+                (sign * w * 1.1, h0 + 4),
+                (sign * w * 1.1, h1 + 4),
+                (sign * w * 0.6, h1),
+            ]
         )
-        lamps += forms.prism(shape.buffer(-1.5).buffer(1.5, quad_segs=3), (front - 34, front + 9), "yz")
+        lamps += forms.prism(
+            shape.buffer(-1.5).buffer(1.5, quad_segs=3), (front - 34, front + 9), "yz"
+        )
     out["headlights"] = forms.inlay(forms.fattened(body, 0.5), lamps)
     tails = []
     for sign in (-1, 1):
         shape = Polygon(
-            [(sign * w * 0.45, t0 + 2), (sign * w * 1.1, t0), (sign * w * 1.1, t1), (sign * w * 0.5, t1)]
+            [
+                (sign * w * 0.45, t0 + 2),
+                (sign * w * 1.1, t0),
+                (sign * w * 1.1, t1),
+                (sign * w * 0.5, t1),
+            ]
         )
-        tails += forms.prism(shape.buffer(-1.5).buffer(1.5, quad_segs=3), (rear - 9, rear + 26), "yz")
+        tails += forms.prism(
+            shape.buffer(-1.5).buffer(1.5, quad_segs=3), (rear - 9, rear + 26), "yz"
+        )
     out["taillights"] = forms.inlay(forms.fattened(body, 0.5), tails)
     g0, g1, gw = b.grille
     mouth = unary_union(
-        [box(-w * gw, g0, w * gw, g1).buffer(-3).buffer(3, quad_segs=3), box(-w * 0.72, g0 - 16, w * 0.72, g0 - 5).buffer(-2).buffer(2, quad_segs=3)]
+        [
+            box(-w * gw, g0, w * gw, g1).buffer(-3).buffer(3, quad_segs=3),
+            box(-w * 0.72, g0 - 16, w * 0.72, g0 - 5).buffer(-2).buffer(2, quad_segs=3),
+        ]
     )
-    out["grille"] = forms.inlay(forms.fattened(body, 0.3), forms.prism(mouth, (front - 22, front + 9), "yz"))
+    out["grille"] = forms.inlay(
+        forms.fattened(body, 0.3), forms.prism(mouth, (front - 22, front + 9), "yz")
+    )
     low = forms.profile(b.bottom)
     sill = box(rear + 6, 0, front - 6, low((rear + front) / 2) + 8.5)
     trim = [*forms.prism(sill, (-b.width, b.width))]
@@ -234,7 +261,9 @@ def _meshes(b: Coach) -> dict[str, Any]:
     if b.cladding:
         for x in b.axles:
             for y0, y1 in ((-b.width, -w * 0.6), (w * 0.6, b.width)):
-                trim.append(shapes.rod(b.radius + 10, (x, y0, b.radius + 1), (x, y1, b.radius + 1), 26))
+                trim.append(
+                    shapes.rod(b.radius + 10, (x, y0, b.radius + 1), (x, y1, b.radius + 1), 26)
+                )
         plastic = forms.fattened(body, 1.0)
     out["trim"] = forms.carved(forms.inlay(plastic, trim), wells)
     return out
@@ -249,21 +278,20 @@ def handles(b: Coach) -> list[tuple[float, float]]:
 def draw_coach(s: Sketch, b: Coach, c: Color) -> None:
     """Draws a passenger car without what its builder adds."""
     w = b.width / 2
-    rear, front = _ends(b)
 
     def mesh(name: str) -> Any:
         return lambda: _meshes(b)[name].copy()
 
-    piece(s, "body", "car_body", mesh("body"), c)
-    piece(s, "cabin", "car_body", mesh("cabin"), c)
-    piece(s, "window_frames", "rubber", mesh("window_frames"), TRIM)
+    s.add(mesh("body"), c, of="car_body", name="body")
+    s.add(mesh("cabin"), c, of="car_body", name="cabin")
+    s.add(mesh("window_frames"), TRIM, of="rubber", name="window_frames")
     for name in ("side_windows", "windscreen", "rear_window"):
-        piece(s, name, "glass_dark", mesh(name), GLASS)
-    piece(s, "seams", "plastic", mesh("seams"), shade(c, 0.18))
-    piece(s, "trim", "plastic", mesh("trim"), TRIM)
-    piece(s, "grille", "plastic", mesh("grille"), TRIM)
-    piece(s, "headlights", "lamp", mesh("headlights"), LAMP)
-    piece(s, "taillights", "lamp", mesh("taillights"), TAIL)
+        s.add(mesh(name), GLASS, alpha=1.0, of="glass_dark", name=name)
+    s.add(mesh("seams"), shade(c, 0.18), of="plastic", name="seams")
+    s.add(mesh("trim"), TRIM, of="plastic", name="trim")
+    s.add(mesh("grille"), TRIM, of="plastic", name="grille")
+    s.add(mesh("headlights"), LAMP, of="lamp", name="headlights")
+    s.add(mesh("taillights"), TAIL, of="lamp", name="taillights")
     _fittings(s, b, c)
     for row, x in zip(("front", "rear"), b.axles, strict=True):
         for side, word in ((-1, "right"), (1, "left")):
@@ -275,8 +303,10 @@ def _liner(s: Sketch, b: Coach, x: float, side: int, name: str) -> None:
     """The dark inside of a wheel well."""
     r, w = b.radius + b.gap - 0.2, b.width / 2
     turn = [math.pi * k / 10 for k in range(11)]
-    arch = [(x + q * math.cos(t), b.radius + 1 + q * math.sin(t)) for q, t in
-            [(r, t) for t in turn] + [(r - 1.5, t) for t in reversed(turn)]]
+    arch = [
+        (x + q * math.cos(t), b.radius + 1 + q * math.sin(t))
+        for q, t in [(r, t) for t in turn] + [(r - 1.5, t) for t in reversed(turn)]
+    ]
     span = sorted((side * (w - 30), side * (w - 4)))
     plate = sorted((side * (w - 30.5), side * (w - 29)))
 
@@ -284,11 +314,14 @@ def _liner(s: Sketch, b: Coach, x: float, side: int, name: str) -> None:
         return forms.gather(
             [
                 shapes.extrude(arch, (span[0], span[1])),
-                shapes.extrude([(x + r * math.cos(t), b.radius + 1 + r * math.sin(t)) for t in turn], (plate[0], plate[1])),
+                shapes.extrude(
+                    [(x + r * math.cos(t), b.radius + 1 + r * math.sin(t)) for t in turn],
+                    (plate[0], plate[1]),
+                ),
             ]
         )
 
-    piece(s, f"wheel_well_{name}", "plastic", make, TRIM)
+    s.add(make, TRIM, of="plastic", name=f"wheel_well_{name}")
 
 
 def _fittings(s: Sketch, b: Coach, c: Color) -> None:
@@ -300,42 +333,68 @@ def _fittings(s: Sketch, b: Coach, c: Color) -> None:
     z = float(forms.profile(b.belt)(at)) + 7
     near = w + 4.5 - 8.5
     for side, word in ((1, "left"), (-1, "right")):
+
         def shell(side: int = side) -> Any:
             return forms.gather(
                 [
-                    forms.cushion((10, 17, 11), (at, side * near, z + 1), plan=3.0, side=0.6, sections=12, levels=6),
-                    forms.tube([(at + 3, side * (near - 16), z - 5), (at + 1, side * (near - 4), z)], [3.4, 2.4], 10),
+                    forms.cushion(
+                        (10, 17, 11),
+                        (at, side * near, z + 1),
+                        plan=3.0,
+                        side=0.6,
+                        sections=12,
+                        levels=6,
+                    ),
+                    forms.tube(
+                        [(at + 3, side * (near - 16), z - 5), (at + 1, side * (near - 4), z)],
+                        [3.4, 2.4],
+                        10,
+                    ),
                 ]
             )
 
-        piece(s, f"mirror_{word}", "car_body", shell, c)
+        s.add(shell, c, of="car_body", name=f"mirror_{word}")
 
         def face(side: int = side) -> Any:
-            return forms.cushion((1.5, 14, 8.6), (at - 4.6, side * near, z + 1), plan=3.5, sections=12, levels=5)
+            return forms.cushion(
+                (1.5, 14, 8.6), (at - 4.6, side * near, z + 1), plan=3.5, sections=12, levels=5
+            )
 
-        piece(s, f"mirror_glass_{word}", "chrome", face, CHROME)
+        s.add(face, CHROME, of="chrome", name=f"mirror_glass_{word}")
 
     def grips() -> Any:
         return forms.gather(
             [
-                forms.cushion((17, 3.4, 3.0), (x, side * (w - 1.2 + 0.4), hz), plan=3.0, side=0.6, sections=8, levels=5)
+                forms.cushion(
+                    (17, 3.4, 3.0),
+                    (x, side * (w - 1.2 + 0.4), hz),
+                    plan=3.0,
+                    side=0.6,
+                    sections=8,
+                    levels=5,
+                )
                 for x, hz in handles(b)
                 for side in (-1, 1)
             ]
         )
 
-    piece(s, "door_handles", "chrome", grips, shade(c, 0.9))
+    s.add(grips, shade(c, 0.9), of="chrome", name="door_handles")
     h = b.lamps[1][0] - 13
 
     def plates() -> Any:
         return forms.gather(
-            [shapes.box((1.6, 46, 10.5), (rear + 0.8, 0, h)), shapes.box((1.6, 46, 10.5), (front - 0.8, 0, b.grille[0] - 1))]
+            [
+                shapes.box((1.6, 46, 10.5), (rear + 0.8, 0, h)),
+                shapes.box((1.6, 46, 10.5), (front - 0.8, 0, b.grille[0] - 1)),
+            ]
         )
 
-    piece(s, "number_plates", "plastic", plates, WHITE)
+    s.add(plates, WHITE, of="plastic", name="number_plates")
 
     def pipe() -> Any:
         z0 = float(forms.profile(b.bottom)(rear + 20)) + 1
-        return forms.tube([(rear + 34, -w * 0.55, z0), (rear + 2, -w * 0.55, z0)], 3, 14, round_ends=False)
+        return forms.tube(
+            [(rear + 34, -w * 0.55, z0), (rear + 2, -w * 0.55, z0)], 3, 14, round_ends=False
+        )
 
-    piece(s, "exhaust", "steel", pipe, DARK)
+    s.add(pipe, DARK, of="steel", name="exhaust")

@@ -20,8 +20,33 @@ def draw_livery(s: Sketch, b: Coach, livery: str) -> None:
         s.add(lambda: _band(b, 56, 76), _NAVY, of="paint", name="stripe")
         s.add(lambda: _band(b, 78, 81), _RED, of="paint", name="stripe_thin")
     elif livery == "taxi":
-        s.add(lambda: forms.cushion((16, 52, 13), (x, 0, top + 5.5), plan=4, side=0.5, sections=24, levels=9), rgb(250, 236, 190), of="lamp", name="roof_sign")
-        s.add(lambda: forms.gather([forms.cushion((0.8, 7.2, 6), (x + q * 7.6, y, top + 6), plan=6, side=0.3, sections=12, levels=4) for q in (-1, 1) for y in (-15, -5, 5, 15)]), DARK, of="paint", name="letters")
+        s.add(
+            lambda: forms.cushion(
+                (16, 52, 13), (x, 0, top + 5.5), plan=4, side=0.5, sections=24, levels=9
+            ),
+            rgb(250, 236, 190),
+            of="lamp",
+            name="roof_sign",
+        )
+        s.add(
+            lambda: forms.gather(
+                [
+                    forms.cushion(
+                        (0.8, 7.2, 6),
+                        (x + q * 7.6, y, top + 6),
+                        plan=6,
+                        side=0.3,
+                        sections=12,
+                        levels=4,
+                    )
+                    for q in (-1, 1)
+                    for y in (-15, -5, 5, 15)
+                ]
+            ),
+            DARK,
+            of="paint",
+            name="letters",
+        )
         s.add(lambda: _checks(b, 66, 5.2), DARK, of="paint", name="checks")
 
 
@@ -51,15 +76,39 @@ def van_livery(s: Sketch, livery: str) -> None:
 
 
 def _light_bar(
-    s: Sketch, at: tuple[float, float, float], width: float, colors: tuple[Color, Color] = (_RED, _BLUE)
+    s: Sketch,
+    at: tuple[float, float, float],
+    width: float,
+    colors: tuple[Color, Color] = (_RED, _BLUE),
 ) -> None:
     x, y, z = at
-    s.add(lambda: forms.cushion((26, width, 4), (x, y, z - 2.6), plan=8, side=0.4, sections=24, levels=7), DARK, of="plastic", name="light_bar")
+    s.add(
+        lambda: forms.cushion(
+            (26, width, 4), (x, y, z - 2.6), plan=8, side=0.4, sections=24, levels=7
+        ),
+        DARK,
+        of="plastic",
+        name="light_bar",
+    )
     for side, tone, word in ((-1, colors[0], "right"), (1, colors[1], "left")):
         size = (22.0, 0.36 * width, 9.0)
         place = (x, side * 0.29 * width, z + 2.2)
-        s.add(lambda size=size, place=place: forms.cushion(size, place, plan=5, side=0.5, sections=20, levels=9), tone, of="lamp", name=f"beacon_{word}")
-    s.add(lambda: forms.cushion((20, 0.2 * width, 7.4), (x, y, z + 1.4), plan=6, side=0.4, sections=16, levels=7), rgb(226, 228, 230), of="aluminium", name="siren")
+        s.add(
+            lambda size=size, place=place: forms.cushion(
+                size, place, plan=5, side=0.5, sections=20, levels=9
+            ),
+            tone,
+            of="lamp",
+            name=f"beacon_{word}",
+        )
+    s.add(
+        lambda: forms.cushion(
+            (20, 0.2 * width, 7.4), (x, y, z + 1.4), plan=6, side=0.4, sections=16, levels=7
+        ),
+        rgb(226, 228, 230),
+        of="aluminium",
+        name="siren",
+    )
 
 
 def _skin(b: Coach, grow: float) -> Any:
@@ -71,7 +120,9 @@ def _band(b: Coach, low: float, high: float) -> Any:
     from shapely.geometry import box
 
     front, rear = b.axles[0] - b.radius - 8, b.axles[1] + b.radius + 8
-    return forms.inlay(_skin(b, 0.32), forms.prism(box(rear, low, front, high), (-b.width, b.width)))
+    return forms.inlay(
+        _skin(b, 0.32), forms.prism(box(rear, low, front, high), (-b.width, b.width))
+    )
 
 
 def _checks(b: Coach, low: float, size: float) -> Any:
@@ -85,4 +136,7 @@ def _checks(b: Coach, low: float, size: float) -> Any:
         while x < front - size:
             squares.append(box(x, low + row * size, x + 0.98 * size, low + (row + 0.98) * size))
             x += 2 * size
-    return forms.inlay(_skin(b, 0.32), [m for q in [unary_union(squares)] for m in forms.prism(q, (-b.width, b.width))])
+    return forms.inlay(
+        _skin(b, 0.32),
+        [m for q in [unary_union(squares)] for m in forms.prism(q, (-b.width, b.width))],
+    )

@@ -41,24 +41,49 @@ def _coach_body(
         ("headlights", _LAMP, "lamp"),
         ("grilles", DARK, "plastic"),
     ):
-        s.add(lambda name=name: _coach_meshes(*key)[name].copy(), tone, of=of, name=name)
+        s.add(lambda name=name: _coach_meshes(*key)[name].copy(), tone, alpha=1.0, of=of, name=name)
     for end, word in ((-1, "rear"), (1, "front")):
-        s.add(lambda end=end: _buffers(end * half, w, floor, tram), DARK, of="steel", name=f"buffers_{word}")
+        s.add(
+            lambda end=end: _buffers(end * half, w, floor, tram),
+            DARK,
+            of="steel",
+            name=f"buffers_{word}",
+        )
 
     def fittings() -> Any:
-        out = [forms.cushion((190, 1.1 * w, 16), (x, 0, top - 6), plan=10, side=0.3, sections=28, levels=7) for x in (-0.4 * half, 0.1 * half, 0.45 * half)]
+        out = [
+            forms.cushion(
+                (190, 1.1 * w, 16), (x, 0, top - 6), plan=10, side=0.3, sections=28, levels=7
+            )
+            for x in (-0.4 * half, 0.1 * half, 0.45 * half)
+        ]
         return forms.gather(out)
 
     s.add(fittings, shade(c, 0.42), of="steel", name="roof_equipment")
 
 
 @lru_cache(maxsize=4)
-def _coach_meshes(half: float, w: float, top: float, floor: float, nose: float, tram: bool) -> dict[str, Any]:
+def _coach_meshes(
+    half: float, w: float, top: float, floor: float, nose: float, tram: bool
+) -> dict[str, Any]:
     from shapely.geometry import box
 
     crown = top - 8
-    line = [(half, floor + 84), (half - 0.3 * nose, floor + 116), (half - nose, crown - 18), (half - 1.5 * nose, crown - 2), (0.4 * half, crown)]
-    bottom = ((half, floor + 14), (half - 24, floor), (0.5 * half, floor - 2), (-0.5 * half, floor - 2), (-half + 24, floor), (-half, floor + 14))
+    line = [
+        (half, floor + 84),
+        (half - 0.3 * nose, floor + 116),
+        (half - nose, crown - 18),
+        (half - 1.5 * nose, crown - 2),
+        (0.4 * half, crown),
+    ]
+    bottom = (
+        (half, floor + 14),
+        (half - 24, floor),
+        (0.5 * half, floor - 2),
+        (-0.5 * half, floor - 2),
+        (-half + 24, floor),
+        (-half, floor + 14),
+    )
     body = hull(2 * w, bottom, tuple(line + [(-x, z) for x, z in reversed(line)]), 30.0, 9.0, 0.0)
     glass, proud = forms.fattened(body, 1.2), forms.fattened(body, 0.9)
     count = 9 if tram else 6
@@ -69,18 +94,44 @@ def _coach_meshes(half: float, w: float, top: float, floor: float, nose: float, 
     def soft(x0: float, x1: float, z0: float, z1: float, by: float) -> Any:
         return box(x0, z0, x1, z1).buffer(-by).buffer(by, quad_segs=3)
 
-    panes = [m for k in range(count) for m in forms.prism(soft(start + k * step, start + (k + 0.8) * step, floor + 112, floor + 204, 9), wide)]
-    doors = [m for x in (half - nose - 62, -half + nose + 20) for m in forms.prism(soft(x, x + 42, floor + 8, floor + 212, 5), wide)]
+    panes = [
+        m
+        for k in range(count)
+        for m in forms.prism(
+            soft(start + k * step, start + (k + 0.8) * step, floor + 112, floor + 204, 9), wide
+        )
+    ]
+    doors = [
+        m
+        for x in (half - nose - 62, -half + nose + 20)
+        for m in forms.prism(soft(x, x + 42, floor + 8, floor + 212, 5), wide)
+    ]
     screens = []
     for x in ((half - 1.5 * nose, half + 60), (-half - 60, -half + 1.5 * nose)):
         for y0, y1 in ((-0.78 * w, -0.04 * w), (0.04 * w, 0.78 * w)):
             screens += forms.prism(soft(y0, y1, floor + 122, crown - 52, 8), x, "yz")
-    lamps = [m for x in ((half - 60, half + 20), (-half - 20, -half + 60)) for y in (-0.62 * w, 0.62 * w) for m in forms.prism(soft(y - 15, y + 15, floor + 44, floor + 64, 8), x, "yz")]
-    vents = [m for k in range(5) for m in forms.prism(soft(-0.08 * half + 30 * k, -0.08 * half + 30 * k + 22, floor + 14, floor + 50, 2), wide)]
+    lamps = [
+        m
+        for x in ((half - 60, half + 20), (-half - 20, -half + 60))
+        for y in (-0.62 * w, 0.62 * w)
+        for m in forms.prism(soft(y - 15, y + 15, floor + 44, floor + 64, 8), x, "yz")
+    ]
+    vents = [
+        m
+        for k in range(5)
+        for m in forms.prism(
+            soft(-0.08 * half + 30 * k, -0.08 * half + 30 * k + 22, floor + 14, floor + 50, 2), wide
+        )
+    ]
     return {
         "body": body,
-        "stripe": forms.inlay(proud, forms.prism(box(-half - 20, floor + 66, half + 20, floor + 84), wide)),
-        "roof": forms.inlay(proud, forms.prism(box(-half + 1.3 * nose, crown - 34, half - 1.3 * nose, crown + 20), wide)),
+        "stripe": forms.inlay(
+            proud, forms.prism(box(-half - 20, floor + 66, half + 20, floor + 84), wide)
+        ),
+        "roof": forms.inlay(
+            proud,
+            forms.prism(box(-half + 1.3 * nose, crown - 34, half - 1.3 * nose, crown + 20), wide),
+        ),
         "side_windows": forms.inlay(glass, panes),
         "windscreens": forms.inlay(glass, screens),
         "doors": forms.inlay(proud, doors),
@@ -90,11 +141,28 @@ def _coach_meshes(half: float, w: float, top: float, floor: float, nose: float, 
 
 
 def _bogie(x: float, w: float, r: float, floor: float) -> Any:
-    out = [forms.cushion((300, 14, 26), (x, y * (w * 0.72 - 9), r + 4), plan=12, side=0.3, sections=24, levels=7) for y in (-1, 1)]
-    out.append(forms.cushion((90, 1.3 * w, max(floor - r * 0.7, 12)), (x, 0, (floor + r * 0.7) / 2), plan=10, side=0.25, sections=24, levels=7))
+    out = [
+        forms.cushion(
+            (300, 14, 26), (x, y * (w * 0.72 - 9), r + 4), plan=12, side=0.3, sections=24, levels=7
+        )
+        for y in (-1, 1)
+    ]
+    out.append(
+        forms.cushion(
+            (90, 1.3 * w, max(floor - r * 0.7, 12)),
+            (x, 0, (floor + r * 0.7) / 2),
+            plan=10,
+            side=0.25,
+            sections=24,
+            levels=7,
+        )
+    )
     for dx in (-95, 95):
         out.append(forms.turned([(7, -0.8 * w), (7, 0.8 * w)], (x + dx, 0, r), 14, "y"))
-        out += [forms.turned([(8, r + 12), (8, r + 34)], (x + dx * 0.72, y * (w * 0.72 - 9), 0), 12) for y in (-1, 1)]
+        out += [
+            forms.turned([(8, r + 12), (8, r + 34)], (x + dx * 0.72, y * (w * 0.72 - 9), 0), 12)
+            for y in (-1, 1)
+        ]
     return forms.gather(out)
 
 
@@ -102,7 +170,20 @@ def _rail_wheel(at: tuple[float, float, float], r: float, side: int) -> Any:
     """A disc wheel with a flange inside and five holes' rims, so that one sees it turn."""
     x, y, z = at
     h = 6.0
-    tread = [(0.3 * r, -h * 0.5), (0.8 * r, -h * 0.4), (0.86 * r, -h), (r, -h), (r, -0.6 * h), (0.95 * r, -0.3 * h), (0.93 * r, h), (0.84 * r, h), (0.8 * r, 0.4 * h), (0.34 * r, 0.5 * h), (0.3 * r, h), (0.1 * r, h)]
+    tread = [
+        (0.3 * r, -h * 0.5),
+        (0.8 * r, -h * 0.4),
+        (0.86 * r, -h),
+        (r, -h),
+        (r, -0.6 * h),
+        (0.95 * r, -0.3 * h),
+        (0.93 * r, h),
+        (0.84 * r, h),
+        (0.8 * r, 0.4 * h),
+        (0.34 * r, 0.5 * h),
+        (0.3 * r, h),
+        (0.1 * r, h),
+    ]
     out = [forms.turned([(q, side * v) for q, v in tread], at, 26, "y")]
     for k in range(5):
         a = 2 * math.pi * k / 5
@@ -113,10 +194,20 @@ def _rail_wheel(at: tuple[float, float, float], r: float, side: int) -> Any:
 
 def _buffers(x: float, w: float, floor: float, tram: bool) -> Any:
     end = 1 if x > 0 else -1
-    out = [forms.tube([(x - end * 24, 0, floor + 14), (x - end * 1.0, 0, floor + 12)], 7, 12, round_ends=False)]
+    out = [
+        forms.tube(
+            [(x - end * 24, 0, floor + 14), (x - end * 1.0, 0, floor + 12)], 7, 12, round_ends=False
+        )
+    ]
     if not tram:
         for y in (-0.6 * w, 0.6 * w):
-            head = [(8, x - end * 30), (8, x - end * 6), (19, x - end * 4), (17, x), (8, x + end * 0.2)]
+            head = [
+                (8, x - end * 30),
+                (8, x - end * 6),
+                (19, x - end * 4),
+                (17, x),
+                (8, x + end * 0.2),
+            ]
             out.append(forms.turned(head, (0, y, floor + 10), 20, "x"))
     return forms.gather(out)
 
@@ -131,15 +222,31 @@ def train(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "engine
     _coach_body(s, c, (half, w, top), floor, nose, tram)
     r = 30.0 if tram else 46.0
     for bogie, place in ((-0.62, "rear"), (0.62, "front")):
-        s.add(lambda b=bogie: _bogie(b * half, w, r, floor), DARK, of="steel", name=f"bogie_{place}")
+        s.add(
+            lambda b=bogie: _bogie(b * half, w, r, floor), DARK, of="steel", name=f"bogie_{place}"
+        )
         for dx in (-95, 95):
             for side in (-1, 1):
                 x = bogie * half + dx
                 at = (x, side * (w * 0.72 + 6), r)
-                s.add(lambda at=at, side=side: _rail_wheel(at, r, side), STEEL, name=f"wheel_{place}")
+                s.add(
+                    lambda at=at, side=side: _rail_wheel(at, r, side), STEEL, name=f"wheel_{place}"
+                )
                 s.wheel(at, r)
     low = 20.0 if tram else 30.0
-    s.add(lambda: forms.cushion((0.6 * half, 1.4 * w, floor + 4 - low), (0, 0, (floor + 4 + low) / 2), plan=12, side=0.25, sections=32, levels=7), DARK, of="steel", name="equipment")
+    s.add(
+        lambda: forms.cushion(
+            (0.6 * half, 1.4 * w, floor + 4 - low),
+            (0, 0, (floor + 4 + low) / 2),
+            plan=12,
+            side=0.25,
+            sections=32,
+            levels=7,
+        ),
+        DARK,
+        of="steel",
+        name="equipment",
+    )
     s.proxy_slab((-half, half), (-w, w), (0, floor + 110), 1.0)
     s.proxy_slab((-half + nose * 0.7, half - nose * 0.7), (-w, w), (floor + 110, top), 0.3)
     s.surface("roof", top, (half * 0.8, w * 0.75))

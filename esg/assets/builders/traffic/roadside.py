@@ -88,12 +88,34 @@ def street_lamp(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     base = [(17.4, 0), (18, 1), (18, 3), (12, 4.4), (11.4, 6), (11.4, 92), (10.6, 96), (8.6, 99)]
     s.add(lambda: forms.turned(base, foot, 32), c, of="paint", name="base")
     s.proxy(ProxyKind.CYLINDER, (18, 18, 15), (-62.0, 0, 15), 4, direction(foot, (-62.0, 0, 30))[0])
-    s.add(lambda: forms.gather([forms.turned([(1.5, 2.6), (1.5, 6.4)], (-62 + 14.6 * x, 14.6 * y, 0), 6) for x, y in ((0.71, 0.71), (-0.71, 0.71), (0.71, -0.71), (-0.71, -0.71))]), STEEL, name="anchor_bolts")
-    s.add(lambda: forms.cushion((2, 13, 34), (-51, 0, 58), plan=6, side=0.3, sections=20, levels=7), shade(c, 0.85), of="paint", name="door")
+    s.add(
+        lambda: forms.gather(
+            [
+                forms.turned([(1.5, 2.6), (1.5, 6.4)], (-62 + 14.6 * x, 14.6 * y, 0), 6)
+                for x, y in ((0.71, 0.71), (-0.71, 0.71), (0.71, -0.71), (-0.71, -0.71))
+            ]
+        ),
+        STEEL,
+        name="anchor_bolts",
+    )
+    s.add(
+        lambda: forms.cushion((2, 13, 34), (-51, 0, 58), plan=6, side=0.3, sections=20, levels=7),
+        shade(c, 0.85),
+        of="paint",
+        name="door",
+    )
     s.proxy_cylinder(7.5, (30, 585), 1.0, (-62.0, 0))
 
     def pole() -> Any:
-        path = [(-62, 0, 90), (-62, 0, 300), (-62, 0, 500), (-60, 0, 548), (-48, 0, 580), (-20, 0, 591), (26, 0, 595)]
+        path = [
+            (-62, 0, 90),
+            (-62, 0, 300),
+            (-62, 0, 500),
+            (-60, 0, 548),
+            (-48, 0, 580),
+            (-20, 0, 591),
+            (26, 0, 595),
+        ]
         fine = forms.smooth_path(path, 40)
         reach = [0.0, 0.5, 0.8, 1.0]
         import numpy as np
@@ -101,24 +123,83 @@ def street_lamp(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         return forms.tube(fine, np.interp(np.linspace(0, 1, 40), reach, [8.0, 6.2, 4.4, 3.4]), 18)
 
     s.add(pole, c, of="paint", name="pole")
-    s.add(lambda: forms.cushion((62, 27, 8.4), (49, 0, 595.6), plan=3.4, side=0.6, sections=36, levels=11), shade(c, 0.92), of="paint", name="luminaire")
-    s.add(lambda: forms.cushion((46, 20, 4), (53, 0, 591.8), plan=4, side=0.6, sections=30, levels=9), (1.0, 0.96, 0.82), of="lamp", name="lens")
+    s.add(
+        lambda: forms.cushion(
+            (62, 27, 8.4), (49, 0, 595.6), plan=3.4, side=0.6, sections=36, levels=11
+        ),
+        shade(c, 0.92),
+        of="paint",
+        name="luminaire",
+    )
+    s.add(
+        lambda: forms.cushion((46, 20, 4), (53, 0, 591.8), plan=4, side=0.6, sections=30, levels=9),
+        (1.0, 0.96, 0.82),
+        of="lamp",
+        name="lens",
+    )
     s.proxy_slab((-62.0, 80), (-12, 12), (588, 600), 0.2)
 
 
 @builder("traffic_light")
 def traffic_light(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Signal on a pole, lights facing +X, drawn at 40 x 40 x 340."""
-    s.add(lambda: forms.turned([(19, 0), (20, 1.4), (20, 10), (18.6, 12)], sections=40), CONCRETE, name="foot")
+    s.add(
+        lambda: forms.turned([(19, 0), (20, 1.4), (20, 10), (18.6, 12)], sections=40),
+        CONCRETE,
+        name="foot",
+    )
     s.proxy(ProxyKind.CYLINDER, (20, 20, 6.0), (0, 0, 6.0), 5, direction((0, 0, 0), (0, 0, 12))[0])
-    s.add(lambda: forms.turned([(8, 12), (8, 13.6), (5.2, 14.6), (5, 16), (5, 334), (4, 336)], (-6, 0, 0), 28), c, of="paint", name="pole")
-    s.proxy(ProxyKind.CYLINDER, (5, 5, 161.5), (-6.0, 0.0, 173.5), 1, direction((-6, 0, 12), (-6, 0, 335))[0])
-    s.add(lambda: forms.cushion((2, 39, 106), (-1.4, 0, 287), plan=14, side=0.3, sections=32, levels=7), DARK, of="paint", name="backboard")
+    s.add(
+        lambda: forms.turned(
+            [(8, 12), (8, 13.6), (5.2, 14.6), (5, 16), (5, 334), (4, 336)], (-6, 0, 0), 28
+        ),
+        c,
+        of="paint",
+        name="pole",
+    )
+    s.proxy(
+        ProxyKind.CYLINDER,
+        (5, 5, 161.5),
+        (-6.0, 0.0, 173.5),
+        1,
+        direction((-6, 0, 12), (-6, 0, 335))[0],
+    )
+    s.add(
+        lambda: forms.cushion(
+            (2, 39, 106), (-1.4, 0, 287), plan=14, side=0.3, sections=32, levels=7
+        ),
+        DARK,
+        of="paint",
+        name="backboard",
+    )
     s.proxy_slab((-2, 16), (-16, 16), (240, 340), 0.5)
-    s.add(lambda: forms.gather([forms.tube([(-6, 0, z), (1, 0, z)], 2.2, 12) for z in (254, 326)]), DARK, of="steel", name="brackets")
-    for z, tone, word in ((322, (0.86, 0.08, 0.07), "red"), (290, (0.95, 0.70, 0.08), "amber"), (258, (0.10, 0.62, 0.28), "green")):
-        s.add(lambda z=z: forms.cushion((15, 31, 31), (6.2, 0, z), plan=9, side=0.2, sections=32, levels=9), DARK, of="plastic", name=f"housing_{word}")
-        s.add(lambda z=z: forms.turned([(11, 13), (10.8, 15.4), (8, 16.8), (3, 17.4)], (0, 0, z), 32, "x"), tone, of="lamp", name=f"light_{word}")
+    s.add(
+        lambda: forms.gather([forms.tube([(-6, 0, z), (1, 0, z)], 2.2, 12) for z in (254, 326)]),
+        DARK,
+        of="steel",
+        name="brackets",
+    )
+    for z, tone, word in (
+        (322, (0.86, 0.08, 0.07), "red"),
+        (290, (0.95, 0.70, 0.08), "amber"),
+        (258, (0.10, 0.62, 0.28), "green"),
+    ):
+        s.add(
+            lambda z=z: forms.cushion(
+                (15, 31, 31), (6.2, 0, z), plan=9, side=0.2, sections=32, levels=9
+            ),
+            DARK,
+            of="plastic",
+            name=f"housing_{word}",
+        )
+        s.add(
+            lambda z=z: forms.turned(
+                [(11, 13), (10.8, 15.4), (8, 16.8), (3, 17.4)], (0, 0, z), 32, "x"
+            ),
+            tone,
+            of="lamp",
+            name=f"light_{word}",
+        )
         s.add(lambda z=z: _visor(z), DARK, of="plastic", name=f"visor_{word}")
 
 

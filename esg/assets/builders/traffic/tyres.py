@@ -5,9 +5,8 @@ from __future__ import annotations
 import math
 from typing import Any
 
-from esg.assets.builders.common import piece
-from esg.assets.geometry.sketch import CHROME, DARK, RUBBER, STEEL, Color, Sketch
-from esg.assets.lazy import forms, shapes
+from esg.assets.geometry.sketch import RUBBER, Sketch
+from esg.assets.lazy import forms
 
 ALLOY = (0.66, 0.67, 0.69)
 
@@ -28,9 +27,19 @@ def rim(at: tuple[float, float, float], r: float, width: float, side: int, spoke
     """An alloy rim about Y: barrel, spokes in pairs and a hub; the face is at `side`."""
     x, y, z = at
     face = side * width * 0.40
-    ring = [(r * 1.01, -0.46), (r * 1.01, 0.46), (r * 0.9, 0.44), (r * 0.88, -0.46), (r * 1.01, -0.46)]
+    ring = [
+        (r * 1.01, -0.46),
+        (r * 1.01, 0.46),
+        (r * 0.9, 0.44),
+        (r * 0.88, -0.46),
+        (r * 1.01, -0.46),
+    ]
     parts = [forms.turned([(q, v * width) for q, v in ring], at, 24, "y")]
-    parts.append(forms.turned([(r * 0.24, -1.6), (r * 0.24, 0.6), (r * 0.17, 1.6)], (x, y + face * 0.95, z), 16, "y"))
+    parts.append(
+        forms.turned(
+            [(r * 0.24, -1.6), (r * 0.24, 0.6), (r * 0.17, 1.6)], (x, y + face * 0.95, z), 16, "y"
+        )
+    )
     for k in range(spokes):
         for off in (-0.16, 0.16):
             a, b = 2 * math.pi * k / spokes + off * 0.7, 2 * math.pi * k / spokes + off
@@ -40,16 +49,20 @@ def rim(at: tuple[float, float, float], r: float, width: float, side: int, spoke
     return forms.gather(parts)
 
 
-def car_wheel(s: Sketch, x: float, y: float, r: float, width: float, side: int, name: str, spokes: int = 5) -> None:
+def car_wheel(
+    s: Sketch, x: float, y: float, r: float, width: float, side: int, name: str, spokes: int = 5
+) -> None:
     """A car's wheel; `y` is its outer face and `side` the sign of it."""
     at = (x, y - side * width / 2, r)
     size = 0.69 * r
-    piece(s, f"tyre_{name}", "rubber", lambda: tyre(at, r, width, size), RUBBER)
-    piece(s, f"rim_{name}", "aluminium", lambda: rim(at, size, width, side, spokes), ALLOY)
+    s.add(lambda: tyre(at, r, width, size), RUBBER, of="rubber", name=f"tyre_{name}")
+    s.add(lambda: rim(at, size, width, side, spokes), ALLOY, of="aluminium", name=f"rim_{name}")
 
     def disc() -> Any:
         inner = at[1] + side * width * 0.12
-        return forms.turned([(size * 0.86, inner - 0.8), (size * 0.86, inner + 0.8)], (x, 0, r), 24, "y")
+        return forms.turned(
+            [(size * 0.86, inner - 0.8), (size * 0.86, inner + 0.8)], (x, 0, r), 24, "y"
+        )
 
-    piece(s, f"brake_{name}", "steel", disc, (0.22, 0.22, 0.23))
+    s.add(disc, (0.22, 0.22, 0.23), of="steel", name=f"brake_{name}")
     s.wheel((x, at[1], r), r, parts=3)

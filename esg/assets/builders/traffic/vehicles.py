@@ -6,10 +6,8 @@ relative densities put the centre of mass at 0.5-0.7 m for cars, as measured car
 
 from __future__ import annotations
 
-from typing import Any
-
 from esg.assets.builders import builder
-from esg.assets.builders.common import holes, mirrored
+from esg.assets.builders.common import mirrored
 from esg.assets.builders.traffic.coachwork import draw_coach
 from esg.assets.builders.traffic.liveries import draw_livery, van_livery
 from esg.assets.builders.traffic.lorries import draw_bus, draw_truck, draw_van
@@ -17,15 +15,13 @@ from esg.assets.builders.traffic.models import COUPE, HATCHBACK, JEEP, PICKUP, S
 from esg.assets.geometry.sketch import (
     CHROME,
     DARK,
-    GLASS,
     RUBBER,
     STEEL,
-    WHITE,
-    YELLOW,
     Color,
     Sketch,
 )
-from esg.assets.lazy import shapes
+from esg.assets.lazy import forms
+
 
 def _box_proxies(
     s: Sketch,
@@ -71,8 +67,9 @@ def sports_car(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def suv(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Tall estate, drawn at 465 x 188 x 172."""
     draw_coach(s, SUV, c)
-    for y in (-62, 62):
-        s.pipe(2, [(20, y, 171), (-165, y, 171)], CHROME)
+    for y, word in ((-62, "right"), (62, "left")):
+        rail = [(24, y, 167), (12, y, 171.6), (-150, y, 171.8), (-166, y, 167)]
+        s.add(lambda rail=rail: forms.tube(rail, 1.8, 12), CHROME, name=f"roof_rail_{word}")
     _box_proxies(s, (-231, 233), 182, 114, (-216, 90), 171)
 
 
@@ -80,7 +77,18 @@ def suv(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def jeep(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Boxy off-road car with a spare wheel, drawn at 408 x 180 x 182."""
     draw_coach(s, JEEP, c)
-    s.rod(35, (-204, 0, 100), (-191, 0, 100), RUBBER, rough=0.9)
+    spare = (-197.5, 0.0, 100.0)
+    tread = [(16, -5), (31, -6), (34, -5), (35, -2), (35, 4), (31, 6.5), (16, 5)]
+    s.add(
+        lambda: forms.turned([(r, -x) for r, x in tread], spare, 36, "x"),
+        RUBBER,
+        name="spare_wheel",
+    )
+    s.add(
+        lambda: forms.turned([(12, -6.4), (17, -5.2), (17, 0)], spare, 28, "x"),
+        STEEL,
+        name="spare_rim",
+    )
     _box_proxies(s, (-200, 207), 174, 111, (-186, 82), 181)
 
 
@@ -89,9 +97,19 @@ def pickup(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Pickup truck with an open bed, drawn at 540 x 196 x 185."""
     draw_coach(s, PICKUP, c)
     w = 95
-    for side in (-1, 1):
-        s.slab((-262, -42), mirrored(side, w - 12, w - 3), (86, 124), c, rough=0.3)
-    s.slab((-268, -260), (-w + 3, w - 3), (70, 124), c, rough=0.3)
+    for side, word in ((-1, "right"), (1, "left")):
+        y = mirrored(side, w - 12, w - 3)
+        s.slab((-262, -42), y, (86, 124), c, of="car_body", name=f"bed_wall_{word}")
+        s.slab(
+            (-264, -44),
+            mirrored(side, w - 13, w - 2),
+            (122.5, 125.5),
+            DARK,
+            name=f"bed_rail_{word}",
+        )
+    s.slab((-268, -260), (-w + 3, w - 3), (70, 124), c, of="car_body", name="tailgate")
+    s.slab((-268.6, -267.6), (-16, 16), (108, 115), DARK, name="tailgate_handle")
+    s.slab((-260, -44), (-w + 12, w - 12), (95.5, 96.6), DARK, of="rubber_floor", name="bed_liner")
     s.proxy_slab((-40, 270), (-95, 95), (0, 122), 1.0)
     s.proxy_slab((-268, -40), (-95, 95), (0, 88), 0.8)
     s.proxy_slab((-42, 100), (-84, 84), (122, 185), 0.2)

@@ -8,7 +8,7 @@ from typing import Any
 from esg.assets.builders import builder
 from esg.assets.builders.common import shade
 from esg.assets.builders.traffic.cycles import draw_bicycle, draw_motorcycle, draw_scooter
-from esg.assets.geometry.sketch import CHROME, DARK, RUBBER, STEEL, Color, Sketch
+from esg.assets.geometry.sketch import CHROME, RUBBER, STEEL, Color, Sketch
 from esg.assets.lazy import forms, shapes
 
 
@@ -56,6 +56,7 @@ def _bearing(at: tuple[float, float, float]) -> Any:
 @builder("skateboard")
 def skateboard(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Skateboard, drawn at 80 x 20 x 12."""
+
     def board(low: float, high: float, inset: float) -> Any:
         """The deck between two heights above its underside, nose and tail turned up."""
         import numpy as np
@@ -79,7 +80,12 @@ def skateboard(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         for y, side in ((-9.4, "right"), (5.8, "left")):
             at = (x, y + 1.8, 3.0)
             tread = [(1.0, -1.6), (2.6, -1.8), (3, -1.2), (3, 1.2), (2.6, 1.8), (1.0, 1.6)]
-            s.add(lambda at=at, tread=tread: forms.turned(tread, at, 26, "y"), (0.93, 0.9, 0.8), of="rubber_hard", name=f"wheel_{row}_{side}")
+            s.add(
+                lambda at=at, tread=tread: forms.turned(tread, at, 26, "y"),
+                (0.93, 0.9, 0.8),
+                of="rubber_hard",
+                name=f"wheel_{row}_{side}",
+            )
             s.add(lambda at=at: _bearing(at), STEEL, name=f"bearing_{row}_{side}")
             s.wheel(at, 3, parts=2)
     s.proxy_slab((-40, 40), (-10, 10), (7, 10))
@@ -90,8 +96,15 @@ def skateboard(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
 def _fork(at: tuple[float, float, float]) -> Any:
     x, y, z = at
-    out = [forms.cushion((3.4, 0.5, 10), (x + 0.4, y + q * 2.0, z + 3.2), plan=3, side=0.5, sections=10, levels=5) for q in (-1, 1)]
-    out.append(forms.turned([(1.3, z + 7.6), (2.4, z + 8.2), (2.4, z + 9.2), (1.3, z + 11)], (x, y, 0), 14))
+    out = [
+        forms.cushion(
+            (3.4, 0.5, 10), (x + 0.4, y + q * 2.0, z + 3.2), plan=3, side=0.5, sections=10, levels=5
+        )
+        for q in (-1, 1)
+    ]
+    out.append(
+        forms.turned([(1.3, z + 7.6), (2.4, z + 8.2), (2.4, z + 9.2), (1.3, z + 11)], (x, y, 0), 14)
+    )
     return forms.gather(out)
 
 
@@ -104,23 +117,40 @@ def _wires() -> Any:
         front, back, half = 38 + 7 * t, -34 - 7 * t, 19 + 6 * t
         return (front if x > 0 else back, half * y, z0 + (z1 - z0) * t)
 
-    for t, radius in ((0.0, 0.6), (0.17, 0.3), (0.34, 0.3), (0.5, 0.3), (0.67, 0.3), (0.84, 0.3), (1.0, 0.8)):
+    for t, radius in (
+        (0.0, 0.6),
+        (0.17, 0.3),
+        (0.34, 0.3),
+        (0.5, 0.3),
+        (0.67, 0.3),
+        (0.84, 0.3),
+        (1.0, 0.8),
+    ):
         loop = [corner(t, x, y) for x, y in ((1, -1), (1, 1), (-1, 1), (-1, -1))]
         for a, b in zip(loop, loop[1:] + loop[:1], strict=True):
             out.append(forms.tube([a, b], radius, 6))
     for k in range(1, 15):
         u = k / 15
         for y in (-1, 1):
-            low, high = ([p + (q - p) * u for p, q in zip(corner(t, 1, y), corner(t, -1, y), strict=True)] for t in (0.0, 1.0))
+            low, high = (
+                [p + (q - p) * u for p, q in zip(corner(t, 1, y), corner(t, -1, y), strict=True)]
+                for t in (0.0, 1.0)
+            )
             out.append(forms.tube([low, high], 0.26, 5, round_ends=False))
         low = [p + (q - p) * u for p, q in zip(corner(0, 1, -1), corner(0, -1, -1), strict=True)]
         out.append(forms.tube([low, (low[0], -low[1], low[2])], 0.26, 5, round_ends=False))
     for k in range(1, 9):
         u = k / 9
         for x in (-1, 1):
-            low, high = ([p + (q - p) * u for p, q in zip(corner(t, x, -1), corner(t, x, 1), strict=True)] for t in (0.0, 1.0))
+            low, high = (
+                [p + (q - p) * u for p, q in zip(corner(t, x, -1), corner(t, x, 1), strict=True)]
+                for t in (0.0, 1.0)
+            )
             out.append(forms.tube([low, high], 0.26, 5, round_ends=False))
-        a, b = ([p + (q - p) * u for p, q in zip(corner(0, x, -1), corner(0, x, 1), strict=True)] for x in (-1, 1))
+        a, b = (
+            [p + (q - p) * u for p, q in zip(corner(0, x, -1), corner(0, x, 1), strict=True)]
+            for x in (-1, 1)
+        )
         out.append(forms.tube([a, b], 0.26, 5, round_ends=False))
     return forms.gather(out)
 
@@ -132,16 +162,50 @@ def shopping_cart(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         for y, side in ((-w, "right"), (w, "left")):
             at = (x, y, 6.0)
             tread = [(1.2, -1.4), (5.2, -1.5), (6, -0.9), (6, 0.9), (5.2, 1.5), (1.2, 1.4)]
-            s.add(lambda at=at, tread=tread: forms.turned(tread, at, 26, "y"), RUBBER, name=f"castor_{row}_{side}")
+            s.add(
+                lambda at=at, tread=tread: forms.turned(tread, at, 26, "y"),
+                RUBBER,
+                name=f"castor_{row}_{side}",
+            )
             s.wheel(at, 6)
             s.add(lambda at=at: _fork(at), STEEL, name=f"castor_fork_{row}_{side}")
     for y, side in ((-1, "right"), (1, "left")):
-        rail = [(42, 14 * y, 17), (36, 15 * y, 16.4), (-34, 25.6 * y, 16.4), (-39, 26 * y, 20), (-40, 26 * y, 60), (-44, 26 * y, 92), (-47, 26 * y, 99)]
-        s.add(lambda rail=rail: forms.tube(forms.smooth_path(rail, 40), 1.25, 12), CHROME, name=f"frame_{side}")
-    s.add(lambda: forms.tube([(-46.5, -28, 99.6), (-46.5, 28, 99.6)], 1.9, 16), c, of="plastic_hard", name="handle")
-    s.add(lambda: forms.gather([forms.tube([(x, -w, 16.6), (x, w, 16.6)], 0.9, 10) for x, w in ((30, 16), (-30, 25))]), CHROME, name="cross_bars")
+        rail = [
+            (42, 14 * y, 17),
+            (36, 15 * y, 16.4),
+            (-34, 25.6 * y, 16.4),
+            (-39, 26 * y, 20),
+            (-40, 26 * y, 60),
+            (-44, 26 * y, 92),
+            (-47, 26 * y, 99),
+        ]
+        s.add(
+            lambda rail=rail: forms.tube(forms.smooth_path(rail, 40), 1.25, 12),
+            CHROME,
+            name=f"frame_{side}",
+        )
+    s.add(
+        lambda: forms.tube([(-46.5, -28, 99.6), (-46.5, 28, 99.6)], 1.9, 16),
+        c,
+        of="plastic_hard",
+        name="handle",
+    )
+    s.add(
+        lambda: forms.gather(
+            [forms.tube([(x, -w, 16.6), (x, w, 16.6)], 0.9, 10) for x, w in ((30, 16), (-30, 25))]
+        ),
+        CHROME,
+        name="cross_bars",
+    )
     s.add(_wires, CHROME, name="basket")
-    s.add(lambda: forms.cushion((1.4, 40, 17), (-39.4, 0, 74), plan=6, side=0.3, sections=20, levels=5), c, of="plastic_hard", name="child_seat")
+    s.add(
+        lambda: forms.cushion(
+            (1.4, 40, 17), (-39.4, 0, 74), plan=6, side=0.3, sections=20, levels=5
+        ),
+        c,
+        of="plastic_hard",
+        name="child_seat",
+    )
     z0, z1 = 42.0, 84.0
     s.walls((-42, 46), (-26, 26), (z0 - 1, z1), 2.0, 1.0)
     s.proxy_slab((-46, 44), (-28, 28), (0, 18), 1.4)
