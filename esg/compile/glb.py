@@ -262,7 +262,7 @@ def continuous(q: Floats) -> Floats:
 
 def mesh_of(body: Body, folder: Path) -> tuple[str, bytes | None]:
     """Key and GLB of a body's mesh; its collision shapes where the file is missing or broken."""
-    path = mesh_file(folder, body.mesh)
+    path = mesh_file(folder, body.mesh, body.name)
     if path is not None and path.stat().st_size <= MOST_BYTES:
         data = path.read_bytes()
         try:
@@ -270,7 +270,7 @@ def mesh_of(body: Body, folder: Path) -> tuple[str, bytes | None]:
         except ValueError:
             pass
         else:
-            return body.mesh, data
+            return path.relative_to(folder).as_posix(), data
     if not body.shapes:
         return "", None
     return f"shapes of {body.name}", _shapes_glb(body)

@@ -35,12 +35,14 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
 def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:
     """Meshes of all bodies in their frames [m] but those in whose place the ground is seen."""
     from esg.assets import build_mesh
+    from esg.assets.appearances import appearances
     from esg.dressing.clearance import covered
 
     doc = effective(doc)
     around = None if doc.dressing is None else places()[doc.dressing.place].setting
     parts: list[Part] = []
-    meshes: dict[str, Any] = {}
+    looks = appearances(doc)
+    meshes: dict[Any, Any] = {}
     turning = 0
     decals: list[tuple[float, float, list[Part]]] = []
     for index, body in enumerate(scene.bodies):
@@ -51,9 +53,10 @@ def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:
         flat = not body.collides
         if is_ground(body) or (around is not None and covered(body, indoor=around == "indoor")):
             continue
-        if node.asset_id not in meshes:
-            meshes[node.asset_id] = build_mesh(doc.asset_configurations[node.asset_id])
-        mesh = meshes[node.asset_id]
+        key = (node.asset_id, looks[body.name])
+        if key not in meshes:
+            meshes[key] = build_mesh(doc.asset_configurations[node.asset_id], looks[body.name])
+        mesh = meshes[key]
         wheels = {w.name: Turning(first + k, w.axle) for k, w in enumerate(body.wheels)}
         offset = np.asarray(body.origin_offset)
         own = [
