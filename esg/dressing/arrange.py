@@ -6,7 +6,7 @@ on the ground and of what stands already.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 import itertools
@@ -30,6 +30,8 @@ MOST_RUN_M = 90.0
 """A row of things goes no farther than this from its middle."""
 BEYOND_M = 70.0
 """How far what is drawn along a side goes on beyond it."""
+WATER = "water"
+"""The surface on which nothing stands but what floats."""
 FLAT_M = 0.2
 """What is lower shares its place with others: a kerb, a mat."""
 TALL_M = 1.0
@@ -64,7 +66,7 @@ class Site:
         rect: The action's rectangle, or the street's, or the room.
         height: Of the room [m].
         viewer: Unit vector in the frame's plane from the action to where one looks from.
-        axis: Where the thing stands along which the place is laid out; None if there is none.
+        axis: Box of the thing along which the place is laid out; None if there is none.
         ban: What must not appear.
         rng: Of every choice.
     """
@@ -74,10 +76,12 @@ class Site:
     rect: Box
     height: float
     viewer: tuple[float, float]
-    axis: tuple[float, float] | None
+    axis: Box | None
     ban: Ban
     rng: np.random.Generator
     items: list[DressingItem] = field(default_factory=list[DressingItem])
+    water: list[Box] = field(default_factory=list[Box])
+    """Where only boats are."""
     walls: dict[str, str] = field(default_factory=dict[str, str])
     """Builder of the wall on each side of a room."""
     counts: dict[str, int] = field(default_factory=dict[str, int])
@@ -120,6 +124,8 @@ def arrange(site: Site) -> tuple[tuple[Marking, ...], tuple[DressingItem, ...]]:
     Returns:
         What is drawn on its ground and what stands in it, in the world [cm].
     """
+    flats = _markings(site)
+    site.water += [box for marking, box in flats if marking.surface == WATER]
     rows = standing(site.place.name)
     _walls(site, [row for row in rows if row.where == "wall"])
     rest = [row for row in rows if row.where != "wall"]
@@ -130,7 +136,7 @@ def arrange(site: Site) -> tuple[tuple[Marking, ...], tuple[DressingItem, ...]]:
             continue
         for row in members:
             _scattered(site, row)
-    return tuple(_markings(site)), tuple(site.items)
+    return tuple(marking for marking, _ in flats), tuple(site.items)
 
 
 def rails(site: Site, sides: str) -> list[Rail]:
@@ -262,7 +268,7 @@ def _spot(
     """A place for a thing that is not in a row: its middle, its yaw in the frame, its box."""
     rng = site.rng
     choices = rails(site, row.sides)
-    if row.where == "ring":
+    if row.where in ("ring", "water"):
         return _in_ring(site, row, size)
     if row.where in ("against", "hung"):
         bare = [r for r in choices if BUILDERS[site.walls[r.side]].bare] if site.walls else []
@@ -319,6 +325,11 @@ def _fits(site: Site, row: Standing, box: Box, size: tuple[float, float, float])
     if not site.clear.free(box, keep):
         return False
     if site.walls and not _inside(box, site.rect):
+        return False
+    wet = [w for w in site.water if float(box.gap(np.array([w.row()]))[0]) <= 0.0]
+    if row.where == "water":
+        return any(_inside(box, w) for w in wet)
+    if wet:
         return False
     return size[2] <= FLAT_M or site.clear.open(box, row.gap_m)
 
@@ -436,11 +447,13 @@ def _cm(metres: float) -> float:
     return round(CM_PER_M * metres, 1)
 
 
-def _markings(site: Site) -> Iterable[Marking]:
+def _markings(site: Site) -> list[tuple[Marking, Box]]:
+    """What is drawn on the ground, with the box of each in the frame."""
+    out: list[tuple[Marking, Box]] = []
     for row in drawn(site.place.name):
         for middle, half in _flats(site, row):
             x, y = site.clear.frame.out(middle)
-            yield Marking(
+            marking = Marking(
                 surface=row.surface,
                 center_cm=(_cm(x), _cm(y)),
                 half_cm=(_cm(half[0]), _cm(half[1])),
@@ -449,14 +462,14 @@ def _markings(site: Site) -> Iterable[Marking]:
                 line_cm=row.line_cm or None,
                 layer=row.layer,
             )
+            out.append((marking, Box.around(middle, (2 * half[0], 2 * half[1]))))
+    return out
 
 
 def _flats(site: Site, row: Drawn) -> Iterator[tuple[tuple[float, float], tuple[float, float]]]:
     """Middles and half extents of what a row draws, in the frame [m]."""
-    if row.sides == "axis":
-        if site.axis is not None:
-            x, y = site.axis
-            yield (x + row.away_m, y), (0.5 * row.length_m, 0.5 * row.width_m)
+    if row.sides in ("axis", "beside"):
+        yield from _by_axis(site, row)
         return
     if row.sides == "middle":
         across = 0.5 * (row.width_m or site.rect.size[1])
@@ -475,6 +488,19 @@ def _flats(site: Site, row: Drawn) -> Iterator[tuple[tuple[float, float], tuple[
             middle = rail.at(along, row.away_m + 0.5 * row.width_m)
             half = (0.5 * row.width_m, 0.5 * long)
             yield middle, half if abs(rail.normal[0]) > 0.5 else (half[1], half[0])
+
+
+def _by_axis(site: Site, row: Drawn) -> Iterator[tuple[tuple[float, float], tuple[float, float]]]:
+    """What is drawn before the thing along which a place is laid out, or on both sides of it."""
+    if site.axis is None:
+        return
+    (x, y), (a, b) = site.axis.middle, site.axis.size
+    if row.sides == "axis":
+        yield (x + row.away_m, y), (0.5 * row.length_m, 0.5 * row.width_m)
+        return
+    for sign in (1.0, -1.0):
+        across = y + sign * (0.5 * b + row.away_m + 0.5 * row.width_m)
+        yield (x, across), (0.5 * (row.length_m or a), 0.5 * row.width_m)
 
 
 def room_of(place: Place, clear: Clearance, viewer: tuple[float, float]) -> tuple[Box, float]:

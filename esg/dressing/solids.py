@@ -192,6 +192,71 @@ class Drawing:
             ),
         ]
 
+    def prism(
+        self,
+        surface: str,
+        outline: Point,
+        halves: Point,
+        color: Color | None = None,
+    ) -> None:
+        """A body with one outline from the side and at every corner of it a width.
+
+        Args:
+            surface, color: Of it.
+            outline: Corners (x, z) [m] counter-clockwise as seen along +Y, shape [n, 2]; the
+                outline can be seen whole from its middle.
+            halves: Half widths [m] at the corners, shape [n].
+        """
+        flat, half = np.asarray(outline, float), np.asarray(halves, float)
+        n = len(flat)
+        sides = [np.column_stack([flat[:, 0], sign * half, flat[:, 1]]) for sign in (-1.0, 1.0)]
+        k = np.arange(n)
+        for a, b in zip(k, (k + 1) % n, strict=True):
+            corner, along, up = sides[1][a], sides[0][a] - sides[1][a], sides[1][b] - sides[1][a]
+            if abs(half[a] - half[b]) < 1e-9:
+                self.sheet(surface, corner, along, up, color)
+                continue
+            self._polygon(surface, np.array([corner, sides[0][a], sides[0][b], sides[1][b]]), color)
+        self._polygon(surface, sides[0][::-1], color)
+        self._polygon(surface, sides[1], color)
+
+    def _polygon(self, surface: str, corners: Floats, color: Color | None) -> None:
+        """A flat face of n corners, counter-clockwise, as a fan about its middle."""
+        n = len(corners)
+        vertices = np.concatenate([[corners.mean(axis=0)], corners])
+        k = np.arange(n)
+        faces = np.stack([np.zeros(n, int), 1 + k, 1 + (k + 1) % n], axis=1)
+        spokes = vertices[1:] - vertices[0]
+        normal = np.cross(spokes, np.roll(spokes, -1, axis=0)).sum(axis=0)
+        normal = normal / max(float(np.linalg.norm(normal)), 1e-12)
+        off = np.abs(normal).argmax()
+        uvs = np.delete(vertices, off, axis=1)
+        normals = np.tile(normal, (n + 1, 1))
+        self._heap(surface, color).meshes.append((vertices, faces, normals, uvs))
+
+    def disc(
+        self,
+        surface: str,
+        middle: Point,
+        radius: float,
+        width: float,
+        color: Color | None = None,
+        sides: int = 14,
+    ) -> None:
+        """An upright wheel that turns about Y."""
+        angles = np.arange(sides) * (2 * math.pi / sides)
+        x, y, z = (float(v) for v in middle)
+        outline = np.column_stack([radius * np.cos(angles), radius * np.sin(angles)])
+        low, high = (
+            np.column_stack([x + outline[:, 0], np.full(sides, y + s * width), z + outline[:, 1]])
+            for s in (-0.5, 0.5)
+        )
+        for a in range(sides):
+            b = (a + 1) % sides
+            self.sheet(surface, low[a], low[b] - low[a], high[a] - low[a], color)
+        self._polygon(surface, low, color)
+        self._polygon(surface, high[::-1], color)
+
     def clump(
         self,
         surface: str,

@@ -65,8 +65,8 @@ def dressing_of(doc: EsgDocument, scene: SimScene, rollout: Rollout, *, seed: in
         rect, height = room_of(choice.place, _with_axis(clear, scene, axis, frame), at)
     else:
         rect, height = _rectangle(choice, clear, scene, axis, frame), 0.0
-    spot = None if axis is None else _spot(axis, frame)
-    site = Site(choice.place, clear, rect, height, at, spot, _ban(doc, scene), rng)
+    own = None if axis is None else _own_box(axis, frame)
+    site = Site(choice.place, clear, rect, height, at, own, _ban(doc, scene), rng)
     markings, items = arrange(site)
     azimuth, elevation = _sun(choice, site, toward)
     return Dressing(
@@ -127,7 +127,7 @@ def _rectangle(
     choice: Choice, clear: Clearance, scene: SimScene, axis: Body | None, frame: Frame
 ) -> Box:
     """What things stand around outdoors: the street, or where the action is most of the time."""
-    if axis is not None and axis.category == "road":
+    if axis is not None and axis.category in choice.place.needs:
         return _own_box(axis, frame)
     box = clear.core.at_least(choice.place.least_m)
     if axis is not None and not axis.collides:

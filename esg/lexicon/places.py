@@ -112,7 +112,8 @@ class Standing:
         places: Names of them.
         item: Entry of the parametric library, or builder of `esg.dressing`.
         where: rail (here and there along a side), run (end to end along a side), ring (anywhere
-            around), wall (a wall of the room), against (with its back to a wall).
+            around), water (afloat on what is drawn as water), wall (a wall of the room), against
+            (with its back to a wall), hung (on a wall without windows).
         sides: all, long, ends, back (the one farthest from the viewer) or rest (all but the
             viewer's).
         away_m: Least and greatest distance from the action (`against`: from the wall).
@@ -146,7 +147,8 @@ class Drawn:
     Args:
         places: Names of them.
         surface: Row of the table of surfaces.
-        sides: As of `Standing`, or middle.
+        sides: As of `Standing`; or middle, along the action's longer side; or axis and beside, in
+            front and on both sides of the thing along which the place is laid out.
         away_m: From the action's edge to the marking's nearer edge.
         width_m: Across the side.
         length_m: Along it; 0 for as long as the place, and beyond.

@@ -110,7 +110,8 @@ def _opening(
             ALL_SIDES,
         )
         return
-    draw.sheet("pane", (back, ya, za), (0, wide, 0), (0, 0, tall), _pane(draw, o.kind))
+    pane, tint = _pane(draw, o.kind)
+    draw.sheet(pane, (back, ya, za), (0, wide, 0), (0, 0, tall), tint)
     bar = 0.05 if o.kind != "shop" else 0.07
     edges = [
         (ya, ya + bar, za, zb),
@@ -130,14 +131,14 @@ def _opening(
         draw.box("concrete", (back, ya - 0.05, za - 0.05), sill, WHITE, ALL_SIDES - {"-x"})
 
 
-def _pane(draw: Drawing, kind: str) -> Color:
+def _pane(draw: Drawing, kind: str) -> tuple[str, Color]:
     """What one sees in a pane: from a room the sky, from a street a reflection or a lamp."""
     if kind in ("room", "strip"):
-        return OUTSIDE_NIGHT if draw.night else OUTSIDE_DAY
+        return ("pane", OUTSIDE_NIGHT) if draw.night else ("glow", OUTSIDE_DAY)
     if not draw.night:
-        return DAY_PANE
+        return "pane", DAY_PANE
     lit = draw.rng.random() < (0.9 if kind == "shop" else 0.4)
-    return LIT_PANE if lit else NIGHT_PANE
+    return ("glow", LIT_PANE) if lit else ("pane", NIGHT_PANE)
 
 
 def _row(openings: Openings, width: float) -> list[tuple[float, Openings]]:
