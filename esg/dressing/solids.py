@@ -211,16 +211,16 @@ class Drawing:
         n = len(flat)
         sides = [np.column_stack([flat[:, 0], sign * half, flat[:, 1]]) for sign in (-1.0, 1.0)]
         k = np.arange(n)
+        low, high = sides
         for a, b in zip(k, (k + 1) % n, strict=True):
-            corner, along, up = sides[1][a], sides[0][a] - sides[1][a], sides[1][b] - sides[1][a]
             if abs(half[a] - half[b]) < 1e-9:
-                self.sheet(surface, corner, along, up, color)
-                continue
-            self._polygon(surface, np.array([corner, sides[0][a], sides[0][b], sides[1][b]]), color)
-        self._polygon(surface, sides[0][::-1], color)
-        self._polygon(surface, sides[1], color)
+                self.sheet(surface, low[a], high[a] - low[a], low[b] - low[a], color)
+            else:
+                self.polygon(surface, np.array([low[a], high[a], high[b], low[b]]), color)
+        self.polygon(surface, low, color)
+        self.polygon(surface, high[::-1], color)
 
-    def _polygon(self, surface: str, corners: Floats, color: Color | None) -> None:
+    def polygon(self, surface: str, corners: Floats, color: Color | None = None) -> None:
         """A flat face of n corners, counter-clockwise, as a fan about its middle."""
         n = len(corners)
         vertices = np.concatenate([[corners.mean(axis=0)], corners])
@@ -253,9 +253,9 @@ class Drawing:
         )
         for a in range(sides):
             b = (a + 1) % sides
-            self.sheet(surface, low[a], low[b] - low[a], high[a] - low[a], color)
-        self._polygon(surface, low, color)
-        self._polygon(surface, high[::-1], color)
+            self.sheet(surface, low[a], high[a] - low[a], low[b] - low[a], color)
+        self.polygon(surface, low, color)
+        self.polygon(surface, high[::-1], color)
 
     def clump(
         self,
@@ -277,7 +277,7 @@ class Drawing:
             level: 1 has 80 triangles, 2 has 320.
         """
         unit, faces = _sphere(level)
-        waves = self.rng.normal(size=(6, 3)) * 3.2
+        waves = self.rng.normal(size=(6, 3)) * 2.4
         phases = self.rng.uniform(0, 2 * math.pi, 6)
         swell = 1.0 + rough * np.sin(unit @ waves.T + phases).sum(1) / 2.0
         vertices = unit * swell[:, None] * np.asarray(radii, float)

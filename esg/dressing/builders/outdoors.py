@@ -79,7 +79,7 @@ def pot_plant(draw: Drawing, wish: Wish) -> None:
         turn = draw.rng.uniform(-0.5, 0.5, 2)
         at = (turn[0] * r, turn[1] * r, h * (0.55 + 0.08 * k))
         size = r * draw.rng.uniform(0.42, 0.58)
-        draw.clump("leaves", at, (size, size, 0.13 * h), (0.25, 0.42, 0.18), rough=0.3, level=1)
+        draw.clump("leaves", at, (size, size, 0.13 * h), (0.25, 0.42, 0.18), rough=0.16, level=1)
 
 
 @builder("bookcase", "bookshelf", "shelf")

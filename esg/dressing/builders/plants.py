@@ -29,14 +29,14 @@ def broadleaf(draw: Drawing, wish: Wish) -> None:
     draw.tube("bark", (0, 0, 0), (1.25 * stem, 0.75 * stem), bare + 0.25 * h)
     crown = h - bare
     middle, size = (0, 0, bare + 0.55 * crown), (0.72 * r, 0.72 * r, 0.46 * crown)
-    draw.clump("leaves", middle, size, color, rough=0.25)
+    draw.clump("leaves", middle, size, color, rough=0.16)
     turn = draw.rng.uniform(0, 2 * math.pi)
     for k in range(5):
         a = turn + 2 * math.pi * k / 5
         reach, size = 0.5 * r, draw.rng.uniform(0.4, 0.5) * r
         z = bare + crown * draw.rng.uniform(0.28, 0.56)
         at = (reach * math.cos(a), reach * math.sin(a), z)
-        draw.clump("leaves", at, (size, size, 0.26 * crown), color, rough=0.25)
+        draw.clump("leaves", at, (size, size, 0.26 * crown), color, rough=0.16)
 
 
 @builder("conifer", "tree")
@@ -60,7 +60,7 @@ def shrub(draw: Drawing, wish: Wish) -> None:
     x, y, h = 0.5 * wish.depth, 0.5 * wish.width, wish.height
     for k in range(3):
         at = (0.35 * x * draw.rng.uniform(-1, 1), 0.45 * y * (k - 1), 0.42 * h)
-        draw.clump("leaves", at, (0.6 * x, 0.55 * y, 0.56 * h), color, rough=0.25)
+        draw.clump("leaves", at, (0.6 * x, 0.55 * y, 0.56 * h), color, rough=0.16)
 
 
 @builder("hedge", "bush")

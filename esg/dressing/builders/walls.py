@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
+import numpy as np
+
 from esg.assets.looks import Color
 from esg.dressing.builders.table import Wish, builder
 from esg.dressing.solids import ALL_SIDES, Drawing
@@ -311,29 +313,8 @@ def cottage(draw: Drawing, wish: Wish) -> None:
         edge = (sign * (x + over), -sign * (half + over), eaves - 0.15)
         rise = (-sign * (x + over), 0.0, top - eaves + 0.15)
         draw.sheet("roof_tiles", edge, (0, sign * 2 * (half + over), 0), rise)
-    for sign in (1.0, -1.0):
-        # A gable is half of a sheet: two slim ones that meet under the ridge would show a seam.
-        _gable(draw, body.surface, sign, (x, half), (eaves, top), wish.color)
-
-
-def _gable(
-    draw: Drawing,
-    surface: str,
-    sign: float,
-    half: tuple[float, float],
-    heights: tuple[float, float],
-    color: Color | None,
-) -> None:
-    x, y = half
-    low, high = heights
-    steps = 6
-    for k in range(steps):
-        reach = x * (1.0 - k / steps)
-        z0 = low + (high - low) * k / steps
-        along = (-sign * 2 * reach, 0.0, 0.0)
-        draw.sheet(
-            surface, (sign * reach, sign * y, z0), along, (0, 0, (high - low) / steps), color
-        )
+        gable = [(sign * x, sign * half, eaves), (-sign * x, sign * half, eaves)]
+        draw.polygon(body.surface, np.array([*gable, (0.0, sign * half, top)]), wish.color)
 
 
 @builder("garden_wall", "wall")
