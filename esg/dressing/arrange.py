@@ -26,6 +26,7 @@ from esg.units import CM_PER_M
 _T = TypeVar("_T")
 TRIES = 10
 MOST_ITEMS = 48
+RUN_STEP_M = 0.5
 MOST_RUN_M = 90.0
 """A row of things goes no farther than this from its middle."""
 BEYOND_M = 70.0
@@ -80,6 +81,8 @@ class Site:
     ban: Ban
     rng: np.random.Generator
     items: list[DressingItem] = field(default_factory=list[DressingItem])
+    hung: list[Box] = field(default_factory=list[Box])
+    """What hangs on walls, and what is so tall that it would hide it."""
     water: list[Box] = field(default_factory=list[Box])
     """Where only boats are."""
     walls: dict[str, str] = field(default_factory=dict[str, str])
@@ -180,71 +183,81 @@ def _walls(site: Site, rows: list[Standing]) -> None:
 
 
 def _run(site: Site, rows: list[Standing]) -> None:
-    """Things end to end along a side, from its middle outwards."""
-    weights = np.array([float(row.count[1]) for row in rows])
-    most = int(weights.sum())
+    """Things end to end along a side, as near to it as most of them can stand."""
+    low, high = rows[0].away_m
     for rail in rails(site, rows[0].sides):
         if float(site.rng.random()) >= rows[0].chance:
             continue
-        half = min(0.5 * rail.length + rows[0].away_m[1], MOST_RUN_M)
-        placed: list[tuple[Standing, float, tuple[float, float, float]]] = []
-        at, ends, tried = 0.0, [0.0, 0.0], 0
-        while tried < most:
-            row = rows[int(site.rng.choice(len(rows), p=weights / weights.sum()))]
-            size = _size(site, row)
-            width = _across(row, size)
-            side = tried % 2
-            tried += 1
-            if ends[side] + 0.5 * width > half and tried > 1:
-                continue
-            at = (ends[side] + 0.5 * width) * (1 if side else -1)
-            if tried == 1:
-                at, ends = 0.0, [0.5 * width + row.gap_m, 0.5 * width + row.gap_m]
-            else:
-                ends[side] += width + row.gap_m
-            if _stands(site, row, rail, at, size, check_only=True):
-                placed.append((row, at, size))
-        for row, at, size in _joined(placed):
-            _stands(site, row, rail, at, size, check_only=False)
+        wanted = _lined(site, rows, rail)
+        best: list[Member] = []
+        nearest = low
+        for away in np.arange(low, high + 1e-6, RUN_STEP_M):
+            fit = [m for m in wanted if _fits(site, m.row, _member_box(m, rail, away), m.size)]
+            if len(fit) > len(best):
+                best, nearest = fit, float(away)
+        for member in _joined(best):
+            box = _member_box(member, rail, nearest)
+            yaw = _yaw(rail, member.row.facing, site.rng)
+            if len(site.items) < MOST_ITEMS:
+                _put(site, member.row, box.middle, member.size, yaw, box)
 
 
-def _joined(
-    placed: list[tuple[Standing, float, tuple[float, float, float]]],
-) -> Iterator[tuple[Standing, float, tuple[float, float, float]]]:
+@dataclass(frozen=True)
+class Member:
+    """One of a row: where its middle is along the side [m], and its extents [m]."""
+
+    row: Standing
+    along: float
+    size: tuple[float, float, float]
+
+
+def _lined(site: Site, rows: list[Standing], rail: Rail) -> list[Member]:
+    """Things side by side from the middle of a side outwards, until it or they end."""
+    counts = np.array([float(row.count[1]) for row in rows])
+    half = min(0.5 * rail.length + rows[0].away_m[1], MOST_RUN_M)
+    out: list[Member] = []
+    ends = [0.0, 0.0]
+    for number in range(int(counts.sum())):
+        row = rows[int(site.rng.choice(len(rows), p=counts / counts.sum()))]
+        size = _size(site, row)
+        width = size[0] if row.facing == "along" else size[1]
+        side = number % 2
+        if number == 0:
+            ends = [0.5 * width + row.gap_m] * 2
+            out.append(Member(row, 0.0, size))
+        elif ends[side] + width <= half:
+            along = (ends[side] + 0.5 * width) * (1 if side else -1)
+            ends[side] += width + row.gap_m
+            out.append(Member(row, along, size))
+    return out
+
+
+def _member_box(member: Member, rail: Rail, away: float) -> Box:
+    facing = member.row.facing
+    deep = member.size[1] if facing == "along" else member.size[0]
+    middle = rail.at(member.along, away + 0.5 * deep)
+    return _box(middle, member.size, _turned(rail.normal, facing))
+
+
+def _joined(members: list[Member]) -> Iterator[Member]:
     """Neighbours of one size without a gap become one longer thing."""
-    done = sorted(placed, key=lambda p: p[1])
+    done = sorted(members, key=lambda m: m.along)
     k = 0
     while k < len(done):
-        row, at, size = done[k]
-        low, high = at - 0.5 * size[1], at + 0.5 * size[1]
-        fixed = _fixed(row) and row.gap_m == 0.0
-        while fixed and k + 1 < len(done) and done[k + 1][0] is row:
-            gap = done[k + 1][1] - 0.5 * size[1] - high
-            if gap > 1e-6:
-                break
+        first = done[k]
+        width = first.size[1]
+        low, high = first.along - 0.5 * width, first.along + 0.5 * width
+        while (
+            _fixed(first.row)
+            and first.row.gap_m == 0.0
+            and k + 1 < len(done)
+            and done[k + 1].row is first.row
+            and done[k + 1].along - 0.5 * width - high < 1e-6
+        ):
             k += 1
-            high = done[k][1] + 0.5 * size[1]
-        yield row, 0.5 * (low + high), (size[0], high - low, size[2])
+            high = done[k].along + 0.5 * width
+        yield Member(first.row, 0.5 * (low + high), (first.size[0], high - low, first.size[2]))
         k += 1
-
-
-def _stands(
-    site: Site,
-    row: Standing,
-    rail: Rail,
-    along: float,
-    size: tuple[float, float, float],
-    *,
-    check_only: bool,
-) -> bool:
-    """Puts a member of a row at its place, or says whether it could stand there."""
-    yaw = _yaw(rail, row.facing, site.rng)
-    deep = size[1] if row.facing == "along" else size[0]
-    normal = _turned(rail.normal, row.facing)
-    box = _box(rail.at(along, row.away_m[0] + 0.5 * deep), size, normal)
-    if check_only:
-        return _fits(site, row, box, size)
-    return _put(site, row, box.middle, size, yaw, box)
 
 
 def _scattered(site: Site, row: Standing) -> None:
@@ -324,6 +337,9 @@ def _fits(site: Site, row: Standing, box: Box, size: tuple[float, float, float])
     keep = max([KEEP_M, *(site.ban.near[c] for c in categories if c in site.ban.near)])
     if not site.clear.free(box, keep):
         return False
+    if row.where == "hung":
+        others = [h for h in site.hung if float(box.gap(np.array([h.row()]))[0]) < row.gap_m]
+        return not others and _inside(box, site.rect)
     if site.walls and not _inside(box, site.rect):
         return False
     wet = [w for w in site.water if float(box.gap(np.array([w.row()]))[0]) <= 0.0]
@@ -348,6 +364,8 @@ def _put(
         return False
     if size[2] > FLAT_M and row.where not in ("hung", "wall"):
         site.clear.placed.append((box, row.gap_m))
+    if row.where == "hung" or (row.where != "wall" and size[2] > TALL_M):
+        site.hung.append(box)
     x, y = site.clear.frame.out(middle)
     site.counts[row.item] = site.counts.get(row.item, 0) + 1
     turned = math.degrees(yaw + site.clear.frame.yaw)
@@ -410,10 +428,6 @@ def _usual_sizes() -> dict[str, Size]:
 
 def _within(span: Span, rng: np.random.Generator) -> float:
     return round(float(rng.uniform(*span)), 2)
-
-
-def _across(row: Standing, size: tuple[float, float, float]) -> float:
-    return size[0] if row.facing == "along" else size[1]
 
 
 def _turned(normal: tuple[float, float], facing: str) -> tuple[float, float]:

@@ -17,16 +17,17 @@ from esg.lexicon.places import Place, SkyRow, places, skies, surfaces
 WHERE = 10.0
 """Weight of a place's noun after a preposition of place; bare, it counts a fifth."""
 BARE = 2.0
-SAME_SETTING = 1.0
+GENERIC = "generic"
+"""The environment of a prompt that says nothing of where it is: not even indoors or outdoors."""
+TOO_LARGE = 6.0
+"""Weight against a room that would have to be larger than such rooms are."""
 MOST_OF_KINDS = 7.0
 """The things of a scene together weigh no more: less than words that say where it is."""
 LUCK = 1.0
 """Greatest weight of chance: among places of about equal right one by the seed."""
 STREETLIKE = 2.0
 """A road is a street if it is so many times as long as it is wide."""
-_BEFORE = (
-    r"(?:in|on|at|across|through|along|down|into|inside|onto|over|around|outside|near|by|from)"
-)
+_BEFORE = r"(?:in|on|at|across|through|along|down|into|inside|onto|over|around|outside|near|by|from|to|towards?|off|past|beside)"
 _ARTICLE = r"(?:an?|the|his|her|their|our|its|this|that|some)?"
 _PREPOSED = r"\b" + _BEFORE + r"\s+" + _ARTICLE + r"\s*(?:[\w-]+\s+){{0,2}}?{}\b"
 
@@ -48,16 +49,17 @@ class Choice:
     reasons: tuple[str, ...]
 
 
-def choose(doc: EsgDocument, scene: SimScene, rng: np.random.Generator) -> Choice:
+def choose(doc: EsgDocument, scene: SimScene, extent: float, rng: np.random.Generator) -> Choice:
     """Place, sky and ground of a scene.
 
     Args:
         doc: The document.
         scene: Its bodies.
+        extent: Greatest extent along X or Y of what they sweep [m].
         rng: Draws what nothing speaks for.
     """
     text = doc.scene_definition.original_description.lower()
-    place, why = _place(doc, scene, text, rng)
+    place, why = _place(doc, scene, text, extent, rng)
     sky, light = _sky(place, text, rng)
     ground, below = _ground(doc, place, text)
     return Choice(place, sky, ground, tuple(r for r in (why, light, below) if r))
@@ -75,7 +77,7 @@ def categories(scene: SimScene) -> set[str]:
 
 
 def _place(
-    doc: EsgDocument, scene: SimScene, text: str, rng: np.random.Generator
+    doc: EsgDocument, scene: SimScene, text: str, extent: float, rng: np.random.Generator
 ) -> tuple[Place, str]:
     told = doc.scene_definition.scene_parameters
     found = categories(scene)
@@ -90,12 +92,10 @@ def _place(
         score = preset + said + min(MOST_OF_KINDS, sum(things.values()))
         if score <= 0.0 and row.name not in ("meadow", "room"):
             continue
-        if row.setting == told.scene_type:
-            score += SAME_SETTING
-        elif told.environment != "generic" and not said >= WHERE:
+        if row.setting != told.scene_type and told.environment != GENERIC and said < WHERE:
             continue
-        elif not said:
-            score -= SAME_SETTING
+        if row.most_m and extent > row.most_m:
+            score -= TOO_LARGE
         if best is None or score + luck > best[0]:
             because = [f'"{word}"'] if word else []
             because += [f"environment {told.environment}"] if preset else []

@@ -29,6 +29,7 @@ _BOX_SIDES = (
     ("-z", (0, 1, 0), (1, 0, 0), (0, -1, 0)),
 )
 ALL_SIDES = frozenset(name for name, *_ in _BOX_SIDES)
+_BEHIND = {"+x": "-x", "-x": "+x", "+y": "-y", "-y": "+y"}
 STANDING = ALL_SIDES - {"-z"}
 """Sides of a box that stands on the ground."""
 
@@ -119,6 +120,8 @@ class Drawing:
     def __init__(self, rng: np.random.Generator, *, night: bool = False) -> None:
         self.rng = rng
         self.night = night
+        self.about = False
+        """Whether sheets and boxes are drawn half a turn about Z: what faces +X then faces -X."""
         self._heaps: dict[tuple[str, Color | None], _Heap] = {}
 
     def solids(self) -> list[Solid]:
@@ -138,7 +141,10 @@ class Drawing:
         self, surface: str, corner: Point, along: Point, up: Point, color: Color | None = None
     ) -> None:
         """A parallelogram, seen from where `along`, then `up` turn counter-clockwise."""
-        self._heap(surface, color).sheets.append((*corner, *along, *up))
+        rows = (*corner, *along, *up)
+        if self.about:
+            rows = tuple(v if k % 3 == 2 else -v for k, v in enumerate(rows))
+        self._heap(surface, color).sheets.append(rows)
 
     def box(
         self,
@@ -149,6 +155,9 @@ class Drawing:
         sides: frozenset[str] = STANDING,
     ) -> None:
         """A box between two corners, of which some sides are seen."""
+        if self.about:
+            low, high = (-high[0], -high[1], low[2]), (-low[0], -low[1], high[2])
+            sides = frozenset(_BEHIND.get(side, side) for side in sides)
         self._heap(surface, color).boxes.setdefault(sides, []).append((*low, *high))
 
     def tube(

@@ -53,7 +53,8 @@ def dressing_of(doc: EsgDocument, scene: SimScene, rollout: Rollout, *, seed: in
         scene, rollout, seed: As of `dress`.
     """
     rng = np.random.default_rng([seed, entropy(doc), 24])
-    choice = choose(doc, scene, rng)
+    extent = max(clearance(scene, rollout, Frame(0.0), indoor=True).reach.size)
+    choice = choose(doc, scene, extent, rng)
     axis = _axis(scene, choice.place.axis)
     frame = Frame(0.0 if axis is None else _heading(axis, scene, rollout))
     indoor = choice.place.setting == "indoor"

@@ -87,6 +87,7 @@ class Place:
         surface: Of its ground.
         axis: Category of the thing along which it is laid out; "" for the world's axes.
         clear_m: From the action to its walls, or to the first things outdoors.
+        most_m: Greatest extent of the action that such a place has room for; 0 for any.
         least_m: Smallest extents of a room, or of the action's rectangle.
         height_m: Of its walls, at least.
     """
@@ -100,6 +101,7 @@ class Place:
     surface: str
     axis: str
     clear_m: float
+    most_m: float
     least_m: tuple[float, float]
     height_m: float
 
@@ -219,6 +221,7 @@ def places() -> dict[str, Place]:
             surface=row["surface"],
             axis=row["axis"],
             clear_m=float(row["clear_m"]),
+            most_m=float(row["most_m"]),
             least_m=_pair(row["least_m"]),
             height_m=float(row["height_m"]),
         )

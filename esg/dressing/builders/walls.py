@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
@@ -216,9 +216,7 @@ def _facade(draw: Drawing, wish: Wish, ground: Openings, above: Openings, storey
     rows: list[tuple[float, float, list[tuple[float, Openings]]]] = []
     for k in range(storeys):
         o = ground if k == 0 else above
-        placed = Openings(
-            k * each + o.low, k * each + min(o.high, each - 0.25), o.wide, o.every, o.kind, o.frame
-        )
+        placed = _raised(o, k * each, each)
         row = _row(placed, wish.width)
         if k == 0 and o.kind == "window" and row:
             at = int(draw.rng.integers(len(row)))
@@ -229,9 +227,14 @@ def _facade(draw: Drawing, wish: Wish, ground: Openings, above: Openings, storey
         rows.append((k * each, (k + 1) * each, row))
     surface = wish.surface or "plaster"
     _pierced(draw, wish, x, rows, surface)
+    draw.about = True
+    every = [(k * each, (k + 1) * each, _raised(above, k * each, each)) for k in range(storeys)]
+    behind = [(low, high, _row(o, wish.width)) for low, high, o in every]
+    _pierced(draw, wish, x, behind, surface)
+    draw.about = False
     half, h = 0.5 * wish.width, wish.height
     low, high = (-x, -half, 0.0), (x, half, h)
-    draw.box(surface, low, high, wish.color, frozenset({"+y", "-y", "-x"}))
+    draw.box(surface, low, high, wish.color, frozenset({"+y", "-y"}))
     draw.box("concrete", low, high, (0.45, 0.44, 0.43), frozenset({"+z"}))
     draw.box(
         "concrete",
@@ -244,6 +247,11 @@ def _facade(draw: Drawing, wish: Wish, ground: Openings, above: Openings, storey
         z = each - 0.2
         tint = SIGNS[int(draw.rng.integers(len(SIGNS)))]
         draw.box("painted", (x, -half + 0.3, z - 0.5), (x + 0.1, half - 0.3, z), tint, ALL_SIDES)
+
+
+def _raised(o: Openings, floor: float, storey: float) -> Openings:
+    """Openings of a storey that begins at a height [m]."""
+    return replace(o, low=floor + o.low, high=floor + min(o.high, storey - 0.25))
 
 
 SIGNS: tuple[Color, ...] = (
