@@ -338,11 +338,10 @@ def _fits(site: Site, row: Standing, box: Box, size: tuple[float, float, float])
     if not site.clear.free(box, keep):
         return False
     if row.where == "hung":
-        others = [h for h in site.hung if float(box.gap(np.array([h.row()]))[0]) < row.gap_m]
-        return not others and _inside(box, site.rect)
+        return all(box.to(h) >= row.gap_m for h in site.hung) and _inside(box, site.rect)
     if site.walls and not _inside(box, site.rect):
         return False
-    wet = [w for w in site.water if float(box.gap(np.array([w.row()]))[0]) <= 0.0]
+    wet = [w for w in site.water if box.to(w) < 0.0]
     if row.where == "water":
         return any(_inside(box, w) for w in wet)
     if wet:
@@ -486,11 +485,12 @@ def _flats(site: Site, row: Drawn) -> Iterator[tuple[tuple[float, float], tuple[
         yield from _by_axis(site, row)
         return
     if row.sides == "middle":
-        across = 0.5 * (row.width_m or site.rect.size[1])
-        along = 0.5 * (row.length_m or site.rect.size[0] + 2 * BEYOND_M)
+        base = site.axis or site.rect
+        across = 0.5 * (row.width_m or base.size[1])
+        along = 0.5 * (row.length_m or base.size[0] + 2 * BEYOND_M)
         for k in range(row.repeat):
-            x = site.rect.middle[0] + 4.0 * along * (k - 0.5 * (row.repeat - 1))
-            yield (x, site.rect.middle[1]), (along, across)
+            x = base.middle[0] + 4.0 * along * (k - 0.5 * (row.repeat - 1))
+            yield (x, base.middle[1]), (along, across)
         return
     for rail in rails(site, row.sides):
         # The strips along Y end where those along X begin, so that nothing is drawn twice.

@@ -281,7 +281,7 @@ class Drawing:
         Args:
             surface, color: Of it.
             middle: Its centre.
-            radii: Along X, Y and Z.
+            radii: Along X, Y and Z, which it nowhere goes beyond.
             rough: How far its surface wanders, in radii.
             level: 1 has 80 triangles, 2 has 320.
         """
@@ -289,7 +289,7 @@ class Drawing:
         waves = self.rng.normal(size=(6, 3)) * 2.4
         phases = self.rng.uniform(0, 2 * math.pi, 6)
         swell = 1.0 + rough * np.sin(unit @ waves.T + phases).sum(1) / 2.0
-        vertices = unit * swell[:, None] * np.asarray(radii, float)
+        vertices = unit * (swell / swell.max())[:, None] * np.asarray(radii, float)
         corners = vertices[faces]
         flat = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         normals = np.zeros_like(vertices)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import numpy as np
+
 from esg.assets.looks import Color
 from esg.dressing.builders.table import Wish, builder
 from esg.dressing.solids import ALL_SIDES, Drawing
@@ -25,8 +27,8 @@ def parked_car(draw: Drawing, wish: Wish) -> None:
     def part(
         surface: str, rows: tuple[tuple[float, float, float], ...], color: Color | None
     ) -> None:
-        outline = [(x * length, z * h) for x, z, _ in rows]
-        draw.prism(surface, outline, [w * width for _, _, w in rows], color)
+        table = np.array(rows)
+        draw.prism(surface, table[:, :2] * (length, h), table[:, 2] * width, color)
 
     paint = wish.color or (0.7, 0.71, 0.72)
     part("varnish", _BODY, paint)

@@ -18,6 +18,9 @@ OUTSIDE_DAY: Color = (0.82, 0.9, 0.97)
 OUTSIDE_NIGHT: Color = (0.05, 0.07, 0.13)
 DOOR_AT = 0.3
 """Of a room's door along its wall, in widths from the middle."""
+CORNICE_M = 0.22
+Row = tuple[float, float, list[tuple[float, "Openings"]]]
+"""A storey of a wall: from and to a height [m], openings by their middles along it."""
 FRONT_AND_ENDS = frozenset({"+x", "+y", "-y", "+z"})
 
 
@@ -50,7 +53,7 @@ def _pierced(
     draw: Drawing,
     wish: Wish,
     front: float,
-    rows: list[tuple[float, float, list[tuple[float, Openings]]]],
+    rows: list[Row],
     surface: str,
 ) -> None:
     """The front plane x = `front` of a wall, in storeys from `low` to `high` with openings."""
@@ -210,43 +213,45 @@ def hall_wall_gate(draw: Drawing, wish: Wish) -> None:
 
 
 def _facade(draw: Drawing, wish: Wish, ground: Openings, above: Openings, storey: float) -> None:
-    x = 0.5 * wish.depth
-    storeys = max(1, round(wish.height / storey))
-    each = wish.height / storeys
-    rows: list[tuple[float, float, list[tuple[float, Openings]]]] = []
-    for k in range(storeys):
-        o = ground if k == 0 else above
-        placed = _raised(o, k * each, each)
-        row = _row(placed, wish.width)
-        if k == 0 and o.kind == "window" and row:
-            at = int(draw.rng.integers(len(row)))
-            row[at] = (
-                row[at][0],
-                Openings(0.0, 2.15, min(1.05, o.wide), o.every, "door", (0.35, 0.22, 0.16)),
-            )
-        rows.append((k * each, (k + 1) * each, row))
+    """A house of several storeys with windows to the front and to the back."""
+    x, half, h = 0.5 * wish.depth - CORNICE_M, 0.5 * wish.width, wish.height
+    storeys = max(1, round(h / storey))
+    each = h / storeys
     surface = wish.surface or "plaster"
-    _pierced(draw, wish, x, rows, surface)
-    draw.about = True
-    every = [(k * each, (k + 1) * each, _raised(above, k * each, each)) for k in range(storeys)]
-    behind = [(low, high, _row(o, wish.width)) for low, high, o in every]
-    _pierced(draw, wish, x, behind, surface)
+    for behind in (False, True):
+        rows: list[Row] = []
+        for k in range(storeys):
+            below = ground if k == 0 and not behind else above
+            row = _row(_raised(below, k * each, each), wish.width)
+            if k == 0 and not behind and ground.kind == "window":
+                row = _with_door(draw, row, (0.35, 0.22, 0.16))
+            rows.append((k * each, (k + 1) * each, row))
+        draw.about = behind
+        _pierced(draw, wish, x, rows, surface)
     draw.about = False
-    half, h = 0.5 * wish.width, wish.height
     low, high = (-x, -half, 0.0), (x, half, h)
     draw.box(surface, low, high, wish.color, frozenset({"+y", "-y"}))
     draw.box("concrete", low, high, (0.45, 0.44, 0.43), frozenset({"+z"}))
-    draw.box(
-        "concrete",
-        (x - 0.3, -half, h - 0.12),
-        (x + 0.22, half, h + 0.18),
-        (0.8, 0.78, 0.74),
-        ALL_SIDES,
-    )
+    edge = (x - 0.3, -half, h - 0.12), (x + CORNICE_M, half, h + 0.18)
+    draw.box("concrete", *edge, (0.8, 0.78, 0.74), ALL_SIDES)
     if ground.kind == "shop":
         z = each - 0.2
         tint = SIGNS[int(draw.rng.integers(len(SIGNS)))]
         draw.box("painted", (x, -half + 0.3, z - 0.5), (x + 0.1, half - 0.3, z), tint, ALL_SIDES)
+
+
+def _with_door(
+    draw: Drawing, row: list[tuple[float, Openings]], color: Color
+) -> list[tuple[float, Openings]]:
+    """One window of a row becomes a door."""
+    if not row:
+        return row
+    at = int(draw.rng.integers(len(row)))
+    middle, window = row[at]
+    door = Openings(
+        0.0, min(2.15, window.high), min(1.05, window.wide), window.every, "door", color
+    )
+    return [*row[:at], (middle, door), *row[at + 1 :]]
 
 
 def _raised(o: Openings, floor: float, storey: float) -> Openings:
@@ -301,22 +306,15 @@ def facade_works(draw: Drawing, wish: Wish) -> None:
 @builder("cottage", "house")
 def cottage(draw: Drawing, wish: Wish) -> None:
     """A small house with a gable roof."""
-    eaves = 0.58 * wish.height
+    eaves, over, top = 0.58 * wish.height, 0.4, wish.height
     body = Wish(wish.depth, wish.width, eaves, wish.surface or "plaster", wish.color)
-    x, half = 0.5 * wish.depth, 0.5 * wish.width
+    x, half = 0.5 * wish.depth - over, 0.5 * wish.width - over
     window = Openings(0.85, min(2.1, eaves - 0.3), 1.1, 2.3)
-    row = _row(window, wish.width)
-    if row:
-        at = int(draw.rng.integers(len(row)))
-        row[at] = (
-            row[at][0],
-            Openings(0.0, min(2.1, eaves - 0.2), 1.0, 2.3, "door", (0.3, 0.24, 0.2)),
-        )
-    _pierced(draw, body, x, [(0.0, eaves, row)], body.surface)
-    draw.box(
-        body.surface, (-x, -half, 0), (x, half, eaves), wish.color, frozenset({"-x", "+y", "-y"})
-    )
-    over, top = 0.4, wish.height
+    row = _with_door(draw, _row(window, wish.width - 2 * over), (0.3, 0.24, 0.2))
+    front = replace(body, width=2 * half)
+    _pierced(draw, front, x, [(0.0, eaves, row)], body.surface)
+    sides = frozenset({"-x", "+y", "-y"})
+    draw.box(body.surface, (-x, -half, 0), (x, half, eaves), wish.color, sides)
     for sign in (1.0, -1.0):
         edge = (sign * (x + over), -sign * (half + over), eaves - 0.15)
         rise = (-sign * (x + over), 0.0, top - eaves + 0.15)
