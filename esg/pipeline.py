@@ -71,6 +71,7 @@ class SceneRequest:
         close_loop: Whether the verify engine's outcome error is fed back to the search.
         collision: What bodies collide with during the search: exact, proxy or sdf.
         traffic: Side of the road that vehicles keep to: right or left.
+        document: A scene graph (JSON) of `prompt` that somebody has changed, in place of a draft.
     """
 
     prompt: str
@@ -84,6 +85,7 @@ class SceneRequest:
     close_loop: bool = False
     collision: str = "exact"
     traffic: str = "right"
+    document: str = ""
 
     @property
     def choreographed(self) -> bool:
