@@ -12,6 +12,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "report": ("esg.commands.report:report", "Write one page about a run that opens from disk."),
     "render": ("esg.commands.render:render", "Render ground-truth pictures of a finished scene."),
     "view": ("esg.commands.view:view", "Show the player of one scene in the browser."),
+    "studio": ("esg.commands.studio:studio", "Write, solve and play scenes on a page."),
     "sql": ("esg.commands.sql:sql", "Query the results of all runs with SQL."),
     "db": ("esg.commands.db:app", "Rebuild, fill, prune and look after the run database."),
     "replay": ("esg.commands.replay:replay", "Replay a finished scene in an engine of choice."),

@@ -33,7 +33,6 @@ def test_decals_lie_within_millimetres_of_the_ground(monkeypatch: pytest.MonkeyP
 
     meshes = {b.name: mesh(tuple(2 * h for h in b.half_extents)) for b in bodies}
     monkeypatch.setattr("esg.assets.build_mesh", lambda name: meshes[name])
-    monkeypatch.setattr(module, "_ground", lambda *_: [])
     doc = SimpleNamespace(
         scene_definition=SimpleNamespace(scene_parameters=SimpleNamespace(scene_type="indoor")),
         spatial_relation_graph=SimpleNamespace(
@@ -41,8 +40,9 @@ def test_decals_lie_within_millimetres_of_the_ground(monkeypatch: pytest.MonkeyP
         ),
         asset_configurations={b.name: b.name for b in bodies},
         casting=None,
+        dressing=None,
     )
-    drawn = module.scene_parts(SimpleNamespace(bodies=bodies), None, doc)  # type: ignore[arg-type]
+    drawn = module.body_parts(SimpleNamespace(bodies=bodies), doc)  # type: ignore[arg-type]
     tops = {bodies[p.body].name: float(p.vertices[:, 2].max()) for p in drawn}
     assert 0.0 < tops["floor"] < tops["lane"] < 0.01
     assert tops["rug"] == pytest.approx(0.012)

@@ -121,6 +121,7 @@ def test_parts_of_a_scene_know_their_wheels() -> None:
         ),
         asset_configurations={"car": config},
         casting=None,
+        dressing=None,
     )
     rollout = SimpleNamespace(position=np.zeros((1, 2, 2, 3)))
     drawn = module.scene_parts(SimpleNamespace(bodies=bodies), rollout, doc)  # type: ignore[arg-type]
