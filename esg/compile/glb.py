@@ -27,7 +27,7 @@ from esg.compile.visuals.ropes import LOOKS, Rope, rope_mesh, ropes_of
 from esg.compile.visuals.setting import (
     Setting,
     View,
-    by_look,
+    by_surface,
     by_thing,
     facing,
     ground_mesh,
@@ -223,14 +223,9 @@ def _surroundings(document: Document, setting: Setting) -> list[int]:
 def _dressing(document: Document, name: str, parts: list[Part]) -> int:
     """Adds parts that are fixed to the world as one mesh; returns its index."""
     primitives: list[Any] = []
-    for look, (vertices, faces, normals, uvs) in by_look(parts):
-        surface = surface_of(look)
-        corners = (
-            gltf_vector(vertices),
-            faces,
-            None if normals is None else gltf_vector(normals),
-            uvs if surface.base is not None else None,
-        )
+    for surface, (vertices, faces, normals, uvs) in by_surface(parts):
+        turned = None if normals is None else gltf_vector(normals)
+        corners = gltf_vector(vertices), faces, turned, uvs
         primitives.append((corners, document.material(surface)))
     return document.mesh(name, primitives)
 

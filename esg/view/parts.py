@@ -2,22 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.looks import Color, Look
-from esg.engines.scene import Body, Rollout, SimScene
+from esg.compile.visuals.decals import drawn_lifts, is_ground
+from esg.engines.scene import Rollout, SimScene
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument
 from esg.lexicon.places import places
 from esg.units import CM_PER_M
 from esg.view.render import Part, Turning
 
-GROUND_HALF_EXTENT_M = 45.0
-"""A surface without collision at least this wide is the ground."""
 TILE_RAISE_M = 0.0002
 """Tiles lie so much above the plane: less than depth resolves, more than a ray's rounding."""
 GROUND_RGB = {"indoor": (0.47, 0.41, 0.35), "outdoor": (0.36, 0.38, 0.36)}
@@ -40,28 +39,26 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
 def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:
     """Meshes of all bodies in their frames [m] but those in whose place the ground is seen."""
     from esg.assets import build_mesh
-    from esg.dressing.clearance import covered
 
+    hidden = ground_bodies(scene, doc)
+    lifts = drawn_lifts(scene, {scene.bodies[i].name for i in hidden})
     doc = effective(doc)
-    around = None if doc.dressing is None else places()[doc.dressing.place].setting
     parts: list[Part] = []
     meshes: dict[str, Any] = {}
     turning = 0
-    decals: list[tuple[float, float, list[Part]]] = []
     for index, body in enumerate(scene.bodies):
         first, turning = turning, turning + len(body.wheels)
         node = doc.spatial_relation_graph.nodes.get(body.name)
         if node is None:
             continue
-        flat = not body.collides
-        if _is_ground(body) or (around is not None and covered(body, indoor=around == "indoor")):
+        if index in hidden:
             continue
         if node.asset_id not in meshes:
             meshes[node.asset_id] = build_mesh(doc.asset_configurations[node.asset_id])
         mesh = meshes[node.asset_id]
         wheels = {w.name: Turning(first + k, w.axle) for k, w in enumerate(body.wheels)}
-        offset = np.asarray(body.origin_offset)
-        own = [
+        offset = body.origin_offset + np.array([0.0, 0.0, lifts.get(index, 0.0)])
+        parts += [
             Part(
                 index,
                 p.vertices / CM_PER_M + offset,
@@ -75,27 +72,24 @@ def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:
             )
             for p in mesh_parts(mesh, body.color)
         ]
-        if flat:
-            area, thickness = body.half_extents[0] * body.half_extents[1], 2 * body.half_extents[2]
-            decals.append((area, thickness, own))
-        else:
-            parts += own
-    # Roads and markings lie on the ground, the smaller on the larger: a few millimetres apart.
-    # Their thickness goes into the ground, or what stands at z = 0 would be sunk in them.
-    for layer, (_, thickness, own) in enumerate(sorted(decals, key=lambda d: -d[0]), 1):
-        lift = np.array([0.0, 0.0, 0.004 * layer - thickness])
-        parts += [replace(p, vertices=p.vertices + lift) for p in own]
     return parts
 
 
-def _is_ground(body: Body) -> bool:
-    """Whether a body is the ground itself, which is an endless plane in its colour."""
-    return not body.collides and max(body.half_extents[:2]) > GROUND_HALF_EXTENT_M
+def ground_bodies(scene: SimScene, doc: EsgDocument) -> frozenset[int]:
+    """Indices of the bodies in whose place the ground is seen."""
+    from esg.dressing.clearance import covered
+
+    around = None if doc.dressing is None else places()[doc.dressing.place].setting
+    return frozenset(
+        index
+        for index, body in enumerate(scene.bodies)
+        if is_ground(body) or (around is not None and covered(body, indoor=around == "indoor"))
+    )
 
 
 def ground_color(scene: SimScene, doc: EsgDocument) -> Color:
     """Of the endless plane where nothing dresses it (sRGB)."""
-    own = [b.color for b in scene.bodies if _is_ground(b)]
+    own = [b.color for b in scene.bodies if is_ground(b)]
     return own[-1] if own else GROUND_RGB[doc.scene_definition.scene_parameters.scene_type]
 
 

@@ -42,6 +42,7 @@ from esg.view.surroundings import Sky
 ARKIT = {"", "Scope", "Xform", "Camera", "Shader", "Material", "Mesh", "GeomSubset"}
 """Of the types of prims that ARKit takes, those that a scene may need."""
 BRICK = Look("brick", (0.8, 0.4, 0.3), roughness=0.7, texture="brick", tile_m=2.0)
+BRICK_NAME, STEEL_NAME = "brick_cc664c", "steel_99999e"
 STEEL = Look("steel", (0.6, 0.6, 0.62), roughness=0.3, metalness=1.0)
 
 
@@ -51,7 +52,7 @@ def wall(name: str, look: Look) -> Part:
     normals = np.tile([0.0, 1.0, 0.0], (4, 1))
     uvs = points[:, [0, 2]] * (-1, 1) / look.tile_m
     faces = np.array([[0, 1, 2], [0, 2, 3]])
-    return Part(-1, points, faces, (0.5, 0.5, 0.5), None, look, normals, uvs, name)
+    return Part(-1, points, faces, (0.5, 0.25, 0.125), None, look, normals, uvs, name)
 
 
 def setting(*, moving: bool = False, covered: frozenset[str] = frozenset()) -> Setting:
@@ -77,7 +78,7 @@ def written(folder: Path, out: Path, to: str, **more: Any) -> list[Path]:
 
 
 def test_a_surface_comes_back_from_a_file(tmp_path: Path) -> None:
-    surface = surface_of(BRICK)
+    surface = surface_of(replace(BRICK, normal_strength=0.5), (0.5, 0.25, 0.125))
     assert surface.base is not None and surface.normal is not None
     assert surface.color == pytest.approx(tuple(linear(BRICK.color)))
     document = Document({"asset": {"version": "2.0"}, "scene": 0})
@@ -95,6 +96,7 @@ def test_a_surface_comes_back_from_a_file(tmp_path: Path) -> None:
     np.testing.assert_allclose(back.normals, part.normals, atol=1e-6)
     np.testing.assert_allclose(back.uvs, part.uvs, atol=1e-6)
     assert back.surface == replace(surface, color=tuple(round(c, 6) for c in surface.color))
+    assert back.surface.normal_scale == 0.5 and back.surface.shown == (0.5, 0.25, 0.125)
 
 
 def test_a_colour_goes_into_the_picture_of_readers_without_factors() -> None:
@@ -117,10 +119,10 @@ def test_glb_shows_the_setting(folder: Path, tmp_path: Path) -> None:
     # One mesh a thing, one primitive a surface; what two things are made of is there once.
     house, lamp = (document["meshes"][nodes[n]["mesh"]]["primitives"] for n in ("house", "lamp"))
     names = [m["name"] for m in document["materials"]]
-    assert [names[p["material"]] for p in house] == ["brick", "steel"]
-    assert names.count("steel") == 1 and lamp[0]["material"] == house[1]["material"]
+    assert [names[p["material"]] for p in house] == [BRICK_NAME, STEEL_NAME]
+    assert names.count(STEEL_NAME) == 1 and lamp[0]["material"] == house[1]["material"]
     # Ground and wall share three pictures.
-    assert len(document["images"]) == 3 and names.count("brick") == 1
+    assert len(document["images"]) == 3
     [light] = document["extensions"]["KHR_lights_punctual"]["lights"]
     assert light["intensity"] == pytest.approx(2.0 * math.pi)
     assert light["color"] == pytest.approx([1.0, 0.75, 0.5])
@@ -236,7 +238,7 @@ def test_usd_shows_the_setting(folder: Path, tmp_path: Path, form: str) -> None:
     files = written(folder, tmp_path, "usd", form=form)
     stage = Usd.Stage.Open(str(next(p for p in files if "animation" in p.name)))
     around = "/World/Surroundings"
-    front = stage.GetPrimAtPath(f"{around}/house/brick")
+    front = stage.GetPrimAtPath(f"{around}/house/{BRICK_NAME}")
     material, _ = UsdShade.MaterialBindingAPI(front).ComputeBoundMaterial()
     surface = material.ComputeSurfaceSource()[0]
     assert surface.GetIdAttr().Get() == "UsdPreviewSurface"

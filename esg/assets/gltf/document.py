@@ -183,6 +183,11 @@ class Document:
         ):
             if picture is not None:
                 holder[key] = {"index": self._texture(picture)}
+        if surface.normal is not None and surface.normal_scale != 1.0:
+            item["normalTexture"]["scale"] = _six(surface.normal_scale)
+        if surface.average is not None:
+            # For readers without pictures: sRGB of the surface on average.
+            item["extras"] = {"color": [round(c, 4) for c in surface.average]}
         if surface.alpha < 1.0:
             item["alphaMode"] = "BLEND"
         if surface.two_sided:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.gltf.document import Corners
+from esg.assets.gltf.surfaces import Surface, surface_of
 from esg.assets.looks import Color, Look
 
 if TYPE_CHECKING:
@@ -134,20 +135,21 @@ def by_thing(parts: Iterable[Part]) -> dict[str, list[Part]]:
     return groups
 
 
-def by_look(parts: Iterable[Part]) -> list[tuple[Look, Corners]]:
+def by_surface(parts: Iterable[Part]) -> list[tuple[Surface, Corners]]:
     """Parts of one surface together: vertices [m], faces, normals and texture coordinates."""
-    groups: dict[tuple[Look, bool, bool], list[Part]] = {}
+    groups: dict[tuple[Surface, bool, bool], list[Part]] = {}
     for part in parts:
-        look = part.look or Look("", part.color)
-        groups.setdefault((look, part.normals is None, part.uvs is None), []).append(part)
-    out: list[tuple[Look, Corners]] = []
-    for (look, flat, plain), members in groups.items():
+        surface = surface_of(part.look or Look("", part.color), part.color)
+        plain = part.uvs is None or surface.base is None
+        groups.setdefault((surface, part.normals is None, plain), []).append(part)
+    out: list[tuple[Surface, Corners]] = []
+    for (surface, flat, plain), members in groups.items():
         starts = np.cumsum([0, *(len(m.vertices) for m in members[:-1])])
         faces = [m.faces + start for m, start in zip(members, starts, strict=True)]
         normals = None if flat else np.concatenate([_known(m.normals) for m in members])
         uvs = None if plain else np.concatenate([_known(m.uvs) for m in members])
         vertices = np.concatenate([m.vertices for m in members])
-        out.append((look, (vertices, np.concatenate(faces), normals, uvs)))
+        out.append((surface, (vertices, np.concatenate(faces), normals, uvs)))
     return out
 
 

@@ -22,7 +22,7 @@ from esg.compile.visuals.ropes import LOOKS, rope_mesh
 from esg.compile.visuals.setting import (
     Setting,
     View,
-    by_look,
+    by_surface,
     by_thing,
     facing,
     ground_mesh,
@@ -84,12 +84,9 @@ class UsdLooks:
         self._mesh(f"{SURROUNDINGS}/Ground", ground_mesh(setting), ground, SURROUNDINGS)
         for name, parts in by_thing(setting.parts).items():
             path = self._free(SURROUNDINGS, name)
-            looks = by_look(parts)
-            if len(looks) > 1:
-                UsdGeom.Xform.Define(self._stage, path)
-            for look, corners in looks:
-                place = self._free(path, look.material) if len(looks) > 1 else path
-                self._mesh(place, corners, surface_of(look), SURROUNDINGS)
+            UsdGeom.Xform.Define(self._stage, path)
+            for surface, corners in by_surface(parts):
+                self._mesh(self._free(path, surface.name), corners, surface, SURROUNDINGS)
         _lights(self._stage, setting)
 
     def rope(self, kind: str) -> str:
@@ -146,6 +143,7 @@ class UsdLooks:
         """The material of a surface below `root`."""
         from pxr import UsdGeom, UsdShade
 
+        surface = replace(surface, average=None)
         key = root, surface
         if key not in self._materials:
             scope = f"{root}/Looks"
@@ -157,7 +155,7 @@ class UsdLooks:
         return self._materials[key]
 
     def _shade(self, material: Any, path: str, surface: Surface) -> None:
-        from pxr import Gf, Sdf, UsdShade
+        from pxr import Gf, Sdf, Tf, UsdShade
 
         types = Sdf.ValueTypeNames
         shader = UsdShade.Shader.Define(self._stage, f"{path}/Surface")
@@ -184,8 +182,8 @@ class UsdLooks:
         reader.CreateOutput("result", types.Float2)
 
         def texture(name: str, kind: str, picture: Picture, space: str) -> Any:
-            stem = path.rsplit("/", 1)[1]
-            file = f"{TEXTURES}/{stem}_{kind}_{picture.digest}.{picture.suffix}"
+            stem = Tf.MakeValidIdentifier(picture.name or kind)
+            file = f"{TEXTURES}/{stem}_{picture.digest}.{picture.suffix}"
             self.pictures[file] = picture
             made = UsdShade.Shader.Define(self._stage, f"{path}/{name}")
             made.CreateIdAttr("UsdUVTexture")
