@@ -115,13 +115,16 @@ def _name(look: Look) -> str:
 
 
 @cache
-def _pictures(texture: str) -> tuple[Picture, Picture, Picture]:
-    """The three pictures of a set of maps."""
+def _pictures(texture: str) -> tuple[Picture, Picture, Picture | None]:
+    """Pictures of a set of maps: colour, normals, and roughness unless it is the same all over."""
     found = maps(texture, PICTURE_PX)
+    rough = None
+    if found.roughness.min() < 255:
+        rough = picture(rough_metal(found.roughness), f"{texture}_rough", QUALITY["rough"])
     return (
         picture(found.base_color, f"{texture}_color", QUALITY["color"]),
         picture(found.normal, f"{texture}_normal", QUALITY["normal"]),
-        picture(rough_metal(found.roughness), f"{texture}_rough", QUALITY["rough"]),
+        rough,
     )
 
 

@@ -33,7 +33,8 @@ from esg.engines.scene import Body
 
 TEXTURES = "textures"
 """Folder of the pictures beside the layers."""
-SURROUNDINGS = "/Surroundings"
+ROOT = "/Seen"
+SURROUNDINGS = f"{ROOT}/Surroundings"
 RESERVED = ("looks", "ground", "sun", "sky")
 """Names of prims that no part gets, in lower case."""
 SENSOR_MM = 36.0
@@ -59,6 +60,7 @@ class UsdLooks:
         self._stage = Usd.Stage.Open(layer)
         UsdGeom.SetStageUpAxis(self._stage, UsdGeom.Tokens.z)
         UsdGeom.SetStageMetersPerUnit(self._stage, 1.0)
+        self._stage.SetDefaultPrim(UsdGeom.Xform.Define(self._stage, ROOT).GetPrim())
         self._materials: dict[tuple[str, Surface], Any] = {}
         self._names: dict[str, set[str]] = {}
 
@@ -66,9 +68,7 @@ class UsdLooks:
         """Writes the mesh of a body below `root`, its wheels in prims of their own."""
         from pxr import UsdGeom
 
-        form = UsdGeom.Xform.Define(self._stage, root)
-        if not self._stage.HasDefaultPrim():
-            self._stage.SetDefaultPrim(form.GetPrim())
+        UsdGeom.Xform.Define(self._stage, root)
         wheels = _wheel_prims(self._stage, root, body)
         for part in parts:
             path, axle = wheels.get(part.holder, (root, np.zeros(3)))
@@ -91,7 +91,7 @@ class UsdLooks:
 
     def rope(self, kind: str) -> str:
         """Writes the mesh of ropes or springs unless it is there; returns its path."""
-        path = f"/{kind.capitalize()}"
+        path = f"{ROOT}/{kind.capitalize()}"
         if not self._stage.GetPrimAtPath(path):
             from pxr import UsdGeom
 
