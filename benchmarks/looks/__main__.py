@@ -40,7 +40,7 @@ from esg.view.camera import Camera
 from esg.view.setting import export_folder, setting_in
 
 SIZE = (480, 270)
-SAMPLES = 24
+SAMPLES = 16
 THREADS = 2
 FACTOR = 0.01
 """Largest difference of a factor that counts as the same."""
