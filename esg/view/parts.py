@@ -15,7 +15,7 @@ from esg.graph.casting import effective
 from esg.graph.models import EsgDocument
 from esg.lexicon.places import places
 from esg.units import CM_PER_M
-from esg.view.render import Part, Turning
+from esg.view.pieces import Part, Turning
 
 TILE_RAISE_M = 0.0002
 """Tiles lie so much above the plane: less than depth resolves, more than a ray's rounding."""
