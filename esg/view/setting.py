@@ -18,6 +18,8 @@ from esg.scenereading import absent, read_metrics
 from esg.view.camera import Camera
 from esg.view.cameras import action_cameras
 from esg.view.parts import ground_bodies
+from esg.view.renderers.records import Scenery
+from esg.view.scenery import seen_from
 from esg.view.surroundings import surroundings_of
 
 if TYPE_CHECKING:
@@ -46,8 +48,8 @@ def setting_of(
     cameras = action_cameras(scene, rollout, verdict, doc, 1, ASPECT) if scene.bodies else []
     around = surroundings_of(doc, scene, rollout)
     if cameras:
-        eyes = np.array([camera.eye for camera in cameras])
-        around = around.seen_from(eyes, np.array([camera.target for camera in cameras]))
+        seen = seen_from(Scenery((), 0, around), cameras, scene, rollout).surroundings
+        around = around if seen is None else seen
     low, high = _span(rollout)
     x, y = (float(v) for v in 0.5 * (low + high))
     return Setting(
