@@ -30,7 +30,15 @@ from esg.compile.export import export
 from esg.compile.plugin import write_plugin
 from esg.compile.visuals.decals import drawn_lifts
 from esg.compile.visuals.ropes import rope_mesh, ropes_of
-from esg.compile.visuals.setting import Setting, View, facing, seen_at
+from esg.compile.visuals.setting import (
+    Setting,
+    View,
+    by_thing,
+    facing,
+    ground_mesh,
+    seen_at,
+    spread,
+)
 from esg.engines.joints import joint_ends, joint_poses
 from esg.engines.manifest import load_manifest
 from esg.engines.scene import SimScene
@@ -97,6 +105,39 @@ def test_a_surface_comes_back_from_a_file(tmp_path: Path) -> None:
     np.testing.assert_allclose(back.uvs, part.uvs, atol=1e-6)
     assert back.surface == replace(surface, color=tuple(round(c, 6) for c in surface.color))
     assert back.surface.normal_scale == 0.5 and back.surface.shown == (0.5, 0.25, 0.125)
+
+
+@pytest.mark.parametrize("mirrored", [False, True])
+def test_tangents_follow_the_texture(mirrored: bool) -> None:
+    """Along +u in the surface; the side tells where +v is, which is up in a picture."""
+    part = wall("front", BRICK)
+    uvs = part.uvs * (-1, 1) if mirrored else part.uvs
+    document = Document({"asset": {"version": "2.0"}, "scene": 0})
+    corners = part.vertices, part.faces, part.normals, uvs
+    mesh = document.mesh("front", [(corners, document.material(surface_of(BRICK)))])
+    index = document.data["meshes"][mesh]["primitives"][0]["attributes"]["TANGENT"]
+    tangents = accessor(document.data, bytes(document.binary), index)
+    wanted = (1.0, 0.0, 0.0, -1.0) if mirrored else (-1.0, 0.0, 0.0, 1.0)
+    np.testing.assert_allclose(tangents, np.tile(wanted, (4, 1)), atol=1e-6)
+    up = np.cross(part.normals[0], tangents[0, :3]) * tangents[0, 3]
+    np.testing.assert_allclose(up, (0.0, 0.0, 1.0), atol=1e-6)
+
+
+def test_the_ground_lies_below_its_markings_and_has_tiles_of_its_size() -> None:
+    flat = wall("ground/line", STEEL)
+    low, high = (replace(flat, vertices=np.tile([0.0, 0.0, z], (4, 1))) for z in (0.001, 0.002))
+    parts = spread([low, high, wall("house/front", BRICK)])
+    assert [float(p.vertices[0, 2]) for p in parts] == pytest.approx([-0.002, 0.002, 0.0])
+    assert set(by_thing(parts)) == {"markings", "house"}
+    vertices, faces, normals, uvs = ground_mesh(replace(setting(), parts=(low, high)))
+    assert np.ptp(vertices[:, :2], axis=0) == pytest.approx((60.0, 60.0))
+    np.testing.assert_allclose(vertices[:, :2].mean(axis=0), (1.0, 2.0), atol=1e-9)
+    assert vertices[:, 2] == pytest.approx(-0.002 - 60.0 * 2e-5)
+    np.testing.assert_allclose(uvs, vertices[:, :2] / 2.0)
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    assert (np.cross(b - a, c - a)[:, 2] > 0.0).all() and (normals == (0, 0, 1)).all()
+    area = 0.5 * np.cross(b - a, c - a)[:, 2].sum()
+    assert area == pytest.approx(60.0 * 60.0)
 
 
 def test_a_colour_goes_into_the_picture_of_readers_without_factors() -> None:

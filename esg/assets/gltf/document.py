@@ -302,7 +302,8 @@ def _tangents(vertices: Floats, faces: NDArray[np.int64], normals: Floats, uvs: 
 
     def gathered(values: Floats) -> Floats:
         each = np.repeat(values, 3, axis=0)
-        return np.stack([np.bincount(index, column, count) for column in each.T], axis=1)
+        sums = [np.bincount(index, column, count).astype(float) for column in each.T]
+        return np.stack(sums, axis=1)
 
     along, up = gathered(along), gathered(up)
     normals = np.asarray(_units(normals), float)

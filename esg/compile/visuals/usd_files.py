@@ -4,6 +4,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
 import os
 from pathlib import Path
 import tempfile
@@ -69,7 +70,7 @@ def write_package(scene: UsdScene, out: Path) -> list[Path]:
         _strip(flat)
         _turn_y_up(flat)
         # Flattening has made the pictures' paths absolute.
-        UsdUtils.ModifyAssetPaths(flat, lambda file: f"./{Path(file).relative_to(work)}")
+        UsdUtils.ModifyAssetPaths(flat, partial(_beside, work))
         flat.Export(str(work / "seen.usdc"))
         for file in work.rglob("*"):
             os.utime(file, (EPOCH_S, EPOCH_S))  # a package tells the times of its files
@@ -77,6 +78,11 @@ def write_package(scene: UsdScene, out: Path) -> list[Path]:
         done = UsdUtils.CreateNewUsdzPackage(str(work / "seen.usdc"), str(path), "scene.usdc")
         assert done, path
     return [path]
+
+
+def _beside(folder: Path, file: str) -> str:
+    """The path of a file as layers in `folder` tell it."""
+    return f"./{Path(file).relative_to(folder).as_posix()}"
 
 
 def _strip(layer: Any) -> None:
