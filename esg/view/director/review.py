@@ -120,7 +120,9 @@ class Viewfinder:
         beat, camera = self.action.beat_at(time), take.at([time]).camera(0)
         shown, _ = self.scan.look(camera, GLANCE_PX)
         alone, _ = self.scan.look(camera, GLANCE_PX, beat.participants)
-        return _share(np.count_nonzero(np.isin(shown, beat.participants)), np.count_nonzero(alone >= 0))
+        return _share(
+            np.count_nonzero(np.isin(shown, beat.participants)), np.count_nonzero(alone >= 0)
+        )
 
     def review(self, take: Take) -> list[Seen]:
         """What a take shows of every event that happens during it."""

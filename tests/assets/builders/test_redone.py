@@ -13,15 +13,67 @@ from esg.assets.library.catalogue import build_sketch, entries_by_name
 from esg.assets.stage import configure
 from tests.assets.worlds import requirement
 
-VEHICLES = "car hatchback suv jeep pickup van truck bus bicycle motorcycle train sports_car".split()
-LIVING = "person woman child dog cat".split()
-SMALL = (
-    "chair office_chair table desk picnic_table bench sofa shelf bookshelf bottle mug cup vase "
-    "plate bowl basket trash_bin box crate barrel bucket soccer_ball basketball bowling_ball "
-    "tennis_ball billiard_ball beach_ball bowling_pin domino book floor_lamp street_lamp "
-    "traffic_cone traffic_light mailbox fire_hydrant tree fence ladder skateboard shopping_cart "
-    "laptop toy_car cart"
-).split()
+VEHICLES = [
+    "car",
+    "hatchback",
+    "suv",
+    "jeep",
+    "pickup",
+    "van",
+    "truck",
+    "bus",
+    "bicycle",
+    "motorcycle",
+    "train",
+    "sports_car",
+]
+LIVING = ["person", "woman", "child", "dog", "cat"]
+SMALL = [
+    "chair",
+    "office_chair",
+    "table",
+    "desk",
+    "picnic_table",
+    "bench",
+    "sofa",
+    "shelf",
+    "bookshelf",
+    "bottle",
+    "mug",
+    "cup",
+    "vase",
+    "plate",
+    "bowl",
+    "basket",
+    "trash_bin",
+    "box",
+    "crate",
+    "barrel",
+    "bucket",
+    "soccer_ball",
+    "basketball",
+    "bowling_ball",
+    "tennis_ball",
+    "billiard_ball",
+    "beach_ball",
+    "bowling_pin",
+    "domino",
+    "book",
+    "floor_lamp",
+    "street_lamp",
+    "traffic_cone",
+    "traffic_light",
+    "mailbox",
+    "fire_hydrant",
+    "tree",
+    "fence",
+    "ladder",
+    "skateboard",
+    "shopping_cart",
+    "laptop",
+    "toy_car",
+    "cart",
+]
 MOST_TRIANGLES = dict.fromkeys(VEHICLES, 18_500) | dict.fromkeys(LIVING, 14_000)
 """Of a kind as its builder draws it; 12,000 for what is smaller."""
 
