@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from esg.draft.discourse.core import kind_of, movable
-from esg.draft.discourse.proposition import Clause
+from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.tracks import Motion
 from esg.draft.discourse.windows import START
@@ -22,7 +22,7 @@ _TRANSITIVE = frozenset(
     {"launch", "knock", "drop", "carry", "roll", "slide", "bounce", "tow", "own", "pass", "posture"}
 )
 """Senses whose object, where there is one, is what moves as the clause says."""
-AT_ITS_OWN_PACE = ("brake", "stop", "slow", "fall", "drop", "topple", "turn")
+_AT_ITS_OWN_PACE = ("brake", "stop", "slow", "fall", "drop", "topple", "turn")
 """Senses whose adverbs of pace are not about a speed that one could choose."""
 TURNING = ("turn", "swerve", "face", "topple")
 """Senses whose sides are not ways of moving."""
@@ -93,6 +93,12 @@ def follow(d: Discourse, f: Frame, was: Before, subject: list[str], objects: lis
     return clause
 
 
+def chosen_pace(f: Frame, s: Said) -> bool:
+    """Whether a word of pace is about a speed that one could choose ("then gallops": gained)."""
+    gained = f.verb.sense == "accelerate" and s.row.part == "verb"
+    return f.verb.sense not in _AT_ITS_OWN_PACE and not gained
+
+
 def _carry_over(d: Discourse, clause: Clause, mover: str, was: Before) -> None:
     """Gives the motions of a clause the course and the pace that its words state."""
     earlier = any(e.actor == mover for e in d.timeline.edges[: was.edges])
@@ -104,7 +110,7 @@ def _carry_over(d: Discourse, clause: Clause, mover: str, was: Before) -> None:
         if s.row.part == "braking":
             _brake_so(d, mover, was, s.row.pace)
             continue
-        if s.row.pace and clause.frame.verb.sense in AT_ITS_OWN_PACE:
+        if s.row.pace and not chosen_pace(clause.frame, s):
             continue
         if s.row.states is Predicate.MOVES and turned:
             continue

@@ -34,6 +34,7 @@ from esg.draft.events.told import constrain, ignore, last_event, mates_of, moves
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Role
+from esg.lexicon.senses import no_things
 
 _THINGS_DO = lex.word_set("things do")
 _THINGS_DO_TO = lex.word_set("things do to")
@@ -62,6 +63,10 @@ _NAMED_EVENTS = {
 }
 """Nouns for events, and the point events they name."""
 _ANIMAL_VERBS = lex.word_set("animal verbs")
+_SENT = frozenset({"launch", "drop", "scatter", "pocket"})
+"""Senses of which only the object moves."""
+_STUFF, _REFLEXIVE = lex.word_set("substances"), lex.word_set("reflexive")
+_SLOWER_GAITS, _FASTER_GAITS = lex.word_set("gaits, slow"), lex.word_set("gaits, fast")
 
 _PERSON_VERBS = lex.word_set("person verbs")
 _VEHICLE_VERBS = lex.word_set("vehicle verbs")
@@ -289,6 +294,29 @@ def _ridden_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
+def _nothing_to_move(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "A farmer throws hay": what is thrown is no body, and the farmer does not fly instead."""
+    m = f.object
+    if f.verb.sense not in _SENT or f.verb.passive or m is None or parts.objects:
+        return False
+    stuff = no_things().get(m.head) == "substance" or m.head in _STUFF
+    if m.amounts or m.count == 0 or m.pronoun in _REFLEXIVE or (m.attribute and not stuff):
+        return False
+    ignore(d, f, "nothing of the kind happens in the scene")
+    return True
+
+
+def _runs_now(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "Is walking, then suddenly starts running": it gains speed."""
+    if f.verb.lemma not in _FASTER_GAITS or f.verb.sense != "own" or f.verb.passive or f.object:
+        return False
+    slower = {i for c in d.scene.clauses if c.frame.verb.lemma in _SLOWER_GAITS for i in c.movers}
+    afoot = parts.subject and {*parts.subject} <= slower
+    if afoot and all(moves(d, i) for i in parts.subject) and not f.phrases:
+        f.verb.sense = "accelerate"
+    return False
+
+
 STEPS: tuple[Step, ...] = (
     _mount_instead,
     _no_ground,
@@ -298,6 +326,8 @@ STEPS: tuple[Step, ...] = (
     _thrown_instead,
     _ridden_instead,
     _abreast,
+    _nothing_to_move,
+    _runs_now,
 )
 """What is found out about who a clause is about before its verb is read, in this order."""
 

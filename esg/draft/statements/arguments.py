@@ -28,7 +28,7 @@ def arguments(a: Account) -> Iterator[Gap]:
     taking |= {i for e in d.timeline.edges for i in (e.actor, e.target) if i}
     taking |= {i for r in scene.relations for i in (r.source, r.target, r.text)}
     for at in (scene.supported_by, scene.inside_of, scene.attached, scene.marked, scene.facing):
-        taking |= {*at, *at.values()}
+        taking |= {i for pair in at.items() if not structural(d, pair[1]) for i in pair}
     taking |= {i for s in a.said for i in (*s.object, *s.target)} | {*d.moves.still}
     taking |= {j.parent for j in scene.joints if j.child in taking and j.parent}
     for f in a.frames:

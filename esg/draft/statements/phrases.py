@@ -228,8 +228,7 @@ def _related(d: Discourse, about: set[str], others: set[str], by: Carriers) -> b
 def _tells(s: Statement, about: set[str], others: set[str], prep: str, by: Carriers) -> bool:
     ends = {*s.object, *s.target}
     fits = not by.states or s.predicate.value in by.states
-    way = s.predicate is Predicate.MOVES and s.direction == prep  # "up the stairs": up
-    return fits and bool(ends & about) and (way or bool(ends & others))
+    return fits and bool(ends & about) and bool(ends & others)
 
 
 def _happens(n: Draft, about: set[str], others: set[str], by: Carriers, own: set[str]) -> bool:

@@ -13,10 +13,10 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, SELF_POWERED, SPEEDS
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import (
-    AT_ITS_OWN_PACE,
     GENTLE_BRAKE_CM_S2,
     HARD_BRAKE_CM_S2,
     TURNING,
+    chosen_pace,
     measurable,
 )
 from esg.draft.events.motions import can_roll, flies_itself
@@ -56,6 +56,8 @@ _POSTURES = {
 """What verbs of posture say of what holds something."""
 _ON_THE_WAY = ("along", "across", "through")
 """Directions that roads, fields and floors have, too."""
+_ON_NO_WHEELS = frozenset({"baby", "boy", "child", "girl", "kid", "man", "toddler", "woman"})
+"""Persons of whom "rolls" says that they turn over and over, which a skateboarder does not."""
 _CORNERED = ("box", "compound")
 """Shapes that do not roll, whatever a text says."""
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
@@ -200,7 +202,7 @@ def _paced(book: _Book, clause: Clause, s: Said, mover: str) -> None:
         book.add(s.row.states, s.start, s.end, object=(mover,), quantity="deceleration",
                  value=round(rate, 2))  # fmt: skip
         return
-    if clause.frame.verb.sense in AT_ITS_OWN_PACE:
+    if not chosen_pace(clause.frame, s):
         return
     value = _pace(book.d, clause, mover, s.row.states)
     if value is not None:
@@ -223,6 +225,10 @@ def _rolled(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     d = book.d
     noun = entity_of(d, mover).noun
     if "round" not in noun.traits and noun.kind in SELF_POWERED:
+        bodily = noun.kind == "animal" or entity_of(d, mover).head in _ON_NO_WHEELS
+        if bodily and clause.frame.verb.lemma == "roll":
+            note = f"{entity_of(d, mover).head} does not turn over: it moves"
+            book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=(mover,), note=note)
         return
     if noun.shape in _CORNERED and not can_roll(d, mover) and "wheeled" not in noun.traits:
         note = f"{entity_of(d, mover).head} is not round: it slides"

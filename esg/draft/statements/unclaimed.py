@@ -8,6 +8,7 @@ preposition, and the word set "passed over (unclaimed)" what shows nothing of it
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, movable, structural
@@ -18,6 +19,7 @@ from esg.draft.statements.arguments import arguments, idle, left_behind
 from esg.draft.statements.phrases import phrases
 from esg.draft.text.elements import ONE_OF_THESE
 from esg.draft.verbphrases import verb_readings
+from esg.graph.models import NodeEvent
 
 _QUALITIES = lex.word_set("unseen qualities")
 _MOTIONS = frozenset({"own", "fly", "fall", "roll", "accelerate"})
@@ -71,12 +73,44 @@ def _left_out(a: Account) -> Iterator[Gap]:
             yield Gap(t.start, t.end, NOTHING)
 
 
+_PARTICLES: dict[str, tuple[frozenset[str], frozenset[NodeEvent]]] = {
+    "out": (frozenset({"away_from"}), frozenset({NodeEvent.ENTER_REGION, NodeEvent.FALL})),
+    "in": (frozenset({"toward"}), frozenset({NodeEvent.ENTER_REGION, NodeEvent.REACH})),
+}
+"""Particles of verbs of motion, and the directions and events that show them."""
+
+
+def _particles(a: Account) -> Iterator[Gap]:
+    """ "The doors open and a man walks out": of what, if nothing shows it."""
+    for c in a.d.scene.clauses:
+        f = c.frame
+        if f.verb.sense not in _MOTIONS or not c.movers or not any(f is g for g in a.frames):
+            continue
+        words = [*re.finditer(r"\S+", a.d.text[f.verb.start : f.verb.end])]
+        last = words[-1][0].lower() if words else ""
+        if len(words) < 2 or last not in _PARTICLES or f.phrases:
+            continue
+        (ways, events), about = _PARTICLES[last], {*c.movers}
+        shown = any(w.direction in ways and about & {*w.object} for w in a.kept)
+        told = (n for n in a.d.timeline.nodes if n.event in events)
+        if not shown and not any(about & {*n.participants} for n in told) and _enclosed(a, about):
+            at = f.verb.start + words[-1].start()
+            yield Gap(at, f.verb.end, NOTHING, tuple(about))
+
+
+def _enclosed(a: Account, about: set[str]) -> bool:
+    """Whether the scene has something that who moves could go into or come out of."""
+    nouns = (entity_of(a.d, i).noun for i in {*a.d.world.entities} - about)
+    return any(n.kind == "building" or "door" in n.name or "container" in n.traits for n in nouns)
+
+
 _FINDERS: tuple[Callable[[Account], Iterator[Gap]], ...] = (
     phrases,
     arguments,
     left_behind,
     idle,
     adverbs,
+    _particles,
     _qualities,
     _left_out,
 )

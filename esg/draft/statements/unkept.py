@@ -10,10 +10,11 @@ from dataclasses import dataclass
 from functools import cache
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import kind_of
+from esg.draft.discourse.core import kind_of, movable
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.courses import measurable
+from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import adverbs_of
 from esg.draft.grammar.clauses.frames import Frame
 
@@ -27,6 +28,8 @@ _STATES = frozenset(
      "start"}
 )  # fmt: skip
 """Senses that may add nothing to a scene: states, and what other clauses tell."""
+_SETS_IN_MOTION = frozenset({"drop", "launch", "roll", "slide", "knock", "scatter", "pocket"})
+"""Senses of which the object moves."""
 NOTHING_MOVES = "nothing of the kind happens in the scene"
 
 
@@ -65,7 +68,17 @@ def missing(d: Discourse, clause: Clause) -> str:
     note = d.scene.used.get((f.verb.start, f.verb.end), "")
     again = any(n.id == note for n in d.timeline.nodes)
     told = clause.told or again or bool(clause.movers)
+    if told and not clause.movers and not again and _moves_nothing(d, f):
+        return NOTHING_MOVES
     return "" if told or f.verb.sense in _STATES else NOTHING_MOVES
+
+
+def _moves_nothing(d: Discourse, f: Frame) -> bool:
+    """ "A truck dumps gravel": what would move is no body of the scene."""
+    if f.verb.sense not in _SETS_IN_MOTION or f.verb.passive or f.object is None:
+        return False
+    bodies = [i for i in f.object.entities if i in d.world.entities]
+    return not any(movable(d, i) for i in bodies)
 
 
 def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
@@ -88,6 +101,9 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
         if condition == "later" and f.relative:
             return False
         if condition == "later" and not _acted_before(d, clause, doers):
+            return False
+        winged = [flies_itself(d, i) for i in clause.movers]
+        if condition == "!flyer" and winged and all(winged):
             return False
         if condition.startswith("!") and condition[1:] in kinds:
             return False

@@ -125,6 +125,8 @@ def _phrase(c: Chunks, verb: Verb, k: int) -> int:
         path = verb.passive and notes.get("transitive") and sense == "topple"
         if path and _determiner_at(c, m.end()):
             continue  # "is dragged over the sand"
+        if notes.get("active") and verb.passive and verb.auxiliary in _BE:
+            continue  # "is stuck in a tree": a state
         if notes.get("only_passive"):
             if verb.passive:
                 break  # a path, no particle
