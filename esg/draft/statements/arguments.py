@@ -12,6 +12,8 @@ _EACH = frozenset(
     {"own", "fly", "fall", "roll", "slide", "launch", "drop", "bounce", "coast", "topple"}
 )
 """Senses of which each of several things needs a motion of its own."""
+_SENT = frozenset({"launch", "drop"})
+"""Senses of which what the clause acts on moves."""
 _STATES = frozenset(
     {"be", "posture", "have", "weigh", "contain", "measure", "unknown", "lead", "noop", "park"}
 )
@@ -72,7 +74,8 @@ def idle(a: Account) -> Iterator[Gap]:
         if not any(f.verb is kept.verb for kept in a.frames) or f.verb.passive:
             continue
         told = c.movers and f.verb.sense in _EACH and f.verb.auxiliary != "have"
-        group = nodes_of(a.d, f.subject) if told else []
+        sent = f.object if f.verb.sense in _SENT and f.object and f.object.plural else f.subject
+        group = nodes_of(a.d, sent) if told else []
         idle = [i for i in group if i not in moving and entity_of(a.d, i).pattern not in CHAINS]
         if 0 < len(idle) < len(group):
             yield Gap(f.verb.start, f.verb.end, "only one of them does", tuple(idle))

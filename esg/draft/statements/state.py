@@ -107,6 +107,9 @@ def state(
             _motion(book, clause)
         else:
             _posture(book, clause)
+            for s in clause.said:
+                if s.row.states is Predicate.CARRIED_BY:
+                    _carried(book, clause, s, "")
     said = {(s.start, s.end) for s in book.items}
     for f in frames:
         why = "" if _span(f) in said else dropped(d, f)

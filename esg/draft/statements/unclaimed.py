@@ -13,7 +13,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, movable, structural
 from esg.draft.discourse.record import Discourse
-from esg.draft.statements.account import NOTHING, PASSED_OVER, Account, Gap, nodes_of
+from esg.draft.statements.account import NOTHING, PASSED_OVER, Account, Gap, nodes_of, turns
 from esg.draft.statements.adverbs import adverbs
 from esg.draft.statements.arguments import arguments, idle, left_behind
 from esg.draft.statements.phrases import phrases
@@ -22,7 +22,7 @@ from esg.draft.verbphrases import verb_readings
 from esg.graph.models import NodeEvent
 
 _QUALITIES = lex.word_set("unseen qualities")
-_MOTIONS = frozenset({"own", "fly", "fall", "roll", "accelerate"})
+_MOTIONS = frozenset({"own", "fly", "fall", "roll", "accelerate", "spin"})
 _SMALL = (
     lex.DETERMINERS | lex.PREPOSITIONS | lex.PRONOUNS | lex.MODALS | lex.word_set("be")
     | frozenset({"and", "or", "but", "to", "not", "who", "which"})
@@ -49,7 +49,8 @@ def _qualities(a: Account) -> Iterator[Gap]:
                 continue
             going = t.low.endswith("ing") and _motion(t.low) and movable(a.d, ids[0])
             named = t.low in entity_of(a.d, ids[0]).noun.name
-            if t.low in _QUALITIES or (going and not named and not {*ids} & moving):
+            shown = turns(a.d, {*ids}) if _spins(t.low) else bool({*ids} & moving)
+            if t.low in _QUALITIES or (going and not named and not shown):
                 yield Gap(t.start, t.end, NOTHING, tuple(ids))
 
 
@@ -57,6 +58,10 @@ def _in_order(d: Discourse, who: str) -> bool:
     """Whether what is ahead of another one, or behind it, is gone for by it, or goes for it."""
     movers = {e.actor for e in d.timeline.edges}
     return any(who in {e.actor, e.target} <= movers for e in d.timeline.edges)
+
+
+def _spins(word: str) -> bool:
+    return any(r.form == "ing" and r.sense == "spin" for r in verb_readings(word))
 
 
 def _motion(word: str) -> bool:

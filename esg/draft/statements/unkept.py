@@ -94,6 +94,9 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
             return False
         if condition == "gently" and not (f.verb.passive and _MANNERS & {*adverbs_of(d.text, f)}):
             return False
+        words = d.text[f.verb.start : f.verb.end + 5].lower().split()
+        if condition == "down" and condition not in words:
+            return False
         if condition == "unmet" and _leads_to_an_event(d, clause):
             return False
         if condition.startswith("without:") and _leads_to_an_event(d, clause, condition[8:]):

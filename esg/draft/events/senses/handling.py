@@ -40,8 +40,10 @@ def _from_where(d: Discourse, f: Frame, bodies: list[str]) -> None:
     ahead = f.phrase(*_PUT_ON, *_PUT_IN)
     if ahead is not None and ahead.mention is not None and ahead.mention.start < f.verb.start:
         place(d, [i for i in bodies if i not in d.scene.supported_by], things(ahead), ahead.prep)
+    of_it = [p for m, p in d.attached if m is f.object]
     for preps, prep in ((("from", "off"), "on"), (("out of",), "in")):
-        host = [i for i in things(f.phrase(*preps)) if not structural(d, i)]
+        told = (f.phrase(*preps), *(p for p in of_it if p.prep in preps))
+        host = [i for p in told for i in things(p) if not structural(d, i)]
         if host:
             place(d, [i for i in bodies if i not in d.scene.supported_by], host[:1], prep)
 

@@ -196,6 +196,10 @@ def read_roll(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("slide")
 def read_slide(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    if f.verb.lemma == "glide" and s and kind_of(d, s[0]) == "projectile":
+        f.verb.sense = "fly"  # "a paper plane glides"
+        read_fly(d, f, s, o)
+        return
     if _pushes(d, f, s, o):
         return
     actors = o if o and (not s or kind_of(d, s[0]) == "person") else s
