@@ -11,7 +11,14 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.antecedents import STATES
 from esg.draft.discourse.concurrence import one_time_each
-from esg.draft.discourse.core import aimable, amounts_of, entity_of, facts_of, kind_of, mark_used
+from esg.draft.discourse.core import (
+    aimable,
+    amounts_of,
+    entity_of,
+    facts_of,
+    kind_of,
+    mark_used,
+)
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.jointed import loosen
@@ -30,7 +37,15 @@ from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
 from esg.draft.events.senses.state import attachment, mass_of_load
 from esg.draft.events.timing import hand_on, precedes, settle, time_of
-from esg.draft.events.told import constrain, ignore, last_event, mates_of, moves, traits_of, unread
+from esg.draft.events.told import (
+    constrain,
+    ignore,
+    last_event,
+    mates_of,
+    moves,
+    traits_of,
+    unread,
+)
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Role

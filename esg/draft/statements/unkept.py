@@ -16,7 +16,9 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.events.courses import measurable
 from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import adverbs_of
+from esg.draft.events.told import last_of
 from esg.draft.grammar.clauses.frames import Frame
+from esg.graph.models import NodeEvent
 
 _NO_PICTURE = lex.word_set("no picture (statements)")
 _MANNERS = frozenset({"gently", "carefully", "slowly", "softly", "quickly", "then", "suddenly"})
@@ -94,6 +96,8 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
             return False
         if condition == "gently" and not (f.verb.passive and _MANNERS & {*adverbs_of(d.text, f)}):
             return False
+        if condition == "bumped" and not (f.verb.form == "ing" and _bumped(d, f)):
+            return False
         words = d.text[f.verb.start : f.verb.end + 5].lower().split()
         if condition == "down" and condition not in words:
             return False
@@ -113,6 +117,12 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
         if condition.startswith("of:") and condition[3:] not in kinds:
             return False
     return True
+
+
+def _bumped(d: Discourse, f: Frame) -> bool:
+    """Whether the last that happens to what a clause acts on is that it is touched."""
+    told = [last_of(d, i) for i in (f.object.entities[:1] if f.object is not None else [])]
+    return any(n is not None and n.event is NodeEvent.COLLISION for n in told)
 
 
 def _leads_to_an_event(d: Discourse, clause: Clause, kind: str = "") -> bool:
