@@ -67,6 +67,7 @@ _HANDLED = {
     **dict.fromkeys((("carry", v) for v in lex.word_set("picks up")), "pick"),
     **dict.fromkeys((("own", v) for v in lex.word_set("jumps")), "jump"),
     ("carry", "lower"): "put",
+    ("noop", "take"): "pick",
 }
 """Verbs of states and motions that may tell of a hand, or of a leap, by sense and lemma."""
 _NAMED_EVENTS = {
@@ -354,6 +355,8 @@ def _sense_here(d: Discourse, f: Frame, parts: Parts) -> str:
         f.verb.sense = on_joint
     sense, lemma = f.verb.sense, f.verb.lemma
     handled = _HANDLED.get((sense, lemma))
+    if sense == "noop" and not any(_in_reach(d, i) for i in parts.objects):
+        handled = None
     if handled is not None:
         return handled
     if lemma in ("end", "wind", "finish") and sense in ("noop", "reach"):
@@ -362,6 +365,12 @@ def _sense_here(d: Discourse, f: Frame, parts: Parts) -> str:
     if sense == "noop" and lemma in _BREAKING and against and parts.subject:
         return "hit"
     return sense
+
+
+def _in_reach(d: Discourse, body: str) -> bool:
+    """Whether hands can take a thing ("takes a book from the shelf", not "takes a bus")."""
+    loose = body in d.world.entities and entity_of(d, body).noun.kind not in SELF_POWERED
+    return loose and "fixed" not in traits_of(d, body)
 
 
 def _what_the_thrower_misses(d: Discourse, f: Frame, parts: Parts) -> None:

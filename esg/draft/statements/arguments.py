@@ -10,9 +10,10 @@ from esg.graph.models import Predicate
 
 _EACH = frozenset(
     {"own", "fly", "fall", "roll", "slide", "launch", "drop", "bounce", "coast", "topple"}
+    | {"carry", "pick"}
 )
 """Senses of which each of several things needs a motion of its own."""
-_SENT = frozenset({"launch", "drop"})
+_SENT = frozenset({"launch", "drop", "carry", "pick", "phrase"})
 """Senses of which what the clause acts on moves."""
 _STATES = frozenset(
     {"be", "posture", "have", "weigh", "contain", "measure", "unknown", "lead", "noop", "park"}

@@ -45,6 +45,7 @@ def _from_where(d: Discourse, f: Frame, bodies: list[str]) -> None:
         told = (f.phrase(*preps), *(p for p in of_it if p.prep in preps))
         host = [i for p in told for i in things(p) if not structural(d, i)]
         if host:
+            prep = "in" if holds(d, host[0]) else prep
             place(d, [i for i in bodies if i not in d.scene.supported_by], host[:1], prep)
 
 
@@ -90,14 +91,21 @@ def read_put(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 def _in_hand(d: Discourse) -> list[str]:
     """What has been picked up last, if nothing happened since."""
-    last = next((n for n in reversed(d.timeline.nodes) if n.participants), None)
-    return [last.participants[0]] if last and last.event is NodeEvent.PICKED_UP else []
+    held: list[str] = []
+    for n in reversed([n for n in d.timeline.nodes if n.participants]):
+        if n.event is not NodeEvent.PICKED_UP:
+            break
+        held.insert(0, n.participants[0])
+    return held
 
 
 def _named_it(d: Discourse, f: Frame) -> list[str]:
     """What "it" is that is put somewhere: what is in hand."""
     m = f.subject if f.verb.passive else f.object
-    return _in_hand(d) if m is not None and m.pronoun in ("it", "them") else []
+    held = _in_hand(d)
+    if m is None or m.pronoun not in ("it", "them"):
+        return []
+    return held if m.pronoun == "them" else held[-1:]
 
 
 def _told_as_act(d: Discourse, f: Frame) -> bool:
