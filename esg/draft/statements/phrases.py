@@ -18,6 +18,7 @@ from esg.draft.discourse.scene import GROUND
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.courses import measurable
 from esg.draft.events.stated import start_of
+from esg.draft.events.told import traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.account import PASSED_OVER, Account, Gap, about_of, held, nodes_of, turns
 from esg.draft.statements.arranged import FILES, in_line
@@ -44,6 +45,7 @@ _COMPANIONS = frozenset({"person", "animal", "robot"})
 _INNER = frozenset({"in", "into", "inside", "within", "inside of"})
 _CLOSED = frozenset({"appliance", "electronics", "building", "vehicle"})
 """Kinds of things that have an inside, which nothing is put into."""
+_FLAT = frozenset({"support", "structural"})
 _ENTERED = frozenset({"building", "structure"})
 _ENDS = frozenset({"ends_on", "ends_in", "ends_near", "above", "under"})
 _HITS = frozenset({"impact", "contact", "collision", "crash"})
@@ -250,7 +252,8 @@ def _happens(
     if n.id in own and any(c.to in others for c in n.constraints):
         return True  # "stops 1 m in front of a gate"
     inner = prep in _INNER and n.event is NodeEvent.PLACED
-    if inner and any(kind_of(d, i) in _CLOSED for i in others):
+    closed = (kind_of(d, i) in _CLOSED or not _FLAT & traits_of(d, i) for i in others)
+    if inner and any(closed):
         return False  # "puts a cake into the oven": it stands on it
     fits = not by.events or n.event.value in by.events
     return fits and bool(others & also)

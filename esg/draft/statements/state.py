@@ -170,9 +170,29 @@ def _motion(book: _Book, clause: Clause) -> None:
             _said(book, clause, s, mover)
     for p in clause.frame.phrases:
         _support(book, clause, p)
+        if clause.frame.verb.sense == "land":
+            _landed(book, clause, p)
     if clause.frame.verb.sense == "accelerate":
         for mover in clause.movers:
             _gains(book, clause, mover)
+
+
+def _landed(book: _Book, clause: Clause, p: Phrase) -> None:
+    """ "A bird lands on a branch": it comes down by itself, and there it stays."""
+    d = book.d
+    if p.mention is None or p.prep not in ("on", "onto", "upon", "atop", "on top of"):
+        return
+    hosts = [i for i in things(p) if i in d.world.entities and not structural(d, i)][:1]
+    for mover in clause.movers if hosts else []:
+        edges = list(_of(d, mover))
+        kinds = {n.id: n.event for n in d.timeline.nodes}
+        over = bool(edges) and measurable(kinds.get(edges[-1].to, NodeEvent.TRIGGER))
+        if not flies_itself(d, mover) or not over or mover in hosts:
+            continue
+        words = (start_of(p, d.text), p.mention.end)
+        book.add(Predicate.MOVES, *_span(clause.frame), object=(mover,), direction="down",
+                 when=_when(d, clause, mover))  # fmt: skip
+        book.add(Predicate.ENDS_ON, *words, object=(mover,), target=tuple(hosts), when="end")
 
 
 def _gains(book: _Book, clause: Clause, mover: str) -> None:

@@ -13,10 +13,11 @@ from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.scene import GROUND, SELF_POWERED, SPEEDS
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event
+from esg.draft.events.ends import takes_up_from_above
 from esg.draft.events.hanging import turning
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.table import read_as, sense
-from esg.draft.events.timing import enter, moved_by_others, time_of
+from esg.draft.events.timing import enter, enterable, moved_by_others, time_of
 from esg.draft.events.told import amount, at_rest, ignore, recent, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.numerals import parse_number
@@ -136,7 +137,8 @@ def _put(d: Discourse, f: Frame, moved: list[str], goal: tuple[str, str]) -> Non
                 continue
             _lay_aside(d, body, target)
         d.timeline.move(body, Motion("guide", target=target), ForceDirection.ANY_3D)
-        if prep in _PUT_IN and holds(d, target):
+        inner = holds(d, target) or enterable(d, target) or takes_up_from_above(d, target, "in")
+        if prep in _PUT_IN and inner:
             enter(d, f, body, target, time_of(d, f))
         else:
             add_event(d, NodeEvent.PLACED, (body, target), f, time_of(d, f))

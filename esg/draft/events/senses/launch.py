@@ -20,6 +20,7 @@ from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.events.acts import add_event, add_hit, go_into, kinematics, outcomes
 from esg.draft.events.consequences import already_hit, consequence, knock_on
+from esg.draft.events.hanging import hanging
 from esg.draft.events.lengths import distance
 from esg.draft.events.motions import each_passed, motion, start_motion, target_of
 from esg.draft.events.roles import doer_and_done
@@ -146,6 +147,12 @@ def launch_by(d: Discourse, f: Frame, agents: list[str], sent: list[str]) -> Non
         motion(d, f, agents, None)
         return
     mode = f.verb.note or "roll"
+    hung = hanging(d, sent)
+    if hung and agents and kind_of(d, agents[0]) in SELF_POWERED:
+        add_hit(d, f, agents[:1], hung[:1], time_of(d, f))  # "kicks a punching bag"
+        note = add_event(d, NodeEvent.SWING, (hung[0],), f, None)
+        mark_used(d, f, note)
+        return
     if f.verb.lemma == "blow":
         agents = []  # the air that a fan moves touches it, not the fan
     bodily = [a for a in agents if kind_of(d, a) != "person"]
