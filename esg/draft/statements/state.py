@@ -18,6 +18,7 @@ from esg.draft.events.courses import (
     TURNING,
     chosen_pace,
     measurable,
+    queues_behind,
 )
 from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.events.stated import adverbs_of, place_of, start_of
@@ -322,6 +323,12 @@ def _goal(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     d = book.d
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
     if not targets or structural(d, targets[0]) or _met(d, mover, targets):
+        return
+    if queues_behind(d, s, mover) is not None:
+        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(targets),
+                 direction="toward", when=_when(d, clause, mover))  # fmt: skip
+        book.add(Predicate.ENDS_NEAR, s.start, s.end, object=(mover,), target=tuple(targets),
+                 when="end")  # fmt: skip
         return
     also = {i for c in d.scene.clauses for i in c.movers}
     own = any(e.to and e.actor == mover for e in d.timeline.edges)

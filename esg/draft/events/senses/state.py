@@ -44,6 +44,7 @@ _PATTERN_VERBS = {
 """Arrangement of a plural by the verb that says how it stands."""
 _LEANT_ON_CM = 60.0
 _LEANING = frozenset({"lean", "prop"})
+_CARRIES, _WALKERS = ("carry", "haul", "lug"), ("person", "animal", "robot")
 _ABREAST = frozenset({"in a row", "from left to right", "from right to left"})
 _HANGING = lex.word_set("hanging")
 _HUNG_BY = lex.word_set("hung by")
@@ -348,6 +349,10 @@ def read_carry(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         motion(d, f, o, "slide")  # "a conveyor carries a box past a guard"
     elif s and (quantity_of(d, f, "speed") or any(p.prep in _CARRIED_ALONG for p in f.phrases)):
         motion(d, f, s, None)
+    elif s and o and not f.reduced and not f.verb.passive and f.verb.lemma in _CARRIES:
+        walkers = [i for i in s if kind_of(d, i) in _WALKERS]
+        if walkers:
+            motion(d, f, walkers, None)  # carrying is going
     mark_used(d, f, "carrying")
 
 
