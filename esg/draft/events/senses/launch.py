@@ -36,6 +36,7 @@ from esg.draft.events.told import amount, ignore, moves, recent, size_of, things
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 
+_KICKING = frozenset({"kick", "punt", "boot", "sidefoot"})
 _BY_HAND = lex.word_set("by hand")
 _THROWN = lex.word_set("thrown")
 _GUNS = lex.word_set("guns")
@@ -155,6 +156,8 @@ def launch_by(d: Discourse, f: Frame, agents: list[str], sent: list[str]) -> Non
         return
     if f.verb.lemma == "blow":
         agents = []  # the air that a fan moves touches it, not the fan
+    if f.verb.lemma in _KICKING:
+        d.scene.kicked.update(sent)
     bodily = [a for a in agents if kind_of(d, a) != "person"]
     flung = f.verb.lemma == "kick" and "up" in f.adverbs  # "a pebble kicked up by a lorry"
     bumps = f.verb.sense == "launch" and mode in ("slide", "roll") and not flung
