@@ -41,7 +41,7 @@ from esg.strangers.gltf import MOST_BYTES, read_glb
 from esg.units import quat_multiply, quat_rotate
 
 if TYPE_CHECKING:
-    from esg.view.render import Part
+    from esg.view.pieces import Part
 
 Floats = NDArray[np.float64]
 

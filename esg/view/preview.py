@@ -29,7 +29,8 @@ from esg.view.framing import (
 )
 from esg.view.moments import failures, moments_of
 from esg.view.parts import scene_parts
-from esg.view.render import SAMPLES, Part, Renderer
+from esg.view.pieces import Part
+from esg.view.render import SAMPLES, Renderer
 from esg.view.ropes import ropes_at
 from esg.view.sheet import Panel, draw_ropes, draw_trail, write_sheet
 

@@ -44,7 +44,7 @@ from esg.engines.manifest import load_manifest
 from esg.engines.scene import SimScene
 from esg.strangers.gltf import read_glb
 from esg.units import quat_multiply, quat_rotate
-from esg.view.render import Part
+from esg.view.pieces import Part
 from esg.view.surroundings import Sky
 
 ARKIT = {"", "Scope", "Xform", "Camera", "Shader", "Material", "Mesh", "GeomSubset"}

@@ -7,7 +7,7 @@ import pytest
 
 from esg.dressing import dress
 from esg.view.parts import body_parts, scene_parts
-from esg.view.render import Part
+from esg.view.pieces import Part
 from esg.view.surroundings import Surroundings, in_the_way, surroundings_of, thing_of
 from tests.dressing.worlds import body, document, ground, rollout_of, scene_of, straight
 

@@ -14,7 +14,7 @@ from esg.assets.gltf.surfaces import Surface, surface_of
 from esg.assets.looks import Color, Look
 
 if TYPE_CHECKING:
-    from esg.view.render import Part
+    from esg.view.pieces import Part
     from esg.view.surroundings import Sky
 
 Floats = NDArray[np.float64]

@@ -13,7 +13,7 @@ from esg.view.camera import Camera
 from esg.view.director.acting import Action, Beat
 from esg.view.director.lens import FILL_LEAST, FILL_MOST, extent
 from esg.view.director.takes import Take
-from esg.view.render import Part
+from esg.view.pieces import Part
 from esg.view.scan.drawer import Scan
 from esg.view.surroundings import in_the_way
 
@@ -148,7 +148,7 @@ class Viewfinder:
         return True
 
 
-def _share(seen: float, whole: float) -> float:
+def _share(seen: float | np.intp, whole: float | np.intp) -> float:
     """Of a thing without a pixel nothing can be said to be seen."""
     return min(1.0, float(seen) / float(whole)) if whole > 0 else 0.0
 
