@@ -31,7 +31,8 @@ ASPECT = 16 / 9
 NEAR = 0.05
 """Nearest of what a camera sees, by its distance from what it looks at."""
 SIDES, SIDES_M = 24.0, (30.0, 900.0)
-"""Side of the drawn ground by the extent of the action, so that one does not look over its edge."""
+"""Side of the drawn ground by the extent of the action, or by how far off the camera is, so that
+one does not look over its edge."""
 
 
 def setting_of(
@@ -52,11 +53,12 @@ def setting_of(
         around = around if seen is None else seen
     low, high = _span(rollout)
     x, y = (float(v) for v in 0.5 * (low + high))
+    away = max((math.dist(camera.eye, camera.target) for camera in cameras), default=0.0)
     return Setting(
         sky=around.sky,
         ground=around.ground,
         middle=(x, y),
-        side=float(np.clip(SIDES * max(*(high - low), 0.0), *SIDES_M)),
+        side=float(np.clip(SIDES * max(*(high - low), away), *SIDES_M)),
         covered=frozenset(scene.bodies[i].name for i in ground_bodies(scene, doc)),
         parts=around.parts,
         views=tuple(_still("Camera", camera) for camera in cameras),
