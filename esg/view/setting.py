@@ -7,7 +7,6 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from esg.compile.export import Target, animation, export
 from esg.compile.visuals.setting import Setting, View
@@ -17,6 +16,7 @@ from esg.engines.scene import Rollout, SimScene
 from esg.scenereading import absent, read_metrics
 from esg.view.camera import Camera
 from esg.view.cameras import action_cameras
+from esg.view.ground import span
 from esg.view.parts import ground_bodies
 from esg.view.renderers.records import Scenery
 from esg.view.scenery import seen_from
@@ -51,7 +51,7 @@ def setting_of(
     if cameras:
         seen = seen_from(Scenery((), 0, around), cameras, scene, rollout).surroundings
         around = around if seen is None else seen
-    low, high = _span(rollout)
+    low, high = span(rollout) if scene.bodies else (np.zeros(2), np.zeros(2))
     x, y = (float(v) for v in 0.5 * (low + high))
     away = max((math.dist(camera.eye, camera.target) for camera in cameras), default=0.0)
     return Setting(
@@ -63,15 +63,6 @@ def setting_of(
         parts=around.parts,
         views=tuple(_still("Camera", camera) for camera in cameras),
     )
-
-
-def _span(rollout: Rollout) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Corners of where bodies are [m], without those that run away, each of shape [2]."""
-    points = rollout.position[0, :, :, :2].reshape(-1, 2).astype(np.float64)
-    points = points[np.isfinite(points).all(axis=1)]
-    if not len(points):
-        return np.zeros(2), np.zeros(2)
-    return np.percentile(points, 2, axis=0), np.percentile(points, 98, axis=0)
 
 
 def setting_in(folder: Path, scene: SimScene, rollout: Rollout) -> Setting | None:
