@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from esg.compile.export import Target, animation, export
-from esg.compile.visuals.setting import Setting, View
+from esg.compile.visuals.setting import Setting, View, spread
 from esg.compile.visuals.usd_files import UsdForm
 from esg.engines.manifest import load_manifest
 from esg.engines.scene import Rollout, SimScene
@@ -60,7 +60,7 @@ def setting_of(
         middle=(x, y),
         side=float(np.clip(SIDES * max(*(high - low), away), *SIDES_M)),
         covered=frozenset(scene.bodies[i].name for i in ground_bodies(scene, doc)),
-        parts=around.parts,
+        parts=tuple(spread(around.parts)),
         views=tuple(_still("Camera", camera) for camera in cameras),
     )
 

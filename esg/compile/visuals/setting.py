@@ -24,7 +24,7 @@ CELLS = 16
 SUNK, SUNK_M = 2e-5, 0.01
 """The drawn ground lies so much below what lies on it, by its side and at most [m]: whoever draws
 by depth cannot tell them apart otherwise."""
-CELL_M, MOST_CUTS = 12.0, 5
+CELL_M, MOST_CUTS = 25.0, 4
 """Longest edge of a triangle of a marking, and how often one is cut for it."""
 MARKINGS = "ground/"
 """How the names of parts begin that lie on the ground."""
@@ -66,7 +66,7 @@ class Setting:
         side: Of the square of it that is drawn [m].
         covered: Names of bodies in whose place the ground is seen.
         parts: Meshes fixed to the world, in its frame; those of one thing have names that are the
-            same up to a slash.
+            same up to a slash. What lies on the ground has been `spread`.
         views: Cameras; the first is the one to look through.
     """
 
@@ -107,7 +107,8 @@ def ground_mesh(setting: Setting) -> tuple[Floats, NDArray[np.int64], Floats, Fl
     line = np.sign(line) * line**2 * setting.side / 2
     y, x = np.meshgrid(line, line, indexing="ij")
     corners = np.stack([x.ravel(), y.ravel()], axis=1) + np.asarray(setting.middle)
-    lowest = min([0.0, *(float(p.vertices[:, 2].min()) for p in spread(setting.parts))])
+    flat = [p for p in setting.parts if p.name.startswith(MARKINGS)]
+    lowest = min([0.0, *(float(p.vertices[:, 2].min()) for p in flat)])
     height = np.full((len(corners), 1), lowest - min(SUNK_M, SUNK * setting.side))
     first = (np.arange(CELLS) + (CELLS + 1) * np.arange(CELLS)[:, None]).reshape(-1, 1)
     right, above = 1, CELLS + 1
