@@ -137,7 +137,8 @@ def test_the_ground_lies_below_its_markings_and_has_tiles_of_its_size() -> None:
     facing_y = np.cross(b - a, c - a)[:, 1]
     assert (facing_y > 0.0).all() and 0.5 * facing_y.sum() == pytest.approx(40.0 * 4.0)
     np.testing.assert_allclose(cells.uvs[:, 0], -cells.vertices[:, 0] / 20.0 / STEEL.tile_m)
-    vertices, faces, normals, uvs = ground_mesh(replace(setting(), parts=tuple(parts)))
+    cellar = replace(parts[2], vertices=parts[2].vertices - (0.0, 0.0, 9.0))
+    vertices, faces, normals, uvs = ground_mesh(replace(setting(), parts=(*parts, cellar)))
     assert np.ptp(vertices[:, :2], axis=0) == pytest.approx((60.0, 60.0))
     np.testing.assert_allclose(vertices[:, :2].mean(axis=0), (1.0, 2.0), atol=1e-9)
     assert vertices[:, 2] == pytest.approx(-0.002 - 60.0 * 2e-5)
