@@ -32,7 +32,6 @@ from esg.compile.visuals.setting import (
     facing,
     ground_mesh,
     seen_at,
-    spread,
     strength,
 )
 from esg.engines.scene import Body, Rollout, Shape, SimScene
@@ -202,7 +201,7 @@ def _surroundings(document: Document, setting: Setting) -> list[int]:
     nodes = [document.append("nodes", {"name": "ground", "mesh": mesh})]
     dressing = [
         document.append("nodes", {"name": name, "mesh": _dressing(document, name, parts)})
-        for name, parts in by_thing(spread(setting.parts)).items()
+        for name, parts in by_thing(setting.parts).items()
     ]
     if dressing:
         nodes.append(document.append("nodes", {"name": "dressing", "children": dressing}))
