@@ -390,10 +390,11 @@ def _put(
 
 
 def _color(site: Site, row: Standing) -> tuple[float, float, float] | None:
-    """One of a row's colours; walls, and rows of equal things, have one all over a place."""
+    """One of a row's colours; walls, and rows without gaps, have one all over a place."""
     if not row.colors:
         return None
-    if row.where != "wall" and not (row.where == "run" and _fixed(row)):
+    whole = row.where == "run" and row.gap_m == 0.0 and _fixed(row)
+    if row.where != "wall" and not whole:
         return _rounded(_one(row.colors, site.rng))
     key = "wall" if row.where == "wall" else row.item
     if key not in site.styles:
