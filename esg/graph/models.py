@@ -859,6 +859,8 @@ class DressingItem(Model):
     """Row of the table of surfaces; None: as its kind is made."""
     color_rgb: tuple[float, float, float] | None = None
     """sRGB in [0, 1]; None: the usual one of its kind or surface."""
+    wall: str | None = None
+    """Id of the wall at which it stands or hangs: who looks through the one sees neither."""
     variant: int = 0
     """Seed of what else may differ: proportions, wear, which windows are lit."""
 
