@@ -97,6 +97,9 @@ class Body:
         mentioned: False if expansion added it.
         active: It moves under its own control.
         wheels: What turns as the body travels (`esg.engines.wheels`).
+        break_impulse: It breaks once it took more within `BREAK_WINDOW_S`
+            (`esg.engines.joint_rules`) [N s]; None: never.
+        fragments: Names of the bodies that it then is (`esg.engines.breaking`).
     """
 
     name: str
@@ -126,6 +129,8 @@ class Body:
     mentioned: bool = True
     active: bool = False
     wheels: tuple[Wheel, ...] = ()
+    break_impulse: float | None = None
+    fragments: tuple[str, ...] = ()
 
     @property
     def collides(self) -> bool:
