@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
+from esg.assets.looks import Color, Look
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument
@@ -46,8 +48,18 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
         wheels = {w.name: Turning(first + k, w.axle) for k, w in enumerate(body.wheels)}
         offset = np.asarray(body.origin_offset)
         own = [
-            Part(index, vertices / CM_PER_M + offset, faces, color, wheels.get(holder))
-            for vertices, faces, color, holder in mesh_parts(mesh, body.color)
+            Part(
+                index,
+                p.vertices / CM_PER_M + offset,
+                p.faces,
+                p.color,
+                wheels.get(p.holder),
+                p.look,
+                p.normals,
+                p.uvs,
+                p.name,
+            )
+            for p in mesh_parts(mesh, body.color)
         ]
         if flat:
             area, thickness = body.half_extents[0] * body.half_extents[1], 2 * body.half_extents[2]
@@ -62,22 +74,54 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
     return parts + _ground(rollout, ground)
 
 
-def mesh_parts(mesh: Any, fallback: tuple[float, float, float]) -> list[Any]:
-    """Vertices in the asset's frame [cm], faces, colour and parent of every geometry of a scene."""
-    out = []
+@dataclass(frozen=True)
+class Piece:
+    """One geometry of an asset.
+
+    Args:
+        name: What it is.
+        holder: Name of the node that holds it: that of its wheel, else the root.
+        vertices: In the asset's frame [cm], shape [n, 3].
+        faces: Vertex indices, shape [m, 3].
+        color: sRGB in [0, 1], of the surface on average.
+        look: Its surface, if a builder painted it.
+        normals: At the vertices, shape [n, 3].
+        uvs: At the vertices in tiles, shape [n, 2].
+    """
+
+    name: str
+    holder: str
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.int64]
+    color: Color
+    look: Look | None
+    normals: NDArray[np.float64] | None
+    uvs: NDArray[np.float64] | None
+
+
+def mesh_parts(mesh: Any, fallback: Color) -> list[Piece]:
+    """Every geometry of an asset's scene, in the asset's frame."""
+    out: list[Piece] = []
     parents = mesh.graph.transforms.parents
     for name in sorted(mesh.graph.nodes_geometry):
         transform, geometry_name = mesh.graph[name]
         geometry = mesh.geometry[geometry_name]
         if not len(getattr(geometry, "faces", ())):
             continue
-        vertices = np.asarray(geometry.vertices, float) @ transform[:3, :3].T + transform[:3, 3]
-        color = _color(geometry, fallback)
-        out.append((vertices, np.asarray(geometry.faces), color, parents.get(name, "")))
+        turn = transform[:3, :3]
+        vertices = np.asarray(geometry.vertices, float) @ turn.T + transform[:3, 3]
+        look = geometry.metadata.get("look")
+        normals = uvs = None
+        if look is not None:
+            normals = np.asarray(geometry.vertex_normals, float) @ turn.T
+            uvs = getattr(geometry.visual, "uv", None)
+        color = geometry.metadata.get("color") or _color(geometry, fallback)
+        faces = np.asarray(geometry.faces)
+        out.append(Piece(name, parents.get(name, ""), vertices, faces, color, look, normals, uvs))
     return out
 
 
-def _color(geometry: Any, fallback: tuple[float, float, float]) -> tuple[float, float, float]:
+def _color(geometry: Any, fallback: Color) -> Color:
     visual = getattr(geometry, "visual", None)
     material = getattr(visual, "material", None)
     rgba = getattr(material, "main_color", None) if material is not None else None

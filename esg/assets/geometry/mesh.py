@@ -20,6 +20,7 @@ from esg.assets.geometry.sketch import Sketch
 from esg.assets.geometry.wheels import wheels_of
 from esg.assets.imports.imported import load_imported
 from esg.assets.library.catalogue import Entry, build_sketch
+from esg.assets.materials import look_of
 from esg.graph.casting import effective
 from esg.graph.models import AssetConfiguration, EsgDocument, Vec3
 from esg.outcomes import UserError
@@ -51,23 +52,36 @@ def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
         wheel = None if part.axle is None else wheels[part.axle]
         if wheel is not None:
             mesh.apply_translation([-c for c in wheel.axle_cm])
-        rgba = [round(255 * c) for c in (*part.color, part.alpha)]
+        look = look_of(part.material, part.color, roughness=part.roughness, alpha=part.alpha)
+        rgba = [round(255 * c) for c in (*part.color, look.alpha)]
         mesh.visual = TextureVisuals(
             material=PBRMaterial(
-                name=part.name,
+                name=look.material,
                 baseColorFactor=rgba,
-                roughnessFactor=part.roughness,
-                metallicFactor=part.metallic,
-                alphaMode="BLEND" if part.alpha < 1.0 else "OPAQUE",
+                roughnessFactor=look.roughness,
+                metallicFactor=look.metalness,
+                alphaMode="BLEND" if look.alpha < 1.0 else "OPAQUE",
             )
         )
+        red, green, blue = part.color
+        mesh.metadata.update(look=look, color=(red, green, blue))
+        name = _free_name(scene, part.name)
         scene.add_geometry(
             mesh,
-            node_name=part.name,
-            geom_name=part.name,
+            node_name=name,
+            geom_name=name,
             parent_node_name=None if wheel is None else wheel.name,
         )
     return scene
+
+
+def _free_name(scene: trimesh.Scene, name: str) -> str:
+    """The name, numbered from the second part on that has it."""
+    taken, out, count = set(scene.graph.nodes), name, 1
+    while out in taken:
+        count += 1
+        out = f"{name}_{count}"
+    return out
 
 
 def _moved(by: Vec3 | NDArray[np.float64]) -> NDArray[np.float64]:

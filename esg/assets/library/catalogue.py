@@ -146,7 +146,7 @@ def build_sketch(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, f
     from esg.assets.builders import BUILDERS, DRAWN, load_builders
 
     load_builders()
-    sketch = Sketch()
+    sketch = Sketch(material=entry.material)
     if policy(entry) == "free":
         return _free(entry, dimensions_cm, color)
     params = dict(entry.params)
@@ -165,14 +165,14 @@ def _free(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, float]) 
     factor = uniform_factor(usual, dimensions_cm)
     middling: Vec3 = tuple(d / factor for d in dimensions_cm)  # type: ignore[assignment]
     for size in (dimensions_cm, middling):
-        sketch = Sketch()
+        sketch = Sketch(material=entry.material)
         try:
             BUILDERS[entry.builder](sketch, *size, color, **dict(entry.params))
             if sound(sketch):
                 return sketch if size is dimensions_cm else scaled(sketch, factor)
         except (ArithmeticError, ValueError):
             continue
-    sketch = Sketch()
+    sketch = Sketch(material=entry.material)
     BUILDERS[entry.builder](sketch, *usual, color, **dict(entry.params))
     l, w, h = (b / a for a, b in zip(usual, dimensions_cm, strict=True))  # noqa: E741
     return stretched(sketch, (l, w, h))
