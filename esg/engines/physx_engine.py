@@ -187,7 +187,6 @@ class PhysxWorld:
         self._scene.set_timestep(dt)
         self._dt = dt
         self._within: list[Touch] = []
-        self._pressed: list[Touch] = []
         self._log: list[Touch] | None = None
         self._mass = values.mass[w]
         self._scale = float(values.friction_scale[w])
@@ -339,15 +338,16 @@ class PhysxWorld:
         velocities = [b.linear_velocity.tolist() for b in bodies]
         fixed = [c for corners in self._fixed.values() for c in corners]
         n = parts(velocities, lambda k: _filled(bodies[k]), fixed, self._dt)
-        self._within, self._pressed, self._log = [], [], None
+        self._within, self._log = [], None
         if self.joints:
             self.joints.before_step(self, n)
+        if self._breaks:
+            self._breaks.before_step()
         if n > 1:
             self.system.set_timestep(self._dt / n)
             for _ in range(n - 1):
                 self.system.step()
                 self._within.extend(self._touches(ground=True))
-                self._pressed.extend(self._points() if self._breaks else ())
         self.system.step()
         if n > 1:
             self.system.set_timestep(self._dt)
@@ -355,7 +355,7 @@ class PhysxWorld:
             self.joints.after_step(self, self.contacts(ground=True))
         if self._breaks:
             self._log = [*self.contacts(ground=True)]
-            self._breaks.after_step([*self._pressed, *self._points()])
+            self._breaks.after_step(self._log)
 
     def retire(self, body: int) -> None:
         self.bodies[body].disable()
@@ -386,15 +386,6 @@ class PhysxWorld:
                 yield touch
         if self._log is None:
             yield from self._touches(ground)
-
-    def _points(self) -> Iterator[Touch]:
-        """Every point that pressed in the last part of the step."""
-        for contact in self.system.get_contacts():
-            a, b = (self._index[c._physx_pointer] for c in contact.bodies)
-            for p in contact.points:
-                impulse = float(np.dot(p.impulse, p.normal))
-                if impulse > 0.0:
-                    yield a, b, impulse, -float(p.separation), p.position, p.normal
 
     def _touches(self, ground: bool) -> Iterator[Touch]:
         """What touched in the last part of the step."""

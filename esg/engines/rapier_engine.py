@@ -207,6 +207,8 @@ class RapierWorld:
                 self.set_angular(i, (x * k, y * k, z * k))
         if self.joints:
             self.joints.before_step(self)
+        if self._breaks:
+            self._breaks.before_step()
         self._log = None
         self._world.step()
         for i in self._flying:
@@ -216,7 +218,7 @@ class RapierWorld:
             self.joints.after_step(self, self.contacts(ground=True))
         if self._breaks:
             self._log = [*self.contacts(ground=True)]
-            self._breaks.after_step([*self._points()])
+            self._breaks.after_step(self._log)
 
     def retire(self, body: int) -> None:
         self._body(body).is_enabled = False
@@ -242,17 +244,6 @@ class RapierWorld:
         # What breaks takes its contacts along.
         own = self._touches(ground) if self._log is None else self._log
         return (touch for touch in own if ground or (touch[0] >= 0 and touch[1] >= 0))
-
-    def _points(self) -> Iterator[Touch]:
-        """Every point that pressed in the last step."""
-        for contact in self._world.narrow_phase.contact_pairs():
-            a, b = (self._owner[c.index] for c in (contact.collider1, contact.collider2))
-            for manifold in contact.manifolds:
-                n = manifold.data.normal
-                for p in manifold.points:
-                    if p.impulse > 0.0:
-                        point = self._point(contact.collider1, p)
-                        yield a, b, p.impulse, -p.dist, point, np.array([-n.x, -n.y, -n.z])
 
     def _touches(self, ground: bool) -> Iterator[Touch]:
         found: dict[tuple[int, int], list[Any]] = {}

@@ -13,6 +13,7 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from esg.dynamics.choreography.breaking import shattered
 from esg.dynamics.choreography.handling import bounced, jumped, spun, taken, tell_guided
 from esg.dynamics.choreography.meetings import collision, enters
 from esg.dynamics.choreography.moves import controlled, plain, turned
@@ -45,6 +46,7 @@ HANDLERS = {
     NodeEvent.SWING: swung,
     NodeEvent.OPEN: moved_by_joint,
     NodeEvent.CLOSE: moved_by_joint,
+    NodeEvent.BREAK: shattered,
 }
 """How each event is told; all others are told by `plain`."""
 ATTEMPTS = 12

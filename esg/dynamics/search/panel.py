@@ -23,6 +23,7 @@ from esg.dynamics.plan import Plan
 from esg.dynamics.search.simulate import ENSEMBLE, Simulator
 from esg.dynamics.story.proxies import faceted
 from esg.engines.base import SURROGATE, Engine
+from esg.engines.breaking import brittle
 from esg.engines.registry import get_engine
 from esg.graph.models import SearchStep
 
@@ -101,7 +102,8 @@ class Panel:
         dt: float,
         engines: Callable[[str, str], Engine] = get_engine,
     ) -> None:
-        self.explorer = "newton" if plan.scene.joints else SURROGATE
+        needs_newton = plan.scene.joints or brittle(plan.scene)
+        self.explorer = "newton" if needs_newton else SURROGATE
         engine = engines(self.explorer, device)
         self.plan, self.device = plan, device
         self.reference = Simulator(plan, engines("newton", device), dt=dt, hold=True)

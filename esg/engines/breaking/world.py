@@ -1,9 +1,9 @@
 """How bodies break in engines that step one world at a time.
 
 Normal impulses that a body takes add up over `BREAK_WINDOW_S`. After the step in which their sum
-exceeds its `break_impulse`, it is swapped: what the step gave beyond that is taken back from both
-sides (nothing can press harder on a body than breaks it, so that a stone keeps what a pane cannot
-take), and its fragments go on as its parts did. Mass, momentum and angular momentum stay the same.
+exceeds its `break_impulse`, it is swapped: of what the step's contacts did to it and to what
+touched it the share beyond that is taken back (nothing can press harder on a body than breaks it,
+so that a stone keeps what a pane cannot take), and its fragments go on as its parts did.
 """
 
 from __future__ import annotations
@@ -19,11 +19,12 @@ from esg.engines.executor import BodyAccess, Touch
 from esg.engines.joint_rules import BREAK_WINDOW_S, Masses
 from esg.engines.joints import Floats
 from esg.engines.scene import SimScene
-from esg.units import quat_rotate
 
 
 class BreakableWorld(BodyAccess, Protocol):
     """A world whose bodies can be taken out and put in."""
+
+    moving: list[int]
 
     def retire(self, body: int) -> None:
         """Takes a body out: it neither moves nor touches."""
@@ -45,22 +46,25 @@ class Breaks:
     """
 
     def __init__(self, scene: SimScene, masses: Masses, dt: float, world: BreakableWorld) -> None:
-        self._scene, self._masses, self._world = scene, masses, world
+        self._masses, self._world = masses, world
         self._all = brittle(scene)
         self._left = list(self._all)
         steps = max(1, round(BREAK_WINDOW_S / dt))
         self._taken = {b.whole: deque([0.0] * steps, maxlen=steps) for b in self._all}
-        self._gone: dict[int, tuple[Any, Any]] = {}
+        self._gone: dict[int, tuple[Any, ...]] = {}
+        self._before: dict[int, tuple[Any, ...]] = {}
+        self._pull = np.array(scene.gravity) * dt
         for b in self._all:
             for piece in b.pieces:
                 world.retire(piece)
 
-    def after_step(self, touches: Sequence[Touch]) -> None:
-        """Swaps what has broken in a step.
+    def before_step(self) -> None:
+        """Looks at the bodies once everything that acts before the step has acted."""
+        if self._left:
+            self._before = {i: self._world.read(i)[2:] for i in self._world.moving}
 
-        Args:
-            touches: Of its contact points, one by one, the ground's as well.
-        """
+    def after_step(self, touches: Sequence[Touch]) -> None:
+        """Swaps what has broken in a step; `touches` are the ground's as well."""
         for b in list(self._left):
             own = [t for t in touches if b.whole in t[:2]]
             step = sum(t[2] for t in own)
@@ -88,29 +92,19 @@ class Breaks:
         return self._world.read(body)
 
     def _swap(self, b: Brittle, touches: Sequence[Touch], share: float) -> None:
-        # Of several that break in one step each takes back its own; what is gone takes nothing.
-        x, q, v, w = (np.asarray(a, float) for a in self._read(b.whole))
-        for first, second, impulse, _, point, normal in touches:
-            back = share * impulse * np.asarray(normal, float)
-            for body, push in ((first, -back), (second, back)):
-                if body == b.whole:
-                    dv, dw = self._change(body, x, q, push, point)
-                    v, w = v + dv, w + dw
-                elif body >= 0 and body not in self._gone and self._masses.inverse[body] > 0.0:
-                    at, turn, speed, spin = (np.asarray(a, float) for a in self._read(body))
-                    dv, dw = self._change(body, at, turn, push, point)
-                    self._world.set_linear(body, _vec(speed + dv))
-                    self._world.set_angular(body, _vec(spin + dw))
+        met = {i for t in touches for i in t[:2] if i >= 0 and i not in self._gone}
+        for body in met & {*self._world.moving}:
+            _, _, v, w = (np.asarray(a, float) for a in self._world.read(body))
+            before, spin = (np.asarray(a, float) for a in self._before[body])
+            v -= share * (v - before - self._pull)
+            w -= share * (w - spin)
+            self._world.set_linear(body, _vec(v))
+            self._world.set_angular(body, _vec(w))
+        state = self._read(b.whole)
         self._world.retire(b.whole)
-        self._gone[b.whole] = (x, q)
-        for piece, state in zip(b.pieces, zip(*rigid(b, x, q, v, w), strict=True), strict=True):
-            self._world.release(piece, *state)
-
-    def _change(self, body: int, at: Floats, turn: Floats, push: Floats, point: Any) -> tuple[Floats, Floats]:
-        """What an impulse at a point does to both velocities of a body."""
-        axes = quat_rotate(turn, np.eye(3)).T
-        inverse = axes @ self._masses.inverse_inertia[body] @ axes.T
-        return push * self._masses.inverse[body], inverse @ np.cross(np.asarray(point) - at, push)
+        self._gone[b.whole] = tuple(np.asarray(a, float) for a in state[:2])
+        for piece, own in zip(b.pieces, zip(*rigid(b, *state), strict=True), strict=True):
+            self._world.release(piece, *own)
 
 
 def _vec(v: Floats) -> tuple[float, float, float]:

@@ -74,10 +74,10 @@ def _impulse(
 
 @wp.kernel(enable_backward=False)
 def gather_blows(
-    grid: wp.array(dtype=wp.float64),
     count: wp.array(dtype=int),
     shape0: wp.array(dtype=int),
     shape1: wp.array(dtype=int),
+    grid: wp.array(dtype=wp.float64),
     normal: wp.array(dtype=wp.vec3),
     force: wp.array(dtype=wp.spatial_vector),
     number: wp.array2d(dtype=int),
@@ -128,31 +128,12 @@ def find_broken(
         share[n] = wp.min(1.0, (total - strength[n]) / now)
 
 
-@wp.func
-def _sum_up(
-    body: int,
-    x: wp.vec3,
-    push: wp.vec3,
-    body_q: wp.array(dtype=wp.transform),
-    change: wp.array2d(dtype=wp.int64),
-):
-    if body < 0:
-        return
-    moment = wp.cross(x - wp.transform_get_translation(body_q[body]), push)
-    unit = wp.float64(FIXED_POINT)
-    for k in range(3):
-        wp.atomic_add(change, body, k, wp.int64(wp.float64(push[k]) * unit))
-        wp.atomic_add(change, body, 3 + k, wp.int64(wp.float64(moment[k]) * unit))
-
-
 @wp.kernel(enable_backward=False)
-def take_back(
-    grid: wp.array(dtype=wp.float64),
+def share_out(
     count: wp.array(dtype=int),
     shape0: wp.array(dtype=int),
     shape1: wp.array(dtype=int),
-    point0: wp.array(dtype=wp.vec3),
-    point1: wp.array(dtype=wp.vec3),
+    grid: wp.array(dtype=wp.float64),
     normal: wp.array(dtype=wp.vec3),
     force: wp.array(dtype=wp.spatial_vector),
     number: wp.array2d(dtype=int),
@@ -160,72 +141,50 @@ def take_back(
     shape_body: wp.array(dtype=int),
     model_shape_body: wp.array(dtype=int),
     share: wp.array(dtype=float),
-    body_q: wp.array(dtype=wp.transform),
-    change: wp.array2d(dtype=wp.int64),
+    back: wp.array(dtype=float),
 ):
-    """One thread per contact sums up what is taken back of it: momentum and its moment about the
-    centre of mass, as integers, so that the order does not matter."""
+    """One thread per contact tells both bodies what share of the step is taken back."""
     i = wp.tid()
     if i >= count[0] or shape0[i] < 0 or shape1[i] < 0:
         return
+    if _impulse(i, grid, normal, force) <= 0.0:
+        return
     a = _brittle(shape0[i], shape_world, shape_body, number)
     b = _brittle(shape1[i], shape_world, shape_body, number)
-    back = float(0.0)
+    most = float(0.0)
     if a >= 0:
-        back = share[a]
+        most = share[a]
     if b >= 0:
-        back = wp.max(back, share[b])
-    magnitude = back * _impulse(i, grid, normal, force)
-    if magnitude <= 0.0:
-        return
+        most = wp.max(most, share[b])
     body0 = model_shape_body[shape0[i]]
     body1 = model_shape_body[shape1[i]]
-    x0 = point0[i]
-    x1 = point1[i]
     if body0 >= 0:
-        x0 = wp.transform_point(body_q[body0], x0)
+        wp.atomic_max(back, body0, most)
     if body1 >= 0:
-        x1 = wp.transform_point(body_q[body1], x1)
-    # The normal points from shape 0 to shape 1: the contact pushed shape 0 against it.
-    _sum_up(body0, 0.5 * (x0 + x1), magnitude * normal[i], body_q, change)
-    _sum_up(body1, 0.5 * (x0 + x1), -magnitude * normal[i], body_q, change)
+        wp.atomic_max(back, body1, most)
 
 
 @wp.kernel(enable_backward=False)
-def apply_back(
-    change: wp.array2d(dtype=wp.int64),
-    inverse_mass: wp.array(dtype=float),
-    inverse_inertia: wp.array(dtype=wp.mat33),
+def take_back(
+    grid: wp.array(dtype=wp.float64),
+    gravity: wp.array(dtype=wp.vec3),
+    back: wp.array(dtype=float),
+    before: wp.array(dtype=wp.spatial_vector),
     first_qd: wp.array(dtype=int),
-    body_q: wp.array(dtype=wp.transform),
     body_qd: wp.array(dtype=wp.spatial_vector),
     joint_qd: wp.array(dtype=float),
 ):
-    """One thread per body gives it what was taken back."""
+    """One thread per body takes back a share of what the step's contacts did to it."""
     i = wp.tid()
-    some = bool(False)  # noqa: UP018  # a variable to Warp
-    for k in range(6):
-        some = some or change[i, k] != wp.int64(0)
-    if not some:
-        return
-    unit = wp.float64(1.0) / wp.float64(FIXED_POINT)
-    push = wp.vec3(
-        float(wp.float64(change[i, 0]) * unit),
-        float(wp.float64(change[i, 1]) * unit),
-        float(wp.float64(change[i, 2]) * unit),
-    )
-    moment = wp.vec3(
-        float(wp.float64(change[i, 3]) * unit),
-        float(wp.float64(change[i, 4]) * unit),
-        float(wp.float64(change[i, 5]) * unit),
-    )
-    for k in range(6):
-        change[i, k] = wp.int64(0)
-    turn = wp.transform_get_rotation(body_q[i])
-    spin = wp.quat_rotate(turn, inverse_inertia[i] * wp.quat_rotate_inv(turn, moment))
-    v = wp.spatial_top(body_qd[i]) + inverse_mass[i] * push
-    w = wp.spatial_bottom(body_qd[i]) + spin
-    _move(i, v, w, first_qd, body_qd, joint_qd)
+    f = back[i]
+    back[i] = 0.0
+    if f > 0.0 and first_qd[i] >= 0:
+        v = wp.spatial_top(body_qd[i])
+        w = wp.spatial_bottom(body_qd[i])
+        pull = gravity[0] * float(grid[0])
+        v = v - f * (v - wp.spatial_top(before[i]) - pull)
+        w = w - f * (w - wp.spatial_bottom(before[i]))
+        _move(i, v, w, first_qd, body_qd, joint_qd)
 
 
 @wp.func

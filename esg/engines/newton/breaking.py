@@ -95,7 +95,7 @@ class Shatter:
         self.still = wp.zeros(n, dtype=wp.transform)
         self.state, self.share = wp.zeros(n, dtype=int), wp.zeros(n, dtype=float)
         self.blow, self.taken = wp.zeros(n, dtype=wp.int64), wp.zeros((n, BREAK_STEPS), dtype=float)
-        self.change = wp.zeros((max(1, model.body_count), 6), dtype=wp.int64)
+        self.back = wp.zeros(max(1, model.body_count), dtype=float)
         self._drops = any(v < 0 for v in whole)
         joint_of = np.full(max(1, model.body_count), 0)
         joint_of[model.joint_child.numpy()] = np.arange(len(model.joint_child))
@@ -114,7 +114,7 @@ class Shatter:
 
     def states(self) -> list[Any]:
         """Arrays that a step changes."""
-        return [self.state, self.share, self.blow, self.taken, self.change]
+        return [self.state, self.share, self.blow, self.taken, self.back]
 
     def drop(self, worlds: NewtonWorlds) -> None:
         """After collisions were found: what is broken touches nothing."""
@@ -142,12 +142,13 @@ class Shatter:
         from esg.engines.newton import break_kernels as kernels
 
         model, c, launch = worlds.model, worlds.contacts, self.wp.launch
-        found = [worlds.grid, count, c.rigid_contact_shape0, c.rigid_contact_shape1]
+        found = [count, c.rigid_contact_shape0, c.rigid_contact_shape1]
+        press = [c.rigid_contact_normal, worlds.observables.contact_f]
         whose = [self.number, model.shape_world, worlds.shape_body]
         launch(
             kernels.gather_blows,
             dim=c.rigid_contact_max,
-            inputs=[*found, c.rigid_contact_normal, worlds.observables.contact_f, *whose, self.blow],
+            inputs=[*found, worlds.grid, *press, *whose, self.blow],
         )
         launch(
             kernels.find_broken,
@@ -157,22 +158,18 @@ class Shatter:
                 self.state, self.share,
             ],
         )  # fmt: skip
-        launch(
-            kernels.take_back,
-            dim=c.rigid_contact_max,
-            inputs=[
-                *found, c.rigid_contact_point0, c.rigid_contact_point1, c.rigid_contact_normal,
-                worlds.observables.contact_f, *whose, model.shape_body, self.share, before.body_q,
-                self.change,
-            ],
-        )  # fmt: skip
         start = worlds.start if worlds.jointed is None else worlds.jointed.start
         arrays = [after.body_q, after.body_qd]
         launch(
-            kernels.apply_back,
+            kernels.share_out,
+            dim=c.rigid_contact_max,
+            inputs=[*found, worlds.grid, *press, *whose, model.shape_body, self.share, self.back],
+        )
+        launch(
+            kernels.take_back,
             dim=model.body_count,
             inputs=[
-                self.change, model.body_inv_mass, model.body_inv_inertia, start, *arrays,
+                worlds.grid, model.gravity, self.back, before.body_qd, start, after.body_qd,
                 after.joint_qd,
             ],
         )  # fmt: skip
