@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from esg.compile import frames, joints
+from esg.compile import breaking, frames, joints
 from esg.compile.model import ScenePlan, UnrealBody
 
 
@@ -178,6 +178,9 @@ TYRE_FIELDS = (
 )
 """Of bodies, in classes with tyres."""
 
+BREAK_FIELD = Field("double", "BreakImpulse", "0.0", "It breaks at more [kg cm/s]; 0: never.", "", "0")
+"""Of bodies, in classes with what breaks."""
+
 PRIMITIVE_TEXT = {
     "SetVelocity": "Sets a velocity once.",
     "ApplyImpulse": "Applies an impulse once.",
@@ -226,6 +229,7 @@ def emit_header(plan: ScenePlan) -> str:
     name = plan.name
     body = (*BODY_FIELDS, ROUND_FIELD) if plan.brakes else BODY_FIELDS
     body = (*body, *TYRE_FIELDS) if plan.tyres else body
+    body = (*body, BREAK_FIELD) if plan.breaks else body
     parts = [_preamble(plan), _struct(f"F{name}Body", "Physical values of one body.", body)]
     if plan.wheels:
         parts.append(_struct(f"F{name}Wheel", "A wheel: a picture that turns.", WHEEL_FIELDS))
@@ -413,7 +417,7 @@ private:
 		UStaticMeshComponent* Component = nullptr;
 		const F{name}Body* Settings = nullptr;
 		int32 Shape = 0;
-{GROUNDED if grounded else ""}	}};
+{GROUNDED if grounded else ""}{breaking.REMEMBERED if plan.breaks else ""}	}};
 
 {records}	UStaticMeshComponent* CreateMesh(const TCHAR* Name, const TCHAR* AssetPath);
 	void ConfigureGround(UStaticMeshComponent* Plane, bool bForWheels);
@@ -424,11 +428,15 @@ private:
 	void CollectEvents();
 	void PinSimulation();
 	void DispatchProgram(double Due);
-{_joining(plan)}{_runners(plan)}{_turning(plan)}{_WATCHING}"""
+{_joining(plan)}{_breaking(plan)}{_runners(plan)}{_turning(plan)}{_WATCHING}"""
 
 
 def _joining(plan: ScenePlan) -> str:
     return joints.DECLARATIONS.replace("@CLASS@", plan.name) if plan.joints else ""
+
+
+def _breaking(plan: ScenePlan) -> str:
+    return breaking.DECLARATIONS if plan.breaks else ""
 
 
 def _turning(plan: ScenePlan) -> str:

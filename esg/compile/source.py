@@ -6,7 +6,7 @@ from functools import cache
 import math
 from pathlib import Path
 
-from esg.compile import frames, joints, names
+from esg.compile import breaking, frames, joints, names
 from esg.compile.assets import MeshAsset, Probe, probes
 from esg.compile.header import PRIMITIVE_FIELDS
 from esg.compile.model import ScenePlan, UnrealBody, UnrealWheel
@@ -184,6 +184,7 @@ def emit_source(plan: ScenePlan) -> str:
         _fixed(plan),
         *([_template("Wheels"), _collect_wheels(plan)] if plan.wheels else []),
         *([_template("Joints"), joints.collect(plan.joints)] if plan.joints else []),
+        *([_template("Breaking"), breaking.collect(plan)] if plan.breaks else []),
     ]
     text = "\n".join(part.strip("\n") + "\n" for part in parts)
     return text.replace("@CLASS@", plan.name)
@@ -203,6 +204,14 @@ def _fixed(plan: ScenePlan) -> str:
         ("\t\t\t@JOINED@\n", joints.JOINED),
     ):
         text = text.replace(mark, call if plan.joints else "")
+    for mark, call in (
+        ("\t@COLLECT_FRAGMENTS@\n", "\tCollectFragments();\n"),
+        ("\t@BREAK_BODIES@\n", "\tBreakBodies(Step);\n"),
+        ("\t@REMEMBER_SPEEDS@\n", "\tRememberSpeeds();\n"),
+        ("\t@TAKE_BLOW@\n", "\tTakeBlow(HitComponent, OtherComp, Touch.Impulse);\n"),
+        ("\t@GONE@\n", breaking.GONE),
+    ):
+        text = text.replace(mark, call if plan.breaks else "")
     return text
 
 
@@ -251,6 +260,7 @@ def _preamble(plan: ScenePlan) -> str:
     constants += UPRIGHT_COSINE if plan.tyres else ""
     constants += WHEELS if plan.wheels else ""
     constants += joints.CONSTANTS if plan.joints else ""
+    constants += breaking.CONSTANTS if plan.breaks else ""
     return f"""#include "@CLASS@.h"
 
 {includes}
@@ -354,6 +364,7 @@ def _body_defaults(plan: ScenePlan, body: UnrealBody) -> list[str]:
         ("bReportsHits", "true" if body.member in plan.notified else "false"),
         ("Friction", f(src.friction)),
         ("Restitution", f(src.restitution)),
+        *breaking.settings_of(body),
     ]
     if body.simulated:
         values += [

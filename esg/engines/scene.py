@@ -23,6 +23,8 @@ from esg.engines.joints import Joint
 ShapeKind = Literal["sphere", "box", "capsule", "cylinder", "convex"]
 Floats = NDArray[np.float64]
 
+FRAGMENT = "fragment"
+"""Category of what something breaks into: no phrase of a prompt means it."""
 GROUND = "ground"
 """Reserved body name of the ground half-space in contact logs."""
 

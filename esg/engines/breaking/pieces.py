@@ -16,7 +16,7 @@ import numpy as np
 from esg.engines.breaking.corners import corners
 from esg.engines.breaking.problems import inertia_of
 from esg.engines.joints import Floats
-from esg.engines.scene import Body, Shape
+from esg.engines.scene import FRAGMENT, Body, Shape
 from esg.units import quat_rotate
 
 SAMPLES = 4000
@@ -215,7 +215,7 @@ def _piece(
         origin_offset=(0.0, 0.0, 0.0),
         half_extents=(float(half[0]), float(half[1]), float(half[2])),
         mesh="",
-        category="fragment",
+        category=FRAGMENT,
         label="",
         description="",
         group="",

@@ -133,15 +133,32 @@ def unpark(scene: SimScene, states: tuple[Any, Any, Any, Any]) -> None:
         scene: B bodies.
         states: Positions, quaternions and both velocities, shape [W, T, B, 3 or 4], from frame 0.
     """
-    position, quaternion, linear, angular = states
+    position, quaternion = states[:2]
     for b in brittle(scene):
-        gone = position[..., b.pieces[0], 2] < 0.5 * PARKED_M
+        first = b.pieces[0]
+        gone = position[..., first, 2] < 0.5 * PARKED_M
         gone[:, 0] = False
-        if not scene.bodies[b.whole].static:
-            for w in np.flatnonzero(gone.any(axis=1)):
-                k = int(gone[w].argmax())
-                turn = quat_multiply(quaternion[w, k, b.pieces[0]].astype(float), quat_inverse(b.turn[0]))
-                position[w, k:, b.whole] = position[w, k, b.pieces[0]] - quat_rotate(turn, b.local[0])
-                quaternion[w, k:, b.whole] = turn
-                linear[w, k:, b.whole] = angular[w, k:, b.whole] = 0.0
-        _ride(b, states, ~gone)
+        for w in np.flatnonzero(gone.any(axis=1)) if not scene.bodies[b.whole].static else ():
+            k = int(gone[w].argmax())
+            turn = quat_multiply(quaternion[w, k, first].astype(float), quat_inverse(b.turn[0]))
+            # The frame before shows the whole; where it broke is where its first fragment began.
+            position[w, k, b.whole] = position[w, k, first] - quat_rotate(turn, b.local[0])
+            quaternion[w, k, b.whole] = turn
+        settle(b, states, gone)
+
+
+def settle(b: Brittle, states: tuple[Any, Any, Any, Any], gone: NDArray[np.bool_]) -> None:
+    """Lets a whole stay where it broke and fragments ride in it before, in a recording, in place.
+
+    Args:
+        b: What breaks.
+        states: Positions, quaternions and both velocities, shape [W, T, B, 3 or 4].
+        gone: Frames at which it is broken, the last ones of each world, shape [W, T].
+    """
+    position, quaternion, linear, angular = states
+    for w in np.flatnonzero(gone.any(axis=1)):
+        k = int(gone[w].argmax())
+        for target in (position, quaternion):
+            target[w, k:, b.whole] = target[w, k, b.whole]
+        linear[w, k:, b.whole] = angular[w, k:, b.whole] = 0.0
+    _ride(b, states, ~gone)
