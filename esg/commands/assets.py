@@ -48,9 +48,9 @@ def search(text: str, *, count: int = 5, json: Json = False) -> int:
         count: How many to show.
         json: Print one JSON document.
     """
+    from esg.api.inputs import checked, in_range
     from esg.assets.commands import search_assets
     from esg.commands.console import emit, table
-    from esg.commands.inputs import checked, in_range
 
     checked(lambda: _said(text), lambda: in_range("--count", count, 1, MAX_COUNT))
     found = search_assets(text, count)

@@ -27,8 +27,8 @@ def export(
         trust: Export the class of an unreal plugin whatever it is: you vouch for who made it.
         json: Print one JSON document: the files written.
     """
+    from esg.api.inputs import checked
     from esg.commands.console import emit
-    from esg.commands.inputs import checked
     from esg.commands.stored import is_stored, open_scene
     from esg.files import refused
     from esg.outcomes import UserError

@@ -41,8 +41,8 @@ def render(
         out: Folder to write; default render in the scene folder.
         json: Print one JSON document: the folder and what is in it.
     """
+    from esg.api.inputs import check_device, check_seed, checked, find_scene
     from esg.commands.console import emit
-    from esg.commands.inputs import check_device, check_seed, checked, find_scene
     from esg.scenefolder import check_writable
 
     chosen, device, seed, folder, _ = checked(
@@ -68,7 +68,7 @@ def settings(
     Raises:
         UserError: Naming the options and what they take.
     """
-    from esg.commands.inputs import checked, in_range
+    from esg.api.inputs import checked, in_range
     from esg.view.capture import Settings, parse_channels, parse_size
 
     names, pixels, *_ = checked(
