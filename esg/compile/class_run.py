@@ -204,7 +204,8 @@ class ClassRun:
     def _present(self, component: int, there: int, location: Any, rotation: Any) -> None:
         body = self._body_of[component]
         if not there:
-            self._gone[body] = self._now, self._world.read(body)[:2]
+            still = self.scene.bodies[body].static
+            self._gone[body] = self._now, None if still else self._world.read(body)[:2]
             self._world.retire(body)
             return
         turn = frames.quaternion_to_unreal(rotation[0:4])
@@ -369,7 +370,7 @@ class ClassRun:
         for b in brittle(self.scene.with_bodies(tuple(bodies))):
             when, pose = self._gone.get(b.whole, (math.inf, None))
             gone = grid.time > when + 0.5 * grid.dt
-            if gone.any() and pose is not None and not self.scene.bodies[b.whole].static:
+            if gone.any() and pose is not None:
                 states[0][0, gone.argmax(), b.whole], states[1][0, gone.argmax(), b.whole] = pose
             settle(b, states, gone[None])
 

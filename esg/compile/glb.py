@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.compile.assets import mesh_file
+from esg.engines.breaking import hidden
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.engines.wheels import about_axle, wheel_angles
 from esg.strangers.gltf import BIN, JSON, MAGIC, MOST_BYTES, read_glb
@@ -145,7 +146,7 @@ class _Document:
 
         Args:
             node: Its index.
-            path: translation or rotation.
+            path: translation, rotation or scale.
             values: At the frames, shape [T, 3] or [T, 4].
             time: Of the frames [s], shape [T].
         """
@@ -159,6 +160,16 @@ class _Document:
         self.samplers.append(sampler)
         target = {"node": node, "path": path}
         self.channels.append({"sampler": len(self.samplers) - 1, "target": target})
+
+    def show(self, node: int, there: NDArray[np.bool_], time: Floats) -> None:
+        """Shows a node only in some frames, shape [T]: elsewhere its size is 0."""
+        if there.all():
+            return
+        sizes = np.repeat(there.astype(float)[:, None], 3, axis=1)
+        self.data["nodes"][node]["scale"] = sizes[0].tolist()
+        self.animate(node, "scale", sizes, time)
+        if len(time) > 1 and (there != there[0]).any():
+            self.samplers[-1]["interpolation"] = "STEP"
 
     def glb(self) -> bytes:
         """The file; a scene without bodies has neither buffer nor binary chunk."""
@@ -213,6 +224,7 @@ def scene_glb(scene: SimScene, rollout: Rollout, folder: Path, *, world: int = 0
     roots: list[int] = []
     library: dict[str, tuple[list[dict[str, Any]], list[int]]] = {}
     document.data["nodes"] = []
+    absent = hidden(scene, rollout.position[world], rollout.quaternion[world])
     for i, body in enumerate(scene.bodies):
         key, data = mesh_of(body, folder)
         if data is None:
@@ -236,6 +248,7 @@ def scene_glb(scene: SimScene, rollout: Rollout, folder: Path, *, world: int = 0
         roots.append(index)
         document.animate(index, "translation", at, rollout.time)
         document.animate(index, "rotation", turn, rollout.time)
+        document.show(index, ~absent[:, i], rollout.time)
         angles = wheel_angles(body, rollout.time, *poses, scene.gravity)
         _turn_wheels(document, range(parts, index), body, angles, rollout.time)
     document.data["scenes"] = [{"name": scene.scene_id, "nodes": roots}]

@@ -32,7 +32,8 @@ from esg.engines.joint_rules import BREAK_WINDOW_S
 from esg.engines.joints import WORLD, Joint
 from esg.engines.manifest import Manifest
 from esg.engines.physx_engine import position_iterations
-from esg.engines.scene import Body, Rollout, Shape, SimScene
+from esg.engines.breaking import hidden
+from esg.engines.scene import FRAGMENT, Body, Rollout, Shape, SimScene
 from esg.engines.wheels import wheel_angles
 from esg.engines.worlds import principal_axes
 from esg.units import quat_rotate
@@ -116,11 +117,28 @@ def physics_layer(manifest: Manifest, folder: Path) -> str:
             # NVIDIA's PhysX takes velocities as the world's unless a body says otherwise.
             prim.SetCustomDataByKey("physics:localSpaceVelocities", True)
             physx_body(prim, body, iterations)
+        _breaking(stage, prim, body)
     joints = _joints(stage, manifest, paths)
     write_program(stage, manifest.program, manifest.dt, paths, joints)
     layer = stage.GetRootLayer()
     assert isinstance(layer, Sdf.Layer)
     return layer.ExportToString()
+
+
+def _breaking(stage: Any, prim: Any, body: Body) -> None:
+    """States what UsdPhysics has no words for; a fragment is not there until something breaks."""
+    from pxr import Usd, UsdGeom, UsdPhysics
+
+    if body.break_impulse is not None:
+        prim.SetCustomDataByKey("esg:break_impulse", body.break_impulse)
+        prim.SetCustomDataByKey("esg:fragments", json.dumps(list(body.fragments)))
+    if body.category != FRAGMENT:
+        return
+    UsdGeom.Imageable(prim).MakeInvisible()
+    UsdPhysics.RigidBodyAPI(prim).CreateRigidBodyEnabledAttr(False)
+    for part in Usd.PrimRange(prim):
+        if part.HasAPI(UsdPhysics.CollisionAPI):
+            UsdPhysics.CollisionAPI(part).CreateCollisionEnabledAttr(False)
 
 
 def _joints(stage: Any, manifest: Manifest, paths: dict[str, str]) -> dict[str, str]:
@@ -435,7 +453,10 @@ def _animation_layer(manifest: Manifest, rollout: Rollout, physics: str) -> str:
     stage.SetStartTimeCode(0.0)
     stage.SetEndTimeCode(float(len(rollout.time) - 1))
     stage.SetDefaultPrim(stage.OverridePrim("/World"))
+    absent = hidden(scene, rollout.position[0], rollout.quaternion[0])
     for i, body in enumerate(scene.bodies):
+        if absent[:, i].any():
+            _show(stage.OverridePrim(f"/World/{idents[body.name]}"), ~absent[:, i])
         if body.static or not body.collides:
             continue
         prim = stage.OverridePrim(f"/World/{idents[body.name]}")
@@ -457,6 +478,16 @@ def _animation_layer(manifest: Manifest, rollout: Rollout, physics: str) -> str:
     del stage
     layer.subLayerPaths.append(f"./{physics}")
     return layer.ExportToString()
+
+
+def _show(prim: Any, there: Any) -> None:
+    """Shows a prim only in some frames, shape [T]: a sample wherever that changes."""
+    from pxr import Sdf
+
+    attribute = prim.CreateAttribute("visibility", Sdf.ValueTypeNames.Token)
+    for frame, now in enumerate(there.tolist()):
+        if frame == 0 or now != there[frame - 1]:
+            attribute.Set("inherited" if now else "invisible", float(frame))
 
 
 def _quatd(quaternion: Any) -> Any:

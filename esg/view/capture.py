@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from esg.engines.breaking import shown
 from esg.engines.scene import Rollout, SimScene
 from esg.engines.wheels import scene_angles
 from esg.files import explained, refused
@@ -185,6 +186,7 @@ def _write(
 ) -> None:
     from esg.view.parts import scene_parts
 
+    rollout = shown(scene, rollout)
     parts = scene_parts(scene, rollout, doc)
     frames = frame_indices(rollout, settings.fps)
     points, owner = _tracked(parts, len(scene.bodies), settings)
@@ -205,20 +207,20 @@ def _write(
     for number, camera in enumerate(cameras):
         pinhole = Pinhole.of(camera, settings.size)
         for first in range(0, len(frames), batch):
-            shown = frames[first : first + batch]
+            drawn = frames[first : first + batch]
             # A last batch that is not full draws its last frame several times.
-            filled = shown + shown[-1:] * (batch - len(shown))
+            filled = drawn + drawn[-1:] * (batch - len(drawn))
             renderer.pose(
                 rollout.position[0, filled], rollout.quaternion[0, filled], angles[filled]
             )
             renderer.draw([camera] * batch, rgb="rgb" in settings.channels)
             views = renderer.read(rgb="rgb" in settings.channels)
-            for k in range(len(shown)):
+            for k in range(len(drawn)):
                 row = _row(
                     views, k, pinhole, scene, moved, frames, first + k, settings, points, owner
                 )
-                sink.add(number, first + k, float(rollout.time[shown[k]]), row)
-            on_frames(len(shown))
+                sink.add(number, first + k, float(rollout.time[drawn[k]]), row)
+            on_frames(len(drawn))
     manifest["shards"] = sink.close()
     text = json.dumps(manifest, indent=2, ensure_ascii=False, allow_nan=False)
     (folder / "manifest.json").write_text(text + "\n", encoding="utf-8")

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.looks import Color, Look
-from esg.engines.scene import Rollout, SimScene
+from esg.engines.scene import FRAGMENT, Body, Rollout, SimScene
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument
 from esg.units import CM_PER_M
@@ -35,6 +35,8 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
     for index, body in enumerate(scene.bodies):
         first, turning = turning, turning + len(body.wheels)
         node = doc.spatial_relation_graph.nodes.get(body.name)
+        if body.category == FRAGMENT:
+            parts += _fragment(index, body)
         if node is None:
             continue
         flat = not body.collides
@@ -72,6 +74,19 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
         lift = np.array([0.0, 0.0, 0.004 * layer - thickness])
         parts += [replace(p, vertices=p.vertices + lift) for p in own]
     return parts + _ground(rollout, ground)
+
+
+def _fragment(index: int, body: Body) -> list[Part]:
+    """A fragment as what collides: convex, in the colour of what broke."""
+    from esg.engines.shapes import hull
+
+    out: list[Part] = []
+    for shape in body.shapes:
+        vertices, faces = hull(np.array(shape.vertices))
+        # Every face has corners of its own, so that its edges are sharp.
+        flat = vertices[faces.reshape(-1)] + np.asarray(shape.position)
+        out.append(Part(index, flat, np.arange(len(flat)).reshape(-1, 3), body.color))
+    return out
 
 
 @dataclass(frozen=True)

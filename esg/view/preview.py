@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.breaking import shown
 from esg.engines.joints import joint_ends, joint_poses
 from esg.engines.scene import Rollout, SimScene
 from esg.engines.wheels import scene_angles
@@ -91,7 +92,7 @@ def preview(
         draw_ropes(image, shot.camera, ropes_at(scene, rollout, shot.frame))
         for shot, image in zip(
             [*shots, *film],
-            _render(renderers, rollout, scene_angles(scene, rollout), [*shots, *film]),
+            _render(renderers, shown(scene, rollout), scene_angles(scene, rollout), [*shots, *film]),
             strict=True,
         )
     ]

@@ -1,6 +1,6 @@
 """Bodies that break into fragments: their pieces, and how the two are swapped (docs/breaking.md)."""
 
 from esg.engines.breaking.problems import breaking_problems
-from esg.engines.breaking.swap import Brittle, brittle, hidden, ride, rigid
+from esg.engines.breaking.swap import Brittle, brittle, hidden, ride, rigid, shown, unbroken
 
-__all__ = ["Brittle", "breaking_problems", "brittle", "hidden", "ride", "rigid"]
+__all__ = ["Brittle", "breaking_problems", "brittle", "hidden", "ride", "rigid", "shown", "unbroken"]

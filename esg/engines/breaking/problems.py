@@ -26,16 +26,16 @@ def breaking_problems(scene: SimScene) -> list[str]:
     owner: dict[str, str] = {}
     for i, body in enumerate(scene.bodies):
         here = f"/bodies/{i}"
-        if body.break_impulse is None and not body.fragments:
-            continue
-        if body.break_impulse is None or not body.fragments:
-            lacks = "break_impulse" if body.break_impulse is None else "fragments"
-            out.append(f"{here}/{lacks}: {body.name!r} has none; give both or neither")
+        if body.break_impulse is None:
+            if body.fragments:
+                out.append(f"{here}/break_impulse: {body.name!r} has fragments and none; give it")
             continue
         if not (math.isfinite(body.break_impulse) and body.break_impulse > 0.0):
             out.append(
                 f"{here}/break_impulse: {body.break_impulse!r} N s; use a positive, finite number"
             )
+        if not body.fragments:
+            continue
         missing = [n for n in body.fragments if n not in bodies]
         taken = [n for n in body.fragments if n in owner or n == body.name]
         if missing or taken or len(body.fragments) < 2:

@@ -8,20 +8,22 @@ ride in it. From then on it is not there itself; recordings have it where it bro
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.joints import Floats
-from esg.engines.scene import SimScene
+from esg.engines.scene import FRAGMENT, Rollout, SimScene
 from esg.units import quat_inverse, quat_multiply, quat_rotate
 
 PARTED_M = 1e-4
 """A fragment that is so far from its place in the whole has left it: half of what gravity does to
 what is at rest within a step of 1/240 s."""
 
+HIDDEN_M = 20.0
+"""What is not there is drawn so far below its place."""
 PARKED_M = 1000.0
 """Where engines that cannot take bodies out keep them, and higher [m]."""
 
@@ -63,6 +65,14 @@ def brittle(scene: SimScene) -> tuple[Brittle, ...]:
     return tuple(out)
 
 
+def unbroken(scene: SimScene) -> SimScene:
+    """The scene without fragments: what would break stays whole."""
+    if not brittle(scene):
+        return scene
+    whole = (replace(b, fragments=()) for b in scene.bodies if b.category != FRAGMENT)
+    return scene.with_bodies(tuple(whole))
+
+
 def rigid(
     b: Brittle, position: Any, quaternion: Any, linear: Any, angular: Any
 ) -> tuple[Floats, Floats, Floats, Floats]:
@@ -94,6 +104,15 @@ def hidden(scene: SimScene, position: Any, quaternion: Any) -> NDArray[np.bool_]
         out[..., b.whole] = broken
         out[..., list(b.pieces)] = ~broken[..., None]
     return out
+
+
+def shown(scene: SimScene, rollout: Rollout) -> Rollout:
+    """A recording for drawing: what is not there lies below the ground."""
+    if not brittle(scene):
+        return rollout
+    position = rollout.position.copy()
+    position[..., 2] -= HIDDEN_M * hidden(scene, rollout.position, rollout.quaternion)
+    return replace(rollout, position=position)
 
 
 def broken_frames(b: Brittle, position: Any, quaternion: Any) -> NDArray[np.bool_]:
