@@ -24,6 +24,9 @@ SAMPLES = 4000
 SMALLEST = 0.02
 """What is smaller than this share of a cell's volume is left out: a sliver has no proper hull."""
 THINNEST_M = 2e-4
+MOST_PARTS = 4
+"""Fragments of a body of more parts collide as the hulls of what they are of: cells are convex, so
+that hulls do not meet, and every shape more has to be asked whether it touches every other."""
 
 
 def broken(body: Body, count: int) -> tuple[Body, tuple[Body, ...]]:
@@ -205,7 +208,7 @@ def _piece(
         static=False,
         mass=mass,
         inertia=_tensor(np.trace(second) * np.eye(3) - second),
-        shapes=tuple(_convex(hull - centre) for hull in cell),
+        shapes=tuple(_convex(hull - centre) for hull in _collision(cell, len(body.shapes))),
         position=(x, y, z),
         wheeled=False,
         tyre_friction=0.0,
@@ -225,6 +228,16 @@ def _piece(
         break_impulse=None,
         fragments=(),
     )
+
+
+def _collision(cell: Sequence[Floats], parts: int) -> list[Floats]:
+    """Corners of the convex shapes that a fragment collides as."""
+    from scipy.spatial import ConvexHull
+
+    if parts <= MOST_PARTS or len(cell) == 1:
+        return list(cell)
+    points = np.concatenate(list(cell))
+    return [points[ConvexHull(points).vertices]]
 
 
 def _convex(points: Floats) -> Shape:
