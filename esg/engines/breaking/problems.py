@@ -121,23 +121,29 @@ def _overlaps(here: str, body: Body, pieces: Sequence[Body]) -> list[str]:
     ]
 
 
-def _faces(shape: Shape, body: Body) -> tuple[Floats, Floats]:
-    """Corners [n, 3] and unit outer normals [m, 3] of a convex shape in the world."""
+def _faces(shape: Shape, body: Body) -> tuple[Floats, Floats, Floats]:
+    """Corners [n, 3], unit outer normals [m, 3] and reaches [m] of a convex shape in the world."""
     from scipy.spatial import ConvexHull
 
     points = corners(shape)
-    normals = np.unique(ConvexHull(points).equations[:, :3].round(6), axis=0)
     q = np.asarray(body.quaternion, float)
-    turned = quat_rotate(np.broadcast_to(q, (len(points), 4)), points)
-    return turned + np.asarray(body.position), quat_rotate(np.broadcast_to(q, (len(normals), 4)), normals)
+    points = quat_rotate(np.broadcast_to(q, (len(points), 4)), points) + np.asarray(body.position)
+    faces = np.unique(ConvexHull(points).equations.round(9), axis=0)
+    return points, faces[:, :3], -faces[:, 3]
 
 
-def _depth(a: tuple[Floats, Floats], b: tuple[Floats, Floats], least: float) -> float:
-    """How far two convex shapes reach into each other along the best of their faces' normals [m]."""
-    depth = math.inf
-    for (points, normals), (others, _) in ((a, b), (b, a)):
+def _depth(
+    a: tuple[Floats, Floats, Floats], b: tuple[Floats, Floats, Floats], least: float
+) -> float:
+    """Width of what two convex shapes have in common: of the largest ball in it [m]."""
+    from scipy.optimize import linprog
+
+    for (points, normals, _), (others, _, _) in ((a, b), (b, a)):
         reach = (points @ normals.T).max(axis=0) - (others @ normals.T).min(axis=0)
-        depth = min(depth, float(reach.min()))
-        if depth <= least:
-            return depth
-    return depth
+        if float(reach.min()) <= max(least, OVERLAP_M):
+            return 0.0
+    normals, reach = np.concatenate([a[1], b[1]]), np.concatenate([a[2], b[2]])
+    rows = np.concatenate([normals, np.ones((len(normals), 1))], axis=1)
+    free = [(None, None)] * 3 + [(0.0, None)]
+    found = linprog([0.0, 0.0, 0.0, -1.0], rows, reach, bounds=free)
+    return 2.0 * float(found.x[3]) if found.success else 0.0
