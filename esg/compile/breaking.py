@@ -50,6 +50,9 @@ GONE = """\
 	}
 """
 
+MOVES = "if (!Body.Settings->bSimulated || !Body.Component->IsSimulatingPhysics())"
+"""Of what is there, in place of the same without what breaks."""
+
 CONSTANTS = f"""\
 	/** Over which what a body takes adds up [s]. */
 	constexpr double BreakWindow = {frames.literal(BREAK_WINDOW_S)};

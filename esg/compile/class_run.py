@@ -364,7 +364,9 @@ class ClassRun:
         if not fragments:
             return
         bodies = [
-            replace(b, fragments=fragments.get(i, ()), break_impulse=1.0 if i in fragments else None)
+            replace(
+                b, fragments=fragments.get(i, ()), break_impulse=1.0 if i in fragments else None
+            )
             for i, b in enumerate(self.scene.bodies)
         ]
         for b in brittle(self.scene.with_bodies(tuple(bodies))):

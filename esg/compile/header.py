@@ -178,7 +178,9 @@ TYRE_FIELDS = (
 )
 """Of bodies, in classes with tyres."""
 
-BREAK_FIELD = Field("double", "BreakImpulse", "0.0", "It breaks at more [kg cm/s]; 0: never.", "", "0")
+BREAK_FIELD = Field(
+    "double", "BreakImpulse", "0.0", "It breaks at more [kg cm/s]; 0: never.", "", "0"
+)
 """Of bodies, in classes with what breaks."""
 
 PRIMITIVE_TEXT = {

@@ -240,6 +240,9 @@ def _run(plan: ScenePlan, kind: str) -> str:
     )
 
 
+MOVES = "if (!Body.Settings->bSimulated || !Body.Settings->bCollides)"
+
+
 def _traction(plan: ScenePlan) -> list[str]:
     """What plays brakes and tyres, in classes with them."""
     if not (plan.brakes or plan.tyres):
@@ -247,6 +250,7 @@ def _traction(plan: ScenePlan) -> list[str]:
     text = _template("ApplyTraction").replace("@ROLL@\n", ROLL if plan.brakes else "")
     text = text.replace("@ALONG@\n", ALONG if plan.tyres else "")
     text = text.replace("@BLOW@\n", BLOW if plan.tyres else "")
+    text = text.replace(MOVES, breaking.MOVES) if plan.breaks else text
     tyres = [_template("ApplyTyres")] if plan.tyres else []
     return [text.replace("@ACTS@\n", TYRES if plan.tyres else BRAKES), *tyres]
 

@@ -324,7 +324,12 @@ def _fill(start: Start, worlds: NDArray[np.int64], played: Played) -> ContactLog
 
 def _unpark(start: Start, worlds: NDArray[np.int64]) -> None:
     """Writes where what is not there would be into the states of some worlds."""
-    own = (start.states[0][worlds], start.states[1][worlds], start.states[2][worlds], start.states[3][worlds])
+    own = (
+        start.states[0][worlds],
+        start.states[1][worlds],
+        start.states[2][worlds],
+        start.states[3][worlds],
+    )
     unpark(start.scene, own)
     for target, values in zip(start.states, own, strict=True):
         target[worlds] = values

@@ -188,6 +188,7 @@ class PhysxWorld:
         self._dt = dt
         self._within: list[Touch] = []
         self._log: list[Touch] | None = None
+        self._away: set[int] = set()
         self._mass = values.mass[w]
         self._scale = float(values.friction_scale[w])
         self._materials: list[Any] = []
@@ -303,12 +304,16 @@ class PhysxWorld:
         return float(v[0]), float(v[1]), float(v[2])
 
     def set_linear(self, body: int, velocity: Vec) -> None:
+        if body in self._away:
+            return
         self.bodies[body].linear_velocity = velocity
 
     def set_flight(self, body: int, velocity: Vec, pull: float) -> None:
         self.set_linear(body, (velocity[0], velocity[1], velocity[2] - pull))
 
     def set_angular(self, body: int, velocity: Vec) -> None:
+        if body in self._away:
+            return
         self.bodies[body].angular_velocity = velocity
 
     def mass(self, body: int) -> float:
@@ -358,6 +363,7 @@ class PhysxWorld:
             self._breaks.after_step(self._log)
 
     def retire(self, body: int) -> None:
+        self._away.add(body)
         self.bodies[body].disable()
         self._fixed.pop(body, None)
         if body in self.moving:
@@ -369,6 +375,7 @@ class PhysxWorld:
         component.enable()
         component.linear_velocity, component.angular_velocity = linear, angular
         self.moving.append(body)
+        self._away.discard(body)
 
     def states(self) -> dict[int, tuple[Any, Any, Any, Any]]:
         return self._breaks.states() if self._breaks else {}

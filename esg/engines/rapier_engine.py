@@ -139,6 +139,7 @@ class RapierWorld:
             self._colliders.append(own)
         self._bodies = world.rigid_bodies
         self._log: list[Touch] | None = None
+        self._away: set[int] = set()
         self.joints: RapierJoints | None = None
         self._breaks: Breaks | None = None
         breaks = any(b.fragments for b in scene.bodies)
@@ -165,6 +166,8 @@ class RapierWorld:
         return float(x), float(y), float(z)
 
     def set_linear(self, body: int, velocity: Vec) -> None:
+        if body in self._away:
+            return
         self._body(body).linvel = velocity
 
     def set_flight(self, body: int, velocity: Vec, pull: float) -> None:
@@ -175,6 +178,8 @@ class RapierWorld:
         self._flying.add(body)
 
     def set_angular(self, body: int, velocity: Vec) -> None:
+        if body in self._away:
+            return
         self._body(body).angvel = velocity
 
     def mass(self, body: int) -> float:
@@ -221,11 +226,13 @@ class RapierWorld:
             self._breaks.after_step(self._log)
 
     def retire(self, body: int) -> None:
+        self._away.add(body)
         self._body(body).is_enabled = False
         if body in self.moving:
             self.moving.remove(body)
 
     def release(self, body: int, at: Any, turn: Any, linear: Any, angular: Any) -> None:
+        self._away.discard(body)
         own = self._body(body)
         own.is_enabled = True
         own.position = _pose(self._r, at, turn)

@@ -33,7 +33,13 @@ def hanging(
     joints = joined(replay)
     out: list[str] = []
     for i, body in enumerate(replay.scene.bodies):
-        if body.static or not body.collides or replay.absent[0, i] or rests[i] or not sunk[i] > HANGS_M:
+        if (
+            body.static
+            or not body.collides
+            or replay.absent[0, i]
+            or rests[i]
+            or not sunk[i] > HANGS_M
+        ):
             continue
         if (
             any(c.time <= WATCH_S for c in replay.motions(i))

@@ -92,7 +92,9 @@ def preview(
         draw_ropes(image, shot.camera, ropes_at(scene, rollout, shot.frame))
         for shot, image in zip(
             [*shots, *film],
-            _render(renderers, shown(scene, rollout), scene_angles(scene, rollout), [*shots, *film]),
+            _render(
+                renderers, shown(scene, rollout), scene_angles(scene, rollout), [*shots, *film]
+            ),
             strict=True,
         )
     ]

@@ -25,9 +25,9 @@ TURNED = tuple(quat_from_euler_deg(30.0, 20.0, 10.0).tolist())
 
 def cup() -> Body:
     """A bottom and four walls: a shell of five parts."""
-    walls = [
-        Shape("box", (0.005, 0.04, 0.05), (s * 0.04, 0.0, 0.01)) for s in (-1.0, 1.0)
-    ] + [Shape("box", (0.04, 0.005, 0.05), (0.0, s * 0.04, 0.01)) for s in (-1.0, 1.0)]
+    walls = [Shape("box", (0.005, 0.04, 0.05), (s * 0.04, 0.0, 0.01)) for s in (-1.0, 1.0)] + [
+        Shape("box", (0.04, 0.005, 0.05), (0.0, s * 0.04, 0.01)) for s in (-1.0, 1.0)
+    ]
     bottom = Shape("cylinder", (0.04, 0.04, 0.005), (0.0, 0.0, -0.04))
     return replace(box("cup", (0.04, 0.04, 0.05), 0.3, (0.2, 0.1, 1.0)), shapes=(bottom, *walls))
 
@@ -87,7 +87,9 @@ def test_the_same_body_breaks_the_same_and_another_name_differently() -> None:
     assert [p.mass for p in other[1]] != [p.mass for p in one[1]]
 
 
-def momentum(scene: SimScene, out: Rollout, frame: int, whole: bool) -> tuple[np.ndarray, np.ndarray]:
+def momentum(
+    scene: SimScene, out: Rollout, frame: int, whole: bool
+) -> tuple[np.ndarray, np.ndarray]:
     """Linear and angular momentum of all that is there, about the origin."""
     (b,) = brittle(scene)
     away = set(b.pieces) if whole else {b.whole}
@@ -193,7 +195,10 @@ def test_worlds_break_for_themselves_wherever_they_start(engine: str) -> None:
     start = np.tile([b.position for b in scene.bodies], (2, 1, 1))
     start[1, 0] = (3.0, 0.0, 0.06)
     out = get_engine(engine).rollout(
-        scene, batch, dt=DT, variation=Variation(position=start, mass_scale=np.full((2, len(scene.bodies)), 1.5))
+        scene,
+        batch,
+        dt=DT,
+        variation=Variation(position=start, mass_scale=np.full((2, len(scene.bodies)), 1.5)),
     )
     absent = hidden(scene, out.position, out.quaternion)
     assert absent[0, -1, 0]
@@ -231,7 +236,9 @@ def test_a_manifest_says_what_breaks_and_others_say_nothing_of_it() -> None:
     read = manifest_from_json(data)
     assert read.scene.bodies == scene.bodies
     assert manifest_bytes(manifest_to_json(read.scene, read.program, dt=DT)) == manifest_bytes(data)
-    plain = manifest_to_json(SimScene("s", (box("a", (1, 1, 1), 1.0, (0, 0, 1)),)), Program((), 1.0), dt=DT)
+    plain = manifest_to_json(
+        SimScene("s", (box("a", (1, 1, 1), 1.0, (0, 0, 1)),)), Program((), 1.0), dt=DT
+    )
     assert "breaking" not in plain["conventions"]
     assert not {"break_impulse", "fragments"} & plain["bodies"][0].keys()
 
@@ -241,7 +248,10 @@ def test_a_manifest_says_what_breaks_and_others_say_nothing_of_it() -> None:
     [
         ({"mass": 5.0}, r"/bodies/0/fragments: together .* kg, the body 6 kg; scale"),
         ({"position": (0.0, 0.0, 1.3)}, "centre of mass is .* m off the body's; move them"),
-        ({"inertia": ((9.0, 0, 0), (0, 9.0, 0), (0, 0, 9.0))}, "/bodies/0/inertia: .* state theirs"),
+        (
+            {"inertia": ((9.0, 0, 0), (0, 9.0, 0), (0, 0, 9.0))},
+            "/bodies/0/inertia: .* state theirs",
+        ),
         ({"static": True}, r"/bodies/0/fragments: \['melon_piece_1'\] must move"),
     ],
 )

@@ -84,6 +84,10 @@ void A@CLASS@::Shatter(FBrittle& Brittle, double Share, double Step)
 	const FVector Spin = bMoves ? Whole.Component->GetPhysicsAngularVelocityInDegrees() : FVector::ZeroVector;
 	const FVector Turning = Spin * FMath::DegreesToRadians(1.0);
 	PutAway(Whole.Component, bMoves);
+	for (FCommandState& State : Commands)
+	{
+		State.bDone = State.bDone || State.Body == Whole.Component;
+	}
 	for (int32 Index = 0; Index < Brittle.Pieces.Num(); ++Index)
 	{
 		FBodyRef& Piece = *Brittle.Pieces[Index];

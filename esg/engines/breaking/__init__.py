@@ -3,4 +3,13 @@
 from esg.engines.breaking.problems import breaking_problems
 from esg.engines.breaking.swap import Brittle, brittle, hidden, ride, rigid, shown, unbroken
 
-__all__ = ["Brittle", "breaking_problems", "brittle", "hidden", "ride", "rigid", "shown", "unbroken"]
+__all__ = [
+    "Brittle",
+    "breaking_problems",
+    "brittle",
+    "hidden",
+    "ride",
+    "rigid",
+    "shown",
+    "unbroken",
+]

@@ -24,6 +24,9 @@ SAMPLES = 4000
 SMALLEST = 0.02
 """What is smaller than this share of a cell's volume is left out: a sliver has no proper hull."""
 THINNEST_M = 2e-4
+GAP_M = 1e-4
+"""Collision shapes of fragments stay so far behind their own faces: what starts in touch along a
+whole face has no side to part to in an engine."""
 MOST_PARTS = 4
 """Fragments of a body of more parts collide as the hulls of what they are of: cells are convex, so
 that hulls do not meet, and every shape more has to be asked whether it touches every other."""
@@ -49,7 +52,9 @@ def broken(body: Body, count: int) -> tuple[Body, tuple[Body, ...]]:
         raise ValueError(f"{body.name!r} is too small or too thin to break into {count} fragments")
     measured = [[_solid(hull) for hull in cell] for cell in cells]
     volume = np.array([sum(v for v, _, _ in cell) for cell in measured])
-    centre = np.array([sum(v * c for v, c, _ in cell) / t for cell, t in zip(measured, volume, strict=True)])
+    centre = np.array(
+        [sum(v * c for v, c, _ in cell) / t for cell, t in zip(measured, volume, strict=True)]
+    )
     mass = _shared(body.mass, volume, centre)
     pieces = [
         _piece(body, k, cell, solids, float(m), c)
@@ -241,12 +246,25 @@ def _collision(cell: Sequence[Floats], parts: int) -> list[Floats]:
 
 
 def _convex(points: Floats) -> Shape:
+    points = _behind(points)
     half = np.abs(points).max(axis=0)
     return Shape(
         "convex",
         (float(half[0]), float(half[1]), float(half[2])),
         vertices=tuple((float(x), float(y), float(z)) for x, y, z in points),
     )
+
+
+def _behind(points: Floats) -> Floats:
+    """Corners of a convex body whose faces are `GAP_M` further in."""
+    from scipy.spatial import ConvexHull, HalfspaceIntersection
+
+    faces = np.unique(ConvexHull(points).equations.round(12), axis=0)
+    middle = points.mean(axis=0)
+    room = float(-(faces[:, :3] @ middle + faces[:, 3]).max())
+    faces[:, 3] += min(GAP_M, 0.2 * room)
+    found = HalfspaceIntersection(faces, middle).intersections
+    return np.asarray(found[ConvexHull(found).vertices], np.float64)
 
 
 def _tensor(m: Floats) -> tuple[tuple[float, float, float], ...]:

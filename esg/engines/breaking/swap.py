@@ -82,7 +82,9 @@ def rigid(
         b: What breaks.
         position, quaternion, linear, angular: Of the whole, shape [..., 3 or 4].
     """
-    p, q, v, w = (np.asarray(a, float)[..., None, :] for a in (position, quaternion, linear, angular))
+    p, q, v, w = (
+        np.asarray(a, float)[..., None, :] for a in (position, quaternion, linear, angular)
+    )
     arm = quat_rotate(q, b.local)
     spin = np.broadcast_to(w, arm.shape).copy()
     return p + arm, quat_multiply(q, b.turn), v + np.cross(w, arm), spin

@@ -81,7 +81,9 @@ class Breaks:
         for whole, pose in self._gone.items():
             out[whole] = (*pose, still, still)
         for b in self._left:
-            for piece, state in zip(b.pieces, zip(*rigid(b, *self._read(b.whole)), strict=True), strict=True):
+            for piece, state in zip(
+                b.pieces, zip(*rigid(b, *self._read(b.whole)), strict=True), strict=True
+            ):
                 out[piece] = state
         return out
 

@@ -87,7 +87,10 @@ class Shatter:
 
         n = len(whole)
         self.number = wp.array(number, dtype=int)
-        self.whole, self.strength = ints(whole), wp.array(np.array(strength, np.float32), dtype=float)
+        self.whole, self.strength = (
+            ints(whole),
+            wp.array(np.array(strength, np.float32), dtype=float),
+        )
         self.of, self.piece = ints([r[0] for r in rows]), ints([r[1] for r in rows])
         self.local = wp.array(np.array(local, np.float32), dtype=wp.vec3)
         self.turn = wp.array(np.array(turn, np.float32), dtype=wp.quat)

@@ -156,7 +156,9 @@ def structure_key(scene: SimScene) -> tuple[object, ...]:
     """What a compiled model depends on; scenes with equal keys share one."""
     bodies = tuple((b.static, b.wheeled, b.shapes) for b in scene.bodies)
     joints = (scene.joints, scene.names) if scene.joints else ()
-    breaks = tuple((b.name, b.break_impulse, b.fragments, b.position, b.quaternion) for b in scene.bodies)
+    breaks = tuple(
+        (b.name, b.break_impulse, b.fragments, b.position, b.quaternion) for b in scene.bodies
+    )
     return bodies, tuple(scene.gravity), joints, breaks if brittle(scene) else ()
 
 

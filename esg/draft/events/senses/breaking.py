@@ -111,7 +111,15 @@ def come_apart(d: Discourse, f: Frame, body: str, time: Time | None = None) -> b
         if at is not None:
             d.scene.used[at] = "breaks"
     if happened(d, NodeEvent.BREAK, body):
-        mark_used(d, f, next(n.id for n in d.timeline.nodes if n.event is NodeEvent.BREAK and body in n.participants))
+        mark_used(
+            d,
+            f,
+            next(
+                n.id
+                for n in d.timeline.nodes
+                if n.event is NodeEvent.BREAK and body in n.participants
+            ),
+        )
         return True
     if track is None or not track.under_way:
         return False
