@@ -28,11 +28,11 @@ from esg.compile.usd_physx import (
     physx_scene,
 )
 from esg.compile.usd_program import write_program
+from esg.engines.breaking import hidden
 from esg.engines.joint_rules import BREAK_WINDOW_S
 from esg.engines.joints import WORLD, Joint
 from esg.engines.manifest import Manifest
 from esg.engines.physx_engine import position_iterations
-from esg.engines.breaking import hidden
 from esg.engines.scene import FRAGMENT, Body, Rollout, Shape, SimScene
 from esg.engines.wheels import wheel_angles
 from esg.engines.worlds import principal_axes

@@ -141,8 +141,9 @@ BREAKING_CONVENTION = (
     "within 1/60 s add up to more; until then its fragments, which are bodies of this list, are "
     "not there: they neither move nor touch, and their poses are those they have in it; after the "
     "step in which it breaks it is not there any more and they are, with the velocities of its "
-    "parts (v + w x r); before that the share (sum - break_impulse) / (sum of that step) of what the "
-    "step did to the velocities of the body and of all that touched it, gravity aside, is taken back"
+    "parts (v + w x r); before that the share (sum - break_impulse) / (sum of that step) of what "
+    "the step did to the velocities of the body and of all that touched it, gravity aside, is "
+    "taken back"
 )
 """Stands under `breaking` of the conventions of a manifest with bodies that break."""
 

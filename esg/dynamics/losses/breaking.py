@@ -6,7 +6,7 @@ import numpy as np
 
 from esg.dynamics.losses.measures import AddTerm, Detected
 from esg.dynamics.losses.recording import Floats, Recording
-from esg.engines.breaking.swap import broken_frames, brittle
+from esg.engines.breaking.swap import brittle, broken_frames
 from esg.engines.joint_rules import BREAK_WINDOW_S
 from esg.graph.models import TimelineNode
 

@@ -107,8 +107,8 @@ class Panel:
         self.plan, self.device = plan, device
         self.reference = Simulator(plan, engines("newton", device), dt=dt, hold=True)
         step = dt if self.explorer == SURROGATE else COARSE * dt
-        # Nothing breaks in the surrogate: a blow that is hard enough tells when it would.
-        known = replace(plan, scene=unbroken(plan.scene)) if self.explorer == SURROGATE else plan
+        # Nothing breaks while it explores: a blow that is hard enough tells when it would.
+        known = replace(plan, scene=unbroken(plan.scene))
         self.surrogate = Simulator(known, engine, dt=step)
         self.breadth: int = getattr(engine, "breadth", 1)
         self._others: list[Simulator] = []

@@ -1,4 +1,4 @@
-"""Bodies that break into fragments: their pieces, and how the two are swapped (docs/breaking.md)."""
+"""Bodies that break into fragments, and how the two are swapped (docs/breaking.md)."""
 
 from esg.engines.breaking.problems import breaking_problems
 from esg.engines.breaking.swap import Brittle, brittle, hidden, ride, rigid, shown, unbroken

@@ -22,7 +22,8 @@ def corners(shape: Shape) -> Floats:
     elif shape.kind == "cylinder":
         angle = 2.0 * math.pi * np.arange(_SIDES) / _SIDES
         ring = x * np.stack([np.cos(angle), np.sin(angle), 0.0 * angle], axis=1)
-        points = np.concatenate([ring - [0.0, 0.0, z], ring + [0.0, 0.0, z]])
+        up = np.array([0.0, 0.0, z])
+        points = np.concatenate([ring - up, ring + up])
     elif shape.kind in ("sphere", "capsule"):
         ball = x * _ball()
         half = z if shape.kind == "capsule" else 0.0

@@ -118,7 +118,7 @@ def shown(scene: SimScene, rollout: Rollout) -> Rollout:
 
 
 def broken_frames(b: Brittle, position: Any, quaternion: Any) -> NDArray[np.bool_]:
-    """In which frames something is broken: from the first on in which a fragment has left it, [..., T]."""
+    """Frames at which something is broken: once a fragment has left it, shape [..., T]."""
     whole = [np.asarray(a, float)[..., b.whole, :] for a in (position, quaternion)]
     zero = np.zeros_like(whole[0])
     there = rigid(b, *whole, zero, zero)[0]

@@ -120,7 +120,7 @@ def find_broken(
         return
     steps = wp.clamp(int(wp.rint(window / float(grid[0]))), 1, taken.shape[1])
     taken[n, clock[0] % steps] = now
-    total = float(0.0)
+    total = 0.0
     for k in range(steps):
         total += taken[n, k]
     if total > strength[n]:
@@ -151,7 +151,7 @@ def share_out(
         return
     a = _brittle(shape0[i], shape_world, shape_body, number)
     b = _brittle(shape1[i], shape_world, shape_body, number)
-    most = float(0.0)
+    most = 0.0
     if a >= 0:
         most = share[a]
     if b >= 0:
@@ -272,7 +272,7 @@ def park_wholes(
     joint_q: wp.array(dtype=float),
     joint_qd: wp.array(dtype=float),
 ):
-    """One thread per thing that breaks puts it away for good, after its fragments took its place."""
+    """One thread per thing that breaks puts it away for good, once its fragments are there."""
     n = wp.tid()
     i = whole[n]
     if i >= 0 and state[n] != WHOLE:

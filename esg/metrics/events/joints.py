@@ -155,7 +155,7 @@ def _sampled(replay: Replay, begin: int) -> Frames:
 
 
 def breaks(replay: Replay, q: Query) -> Iterator[Found]:
-    """Coming apart into pieces: fragments of what the phrase means, or its bodies and their mates."""
+    """Coming apart into pieces: fragments of what the phrase means, or bodies of its group."""
     begin = replay.after(q.since)
     scene, phrase = replay.scene, q.bound["object"].phrase
     wholes = [i for i in q.bound["object"].bodies if scene.bodies[i].fragments]

@@ -47,7 +47,7 @@ def sense_of_breaking(d: Discourse, f: Frame, subject: list[str], objects: list[
         return False
     lemma = f.verb.lemma
     if lemma in ("fall", "come", "go"):
-        return "apart" in f.adverbs or f.phrase("to", "in") is not None and _to_pieces(f)
+        return "apart" in f.adverbs or (f.phrase("to", "in") is not None and _to_pieces(f))
     if lemma in _RUINING:
         down = lemma != "knock" or {"over", "down"} & {*f.adverbs} or f.verb.sense == "topple"
         return bool(down) and all(row.falls_apart for i in bodies if (row := row_of(d, i)))
@@ -69,9 +69,7 @@ def read_break(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "A ball breaks a window", "the vase shatters", "a plate breaks on the floor"."""
     told = f.verb.passive or not o
     bodies = [i for i in (s if told else o) if row_of(d, i) is not None]
-    if not told:
-        _hit_first(d, f, s, o)
-    elif f.verb.passive and filling(f, "agent"):
+    if not told or (f.verb.passive and filling(f, "agent")):
         _hit_first(d, f, s, o)
     else:
         for body in bodies:
