@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 
-from esg.compile import breaking, frames, joints
+from esg.compile import frames, joints
 from esg.compile.model import ScenePlan, UnrealBody
 
 
@@ -383,6 +383,40 @@ GROUNDED = """\
 """Of commands and bodies, in classes with brakes or tyres."""
 
 
+_BREAKING = """\
+	/** A body that breaks, and its fragments with where they lie in it. */
+	struct FBrittle
+	{
+		FBodyRef* Whole = nullptr;
+		TArray<FBodyRef*> Pieces;
+		TArray<FVector> Centers;
+		TArray<FQuat> Turns;
+		TArray<UPrimitiveComponent*> Touched;
+		TArray<double> Taken;
+		double Step = 0.0;
+		bool bBroken = false;
+	};
+
+	void CollectFragments();
+	void AddBrittle(int32 Whole, const TArray<int32>& Pieces);
+	void TakeBlow(const UPrimitiveComponent* Body, UPrimitiveComponent* Other, double Impulse);
+	void BreakBodies(double Step);
+	void Shatter(FBrittle& Brittle, double Share, double Step);
+	void TakeBack(FBodyRef& Body, double Share, double Step) const;
+	void RememberSpeeds();
+	static void PutAway(UStaticMeshComponent* Body, bool bSimulated);
+	TArray<FBrittle> Brittles;
+
+"""
+"""What classes with what breaks declare besides."""
+_REMEMBERED = """\
+		/** Velocities at the beginning of the last step. */
+		FVector LastVelocity = FVector::ZeroVector;
+		FVector LastSpin = FVector::ZeroVector;
+"""
+"""Of bodies, in classes with what breaks."""
+
+
 def _class(plan: ScenePlan) -> str:
     name = plan.name
     simulation = "\n".join(f.emit("ESG|Simulation") for f in simulation_fields(plan))
@@ -419,7 +453,7 @@ private:
 		UStaticMeshComponent* Component = nullptr;
 		const F{name}Body* Settings = nullptr;
 		int32 Shape = 0;
-{GROUNDED if grounded else ""}{breaking.REMEMBERED if plan.breaks else ""}	}};
+{GROUNDED if grounded else ""}{_REMEMBERED if plan.breaks else ""}	}};
 
 {records}	UStaticMeshComponent* CreateMesh(const TCHAR* Name, const TCHAR* AssetPath);
 	void ConfigureGround(UStaticMeshComponent* Plane, bool bForWheels);
@@ -438,7 +472,7 @@ def _joining(plan: ScenePlan) -> str:
 
 
 def _breaking(plan: ScenePlan) -> str:
-    return breaking.DECLARATIONS if plan.breaks else ""
+    return _BREAKING if plan.breaks else ""
 
 
 def _turning(plan: ScenePlan) -> str:

@@ -13,10 +13,9 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from esg.dynamics.choreography.breaking import shattered
 from esg.dynamics.choreography.handling import bounced, jumped, spun, taken, tell_guided
 from esg.dynamics.choreography.meetings import collision, enters
-from esg.dynamics.choreography.moves import controlled, plain, turned
+from esg.dynamics.choreography.moves import controlled, plain, shattered, turned
 from esg.dynamics.choreography.placing import enter_beside
 from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage

@@ -119,9 +119,8 @@ def shown(scene: SimScene, rollout: Rollout) -> Rollout:
 
 def broken_frames(b: Brittle, position: Any, quaternion: Any) -> NDArray[np.bool_]:
     """Frames at which something is broken: once a fragment has left it, shape [..., T]."""
-    whole = [np.asarray(a, float)[..., b.whole, :] for a in (position, quaternion)]
-    zero = np.zeros_like(whole[0])
-    there = rigid(b, *whole, zero, zero)[0]
+    at, turn = (np.asarray(a, float)[..., b.whole, :] for a in (position, quaternion))
+    there = rigid(b, at, turn, np.zeros_like(at), np.zeros_like(at))[0]
     pieces = np.asarray(position, float)[..., list(b.pieces), :]
     left = (np.linalg.norm(pieces - there, axis=-1) > PARTED_M).any(axis=-1)
     return np.logical_or.accumulate(left, axis=-1)

@@ -120,7 +120,7 @@ def find_broken(
         return
     steps = wp.clamp(int(wp.rint(window / float(grid[0]))), 1, taken.shape[1])
     taken[n, clock[0] % steps] = now
-    total = 0.0
+    total = float(0.0)  # noqa: UP018  # a variable to Warp
     for k in range(steps):
         total += taken[n, k]
     if total > strength[n]:
@@ -151,7 +151,7 @@ def share_out(
         return
     a = _brittle(shape0[i], shape_world, shape_body, number)
     b = _brittle(shape1[i], shape_world, shape_body, number)
-    most = 0.0
+    most = float(0.0)  # noqa: UP018  # a variable to Warp
     if a >= 0:
         most = share[a]
     if b >= 0:
