@@ -298,7 +298,8 @@ def _preamble(plan: ScenePlan) -> str:
     constants += UPRIGHT_COSINE if plan.tyres else ""
     constants += WHEELS if plan.wheels else ""
     constants += joints.CONSTANTS if plan.joints else ""
-    constants += BREAKING if plan.breaks else ""
+    # Joints break within the same window.
+    constants += BREAKING if plan.breaks and not plan.joints else ""
     return f"""#include "@CLASS@.h"
 
 {includes}

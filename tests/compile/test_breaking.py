@@ -19,6 +19,7 @@ from esg.compile.usd import physics_layer, write_usd
 from esg.engines import get_engine
 from esg.engines.breaking import hidden
 from esg.engines.breaking.pieces import broken
+from esg.engines.joints import joint_between
 from esg.engines.manifest import manifest_from_json, manifest_to_json
 from esg.engines.program import HoldVelocity, Primitive, Program, SetVelocity, batch_programs
 from esg.engines.scene import SimScene
@@ -51,7 +52,16 @@ def driven() -> Case:
     return SimScene("driven", (whole, *pieces, wall)), (drive,)
 
 
-CASES = {"dropped": dropped, "pane": pane, "driven": driven}
+def hung() -> Case:
+    """A ball that swings on a rope breaks a fixed pane: joints and fragments in one class."""
+    scene, _ = pane()
+    ball = scenes.ball("bob", (-1.2, 0.1, 1.3), 0.08, 2.0)
+    rope = joint_between("rope", "rope", ball, None, at=ball.position, parent_at=(0.0, 0.1, 1.8))
+    bodies = (*scene.bodies[:-1], ball)
+    return SimScene("hung", bodies, joints=(replace(rope, upper=1.3),)), ()
+
+
+CASES = {"dropped": dropped, "pane": pane, "driven": driven, "hung": hung}
 
 
 @pytest.mark.parametrize("engine", ["physx", "rapier"])
