@@ -13,6 +13,7 @@ from esg.outcomes import Outcome, UserError
 if TYPE_CHECKING:
     from esg.api.trajectories import Trajectories
     from esg.compile.export import Target
+    from esg.compile.visuals.usd_files import UsdForm
     from esg.engines.manifest import Manifest
     from esg.graph import EsgDocument
     from esg.metrics.models import EventVerdict, SceneVerdict, Suite, SuiteScene
@@ -257,7 +258,12 @@ class Scene:
         )
 
     def export(
-        self, to: Target, out: str | Path | None = None, *, trust: bool = False
+        self,
+        to: Target,
+        out: str | Path | None = None,
+        *,
+        form: UsdForm = "usda",
+        trust: bool = False,
     ) -> list[Path]:
         """Writes the scene for another program.
 
@@ -265,6 +271,8 @@ class Scene:
             to: unreal a plugin folder; usd physics and baked animation; mjcf MuJoCo XML; glb
                 animated glTF.
             out: Folder to write into; default the scene folder.
+            form: Of usd: layers as text (usda) or in binary (usdc), which simulate and play, or a
+                package (usdz) that shows the scene on phones.
             trust: Export the class of an unreal plugin whatever it is.
 
         Returns:
@@ -273,17 +281,17 @@ class Scene:
         Raises:
             UserError: If the folder holds no compiled scene or `out` cannot be written.
         """
-        from esg.compile.export import export
         from esg.compile.replay import require_ours
         from esg.files import refused
         from esg.scenefolder import check_writable
+        from esg.view.setting import export_folder
 
         target = self.folder if out is None else Path(out)
         check_writable(target)
         if to == "unreal" and not trust:
             require_ours(self.folder)
         with refused(target):
-            return export(self.folder, to, target)
+            return export_folder(self.folder, to, target, form=form)
 
     def show(self) -> Any:
         """Its moving picture, for a notebook.

@@ -127,7 +127,7 @@ def look_of(
         color: sRGB in [0, 1]; the material's own by default.
         roughness, alpha: In [0, 1]; the material's own by default.
     """
-    from esg.assets.textures import recipes, tint
+    from esg.assets.textures import tint
 
     material = visible(name, color)
     rough = material.roughness if roughness is None else roughness
@@ -138,7 +138,7 @@ def look_of(
         roughness=rough,
         metalness=material.metalness,
         alpha=material.alpha if alpha is None else alpha,
-        texture=material.texture if material.texture in recipes() else None,
+        texture=material.texture,
         tile_m=material.tile_m,
         normal_strength=material.normal_strength,
     )

@@ -12,6 +12,7 @@ from typing import Any
 from esg.graph import (
     rules_breaking,
     rules_casting,
+    rules_dressing,
     rules_events,
     rules_joints,
     rules_relations,
@@ -60,6 +61,7 @@ def verify(doc: EsgDocument | Mapping[str, Any]) -> tuple[Violation, ...]:
             rules_breaking,
             rules_stages,
             rules_casting,
+            rules_dressing,
         ):
             rules.check(ctx)
     return tuple(found.items)

@@ -176,7 +176,7 @@ def test_suites_of_the_package_go_by_name_unless_a_file_is_called_so(tmp_path, m
         assert load_suite(name).suite == load_suite(path).suite
     (tmp_path / "paper").write_text(ONE)
     assert load_suite("paper").suite == "one"
-    with pytest.raises(UserError, match="papers does not exist; give a file, or one of .*paper"):
+    with pytest.raises(UserError, match=r"papers does not exist; give a file, or one of .*paper"):
         load_suite("papers")
 
 

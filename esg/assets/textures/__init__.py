@@ -33,8 +33,7 @@ class Maps(NamedTuple):
 
 def recipes() -> dict[str, Recipe]:
     """Every set of maps by name."""
-    from esg.assets.textures import drawers  # noqa: F401  # enters them
-    from esg.assets.textures.recipe import RECIPES
+    from esg.assets.textures.drawers import RECIPES
 
     return RECIPES
 
@@ -56,11 +55,16 @@ def tint(name: str | None, color: Color) -> Color:
 
     A channel that is brighter than the texture's is left as it is.
     """
-    if name not in recipes():
+    if name is None:
         return color
     factor = np.minimum(1.0, linear(color) / linear(recipes()[name].mean))
     red, green, blue = (round(float(c), 4) for c in srgb(factor))
     return red, green, blue
+
+
+def has_grain(name: str | None) -> bool:
+    """Whether a texture has a grain along u, which runs along the length of a part."""
+    return name is not None and recipes()[name].along
 
 
 @cache

@@ -48,7 +48,7 @@ def noise(
     f[0, 0] = 1.0
     keep = np.exp(-((f / high) ** 4)) * (1.0 - np.exp(-((f / low) ** 4))) * f**-slope
     keep[0, 0] = 0.0
-    out = fft.irfft2(fft.rfft2(white) * keep, s=(n, n))
+    out: Field = fft.irfft2(fft.rfft2(white) * keep, s=(n, n))  # pyright: ignore[reportOperatorIssue, reportAssignmentType]  # typed as dispatching
     return (out / max(float(out.std()), 1e-9)).astype(np.float32)
 
 
@@ -58,7 +58,8 @@ def blurred(field: Field, sigma: float) -> Field:
     fu = fft.rfftfreq(n, 1.0 / n).astype(np.float32)[None, :]
     fv = fft.fftfreq(n, 1.0 / n).astype(np.float32)[:, None]
     keep = np.exp(-2.0 * (np.pi * sigma) ** 2 * (fu * fu + fv * fv))
-    return fft.irfft2(fft.rfft2(field) * keep, s=(n, n)).astype(np.float32)
+    out: Field = fft.irfft2(fft.rfft2(field) * keep, s=(n, n))  # pyright: ignore[reportOperatorIssue, reportAssignmentType]  # typed as dispatching
+    return out.astype(np.float32)
 
 
 def taken(field: NDArray[np.floating], u: Field, v: Field) -> NDArray[np.floating]:
@@ -98,17 +99,18 @@ def cells(u: Field, v: Field, rng: Random, across: int, down: int, jitter: float
         jitter: 0 leaves the points in the middle of their squares, 1 spreads them all over.
     """
     points = 0.5 + jitter * (rng.random((2, down, across), dtype=np.float32) - 0.5)
+    columns, rows = points[0].ravel(), points[1].ravel()
     x, y = u * across, v * down
     i, j = np.floor(x).astype(np.int64), np.floor(y).astype(np.int64)
-    fx, fy = x - i, y - j
+    fx, fy = (x - i).astype(np.float32), (y - j).astype(np.float32)
     near = np.full(u.shape, 9.0, np.float32)
     second, du, dv = near.copy(), near.copy(), near.copy()
     number = np.zeros(u.shape, np.int64)
     for dj in (-1, 0, 1):
         for di in (-1, 0, 1):
             cell = ((j + dj) % down) * across + (i + di) % across
-            px = fx - di - points[0].ravel()[cell]
-            py = fy - dj - points[1].ravel()[cell]
+            px = fx - np.float32(di) - columns[cell]
+            py = fy - np.float32(dj) - rows[cell]
             d = px * px + py * py
             closer = d < near
             second = np.where(closer, near, np.minimum(second, d))
@@ -169,7 +171,7 @@ def strokes(
     turn = angle + spread * rng.standard_normal(count, dtype=np.float32)
     curl = bend * rng.standard_normal(count, dtype=np.float32)
     size = length * (0.65 + 0.7 * rng.random(count, dtype=np.float32))
-    steps = max(4, int(1.3 * length * 1.35 * n))
+    steps = max(4, int(1.1 * length * 1.35 * n))
     sides = max(1, int(np.ceil(1.4 * width * n)))
     t = ((np.arange(steps) + 0.5) / steps).astype(np.float32)[None, :, None]
     s = (np.arange(sides) - 0.5 * (sides - 1)).astype(np.float32)[None, None, :]
@@ -188,7 +190,9 @@ def strokes(
     along[flat] = np.broadcast_to(t, shape).reshape(-1)
     side[flat] = np.broadcast_to(s, shape).reshape(-1)
     rank = ((number + 1) / count).astype(np.float32)
-    return Strokes(*(a.reshape(n, n) for a in (rank, along, side, number)))
+    return Strokes(
+        rank.reshape(n, n), along.reshape(n, n), side.reshape(n, n), number.reshape(n, n)
+    )
 
 
 def _profile(t: NDArray[np.floating], pointed: float) -> NDArray[np.floating]:

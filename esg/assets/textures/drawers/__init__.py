@@ -1,5 +1,6 @@
 """The generators, by what they show."""
 
-from esg.assets.textures.drawers import masonry
+from esg.assets.textures.drawers import fabric, ground, hides, masonry, mineral, sheets, wood
+from esg.assets.textures.recipe import RECIPES
 
-__all__ = ["masonry"]
+__all__ = ["RECIPES", "fabric", "ground", "hides", "masonry", "mineral", "sheets", "wood"]
