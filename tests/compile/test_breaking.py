@@ -11,11 +11,12 @@ from helpers import both
 import numpy as np
 import pytest
 import scenes
+from usd import usd_of
 
 from esg.compile import emit_class
 from esg.compile.glb import scene_glb
 from esg.compile.mjcf import scene_mjcf
-from esg.compile.usd import physics_layer, write_usd
+from esg.compile.usd import write_usd
 from esg.engines import get_engine
 from esg.engines.breaking import hidden
 from esg.engines.breaking.pieces import broken
@@ -114,7 +115,7 @@ def test_exports_show_fragments_from_the_break_on(tmp_path: Path) -> None:
     mjcf = scene_mjcf(manifest)
     assert "What breaks stays whole" in mjcf
     assert "piece" not in mjcf.replace("pieces", "")
-    text = physics_layer(manifest, tmp_path)
+    text = usd_of(tmp_path, scene, program).read_text("utf-8")
     assert text.count('visibility = "invisible"') == len(scene.bodies[0].fragments)
     assert "double break_impulse = 6" in text
     paths = write_usd(manifest, rollout, tmp_path, tmp_path)
