@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from esg.engines.breaking import shown
 from esg.engines.scene import Rollout, SimScene
 from esg.engines.wheels import scene_angles
 from esg.files import explained, refused
@@ -198,6 +199,7 @@ def _write(
     on_frames: Callable[[int], None],
 ) -> None:
     scenery = scenery_of(scene, rollout, doc)
+    rollout = shown(scene, rollout)
     frames = frame_indices(rollout, settings.fps)
     points, owner = _tracked(scenery.parts, len(scene.bodies), settings)
     manifest = _manifest(scene, rollout, doc, cameras, frames, settings, points, owner)
@@ -216,15 +218,15 @@ def _write(
         pinhole = Pinhole.of(camera, settings.size)
         drawer = kind.load(seen_from(scenery, [camera], scene, rollout), quality)
         for first in range(0, len(frames), kind.batch):
-            shown = frames[first : first + kind.batch]
-            poses = poses_at(rollout, shown, angles, settings.open_s)
-            views = drawer.draw(poses, [camera] * len(shown))
-            for k in range(len(shown)):
+            drawn = frames[first : first + kind.batch]
+            poses = poses_at(rollout, drawn, angles, settings.open_s)
+            views = drawer.draw(poses, [camera] * len(drawn))
+            for k in range(len(drawn)):
                 row = _row(
                     views, k, pinhole, scene, moved, frames, first + k, settings, points, owner
                 )
-                sink.add(number, first + k, float(rollout.time[shown[k]]), row)
-            on_frames(len(shown))
+                sink.add(number, first + k, float(rollout.time[drawn[k]]), row)
+            on_frames(len(drawn))
     manifest["shards"] = sink.close()
     text = json.dumps(manifest, indent=2, ensure_ascii=False, allow_nan=False)
     (folder / "manifest.json").write_text(text + "\n", encoding="utf-8")

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.breaking import shown
 from esg.engines.wheels import scene_angles
 from esg.view.camera import Camera
 from esg.view.director.acting import Action, Beat
@@ -76,13 +77,14 @@ class Viewfinder:
         self.action, self.scan, self.size, self.around = action, scan, size, around
         self.aspect = size[0] / size[1]
         self._angles = scene_angles(action.scene, action.rollout)
+        self._drawn = shown(action.scene, action.rollout)
         self.frame = -1
 
     def pose(self, time: float) -> None:
         """Puts all bodies where they are at a time [s]."""
         frame = self.action.frame(time)
         if frame != self.frame:
-            rollout = self.action.rollout
+            rollout = self._drawn
             p = np.nan_to_num(rollout.position[0, frame])
             self.scan.pose(p, rollout.quaternion[0, frame], self._angles[frame])
             self.frame = frame
