@@ -49,10 +49,21 @@ def loft(rings: Any) -> trimesh.Trimesh:
     )
     vertices = np.concatenate([rings.reshape(-1, 3), rings[[0, -1]].mean(1)])
     faces = np.concatenate([sides, ends])
-    mesh = trimesh.Trimesh(vertices, faces, process=False)
-    if mesh.volume < 0:
-        mesh = trimesh.Trimesh(vertices, faces[:, ::-1], process=False)
-    return mesh
+    return _outward(vertices, faces)
+
+
+def _outward(vertices: Points, faces: NDArray[np.int64]) -> trimesh.Trimesh:
+    """A mesh whose faces look outwards, whichever way they were given."""
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    six_volumes = float(np.einsum("ij,ij->", a, np.cross(b, c)))
+    return trimesh.Trimesh(vertices, faces if six_volumes > 0 else faces[:, ::-1], process=False)
+
+
+def copied(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
+    """A mesh of its own that may be moved; for those that are kept to be drawn again."""
+    out = trimesh.Trimesh(np.array(mesh.vertices), mesh.faces, process=False)
+    out.metadata.update(mesh.metadata)
+    return out
 
 
 def turned(
@@ -162,10 +173,7 @@ def _torus(rings: Points) -> trimesh.Trimesh:
     faces = np.concatenate(
         [np.stack([a, a1, b1], -1).reshape(-1, 3), np.stack([a, b1, b], -1).reshape(-1, 3)]
     )
-    mesh = trimesh.Trimesh(rings.reshape(-1, 3), faces, process=False)
-    if mesh.volume < 0:
-        mesh.invert()
-    return mesh
+    return _outward(rings.reshape(-1, 3), faces)
 
 
 def superellipse(count: int, power: float, start: float = 0.0, end: float = 2 * math.pi) -> Points:

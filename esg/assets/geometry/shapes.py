@@ -157,7 +157,8 @@ def lune(
     mesh = trimesh.Trimesh(
         vertices, np.concatenate([outer, outer[:, ::-1] + count, rim]), process=False
     )
-    mesh.fix_normals()
+    if mesh.volume < 0:
+        mesh.invert()
     return mesh
 
 

@@ -242,15 +242,15 @@ def _arms(body: _Drawer, marks: frozenset[str], d: Dress, top: Color) -> None:
 
 def _head(flat: Sketch, marks: frozenset[str], d: Dress, style: str) -> None:
     covered = marks & {"great_helm", "space_helmet"}
-    flat.add(lambda: bodies.head().copy(), d.skin, of="skin", name="head")
+    flat.add(lambda: forms.copied(bodies.head()), d.skin, of="skin", name="head")
     if covered:
         return
-    flat.add(lambda: bodies.eyes()[0].copy(), rgb(240, 238, 234), of="ceramic", name="eyes")
-    flat.add(lambda: bodies.eyes()[1].copy(), rgb(52, 36, 26), of="ceramic", name="irises")
-    flat.add(lambda: bodies.mouth().copy(), shade(d.skin, 0.66), of="skin", name="mouth")
-    flat.add(lambda: bodies.brows().copy(), shade(d.hair, 0.8), of="hair", name="brows")
+    flat.add(lambda: forms.copied(bodies.eyes()[0]), rgb(240, 238, 234), of="ceramic", name="eyes")
+    flat.add(lambda: forms.copied(bodies.eyes()[1]), rgb(52, 36, 26), of="ceramic", name="irises")
+    flat.add(lambda: forms.copied(bodies.mouth()), shade(d.skin, 0.66), of="skin", name="mouth")
+    flat.add(lambda: forms.copied(bodies.brows()), shade(d.hair, 0.8), of="hair", name="brows")
     if "wig" not in marks:
-        flat.add(lambda: bodies.hair(style).copy(), d.hair, of="hair", name="hairdo")
+        flat.add(lambda: forms.copied(bodies.hair(style)), d.hair, of="hair", name="hairdo")
     clothes.face_marks(flat, marks, d.hair)
 
 
