@@ -150,8 +150,8 @@ def lune(
     after = np.roll(border, -1)
     rim = np.concatenate(
         [
-            np.stack([border, after, after + count], 1),
-            np.stack([border, after + count, border + count], 1),
+            np.stack([border, after + count, after], 1),
+            np.stack([border, border + count, after + count], 1),
         ]
     )
     mesh = trimesh.Trimesh(
