@@ -186,7 +186,7 @@ def roller(s: Sketch, L: float, W: float, H: float, c: Color, hollow: bool = Fal
     if hollow:
         q = r * 0.88
         profile = [(q, -L / 2), (r, -L / 2), (r, L / 2), (q, L / 2), (q, -L / 2)]
-        s.lathe(profile, c, center=(0, 0, r), axis="x", rough=0.4, metal=0.5)
+        s.lathe(profile, c, center=(0, 0, r), axis="x", rough=0.4)
     else:
         s.rod(r, (-L / 2 + 0.3, 0, r), (L / 2 - 0.3, 0, r), c, rough=0.95, sections=36)
         for x in (-1, 1):
@@ -203,7 +203,7 @@ def ladder(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         for sign in (-1, 1):
             foot, top = sign * L / 2, sign * t * 0.8
             points = [(foot, 0), (foot - sign * t, 0), (top - sign * t, H), (top, H)]
-            s.extrude(points, (y - t / 2, y + t / 2), c, metal=0.5, name="rail")
+            s.extrude(points, (y - t / 2, y + t / 2), c, name="rail")
             inner = min(foot, foot - sign * 1.1 * t), max(foot, foot - sign * 1.1 * t)
             s.slab(
                 inner,

@@ -18,7 +18,7 @@ from esg.assets.appearance import USUAL, Appearance
 from esg.assets.appearances import appearances, first_of_asset
 from esg.assets.colors import color_word
 from esg.assets.configuration import node_mesh_path, parametric_entry
-from esg.assets.geometry.finishing import Surface, finished, joined
+from esg.assets.geometry.finishing import Surface, completed, finished, joined
 from esg.assets.geometry.rolling import drawn_size, is_rolling_form, rolling
 from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
 from esg.assets.geometry.sketch import Sketch
@@ -59,6 +59,9 @@ class Model:
 _BEVELLED = 0.03
 """Boxes and rods longer than this share of their asset's longest extent are bevelled."""
 
+_FOREIGN_TILE_CM = 100.0
+"""Edge of one tile of the coordinates that an imported mesh without any is given."""
+
 
 def build_mesh(config: AssetConfiguration, appearance: Appearance = USUAL) -> trimesh.Scene:
     """The asset's geometry [cm] in its local frame, one mesh a look, apart for every wheel.
@@ -75,7 +78,7 @@ def build_mesh(config: AssetConfiguration, appearance: Appearance = USUAL) -> tr
 
     entry = parametric_entry(config)
     if entry is None:
-        return load_imported(config)
+        return _completed(load_imported(config))
     scene = trimesh.Scene()
     models, wheels = _models(configured_sketch(entry, config, appearance))
     for wheel in wheels:
@@ -103,6 +106,13 @@ def build_mesh(config: AssetConfiguration, appearance: Appearance = USUAL) -> tr
             geom_name=model.name,
             parent_node_name=None if model.wheel is None else wheels[model.wheel].name,
         )
+    return scene
+
+
+def _completed(scene: trimesh.Scene) -> trimesh.Scene:
+    """A foreign asset with the normals and texture coordinates it lacks."""
+    for name, geometry in list(scene.geometry.items()):
+        scene.geometry[name] = completed(geometry, _FOREIGN_TILE_CM)
     return scene
 
 
@@ -182,23 +192,11 @@ def glb_bytes(config: AssetConfiguration, appearance: Appearance = USUAL) -> byt
     scene = build_mesh(config, appearance)
     if all("look" in geometry.metadata for geometry in scene.geometry.values()):
         return asset_glb(scene)
-    _to_gltf(scene)
-    data = scene.export(file_type="glb")
+    scene.apply_transform(GLTF_FROM_LOCAL)
+    data = scene.export(file_type="glb", include_normals=True)
     if not isinstance(data, bytes):
         raise UserError(f"{config.asset_name}: the mesh could not be exported as GLB", exit_code=1)
     return data
-
-
-def _to_gltf(scene: trimesh.Scene) -> None:
-    """Leads a scene into glTF's frame; nodes of wheels keep no more than their place, to turn."""
-    graph = scene.graph
-    scene.apply_transform(GLTF_FROM_LOCAL)
-    for wheel in set(graph.nodes) - set(graph.nodes_geometry) - {graph.base_frame}:
-        place = _moved(graph[wheel][0][:3, 3])
-        graph.update(frame_to=wheel, matrix=place)
-        for part in graph.transforms.children[wheel]:
-            matrix = GLTF_FROM_LOCAL.copy()
-            graph.update(frame_from=wheel, frame_to=part, matrix=matrix)
 
 
 def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:

@@ -26,9 +26,6 @@ from esg.graph.models import ProxyKind, Quat, Vec3
 if TYPE_CHECKING:
     import trimesh
 
-_METAL = 0.3
-"""Metalness from which on something is a metal."""
-
 
 class Finish(tuple[float, float, float]):
     """A colour that knows what it is the colour of."""
@@ -99,14 +96,12 @@ class Part:
 class Style(TypedDict, total=False):
     """What else a builder may say of a part.
 
-    `of` names its material, `name` says what it is; `rough` and `alpha` replace the material's
-    own, and a part that is `metal` is of steel where its material is none.
+    `of` names its material, `name` says what it is; `rough` and `alpha` replace the material's own.
     """
 
     of: str
     name: str
     rough: float
-    metal: float
     alpha: float
 
 
@@ -128,16 +123,14 @@ class Sketch(Collider):
         self,
         make: Callable[[], Any],
         color: Color,
-        rough: float | None = None,
-        metal: float = 0.0,
-        alpha: float | None = None,
+        *,
         of: str = "",
         name: str = "",
+        rough: float | None = None,
+        alpha: float | None = None,
     ) -> None:
         """Records a closed mesh made by `make`."""
         material = of or (color.material if isinstance(color, Finish) else self.material)
-        if metal >= _METAL and MATERIALS[material].metalness < _METAL:
-            material = "steel"
         self.parts.append(Part(name or material, make, color, material, rough, alpha))
 
     def wheel(self, point: Vec3, radius: float, parts: int = 1) -> None:

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import csv
 from dataclasses import dataclass, replace
-from functools import lru_cache
+from functools import cache, lru_cache
+from pathlib import Path
 import re
 from typing import Any
 
@@ -61,6 +63,11 @@ class Entry:
         return not self.flags & {"fixed", "decal"}
 
     @property
+    def finish(self) -> str:
+        """Material that parts in its main colour are seen as, where their builder names none."""
+        return finishes().get(self.name, self.material)
+
+    @property
     def text(self) -> str:
         """What the embedder reads."""
         name = self.name.replace("_", " ")
@@ -69,6 +76,13 @@ class Entry:
             if self.synonyms
             else f"{name}: {self.description}"
         )
+
+
+@cache
+def finishes() -> dict[str, str]:
+    """What kinds are seen as where that is not the material they slide as, by name."""
+    with (Path(__file__).parent / "finishes.csv").open(encoding="utf-8", newline="") as file:
+        return {row["kind"]: row["material"] for row in csv.DictReader(file)}
 
 
 def parse_hex(text: str) -> tuple[float, float, float]:
@@ -154,7 +168,7 @@ def build_sketch(
 
     load_builders()
     color = appearance.color or color
-    sketch = Sketch(material=entry.material, appearance=appearance)
+    sketch = Sketch(material=entry.finish, appearance=appearance)
     if policy(entry) == "free":
         return worn(_free(entry, dimensions_cm, color, appearance), appearance)
     params = dict(entry.params)
@@ -178,16 +192,16 @@ def _free(
     factor = uniform_factor(usual, dimensions_cm)
     middling: Vec3 = tuple(d / factor for d in dimensions_cm)  # type: ignore[assignment]
     for size in (dimensions_cm, middling):
-        sketch = Sketch(material=entry.material, appearance=appearance)
+        sketch = Sketch(material=entry.finish, appearance=appearance)
         try:
             BUILDERS[entry.builder](sketch, *size, color, **dict(entry.params))
             if sound(sketch):
                 return sketch if size is dimensions_cm else scaled(sketch, factor)
         except (ArithmeticError, ValueError):
             continue
-    sketch = Sketch(material=entry.material, appearance=appearance)
+    sketch = Sketch(material=entry.finish, appearance=appearance)
     BUILDERS[entry.builder](sketch, *usual, color, **dict(entry.params))
-    l, w, h = (b / a for a, b in zip(usual, dimensions_cm, strict=True))  # noqa: E741
+    l, w, h = (b / a for a, b in zip(usual, dimensions_cm, strict=True))
     return stretched(sketch, (l, w, h))
 
 

@@ -269,9 +269,7 @@ def suitcase(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         for y in (-W * 0.38, W * 0.38):
             s.box((wheel * 1.6, wheel * 1.2, wheel), (x, y, wheel / 2), DARK)
     for y in (-W * 0.18, W * 0.18):
-        s.rod(
-            H * 0.008, (-L * 0.3, y, top), (-L * 0.3, y, H * 0.985), CHROME, metal=0.8, sections=10
-        )
+        s.rod(H * 0.008, (-L * 0.3, y, top), (-L * 0.3, y, H * 0.985), CHROME, sections=10)
     s.rod(H * 0.015, (-L * 0.3, -W * 0.2, H * 0.985), (-L * 0.3, W * 0.2, H * 0.985), DARK)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, top))
     s.surface("top", top, (L * 0.45, W * 0.45))
@@ -370,7 +368,7 @@ def toolbox(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         DARK,
     )
     for y in (-W * 0.25, W * 0.25):
-        s.slab((L / 2, L / 2 + 0.4), (y - 2, y + 2), (top * 0.6, top * 0.8), CHROME, metal=0.7)
+        s.slab((L / 2, L / 2 + 0.4), (y - 2, y + 2), (top * 0.6, top * 0.8), CHROME)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, top * 0.78))
     s.proxy_slab((-L * 0.34, L * 0.34), (-W / 2, W / 2), (top * 0.78, top), 0.8)
     s.surface("top", top, (L * 0.3, W * 0.45))
@@ -379,7 +377,7 @@ def toolbox(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("shipping_container", "free")
 def shipping_container(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Corrugated freight container along X, doors at +X."""
-    s.slab((-L / 2 + 3, L / 2 - 3), (-W / 2 + 3, W / 2 - 3), (5, H - 2), c, rough=0.6, metal=0.2)
+    s.slab((-L / 2 + 3, L / 2 - 3), (-W / 2 + 3, W / 2 - 3), (5, H - 2), c, rough=0.6)
     n = 24
     for k in range(n):
         x = -L / 2 + 12 + (L - 24) * (k + 0.25) / n
@@ -392,7 +390,7 @@ def shipping_container(s: Sketch, L: float, W: float, H: float, c: Color) -> Non
         for y in (-1, 1):
             s.slab((-L / 2, L / 2), edge(y, W, 6), z, shade(c, 0.8))
     for y in (-W * 0.3, -W * 0.12, W * 0.12, W * 0.3):
-        s.rod(2, (L / 2 - 2, y, 10), (L / 2 - 2, y, H - 8), STEEL, metal=0.6)
+        s.rod(2, (L / 2 - 2, y, 10), (L / 2 - 2, y, H - 8), STEEL)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
     s.surface("top", H, (L / 2, W / 2))
 
@@ -408,8 +406,6 @@ def trunk(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     ]
     s.extrude(lid, (-W / 2, W / 2), shade(c, 0.9), rough=0.7)
     for y in (-W * 0.4, 0, W * 0.4):
-        s.slab(
-            (-L / 2 - 0.3, L / 2 + 0.3), (y - W * 0.03, y + W * 0.03), (0, low), STEEL, metal=0.6
-        )
+        s.slab((-L / 2 - 0.3, L / 2 + 0.3), (y - W * 0.03, y + W * 0.03), (0, low), STEEL)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, low))
     s.proxy_hull([(x, y * W / 2, z) for x, z in lid[::2] for y in (-1, 1)], 0.7)

@@ -14,10 +14,10 @@ from esg.assets.lazy import forms
 def fan(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Pedestal fan blowing towards +X, 118 cm."""
     s.rod(19, (0, 0, 0), (0, 0, 3), c)
-    s.rod(1.6, (0, 0, 3), (0, 0, 92), STEEL, metal=0.6, sections=16)
+    s.rod(1.6, (0, 0, 3), (0, 0, 92), STEEL, sections=16)
     s.rod(5.5, (-11, 0, 96), (3, 0, 96), c)
     for x, r in ((2, 21), (8, 22), (14, 20)):
-        s.torus(r, 0.5, (x, 0, 96), CHROME, axis="x", metal=0.8)
+        s.torus(r, 0.5, (x, 0, 96), CHROME, axis="x")
     for k in range(16):
         a = 2 * math.pi * k / 16
         u = (math.cos(a), math.sin(a))
@@ -73,7 +73,6 @@ def mirror(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         rgb(176, 204, 214),
         plane="yz",
         rough=0.03,
-        metal=0.6,
     )
     for side in (-1, 1):
         s.proxy_slab((-22, 22), (side * 27 - 2, side * 27 + 2), (0, 4), 2.0)
@@ -106,7 +105,6 @@ def chandelier(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "c
         [(0, 0), (9, 0), (12, 4), (4, 10), (3, 30), (6, 36), (2, 42), (2, 56), (0, 58)],
         c,
         smooth=40,
-        metal=0.8,
         rough=0.3,
     )
     for k in range(8):

@@ -209,7 +209,7 @@ def teddy(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def cushion(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Pillow."""
 
-    s.add(lambda: shapes.pillow((L, W, H)), c, 1.0)
+    s.add(lambda: shapes.pillow((L, W, H)), c)
     s.proxy_slab((-L * 0.45, L * 0.45), (-W * 0.45, W * 0.45), (0, H * 0.95))
 
 

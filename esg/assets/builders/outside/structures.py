@@ -312,7 +312,7 @@ def gate(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         n = max(3, round((leaf[1] - leaf[0]) / 12))
         for k in range(n + 1):
             at = leaf[0] + 1.5 + (leaf[1] - leaf[0] - 3) * k / n
-            s.rod(1.3, (0, at, 6), (0, at, H * 0.93), c, sections=10, metal=0.4)
+            s.rod(1.3, (0, at, 6), (0, at, H * 0.93), c, sections=10)
         s.proxy_slab((-2, 2), leaf, (5, H * 0.93), 0.3)
 
 
@@ -349,7 +349,6 @@ def door(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         (L * 0.25, W / 2 - f - 9, H * 0.48),
         (L * 0.49, W / 2 - f - 9, H * 0.48),
         STEEL,
-        metal=0.8,
     )
 
 

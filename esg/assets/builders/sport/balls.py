@@ -131,7 +131,7 @@ def tennis_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def bowling_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Polished ball with three finger holes."""
     r = H / 2
-    s.add(lambda: _drilled(r), c, 0.12, name="ball")
+    s.add(lambda: _drilled(r), c, name="ball")
     from esg.graph.models import ProxyKind
 
     s.proxy(ProxyKind.SPHERE, (r, r, r), (0, 0, r))
@@ -205,7 +205,7 @@ def billiard_ball(
             s.add(
                 lambda n=n: shapes.shell_patch(n, 26, r * 1.004, r * 0.03, 32, (0, 0, r)),
                 WHITE,
-                0.1,
+                of="phenolic_ball",
             )
             for z in (-0.13, 0.13):
                 s.torus(0.11 * r, 0.03 * r, (side * 0.998 * r, 0, r + z * r), DARK, axis="x")
@@ -216,7 +216,7 @@ def billiard_ball(
             [shapes.shell_patch(n, 24, r * 1.004, r * 0.03, 32, (0, 0, r)) for n in spots]
         ),
         WHITE,
-        0.1,
+        of="phenolic_ball",
         name="spots",
     )
     digit = s.appearance.pick("number", len(_DIGITS))
@@ -238,7 +238,6 @@ def golf_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.add(
             lambda d=d: shapes.shell_patch(d, 5.2, r * 1.002, r * 0.02, 8, (0, 0, r)),
             dimple,
-            0.3,
         )
 
 
@@ -253,7 +252,7 @@ def beach_ball(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.add(
             lambda a=a: shapes.lune(a, math.pi / 3, r * 1.003, r * 0.03, (0, 0, r)),
             colors[k],
-            0.3,
+            of="inflatable",
             name=f"gore_{k + 1}",
         )
     for z, word in ((-1, "low"), (1, "high")):

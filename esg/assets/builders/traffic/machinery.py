@@ -316,7 +316,7 @@ def forklift(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for side in (-1, 1):
         wheel(s, 62, side * 46, 32, 24)
         wheel(s, -74, side * 42, 26, 20)
-        s.slab((96, 214), mirrored(side, 16, 30), (6, 11), STEEL, metal=0.7)
+        s.slab((96, 214), mirrored(side, 16, 30), (6, 11), STEEL)
         s.slab((90, 102), mirrored(side, 24, 34), (4, 205), DARK)
         for x in (-70, 56):
             s.rod(4, (x, side * 48, 100), (x * 0.86, side * 46, 206), DARK, sections=12)
@@ -360,7 +360,7 @@ def _track(s: Sketch, x: tuple[float, float], y: float, r: float, width: float) 
     n = 5
     for k in range(n):
         px = lo + (hi - lo) * k / (n - 1)
-        s.rod(r * 0.62, (px, y - width * 0.54, r), (px, y + width * 0.54, r), STEEL, metal=0.4)
+        s.rod(r * 0.62, (px, y - width * 0.54, r), (px, y + width * 0.54, r), STEEL)
         holes(s, (px, y, r), r * 0.62, width * 1.09)
         s.wheel((px, y, r), r * 0.62, parts=2)
 
@@ -423,7 +423,7 @@ def tracked(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "tank
     bone(s, (60, -30, 160), 22, (230, -30, 370), 20, c)
     bone(s, (230, -30, 370), 20, elbow, 15, c)
     bone(s, elbow, 15, wrist, 12, c)
-    s.rod(6, (90, -30, 150), (210, -30, 300), CHROME, sections=14, metal=0.8)
+    s.rod(6, (90, -30, 150), (210, -30, 300), CHROME, sections=14)
     s.extrude(
         [(424, 158), (438, 96), (400, 50), (356, 44), (372, 80), (398, 100), (404, 150)],
         (-76, 16),

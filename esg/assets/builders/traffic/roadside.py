@@ -56,7 +56,7 @@ def road_sign(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "si
         shift(s, 15)
         return
     s.rod(18, (0, 0, 0), (0, 0, 10), CONCRETE)
-    s.rod(3, (0, 0, 8), (0, 0, 236), STEEL, metal=0.6)
+    s.rod(3, (0, 0, 8), (0, 0, 236), STEEL)
     s.extrude([(-46, 186), (40, 186), (58, 203), (40, 220), (-46, 220)], (3, 5), c, plane="yz")
     s.extrude(
         [(-41, 190), (38, 190), (52, 203), (38, 216), (-41, 216)], (5, 5.4), WHITE, plane="yz"

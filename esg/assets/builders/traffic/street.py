@@ -102,7 +102,6 @@ def wheelie_bin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.add(
         lambda: shapes.cut(shapes.hull(corners(0, 4, 107)), [shapes.hull(corners(2, 8, 111))]),
         c,
-        0.6,
     )
     s.slab((-36.5, -34.5), (-28, 28), (36, 102), shade(c, 0.85))
     s.rod(2, (-35, -24, 101), (-35, 24, 101), shade(c, 0.7), sections=14)
@@ -369,7 +368,7 @@ def hydrant(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def sign(s: Sketch, L: float, W: float, H: float, c: Color, face: str = "octagon") -> None:
     """Traffic sign facing +X, drawn at 44 x 70 x 240."""
     s.rod(22, (0, 0, 0), (0, 0, 8), CONCRETE, solid=4)
-    s.rod(3, (0, 0, 8), (0, 0, 236), STEEL, solid=1, metal=0.6)
+    s.rod(3, (0, 0, 8), (0, 0, 236), STEEL, solid=1)
     n, spin = {"octagon": (8, 22.5), "triangle": (3, 90.0), "round": (40, 0.0)}[face]
 
     def outline(r: float) -> list[tuple[float, float]]:
