@@ -2,8 +2,8 @@
 
     python -m benchmarks.kinds [--most 60]
 
-Counts prompts of `data/suites` and `data/prompts` with a name or synonym of the kind, longest phrases
-first; verbs that are spelt like a kind ("slide", "fall") are counted, too.
+Counts prompts of `data/suites` and `data/prompts` with a name or synonym of the kind, longest
+phrases first; verbs that are spelt like a kind ("slide", "fall") are counted, too.
 """
 
 from __future__ import annotations

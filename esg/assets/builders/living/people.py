@@ -33,6 +33,8 @@ _BLACK_HAIR, _BROWN_HAIR, _FAIR_HAIR, _GREY_HAIR = (
     rgb(168, 166, 162),
 )
 _JEANS, _NAVY = rgb(50, 60, 90), rgb(34, 42, 68)
+_STRIDE = 10.0
+"""Swing of a leg [deg] from which on a skirt is in its way."""
 _CUTS = ("short", "short", "short", "bald")
 SIDES = ("left", "right")
 _FOLK = (
@@ -274,7 +276,8 @@ def _varied(d: Dress, a: Appearance) -> Dress:
 def _in_hem(pose: Pose, marks: frozenset[str]) -> Pose:
     """The pose with steps as short as what is worn allows."""
     share = 0.3 if "robe" in marks else 0.5 if marks & {"skirt", "coat"} else 1.0
-    if share == 1.0 or pose.seated:
+    stride = max(abs(leg.swing) for leg in pose.legs)
+    if share == 1.0 or pose.seated or stride < _STRIDE:
         return pose
     left, right = (
         replace(leg, swing=share * leg.swing, bend=share * leg.bend) for leg in pose.legs
