@@ -28,7 +28,7 @@ MOST_BRANCHES = 15
 SHOWN = 12
 
 sys.path.insert(0, str(ROOT))
-from benchmarks.house import PACKAGES, Place, measure, room_of, too_long
+from benchmarks.house import PACKAGES, Place, measure, room_of, too_long  # noqa: E402
 
 Counts = dict[str, dict[str, int]]
 

@@ -136,8 +136,8 @@ def forked(arguments: Sequence[str], place: Path, cache: Path, **more: str) -> E
 def _child(arguments: Sequence[str], place: Path, variables: dict[str, str]) -> None:
     code = 99
     try:
-        sys.stdout = open(1, "w", closefd=False)
-        sys.stderr = open(2, "w", closefd=False)
+        sys.stdout = open(1, "w", closefd=False)  # noqa: SIM115
+        sys.stderr = open(2, "w", closefd=False)  # noqa: SIM115
         resource.setrlimit(resource.RLIMIT_DATA, (MEMORY_BYTES, MEMORY_BYTES))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         os.chdir(place)

@@ -97,7 +97,7 @@ def render_views(
     from newton.sensors import SensorCamera
     import warp as wp
 
-    setattr(wp.config, "quiet", True)  # Warp declares no options
+    setattr(wp.config, "quiet", True)  # noqa: B010  # Warp declares no options
     builder = newton.ModelBuilder()
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     # A fixed shape: nothing is simulated, so no mass is needed.

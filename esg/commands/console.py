@@ -38,7 +38,7 @@ def quiet_native_output() -> None:
             if handle != number:
                 os.dup2(handle, number)
                 os.close(handle)
-            setattr(sys, name, open(number, "r+", encoding="utf-8", closefd=False))
+            setattr(sys, name, open(number, "r+", encoding="utf-8", closefd=False))  # noqa: SIM115
     if os.environ.get("ESG_DEBUG"):
         return
     warnings.simplefilter("ignore")
@@ -51,7 +51,7 @@ def quiet_native_output() -> None:
             real = os.dup(number)
             os.dup2(nowhere, number)
             kind = Plain if name == "stdout" else io.TextIOWrapper
-            binary = open(real, "wb")
+            binary = open(real, "wb")  # noqa: SIM115
             stream = kind(binary, encoding="utf-8", errors="replace", line_buffering=True)
             setattr(sys, name, stream)
     os.close(nowhere)

@@ -195,7 +195,7 @@ def _gripped(
 def path_knot(table: wp.array3d(dtype=wp.float64), w: int, k: int, s: wp.float64) -> int:
     """The point of a guided path from which the piece at time `s` starts; -1 before the first."""
     count = int(table[w, k, Column.KNOTS])
-    found = int(-1)  # a variable to Warp
+    found = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
     for j in range(count):
         if table[w, k, Column.KNOT + _WIDTH * j] < s:
             found = j

@@ -241,7 +241,7 @@ def _quat_from_matrix(m: Floats) -> Floats:
     if k == 3:
         q = np.array([m[2, 1] - m[1, 2], m[0, 2] - m[2, 0], m[1, 0] - m[0, 1], 1.0 + squares[3]])
     else:
-        i, j, l = k, (k + 1) % 3, (k + 2) % 3  # three axes in cyclic order
+        i, j, l = k, (k + 1) % 3, (k + 2) % 3  # noqa: E741  # three axes in cyclic order
         q = np.empty(4)
         q[i] = 1.0 + squares[k]
         q[j] = m[j, i] + m[i, j]

@@ -14,7 +14,7 @@ from esg.engines.scene import Shape, SimScene
 from esg.engines.surrogate import SdfSurrogateEngine
 from tests.engines import test_contract
 from tests.engines.lab import ball, box, solid
-from tests.engines.test_contract import (  # the same tests, run with `engine` below
+from tests.engines.test_contract import (  # noqa: F401  # the same tests, run with `engine` below
     test_a_world_does_not_depend_on_its_batch,
     test_diverging_worlds_are_flagged_and_leave_the_others_alone,
     test_frames_accumulate_contacts,

@@ -7,7 +7,7 @@ import pytest
 from esg.engines import get_engine
 from esg.engines.program import batch_programs
 from tests.engines.lab import DT, PROGRAM, SCENE
-from tests.engines.test_analytic import *  # the same truths, measured on `lab` below
+from tests.engines.test_analytic import *  # noqa: F403  # the same truths, measured on `lab` below
 from tests.engines.test_analytic import Track
 
 

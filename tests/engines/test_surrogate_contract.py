@@ -8,7 +8,7 @@ import pytest
 from esg.engines import get_engine
 from esg.engines.scene import Variation
 from tests.engines import test_contract, test_program
-from tests.engines.test_contract import (  # the same tests, run with `engine` below
+from tests.engines.test_contract import (  # noqa: F401  # the same tests, run with `engine` below
     test_a_world_does_not_depend_on_its_batch,
     test_diverging_worlds_are_flagged_and_leave_the_others_alone,
     test_flat_convex_shapes_are_named,
@@ -21,7 +21,7 @@ from tests.engines.test_contract import (  # the same tests, run with `engine` b
     test_wheeled_and_normal_bodies_collide,
     test_wheeled_bodies_touch_only_the_vehicle_ground,
 )
-from tests.engines.test_program import random_batch  # a fixture
+from tests.engines.test_program import random_batch  # noqa: F401  # a fixture
 
 
 @pytest.fixture(scope="module")
@@ -29,7 +29,7 @@ def engine():
     return get_engine("surrogate")
 
 
-def test_random_programs_match_the_reference_executor(engine, random_batch):
+def test_random_programs_match_the_reference_executor(engine, random_batch):  # noqa: F811
     factor = np.array([[1.0, 2.0, 0.5]] * 5)
     rollout = engine.rollout(
         test_program.SCENE, random_batch, dt=test_program.DT, variation=Variation(mass_scale=factor)

@@ -453,7 +453,7 @@ def test_topples_by_more_than_forty_five_degrees(tilt, completed):
 )
 def test_topples_from_the_initial_pose_whatever_the_tilt_when_it_is_due(due, completed):
     """A domino of 30 degrees has 15 to go; one of 69 has toppled before and slews while it lies."""
-    slews = lambda t: 80.0 * np.clip((t - 1.6) / 0.5, 0.0, 1.0)
+    slews = lambda t: 80.0 * np.clip((t - 1.6) / 0.5, 0.0, 1.0)  # noqa: E731
     world = World().add(body("domino_1"), pitch_deg=turning(90), yaw_deg=slews)
     world.add(body("domino_2"), x=5.0).add(body("ball_1"), x=line(0.0, 1.0)).touch(
         due, "ball_1", "domino_2"

@@ -21,7 +21,7 @@ def line(value, slope, start=0.0, stop=99.0):
 def door(degrees, start_deg: float = 0.0) -> World:
     """A leaf that turns about the post at its edge by a course of angles."""
     world = World(3.0)
-    turn = lambda t: np.radians(degrees(t))
+    turn = lambda t: np.radians(degrees(t))  # noqa: E731
     world.add(body("post_1", static=True), z=1.0)
     world.add(
         body("door_1", LEAF), x=lambda t: 0.4 * np.cos(turn(t)), y=lambda t: 0.4 * np.sin(turn(t)),

@@ -240,7 +240,7 @@ def test_a_contact_may_store_energy_for_a_moment(lasts: float, ok: bool) -> None
     """Two balls come together, stand, and part at the speed at which they came."""
 
     def way(side: float) -> Curve:
-        apart = lambda t: np.maximum(0.4 - t, 0.0) + np.maximum(t - 0.4 - lasts, 0.0)
+        apart = lambda t: np.maximum(0.4 - t, 0.0) + np.maximum(t - 0.4 - lasts, 0.0)  # noqa: E731
         return lambda t: side * (0.1 + 2.0 * apart(t))
 
     world = World().add(ball("ball_1"), x=way(-1.0)).add(ball("ball_2"), x=way(1.0))

@@ -36,7 +36,7 @@ def missing() -> str:
     if shutil.which("chromedriver") is None:
         return "no chromedriver on this machine (Debian: apt-get install chromium-driver)"
     try:
-        import selenium
+        import selenium  # noqa: F401
     except ImportError:
         return "selenium is not installed (pip install -e '.[dev]')"
     return ""

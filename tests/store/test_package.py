@@ -19,7 +19,7 @@ def test_every_public_name_is_no_module(package):
         assert not isinstance(getattr(module, name), ModuleType), name
     assert sorted(module._HOME) == sorted(module.__all__)
     with pytest.raises(AttributeError, match="nothing"):
-        module.nothing
+        module.nothing  # noqa: B018
 
 
 def test_importing_the_packages_loads_nothing_heavy():

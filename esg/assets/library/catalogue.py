@@ -201,7 +201,7 @@ def _free(
             continue
     sketch = Sketch(material=entry.finish, appearance=appearance)
     BUILDERS[entry.builder](sketch, *usual, color, **dict(entry.params))
-    l, w, h = (b / a for a, b in zip(usual, dimensions_cm, strict=True))
+    l, w, h = (b / a for a, b in zip(usual, dimensions_cm, strict=True))  # noqa: E741
     return stretched(sketch, (l, w, h))
 
 

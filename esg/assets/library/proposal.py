@@ -49,7 +49,7 @@ def guessed(requirement: AssetRequirement) -> Vec3 | None:
     _, colon, told = requirement.asset_description.partition(": ")
     if not colon or normalize(told.split(",")[0]) != normalize(requirement.asset_category):
         return None
-    l, w, h = (d / _GUESS_CM for d in requirement.expected_dimensions_cm)
+    l, w, h = (d / _GUESS_CM for d in requirement.expected_dimensions_cm)  # noqa: E741
     return (l, w, h)
 
 
@@ -97,7 +97,7 @@ def misfit(entry: Entry, requirement: AssetRequirement, *, named: bool = False) 
 
 def _oriented(usual: Vec3, wanted: Vec3) -> Vec3:
     """Swaps length and width of the request where that agrees much better with the library."""
-    l, w, h = wanted
+    l, w, h = wanted  # noqa: E741
     straight = abs(math.log(l / usual[0])) + abs(math.log(w / usual[1]))
     swapped = abs(math.log(w / usual[0])) + abs(math.log(l / usual[1]))
     return (w, l, h) if swapped < 0.6 * straight and straight > 0.3 else (l, w, h)
@@ -115,7 +115,7 @@ def choose_dimensions(entry: Entry, requirement: AssetRequirement) -> Vec3:
     factors = guessed(requirement)
     if factors:
         if policy(entry) == "free" and entry.library == "parametric":
-            l, w, h = (d * f for d, f in zip(usual, factors, strict=True))
+            l, w, h = (d * f for d, f in zip(usual, factors, strict=True))  # noqa: E741
             return (l, w, h)
         scale = math.prod(factors) ** (1 / 3)
         return (usual[0] * scale, usual[1] * scale, usual[2] * scale)

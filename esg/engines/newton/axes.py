@@ -40,9 +40,7 @@ class Axes:
         sizes = [len(b) for b in self._bodies]
         begins = np.concatenate([[0], np.cumsum(sizes)]).astype(int)
         self.count = int(begins[-1])
-        self._first = {
-            (k, link.joint): int(f) for (_, k, link), f in zip(found, begins)
-        }  # one end more
+        self._first = {(k, link.joint): int(f) for (_, k, link), f in zip(found, begins)}  # noqa: B905  # one end more
         self._turned = [link.record != places.plans[k].joints[link.joint] for _, k, link in found]
         joint = np.concatenate([places.joint_of[b] for b in self._bodies] or [np.zeros(0, int)])
         self._dof = places.qd_start[joint]

@@ -256,7 +256,7 @@ def brake_balls(
     world = wp.tid()
     dt = float(grid[0])
     for i in range(first[world], first[world + 1]):
-        gone = int(0)  # a variable to Warp, not a constant
+        gone = int(0)  # noqa: UP018, RUF046  # a variable to Warp, not a constant
         if group[i] >= 0:
             gone = broken[group[i]]
         if gone != 0:

@@ -198,9 +198,7 @@ class _Springs:
         self.first = wp.array(first.astype(np.int32), dtype=int)
         self.body_a, self.body_b = (bodies_of(places, found, end) for end in ("a", "b"))
         records = [places.plans[places.scene_of[w]].joints[t.joint] for w, t in found]
-        values = [
-            (t.length, r.stiffness, r.damping) for (_, t), r in zip(found, records)
-        ]  # one record each
+        values = [(t.length, r.stiffness, r.damping) for (_, t), r in zip(found, records)]  # noqa: B905  # one record each
         columns = np.array(values, np.float32).reshape(-1, 3).T
         self.rest, self.stiffness, self.damping = (wp.array(c.copy(), dtype=float) for c in columns)
         self.point_a, self.point_b = (wp.zeros(len(found), dtype=wp.vec3) for _ in range(2))

@@ -93,7 +93,7 @@ def _met(
     touched: wp.array3d(dtype=int),
 ) -> bool:
     """Whether a body has touched in the last step what ends a primitive."""
-    found = bool(False)  # a variable to Warp
+    found = bool(False)  # noqa: UP018  # a variable to Warp
     for other in range(until.shape[2]):
         if until[world, k, other] != 0 and touched[world, b, other] == step:
             found = True

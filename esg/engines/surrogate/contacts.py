@@ -186,7 +186,7 @@ def facing(state: State, w: int, i: int, ahead: float) -> wp.quat:
 @wp.func
 def _first_touch(state: State, raw: Raw, w: int, a: int, b: int, dt: float) -> float:
     """When within the step the first of the points in `raw` closes at speed; 0 if none does."""
-    first = float(1.0e6)  # a variable to Warp, not a constant
+    first = float(1.0e6)  # noqa: UP018  # a variable to Warp, not a constant
     for k in range(raw.count[w]):
         n = -raw.normal[w, k]
         gap = raw.distance[w, k]
@@ -218,7 +218,7 @@ def _pair(
     dt: float,
 ):
     """Contacts of two shapes, measured at the moment of touch if they hit within the step."""
-    early = float(0.0)  # a variable to Warp, not a constant
+    early = float(0.0)  # noqa: UP018  # a variable to Warp, not a constant
     for attempt in range(2):
         ri = facing(state, w, i, early)
         rj = facing(state, w, j, early)
@@ -282,7 +282,7 @@ def _add_contacts(
                 state.friction[w, a] + model.ground[w][wp.min(1, model.wheeled[a])]
             )
         wanted = -gap / dt
-        delay = float(0.0)  # a variable to Warp, not a constant
+        delay = float(0.0)  # noqa: UP018  # a variable to Warp, not a constant
         if gap < 0.0:
             wanted = wp.min(PUSH * wp.max(-gap - SLOP_M, 0.0) / dt, PUSH_MPS)
         if approach < -RESTITUTION_THRESHOLD_MPS and gap + approach * (dt - early) < TIE_M:

@@ -68,8 +68,8 @@ def _feature(model: Model, s: int, point: wp.vec3, n: wp.vec3):
     size = model.scale[s]
     core = point
     along = wp.vec3(0.0, 0.0, 0.0)
-    radius = float(0.0)
-    face = int(0)  # a variable to Warp
+    radius = float(0.0)  # noqa: UP018
+    face = int(0)  # noqa: RUF046, UP018  # a variable to Warp
     if kind == SPHERE:
         core = wp.vec3(0.0, 0.0, 0.0)
         radius = size[0]
@@ -126,7 +126,7 @@ def describe(
     feat.core_a[c] = model.position[sa] + wp.quat_rotate(model.rotation[sa], core)
     mode = int(Normal.FROZEN_IN_B)
     normal = n
-    radius_b = float(0.0)
+    radius_b = float(0.0)  # noqa: UP018
     if b < 0:
         feat.core_b[c] = con.arm_b[w, slot]
     else:

@@ -112,7 +112,7 @@ def _sphere_and(
     radius = model.scale[s][0]
     size = model.scale[q]
     kind = model.kind[q]
-    distance = float(1.0e6)  # a variable to Warp, not a constant
+    distance = float(1.0e6)  # noqa: UP018  # a variable to Warp, not a constant
     point = wp.vec3()
     normal = wp.vec3()
     if kind == SPHERE:

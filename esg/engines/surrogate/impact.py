@@ -42,8 +42,8 @@ def _yields(mass: float, inverse: wp.mat33, arm: wp.vec3, n: wp.vec3) -> float:
 def ahead_of(r: wp.quat, turn: wp.vec3) -> wp.quat:
     """An orientation after a small turn."""
     angle2 = wp.dot(turn, turn)
-    half = float(0.5)
-    cosine = float(1.0)
+    half = float(0.5)  # noqa: UP018
+    cosine = float(1.0)  # noqa: UP018
     if angle2 > 1.0e-12:
         angle = wp.sqrt(angle2)
         half = wp.sin(0.5 * angle) / angle
@@ -84,7 +84,7 @@ def prepare(
     pb: int,
     dt: float,
     V: wp.array(dtype=wp.vec3),
-    O: wp.array(dtype=wp.vec3),
+    O: wp.array(dtype=wp.vec3),  # noqa: E741
     X: wp.array(dtype=wp.vec3),
     R: wp.array(dtype=wp.quat),
     inverse: wp.array(dtype=wp.mat33),

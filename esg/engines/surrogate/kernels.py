@@ -227,7 +227,7 @@ def _sound(model: Model, state: State, w: int) -> bool:
 @wp.func
 def _write_frame(model: Model, state: State, out: Out, w: int, frame: int):
     """Keeps the states of all moving bodies as a frame."""
-    slot = int(0)  # a variable to Warp, not a constant
+    slot = int(0)  # noqa: UP018, RUF046  # a variable to Warp, not a constant
     for b in range(model.n_bodies):
         if model.dynamic[b] != 0:
             out.x[w, frame - 1, slot] = state.x[w, b]

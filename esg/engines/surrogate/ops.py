@@ -181,7 +181,7 @@ def _speeding(
 @wp.func
 def _control_change(model: Model, trace: Trace, w: int, step: int, i: int) -> int:
     """Number (`Change`) of what changes a body's acceleration from this step on, or -1."""
-    out = int(-1)  # a variable to Warp
+    out = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
     if step == 0:
         return out
     for k in range(model.n_primitives):
@@ -204,8 +204,8 @@ def _control_change(model: Model, trace: Trace, w: int, step: int, i: int) -> in
 @wp.func
 def _kicks(model: Model, con: Contacts, trace: Trace, ver: Versions, w: int, step: int, i: int):
     """Whether a body is hit within the step; its mean delay goes to `late`."""
-    weight = float(0.0)
-    total = float(0.0)
+    weight = float(0.0)  # noqa: UP018
+    total = float(0.0)  # noqa: UP018
     for k in range(con.count[w, step]):
         slot = con.base * step + k
         if con.a[w, slot] == i or con.b[w, slot] == i:
@@ -304,8 +304,8 @@ def _link_forces(model: Model, trace: Trace, ops: Ops, ver: Versions, w: int, st
             continue
         if trace.grounded[w, step, i] != 0:
             _link_ground(model, ops, ver, w, step, i, trace.grounded[w, step, i])
-        damper = int(-1)  # a variable to Warp
-        spin_damper = int(-1)  # a variable to Warp
+        damper = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
+        spin_damper = int(-1)  # noqa: RUF046, UP018  # a variable to Warp
         for k in range(model.n_primitives):
             adjusts = model.action[k] == Action.ADJUST and ver.acted[w, k] != 0
             if adjusts and model.target[k] == i:

@@ -71,7 +71,7 @@ def _act(
     vout: int,
     pose: int,
     V: wp.array(dtype=wp.vec3),
-    O: wp.array(dtype=wp.vec3),
+    O: wp.array(dtype=wp.vec3),  # noqa: E741
     X: wp.array(dtype=wp.vec3),
     shift: wp.array(dtype=wp.vec3),
 ):
@@ -158,7 +158,7 @@ def _stand(
     vout: int,
     pose: int,
     V: wp.array(dtype=wp.vec3),
-    O: wp.array(dtype=wp.vec3),
+    O: wp.array(dtype=wp.vec3),  # noqa: E741
     R: wp.array(dtype=wp.quat),
 ):
     weight = -model.gravity[2] * dt * model.friction_scale[w]
@@ -189,7 +189,7 @@ def _forces(
     vout: int,
     pose: int,
     V: wp.array(dtype=wp.vec3),
-    O: wp.array(dtype=wp.vec3),
+    O: wp.array(dtype=wp.vec3),  # noqa: E741
     R: wp.array(dtype=wp.quat),
     inverse: wp.array(dtype=wp.mat33),
 ):
@@ -225,7 +225,7 @@ def _solve(
     jin: int,
     jout: int,
     V: wp.array(dtype=wp.vec3),
-    O: wp.array(dtype=wp.vec3),
+    O: wp.array(dtype=wp.vec3),  # noqa: E741
     J: wp.array(dtype=wp.vec3),
     inverse: wp.array(dtype=wp.mat33),
     normal: wp.array(dtype=wp.vec3),
@@ -273,7 +273,7 @@ def _move(
     pin: int,
     pout: int,
     V: wp.array(dtype=wp.vec3),
-    O: wp.array(dtype=wp.vec3),
+    O: wp.array(dtype=wp.vec3),  # noqa: E741
     X: wp.array(dtype=wp.vec3),
     R: wp.array(dtype=wp.quat),
     late: wp.array(dtype=wp.vec2),
@@ -329,7 +329,7 @@ def replay(
     frozen: wp.array3d(dtype=wp.float64),
     damping: wp.array2d(dtype=wp.vec2),
     V: wp.array(dtype=wp.vec3),
-    O: wp.array(dtype=wp.vec3),
+    O: wp.array(dtype=wp.vec3),  # noqa: E741
     X: wp.array(dtype=wp.vec3),
     R: wp.array(dtype=wp.quat),
     J: wp.array(dtype=wp.vec3),

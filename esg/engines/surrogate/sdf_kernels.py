@@ -84,7 +84,7 @@ def outward(fields: Fields, f: int, p: wp.vec3) -> wp.vec3:
 
 @wp.func
 def _octant(p: wp.vec3) -> int:
-    out = int(0)  # a variable to Warp, not a constant
+    out = int(0)  # noqa: RUF046, UP018  # a variable to Warp, not a constant
     for k in range(3):
         if p[k] > 0.0:
             out = out + (1 << k)
@@ -135,7 +135,7 @@ def collide_fields(
     fj = fields.of_body[j]
     for k in range(SLOTS):
         raw.distance[w, k] = _FAR
-    radius = float(0.0)  # a variable to Warp, not a constant
+    radius = float(0.0)  # noqa: UP018  # a variable to Warp, not a constant
     if fi >= 0 and fj >= 0:
         _probe(fields, raw, fi, xi, ri, fj, xj, rj, margin, 0)
         _probe(fields, raw, fj, xj, rj, fi, xi, ri, margin, 8)
@@ -159,14 +159,14 @@ def collide_fields(
     for k in range(SLOTS):
         nearest = wp.min(nearest, raw.distance[w, k])
     limit = wp.min(margin, wp.max(nearest, 0.0) + SLACK_M)
-    n = int(0)  # a variable to Warp, not a constant
+    n = int(0)  # noqa: RUF046, UP018  # a variable to Warp, not a constant
     for k in range(SLOTS):
         gap = raw.distance[w, k]
         if gap < limit:
             p = raw.point[w, k]
             # Samples of i lie before j's surface and the other way round.
             up = wp.vec3()
-            sign = float(-1.0)
+            sign = float(-1.0)  # noqa: UP018
             if k < 8:
                 up = wp.quat_rotate(rj, outward(fields, fj, wp.quat_rotate_inv(rj, p - xj)))
             else:
@@ -192,7 +192,7 @@ def collide_field_ground(fields: Fields, raw: Raw, f: int, x: wp.vec3, r: wp.qua
         if p[2] < margin and p[2] < raw.distance[w, at]:
             raw.distance[w, at] = p[2]
             raw.point[w, at] = p
-    n = int(0)  # a variable to Warp, not a constant
+    n = int(0)  # noqa: RUF046, UP018  # a variable to Warp, not a constant
     for k in range(8):
         gap = raw.distance[w, k]
         if gap < margin:
@@ -219,7 +219,7 @@ def _pair_of_bodies(
     dt: float,
 ):
     """Contacts of two bodies, measured at the moment of touch if they hit within the step."""
-    early = float(0.0)  # a variable to Warp, not a constant
+    early = float(0.0)  # noqa: UP018  # a variable to Warp, not a constant
     for attempt in range(2):
         collide_fields(
             fields, model, raw, i, _place(state, w, i, early), facing(state, w, i, early), j,

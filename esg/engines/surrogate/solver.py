@@ -41,7 +41,7 @@ def solve(model: Model, state: State, con: Contacts, w: int, step: int) -> int:
     # A loop over a constant range would be unrolled.
     most_sweeps = int(ITERATIONS)
     for sweep in range(most_sweeps):
-        settled = int(1)  # a variable to Warp, not a constant
+        settled = int(1)  # noqa: UP018, RUF046  # a variable to Warp, not a constant
         for k in range(n_contacts):
             slot = con.base * row + k
             a = con.a[w, slot]
@@ -105,7 +105,7 @@ def move(model: Model, state: State, con: Contacts, w: int, step: int, dt: float
         if model.dynamic[i] != 0 and state.awake[w, i] != 0:
             r = state.r[w, i]
             o = state.o[w, i]
-            late = float(0.0)  # a variable to Warp, not a constant
+            late = float(0.0)  # noqa: UP018  # a variable to Warp, not a constant
             if state.delay[w, i][1] > 0.0:
                 late = state.delay[w, i][0] / state.delay[w, i][1]
             state.x[w, i] = (

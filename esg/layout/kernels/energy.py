@@ -8,6 +8,7 @@ x, y [cm] and yaw [rad] of each unit in the frame of its parent node.
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
 # pyright: reportArgumentType=false, reportCallIssue=false, reportOperatorIssue=false
 
+# ruff: noqa: SIM109, UP018  (Warp needs plain statements and int())
 from __future__ import annotations
 
 import warp as wp

@@ -11,6 +11,7 @@ those of the sequential kernels, bit for bit; with more, energies are summed in 
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
 # pyright: reportArgumentType=false, reportCallIssue=false, reportOperatorIssue=false
 
+# ruff: noqa: E501, RUF046, UP018  (Warp needs plain statements and int())
 from __future__ import annotations
 
 import warp as wp

@@ -4,6 +4,7 @@
 # pyright: basic, reportGeneralTypeIssues=false, reportInvalidTypeForm=false
 # pyright: reportArgumentType=false, reportCallIssue=false, reportOperatorIssue=false
 
+# ruff: noqa: RUF046, SIM108, SIM109, UP018  (Warp needs plain statements and int())
 from __future__ import annotations
 
 import warp as wp

@@ -15,6 +15,7 @@ from __future__ import annotations
 # pyright: reportAttributeAccessIssue=false
 # Warp evaluates both sides of `and`: nested conditions save the search on the right one.
 # Without `float()` a number is a constant to it.
+# ruff: noqa: SIM102, UP018, RUF046
 import warp as wp
 
 NOTHING = wp.constant(-2)

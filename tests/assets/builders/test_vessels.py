@@ -89,7 +89,7 @@ def test_opening_a_vessel_left_its_mass_properties(name: str, factor: float) -> 
     from esg.assets.library.catalogue import build_sketch
 
     entry = entries_by_name()[name]
-    l, w, h = entry.dimensions_cm
+    l, w, h = entry.dimensions_cm  # noqa: E741
     sketch = build_sketch(entry, (factor * l, factor * w, factor * h), entry.color_rgb)
     assert sketch.weighed and len(sketch.weighed) == len(sketch.densities) < len(sketch.proxies)
     com, inertia = mass_properties(sketch.weighed, entry.mass_kg, sketch.densities)

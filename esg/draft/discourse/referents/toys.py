@@ -42,7 +42,7 @@ def as_toy(noun: Noun, head: str, adjectives: Iterable[str]) -> Noun:
     if noun.kind in ("animal", "person") and "toy" not in said:
         return noun
     longest = max(noun.dimensions_cm)
-    l, w, h = (d * length_of_toy(longest) / longest for d in noun.dimensions_cm)
+    l, w, h = (d * length_of_toy(longest) / longest for d in noun.dimensions_cm)  # noqa: E741
     return replace(
         noun,
         kind="toyvehicle" if noun.kind in _DRIVEN else noun.kind,
