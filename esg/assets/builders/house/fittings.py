@@ -34,7 +34,12 @@ def appliance(s: Sketch, L: float, W: float, H: float, c: Color, style: str = "f
         s.slab(f, (-W / 2 + 0.5, W / 2 - 0.5), (3, H - 0.5), shade(c, 0.97), rough=0.25)
         s.rod(W * 0.3, (L / 2 - 3, 0, H * 0.46), (L / 2 - 0.3, 0, H * 0.46), STEEL)
         s.rod(
-            W * 0.23, (L / 2 - 3, 0, H * 0.46), (L / 2, 0, H * 0.46), (0.12, 0.15, 0.2), rough=0.1
+            W * 0.23,
+            (L / 2 - 3, 0, H * 0.46),
+            (L / 2, 0, H * 0.46),
+            (0.12, 0.15, 0.2),
+            rough=0.1,
+            of="glass_dark",
         )
         s.rod(W * 0.05, (L / 2 - 3, W * 0.3, H * 0.9), (L / 2, W * 0.3, H * 0.9), STEEL)
     elif style == "stove":
@@ -68,6 +73,7 @@ def television(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         (foot + H * 0.02, H * 0.98),
         (0.03, 0.04, 0.06),
         rough=0.05,
+        of="screen",
     )
 
 

@@ -384,8 +384,15 @@ def house(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.extrude(roof, (-L / 2, L / 2), BRICK_RED, plane="yz", rough=0.9)
     s.proxy_hull([(x * L / 2, y, z) for y, z in roof for x in (-1, 1)], 0.3)
     f = L / 2 - 20
-    s.slab((f, f + 4), (-45, 45), (0, 205), rgb(110, 60, 40))
+    s.slab((f, f + 4), (-45, 45), (0, 205), rgb(110, 60, 40), of="paint")
     for y in (-1, 1):
         at = y * W * 0.3
         s.slab((f, f + 3), (at - 50, at + 50), (90, 205), WHITE)
-        s.slab((f + 2, f + 4), (at - 44, at + 44), (96, 199), (0.3, 0.4, 0.5), rough=0.1)
+        s.slab(
+            (f + 2, f + 4),
+            (at - 44, at + 44),
+            (96, 199),
+            (0.3, 0.4, 0.5),
+            rough=0.1,
+            of="glass_dark",
+        )
