@@ -15,7 +15,7 @@ from esg.assets.looks import Color, Look
 if TYPE_CHECKING:
     from esg.engines.scene import Rollout, SimScene
     from esg.graph.models import Dressing, EsgDocument
-    from esg.view.render import Part
+    from esg.view.pieces import Part
 
 SkyKind = Literal["plain", "clear", "cloudy", "dusk", "night", "indoor"]
 Vec = tuple[float, float, float]
@@ -149,14 +149,14 @@ def surroundings_of(doc: EsgDocument, scene: SimScene, rollout: Rollout) -> Surr
         scene: Its bodies.
         rollout: Their motion: the checkerboard lies where they go.
     """
-    from esg.view.parts import checkerboard, ground_color
+    from esg.view.ground import checkerboard, ground_color
 
     dressing = doc.dressing
     if dressing is None:
         color = ground_color(scene, doc)
         return Surroundings(Sky(), Look("", color, 0.9), checkerboard(rollout, color))
     from esg.dressing.meshes import meshes_of, surface_look
-    from esg.view.render import Part
+    from esg.view.pieces import Part
 
     parts = [
         Part(-1, m.vertices, m.faces, m.color, None, m.look, m.normals, m.uvs, m.name)

@@ -192,23 +192,11 @@ def glb_bytes(config: AssetConfiguration, appearance: Appearance = USUAL) -> byt
     scene = build_mesh(config, appearance)
     if all("look" in geometry.metadata for geometry in scene.geometry.values()):
         return asset_glb(scene)
-    _to_gltf(scene)
-    data = scene.export(file_type="glb")
+    scene.apply_transform(GLTF_FROM_LOCAL)
+    data = scene.export(file_type="glb", include_normals=True)
     if not isinstance(data, bytes):
         raise UserError(f"{config.asset_name}: the mesh could not be exported as GLB", exit_code=1)
     return data
-
-
-def _to_gltf(scene: trimesh.Scene) -> None:
-    """Leads a scene into glTF's frame; nodes of wheels keep no more than their place, to turn."""
-    graph = scene.graph
-    scene.apply_transform(GLTF_FROM_LOCAL)
-    for wheel in set(graph.nodes) - set(graph.nodes_geometry) - {graph.base_frame}:
-        place = _moved(graph[wheel][0][:3, 3])
-        graph.update(frame_to=wheel, matrix=place)
-        for part in graph.transforms.children[wheel]:
-            matrix = GLTF_FROM_LOCAL.copy()
-            graph.update(frame_from=wheel, frame_to=part, matrix=matrix)
 
 
 def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:

@@ -269,9 +269,7 @@ def suitcase(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         for y in (-W * 0.38, W * 0.38):
             s.box((wheel * 1.6, wheel * 1.2, wheel), (x, y, wheel / 2), DARK)
     for y in (-W * 0.18, W * 0.18):
-        s.rod(
-            H * 0.008, (-L * 0.3, y, top), (-L * 0.3, y, H * 0.985), CHROME, sections=10
-        )
+        s.rod(H * 0.008, (-L * 0.3, y, top), (-L * 0.3, y, H * 0.985), CHROME, sections=10)
     s.rod(H * 0.015, (-L * 0.3, -W * 0.2, H * 0.985), (-L * 0.3, W * 0.2, H * 0.985), DARK)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, top))
     s.surface("top", top, (L * 0.45, W * 0.45))
@@ -408,8 +406,6 @@ def trunk(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     ]
     s.extrude(lid, (-W / 2, W / 2), shade(c, 0.9), rough=0.7)
     for y in (-W * 0.4, 0, W * 0.4):
-        s.slab(
-            (-L / 2 - 0.3, L / 2 + 0.3), (y - W * 0.03, y + W * 0.03), (0, low), STEEL
-        )
+        s.slab((-L / 2 - 0.3, L / 2 + 0.3), (y - W * 0.03, y + W * 0.03), (0, low), STEEL)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, low))
     s.proxy_hull([(x, y * W / 2, z) for x, z in lid[::2] for y in (-1, 1)], 0.7)

@@ -573,9 +573,7 @@ def cabinet(s: Sketch, L: float, W: float, H: float, c: Color, style: str = "doo
             z0, z1 = 7 + (H - 8) * k / n, 7 + (H - 8) * (k + 1) / n
             s.slab(front, (-W / 2 + 1, W / 2 - 1), (z0 + 0.5, z1 - 0.5), shade(c, 1.06))
             z = z1 - (z1 - z0) * 0.3
-            s.slab(
-                (L / 2 - 0.8, L / 2), (-W * 0.12, W * 0.12), (z - 0.7, z + 0.7), CHROME
-            )
+            s.slab((L / 2 - 0.8, L / 2), (-W * 0.12, W * 0.12), (z - 0.7, z + 0.7), CHROME)
     else:
         n = max(1, round(W / 50))
         for k in range(n):

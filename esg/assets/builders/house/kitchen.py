@@ -313,9 +313,7 @@ def tray(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def pan(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Frying pan, handle at -X, drawn at 48 x 28 x 5 and centred on its box."""
     x = 10.0
-    s.lathe(
-        [(0, 0), (11, 0), (14, 5), (13.6, 5), (10.8, 0.6), (0, 0.6)], c, center=(x, 0, 0)
-    )
+    s.lathe([(0, 0), (11, 0), (14, 5), (13.6, 5), (10.8, 0.6), (0, 0.6)], c, center=(x, 0, 0))
     s.rod(1.0, (-24, 0, 4), (x - 13.4, 0, 3.6), DARK)
     s.proxy_cylinder(12.5, (0, 5), 1.0, (x, 0))
     s.proxy_slab((-24, x - 12.5), (-1, 1), (2.8, 4.8), 1.0)

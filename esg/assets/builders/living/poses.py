@@ -85,7 +85,7 @@ POSES: dict[str, Pose] = {
         nod=16,
     ),
     "throw": Pose(
-        (Limb(62, 14, 16, 0), Limb(30, 76, 118, 52)),
+        (Limb(62, 14, 16, 0), Limb(30, 96, 110, 62)),
         (Limb(28, 3, 16, 0), Limb(-20, 4, 18, 26)),
         4,
         twist=-16,

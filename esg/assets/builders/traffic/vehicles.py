@@ -57,9 +57,12 @@ def hatchback(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def sports_car(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Low coupe with a rear wing, drawn at 450 x 190 x 124."""
     draw_coach(s, COUPE, c)
-    s.box((26, 168, 3), (-206, 0, 112), c, rough=0.3)
-    for y in (-60, 60):
-        s.box((16, 4, 24), (-206, y, 100), DARK)
+    wing = ((27, 168, 3.4), (-206, 0, 112))
+    s.add(
+        lambda: forms.cushion(*wing, plan=14, side=0.6, sections=28, levels=9), c, name="rear_wing"
+    )
+    for y, word in ((-60, "right"), (60, "left")):
+        s.box((16, 4, 24), (-206, y, 100), DARK, name=f"wing_stay_{word}")
     _box_proxies(s, (-225, 226), 184, 84, (-130, 60), 123)
 
 
