@@ -43,7 +43,7 @@ def appliance(s: Sketch, L: float, W: float, H: float, c: Color, style: str = "f
         )
         s.rod(W * 0.05, (L / 2 - 3, W * 0.3, H * 0.9), (L / 2, W * 0.3, H * 0.9), STEEL)
     elif style == "stove":
-        s.slab(f, (-W / 2 + 0.5, W / 2 - 0.5), (H * 0.12, H * 0.8), DARK, rough=0.1)
+        s.slab(f, (-W / 2 + 0.5, W / 2 - 0.5), (H * 0.12, H * 0.8), DARK, of="glass_dark")
         s.rod(1, (L / 2 - 1, -W * 0.4, H * 0.76), (L / 2 - 1, W * 0.4, H * 0.76), CHROME)
         for x in (-L * 0.2, L * 0.18):
             for y in (-W * 0.22, W * 0.22):
@@ -52,7 +52,7 @@ def appliance(s: Sketch, L: float, W: float, H: float, c: Color, style: str = "f
             y = -W * 0.36 + W * 0.18 * k
             s.rod(1.6, (L / 2 - 3, y, H * 0.9), (L / 2, y, H * 0.9), DARK, sections=16)
     elif style == "microwave":
-        s.slab(f, (-W / 2 + 0.5, W * 0.26), (2.5, H - 0.5), DARK, rough=0.1)
+        s.slab(f, (-W / 2 + 0.5, W * 0.26), (2.5, H - 0.5), DARK, of="glass_dark")
         s.slab(f, (W * 0.27, W / 2 - 0.5), (2.5, H - 0.5), shade(c, 0.8))
         s.slab((L / 2 - 0.6, L / 2), (W * 0.22, W * 0.25), (H * 0.2, H * 0.85), CHROME)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))

@@ -135,7 +135,7 @@ def plant_form(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "s
 @builder("gravestone")
 def gravestone(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Gravestone with a round head facing +X, 30 x 60 x 95."""
-    s.slab((-15, 15), (-30, 30), (0, 12), shade(c, 0.85), rough=0.95)
+    s.slab((-15, 15), (-30, 30), (0, 12), shade(c, 0.85))
     s.extrude(
         [
             (-24, 12),
@@ -150,7 +150,6 @@ def gravestone(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         (-7, 7),
         c,
         plane="yz",
-        rough=0.9,
     )
     s.slab((7, 7.6), (-2, 2), (46, 80), shade(c, 0.6))
     s.slab((7, 7.6), (-10, 10), (66, 70), shade(c, 0.6))

@@ -147,7 +147,10 @@ def well(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.slab((-5, 5), (side * 54 - 5, side * 54 + 5), (72, 190), WOOD)
     s.rod(5, (0, -54, 140), (0, 54, 140), WOOD, sections=16)
     s.extrude(
-        [(-56, 176), (0, 224), (56, 176), (50, 176), (0, 216), (-50, 176)], (-74, 74), BRICK_RED
+        [(-56, 176), (0, 224), (56, 176), (50, 176), (0, 216), (-50, 176)],
+        (-74, 74),
+        BRICK_RED,
+        of="roof_tiles",
     )
     s.rod(0.8, (0, 0, 104), (0, 0, 138), PALE_WOOD, sections=8)
     s.lathe([(0, 84), (8, 84), (10, 104), (0, 104)], DARK_WOOD, sections=20)

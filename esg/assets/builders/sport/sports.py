@@ -286,9 +286,9 @@ def golf_hole(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         middle = (inner + outer) / 2
         center = (x0 + middle * math.cos(a), middle * math.sin(a), wall / 2)
         size = (outer - inner, 2 * outer * math.sin(math.radians(10.2)), wall)
-        s.box(size, center, c, rough=0.9, quat=turn("z", angle), solid=1.0)
+        s.box(size, center, c, of="grass", quat=turn("z", angle), solid=1.0)
     corners = [(x0 + 17.0, 0.0), (x0 + 6.2, 0.0), (x0 + 6.2, lip), (x0 + 7.2, lip)]
-    s.extrude(corners, (-7.4, 7.4), c, rough=0.9)
+    s.extrude(corners, (-7.4, 7.4), c, of="grass")
     s.proxy_hull([(x, y, z) for x, z in corners for y in (-7.4, 7.4)])
     s.rod(
         0.35,

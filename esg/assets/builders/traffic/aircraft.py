@@ -366,7 +366,7 @@ def hot_air_balloon(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 tone,
                 sections=8,
             )
-    s.slab((-75, 75), (-60, 60), (0, 110), WOOD, rough=0.95)
+    s.slab((-75, 75), (-60, 60), (0, 110), WOOD, of="wicker")
     s.slab((-80, 80), (-65, 65), (104, 116), rgb(96, 62, 34), of="wicker")
     for x in (-70, 70):
         for y in (-55, 55):
