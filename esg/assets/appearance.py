@@ -18,12 +18,14 @@ class Appearance:
         livery: What a vehicle serves as: police, taxi, ambulance.
         seed: Of details that nobody states (hair, patterns, wear); None for the usual ones.
         color: Takes the place of the kind's usual colour; None where the colour is stated.
+        material: Takes the place of what the kind is seen as, where another is stated; else "".
     """
 
     pose: str = ""
     livery: str = ""
     seed: int | None = None
     color: Color | None = None
+    material: str = ""
 
     def pick(self, what: str, choices: int) -> int:
         """One of so many choices for a detail; 0, the usual one, without a seed."""

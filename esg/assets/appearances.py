@@ -16,7 +16,7 @@ import re
 
 from esg.assets.appearance import USUAL, Appearance
 from esg.assets.colors import find_color
-from esg.assets.configuration import parametric_entry
+from esg.assets.configuration import parametric_entry, stated_material
 from esg.assets.library.catalogue import Entry, parse_hex
 from esg.assets.looks import Color
 from esg.graph.casting import effective
@@ -82,6 +82,7 @@ def appearances(doc: EsgDocument) -> dict[str, Appearance]:
             pose=poses.get(name, ""),
             livery=config.category if config.category in _LIVERIES else "",
             seed=int.from_bytes(digest[:6], "big"),
+            material=_material(doc, node.asset_id, entry),
         )
         if own.livery and not _colored(doc, node.asset_id, entry):
             out[name] = replace(own, color=_LIVERIES[own.livery])
@@ -92,6 +93,12 @@ def appearances(doc: EsgDocument) -> dict[str, Appearance]:
             taken = (*taken, color)
         out[name] = own
     return out
+
+
+def _material(doc: EsgDocument, asset: str, entry: Entry) -> str:
+    asked = doc.asset_requirement.get(asset)
+    stated = None if asked is None else stated_material(entry, asked)
+    return "" if stated is None else stated.name
 
 
 def _palette(entry: Entry) -> tuple[Color, ...] | None:

@@ -10,7 +10,7 @@ from esg.assets.geometry.wheels import wheels_of
 from esg.assets.library.catalogue import Entry, entries_by_name, uniform_factor
 from esg.assets.library.proposal import is_toy
 from esg.assets.library.retrieve import Decision
-from esg.assets.materials import Material
+from esg.assets.materials import Material, find_material, is_usual
 from esg.graph.models import AssetConfiguration, AssetRequirement, Vec3
 
 WHEELED_FRICTION = 0.1
@@ -78,6 +78,18 @@ def finish(
         runners_up=decision.runners_up,
         reason=decision.reason,
     )
+
+
+def stated_material(entry: Entry, requirement: AssetRequirement) -> Material | None:
+    """The material that somebody asked for and an entry is not made of anyway, or None."""
+    asked = find_material(requirement.material)
+    words, colon, _ = requirement.asset_description.partition(":")
+    if asked is None or is_usual(asked, entry.material):
+        return None
+    if colon and not any(find_material(word) is asked for word in words.split()):
+        # What such things are made of, and nobody said: bowling pins are wood and white.
+        return None
+    return asked
 
 
 def category_of(requirement: AssetRequirement) -> str:

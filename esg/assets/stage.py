@@ -7,7 +7,7 @@ import math
 from typing import TYPE_CHECKING, Any
 
 from esg.assets.colors import find_color
-from esg.assets.configuration import category_of, finish, plain_entry
+from esg.assets.configuration import category_of, finish, plain_entry, stated_material
 from esg.assets.geometry.rolling import (
     FLAGS,
     as_drawn,
@@ -186,12 +186,8 @@ def _parametric(
 def _material_color(requirement: AssetRequirement, entry: Entry) -> tuple[float, float, float]:
     from esg.assets.geometry.sketch import BRASS, CARDBOARD, CONCRETE, DARK, GLASS, STEEL, WOOD
 
-    asked = find_material(requirement.material)
-    words, colon, _ = requirement.asset_description.partition(":")
-    if asked is None or is_usual(asked, entry.material):
-        return entry.color_rgb
-    if colon and not any(find_material(word) is asked for word in words.split()):
-        # What such things are made of, and nobody said: bowling pins are wood and white.
+    asked = stated_material(entry, requirement)
+    if asked is None:
         return entry.color_rgb
     table = {
         "wood": WOOD,

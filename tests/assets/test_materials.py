@@ -100,3 +100,20 @@ def test_a_sheet_shows_them_all(tmp_path: Path) -> None:
     with Image.open(path) as image:
         assert image.width == 16 * 24
         assert len(image.getcolors(1 << 20) or ()) > 500
+
+
+def test_a_stated_material_is_seen() -> None:
+    """A wooden ball is of wood, and one of which nobody said so of rubber."""
+    from esg.assets import build_mesh, resolve
+    from esg.assets.appearances import appearances
+    from esg.draft import draft
+
+    def seen(prompt: str) -> set[str]:
+        doc = resolve(draft(prompt))
+        (name,) = (n for n, node in doc.spatial_relation_graph.nodes.items() if "ball" in n)
+        config = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
+        scene = build_mesh(config, appearances(doc)[name])
+        return {mesh.metadata["look"].material for mesh in scene.geometry.values()}
+
+    assert "wood" in seen("A wooden ball rolls into a crate.")
+    assert "rubber" in seen("A ball rolls into a crate.")

@@ -7,8 +7,13 @@ from types import SimpleNamespace
 import pytest
 import trimesh
 
+from esg.assets import build_mesh
 from esg.assets.appearance import USUAL
+from esg.assets.library.catalogue import entries_by_name
+from esg.assets.materials import MATERIALS
+from esg.assets.stage import configure
 from esg.view import parts as module
+from tests.assets.worlds import requirement
 
 
 def flat(name: str, size: tuple[float, float, float], collides: bool = False) -> SimpleNamespace:
@@ -49,3 +54,13 @@ def test_decals_lie_within_millimetres_of_the_ground(monkeypatch: pytest.MonkeyP
     tops = {bodies[p.body].name: float(p.vertices[:, 2].max()) for p in drawn}
     assert 0.0 < tops["floor"] < tops["lane"] < 0.01
     assert tops["rug"] == pytest.approx(0.012)
+
+
+def test_pieces_of_an_asset_carry_look_normals_coordinates_and_name() -> None:
+    config = configure("chair", requirement(entries_by_name()["chair"]))
+    pieces = module.mesh_parts(build_mesh(config), config.color_rgb)
+    assert len({p.name for p in pieces}) == len(pieces) > 0
+    for p in pieces:
+        assert p.look is not None and p.look.material in MATERIALS
+        assert p.normals is not None and p.normals.shape == p.vertices.shape
+        assert p.uvs is not None and p.uvs.shape == (len(p.vertices), 2)

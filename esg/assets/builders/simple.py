@@ -52,12 +52,12 @@ def _angles(start: float, end: float, n: int) -> list[float]:
 @builder("brick", "free")
 def brick(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """A masonry brick with a frog."""
-    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H * 0.8), c, rough=0.95)
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H * 0.8), c)
     t = min(L, W) * 0.16
     for x in (-1, 1):
-        s.slab(edge(x, L, t), (-W / 2, W / 2), (H * 0.8, H), c, rough=0.95)
+        s.slab(edge(x, L, t), (-W / 2, W / 2), (H * 0.8, H), c)
     for y in (-1, 1):
-        s.slab((-L / 2 + t, L / 2 - t), edge(y, W, t), (H * 0.8, H), c, rough=0.95)
+        s.slab((-L / 2 + t, L / 2 - t), edge(y, W, t), (H * 0.8, H), c)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
     s.surface("top", H, (L / 2, W / 2))
 

@@ -168,7 +168,7 @@ def build_sketch(
 
     load_builders()
     color = appearance.color or color
-    sketch = Sketch(material=entry.finish, appearance=appearance)
+    sketch = Sketch(material=appearance.material or entry.finish, appearance=appearance)
     if policy(entry) == "free":
         return worn(_free(entry, dimensions_cm, color, appearance), appearance)
     params = dict(entry.params)
@@ -192,14 +192,14 @@ def _free(
     factor = uniform_factor(usual, dimensions_cm)
     middling: Vec3 = tuple(d / factor for d in dimensions_cm)  # type: ignore[assignment]
     for size in (dimensions_cm, middling):
-        sketch = Sketch(material=entry.finish, appearance=appearance)
+        sketch = Sketch(material=appearance.material or entry.finish, appearance=appearance)
         try:
             BUILDERS[entry.builder](sketch, *size, color, **dict(entry.params))
             if sound(sketch):
                 return sketch if size is dimensions_cm else scaled(sketch, factor)
         except (ArithmeticError, ValueError):
             continue
-    sketch = Sketch(material=entry.finish, appearance=appearance)
+    sketch = Sketch(material=appearance.material or entry.finish, appearance=appearance)
     BUILDERS[entry.builder](sketch, *usual, color, **dict(entry.params))
     l, w, h = (b / a for a, b in zip(usual, dimensions_cm, strict=True))  # noqa: E741
     return stretched(sketch, (l, w, h))

@@ -163,6 +163,7 @@ def radio(s: Sketch, L: float, W: float, H: float, c: Color, style: str = "speak
             (L / 2 + 0.01, 0, H * 0.47),
             (0.05, 0.06, 0.1),
             rough=0.05,
+            of="glass_dark",
         )
     else:
         s.slab((L / 2 - 0.6, L / 2), (-W * 0.4, W * 0.4), (H * 0.15, H * 0.85), shade(c, 0.6))

@@ -168,7 +168,7 @@ def coffee_machine(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.slab((0, L / 2), (-W / 2, W / 2), (H * 0.66, H), shade(c, 0.92), rough=0.3)
     s.slab((0, L / 2), (-W / 2, W / 2), (0, H * 0.1), DARK, rough=0.5)
     s.slab((0, L * 0.001 + L * 0.01), (-W * 0.46, W * 0.46), (H * 0.1, H * 0.66), DARK)
-    s.slab((L * 0.485, L * 0.505), (-W * 0.3, W * 0.3), (H * 0.76, H * 0.92), DARK, rough=0.1)
+    s.slab((L * 0.485, L * 0.505), (-W * 0.3, W * 0.3), (H * 0.76, H * 0.92), DARK, of="glass_dark")
     s.rod(W * 0.1, (L * 0.2, 0, H * 0.54), (L * 0.2, 0, H * 0.66), CHROME, sections=24)
     s.rod(W * 0.03, (L * 0.2, 0, H * 0.57), (L * 0.48, 0, H * 0.55), DARK, sections=14)
     s.lathe(
@@ -244,8 +244,8 @@ def trolley_bed(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Patient's trolley along Y: mattress, frame, side rails, four castors."""
     deck = H * 0.78
     s.slab((-L / 2, L / 2), (-W / 2, W / 2), (deck, H * 0.84), STEEL)
-    s.slab((-L * 0.46, L * 0.46), (-W * 0.49, W * 0.49), (H * 0.84, H * 0.96), c, rough=0.9)
-    s.slab((-L * 0.36, L * 0.36), (W * 0.3, W * 0.46), (H * 0.96, H), WHITE, rough=0.95)
+    s.slab((-L * 0.46, L * 0.46), (-W * 0.49, W * 0.49), (H * 0.84, H * 0.96), c, of="textile")
+    s.slab((-L * 0.36, L * 0.36), (W * 0.3, W * 0.46), (H * 0.96, H), WHITE, of="linen")
     for side in (-1, 1):
         for y in (-0.38, 0.38):
             s.rod(

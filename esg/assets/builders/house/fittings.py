@@ -34,11 +34,16 @@ def appliance(s: Sketch, L: float, W: float, H: float, c: Color, style: str = "f
         s.slab(f, (-W / 2 + 0.5, W / 2 - 0.5), (3, H - 0.5), shade(c, 0.97), rough=0.25)
         s.rod(W * 0.3, (L / 2 - 3, 0, H * 0.46), (L / 2 - 0.3, 0, H * 0.46), STEEL)
         s.rod(
-            W * 0.23, (L / 2 - 3, 0, H * 0.46), (L / 2, 0, H * 0.46), (0.12, 0.15, 0.2), rough=0.1
+            W * 0.23,
+            (L / 2 - 3, 0, H * 0.46),
+            (L / 2, 0, H * 0.46),
+            (0.12, 0.15, 0.2),
+            rough=0.1,
+            of="glass_dark",
         )
         s.rod(W * 0.05, (L / 2 - 3, W * 0.3, H * 0.9), (L / 2, W * 0.3, H * 0.9), STEEL)
     elif style == "stove":
-        s.slab(f, (-W / 2 + 0.5, W / 2 - 0.5), (H * 0.12, H * 0.8), DARK, rough=0.1)
+        s.slab(f, (-W / 2 + 0.5, W / 2 - 0.5), (H * 0.12, H * 0.8), DARK, of="glass_dark")
         s.rod(1, (L / 2 - 1, -W * 0.4, H * 0.76), (L / 2 - 1, W * 0.4, H * 0.76), CHROME)
         for x in (-L * 0.2, L * 0.18):
             for y in (-W * 0.22, W * 0.22):
@@ -47,7 +52,7 @@ def appliance(s: Sketch, L: float, W: float, H: float, c: Color, style: str = "f
             y = -W * 0.36 + W * 0.18 * k
             s.rod(1.6, (L / 2 - 3, y, H * 0.9), (L / 2, y, H * 0.9), DARK, sections=16)
     elif style == "microwave":
-        s.slab(f, (-W / 2 + 0.5, W * 0.26), (2.5, H - 0.5), DARK, rough=0.1)
+        s.slab(f, (-W / 2 + 0.5, W * 0.26), (2.5, H - 0.5), DARK, of="glass_dark")
         s.slab(f, (W * 0.27, W / 2 - 0.5), (2.5, H - 0.5), shade(c, 0.8))
         s.slab((L / 2 - 0.6, L / 2), (W * 0.22, W * 0.25), (H * 0.2, H * 0.85), CHROME)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
@@ -68,6 +73,7 @@ def television(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         (foot + H * 0.02, H * 0.98),
         (0.03, 0.04, 0.06),
         rough=0.05,
+        of="screen",
     )
 
 

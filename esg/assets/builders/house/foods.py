@@ -39,12 +39,18 @@ def cake(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.rod(13.2, (0, 0, 7.6), (0, 0, 9.6), WHITE, sections=48)
     for k in range(8):
         a = math.pi * k / 4
-        s.ball(1.4, (10.4 * math.cos(a), 10.4 * math.sin(a), 9.8), rgb(236, 150, 170), detail=2)
+        s.ball(
+            1.4,
+            (10.4 * math.cos(a), 10.4 * math.sin(a), 9.8),
+            rgb(236, 150, 170),
+            detail=2,
+            of="wax",
+        )
     for k in range(5):
         a = 2 * math.pi * k / 5
         p = (5 * math.cos(a), 5 * math.sin(a))
         s.rod(0.4, (*p, 9.4), (*p, 15), YELLOW, sections=10)
-        s.ball(1, (*p, 15.8), rgb(250, 160, 40), scale=(0.4, 0.4, 0.9), detail=2)
+        s.ball(1, (*p, 15.8), rgb(250, 160, 40), scale=(0.4, 0.4, 0.9), detail=2, of="lamp")
     s.proxy_cylinder(15, (0, 1), 1.0)
     s.proxy_cylinder(13, (1, 10), 1.0)
     s.proxy_cylinder(5.4, (10, 16), 0.02)
@@ -73,6 +79,7 @@ def pizza(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             _LEAF,
             scale=(1.2, 0.7, 0.4),
             detail=2,
+            of="leaves",
         )
     s.proxy_cylinder(15.8, (0, 2))
 
@@ -120,6 +127,7 @@ def burger(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         (3.6, 4.1),
         _LEAF,
         plane="xy",
+        of="leaves",
     )
     s.box((9, 9, 0.4), (0, 0, 4.2), YELLOW)
     s.lathe([(0, 4.4), (5.3, 4.4), (5.6, 5.4), (4.2, 7.4), (0, 8.3)], c, smooth=24)
@@ -140,6 +148,7 @@ def donut(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             (YELLOW, WHITE, _LEAF)[k % 3],
             scale=(0.35, 0.14, 0.12),
             detail=1,
+            of="wax",
         )
     s.proxy_cylinder(5.0, (0, 3.5))
 
@@ -156,7 +165,7 @@ def pumpkin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             scale=(7.4, 7.4, 11),
             rough=0.5,
         )
-    s.rod(1.8, (0, 0, 19), (0.8, 0, 26), rgb(96, 110, 52), sections=12)
+    s.rod(1.8, (0, 0, 19), (0.8, 0, 26), rgb(96, 110, 52), sections=12, of="bark")
     s.proxy_cylinder(9, (0, 3), 1.0)
     s.proxy_cylinder(13.8, (3, 19), 1.0)
     s.proxy_cylinder(8, (19, 22), 1.0)
@@ -182,6 +191,7 @@ def pineapple(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 (lean * math.cos(a), lean * math.sin(a), top),
                 0.15,
                 _LEAF,
+                of="leaves",
             )
     s.proxy_cylinder(4, (0, 1), 1.0)
     s.proxy_cylinder(6, (1, 16), 1.0)
@@ -213,6 +223,7 @@ def strawberry(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             _LEAF,
             scale=(0.25, 0.6, 0.6),
             detail=2,
+            of="leaves",
         )
     s.proxy_slab((-1.9, 2.4), (-1.0, 1.0), (0, 2.8))
     shift(s, -0.3)
@@ -232,7 +243,7 @@ def pepper(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             c,
             rough=0.25,
         )
-    s.rod(0.6, (0, 0, 8), (0.5, 0, 10.2), _LEAF, sections=10)
+    s.rod(0.6, (0, 0, 8), (0.5, 0, 10.2), _LEAF, sections=10, of="leaves")
     s.proxy_cylinder(2.6, (0.2, 1.2), 1.0)
     s.proxy_cylinder(3.7, (1.2, 8.6), 1.0)
     shift(s, 0, 0, -0.2)

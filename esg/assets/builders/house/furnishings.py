@@ -73,6 +73,7 @@ def mirror(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         rgb(176, 204, 214),
         plane="yz",
         rough=0.03,
+        of="mirror",
     )
     for side in (-1, 1):
         s.proxy_slab((-22, 22), (side * 27 - 2, side * 27 + 2), (0, 4), 2.0)
@@ -85,7 +86,7 @@ def chandelier(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "c
     """Chandelier resting on its lowest knob ring, 60 cm; or a hand lantern."""
     if kind == "lantern":
         s.rod(8, (0, 0, 0), (0, 0, 4), c)
-        s.rod(6.6, (0, 0, 4), (0, 0, 19), (0.98, 0.9, 0.62), rough=0.1, alpha=0.6)
+        s.rod(6.6, (0, 0, 4), (0, 0, 19), (0.98, 0.9, 0.62), rough=0.1, alpha=0.6, of="lamp")
         s.rod(1.2, (0, 0, 4), (0, 0, 12), WHITE)
         for k in range(4):
             a = math.pi / 4 + math.pi * k / 2
@@ -117,7 +118,14 @@ def chandelier(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "c
         )
         s.rod(3, (27 * u[0], 27 * u[1], 18), (27 * u[0], 27 * u[1], 19.5), c, sections=18)
         s.rod(1.1, (27 * u[0], 27 * u[1], 19.5), (27 * u[0], 27 * u[1], 27), WHITE, sections=14)
-        s.ball(1, (27 * u[0], 27 * u[1], 29), (0.98, 0.86, 0.5), scale=(0.9, 0.9, 2), detail=2)
+        s.ball(
+            1,
+            (27 * u[0], 27 * u[1], 29),
+            (0.98, 0.86, 0.5),
+            scale=(0.9, 0.9, 2),
+            detail=2,
+            of="lamp",
+        )
     s.proxy_cylinder(11, (0, 10), 2.0)
     s.proxy_cylinder(29, (10, 28), 0.4)
     s.proxy_cylinder(5, (28, 57), 0.5)
@@ -127,8 +135,16 @@ def chandelier(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "c
 def aquarium(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Filled aquarium with gravel, plants and fish, 40 x 80 x 46."""
     s.slab((-20, 20), (-40, 40), (0, 2), DARK)
-    s.slab((-19.6, 19.6), (-39.6, 39.6), (2, 42), rgb(120, 190, 220), rough=0.02, alpha=0.35)
-    s.slab((-19, 19), (-39, 39), (2, 7), rgb(196, 172, 126))
+    s.slab(
+        (-19.6, 19.6),
+        (-39.6, 39.6),
+        (2, 42),
+        rgb(120, 190, 220),
+        rough=0.02,
+        alpha=0.35,
+        of="water",
+    )
+    s.slab((-19, 19), (-39, 39), (2, 7), rgb(196, 172, 126), of="sand")
     s.slab((-20, 20), (-40, 40), (42, 46), DARK)
     for y, x, h in ((-28, 4, 26), (-22, -8, 32), (24, 0, 28), (30, 8, 18)):
         for k in range(3):
@@ -139,9 +155,10 @@ def aquarium(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 (x + 3 * math.sin(k), y + k * 2.4, h),
                 0.4,
                 rgb(46, 130, 60),
+                of="leaves",
             )
     for x, y, z in ((6, -8, 24), (-4, 10, 30), (8, 14, 17)):
-        s.ball(1, (x, y, z), rgb(236, 120, 40), scale=(1.2, 3.4, 1.8))
+        s.ball(1, (x, y, z), rgb(236, 120, 40), scale=(1.2, 3.4, 1.8), of="skin")
         prism(
             s,
             [
@@ -153,6 +170,7 @@ def aquarium(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 (x + 0.3, y - 5.4, z - 1.8),
             ],
             rgb(236, 120, 40),
+            of="skin",
         )
     s.proxy_slab((-20, 20), (-40, 40), (0, 46))
     s.surface("lid", 46, (18, 38))

@@ -606,15 +606,19 @@ def bed(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for x in (-1, 1):
         for y in (-1, 1):
             s.slab(edge(x, L * 0.96, 6), edge(y, W * 0.96, 6), (0, H * 0.12), frame)
-    s.slab((-L / 2 + 5, L / 2 - 4), (-W / 2 + 2, W / 2 - 2), (m * 0.6, m), WHITE, rough=0.95)
+    s.slab((-L / 2 + 5, L / 2 - 4), (-W / 2 + 2, W / 2 - 2), (m * 0.6, m), WHITE, of="linen")
     s.slab(
-        (-L / 2 + L * 0.32, L / 2 - 3), (-W / 2 + 0.5, W / 2 - 0.5), (m * 0.66, m + 2), c, rough=1.0
+        (-L / 2 + L * 0.32, L / 2 - 3),
+        (-W / 2 + 0.5, W / 2 - 0.5),
+        (m * 0.66, m + 2),
+        c,
+        of="textile",
     )
     n = 2 if W > 120 else 1
     for k in range(n):
         y = (k - (n - 1) / 2) * W * 0.46
         s.slab(
-            (-L / 2 + 9, -L / 2 + 50), (y - W * 0.21, y + W * 0.21), (m, m + 9), WHITE, rough=1.0
+            (-L / 2 + 9, -L / 2 + 50), (y - W * 0.21, y + W * 0.21), (m, m + 9), WHITE, of="linen"
         )
     s.proxy_slab((-L / 2 + 5, L / 2), (-W / 2, W / 2), (0, m + 2))
     s.surface("mattress", m + 2, (L * 0.33, W / 2 - 2), (L * 0.15, 0))

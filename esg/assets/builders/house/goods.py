@@ -164,7 +164,7 @@ def paper_stack(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "
         for k in range(rows):
             x = L * (0.4 - 0.8 * k / (rows - 1))
             end = W * (0.4 - (0.4 if kind == "newspaper" else 0.12) * (k % 3) / 2)
-            s.slab((x - 0.012 * L, x + 0.012 * L), (-0.4 * W, end), (base, H), dark)
+            s.slab((x - 0.012 * L, x + 0.012 * L), (-0.4 * W, end), (base, H), dark, of="paint")
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, base))
 
 

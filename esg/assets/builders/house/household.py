@@ -26,8 +26,9 @@ def plant(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         [(0, 0), (12, 0), (16, 26), (17, 26), (17, 30), (15, 30), (14, 26), (0, 26)],
         rgb(178, 96, 62),
         rough=0.9,
+        of="ceramic",
     )
-    s.rod(1.2, (0, 0, 26), (0, 0, 55), rgb(96, 70, 46))
+    s.rod(1.2, (0, 0, 26), (0, 0, 55), rgb(96, 70, 46), of="soil")
     for k in range(9):
         a = 2 * math.pi * k / 9 * 2
         r, z = 13 - 0.7 * k, 44 + 3.6 * k
@@ -155,7 +156,7 @@ def pen(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         axis="x",
         sections=12,
     )
-    s.rod(0.36, (-9, 0, 0.3464), (-8, 0, 0.3464), rgb(220, 120, 130), sections=16)
+    s.rod(0.36, (-9, 0, 0.3464), (-8, 0, 0.3464), rgb(220, 120, 130), sections=16, of="rubber")
     s.proxy_slab((-9, 8), (-0.3, 0.3), (0, 0.69))
 
 

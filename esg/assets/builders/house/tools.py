@@ -43,7 +43,7 @@ def long_tool(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "sh
             [(half - 16, y, z + d) for y in (-14, 14) for d in (-1.6, 1.6)]
             + [(half - 2, y, zz) for y in (-18, 18) for zz in (0, 8)],
             YELLOW,
-            rough=1.0,
+            of="straw",
         )
         s.proxy_slab((-half, half - 24), (-1.5, 1.5), (z - 1.5, z + 1.5), 1.0)
         s.proxy_slab((half - 24, half - 2), (-16, 16), (0, 8), 0.3)

@@ -18,10 +18,10 @@ def _eyes(s: Sketch, x: float, y: float, z: float, r: float) -> None:
 
 
 def _foot(s: Sketch, y: float, hip: float, size: float, c: Color) -> None:
-    s.rod(0.16 * size, (0, y, 0.2 * size), (0, y, hip), c, sections=10)
+    s.rod(0.16 * size, (0, y, 0.2 * size), (0, y, hip), c, sections=10, of="horn")
     for spread in (-0.45, 0, 0.45):
         tip = (size, y + spread * size, 0.12 * size)
-        bone(s, (0, y, 0.16 * size), 0.14 * size, tip, 0.1 * size, c, detail=1)
+        bone(s, (0, y, 0.16 * size), 0.14 * size, tip, 0.1 * size, c, detail=1, of="horn")
 
 
 @builder("bird")
@@ -43,6 +43,7 @@ def bird(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "songbir
         tip,
         (0.75 if duck else 0.2) * k,
         _BEAK,
+        of="horn",
     )
     rise = 4.4 * k if hen else 1.2 * k
     prism(
@@ -196,16 +197,16 @@ def monkey(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "monke
     s.ball(1, (-2, 0, 22), c, scale=(12, 12, 19), rough=1.0)
     s.ball(1, (4, 0, 21), shade(c, 1.4), scale=(8, 8.6, 13), rough=1.0)
     s.ball(9.4, (3, 0, 47), c, rough=1.0)
-    s.ball(1, (8, 0, 45), face, scale=(6, 7, 6.6))
-    s.ball(1, (12, 0, 42.6), face, scale=(4, 4.6, 3.2))
+    s.ball(1, (8, 0, 45), face, scale=(6, 7, 6.6), of="skin")
+    s.ball(1, (12, 0, 42.6), face, scale=(4, 4.6, 3.2), of="skin")
     _eyes(s, 13, 2.8, 48, 1.0)
     for side in (-1, 1):
-        s.ball(1, (2, side * 10, 48), face, scale=(2, 3, 4))
+        s.ball(1, (2, side * 10, 48), face, scale=(2, 3, 4), of="skin")
         bone(s, (0, side * 11, 34), 3.6, (11, side * 13, 22), 3, c)
         bone(s, (11, side * 13, 22), 3, (17, side * 9, 14), 2.4, c)
         bone(s, (-2, side * 9, 9), 6.2, (13, side * 14, 12), 4.6, c)
         bone(s, (13, side * 14, 12), 4, (12, side * 12, 3), 2.6, c)
-        s.ball(1, (17, side * 12, 2), face, scale=(7, 3.2, 2))
+        s.ball(1, (17, side * 12, 2), face, scale=(7, 3.2, 2), of="skin")
     bone(s, (-11, 0, 6), 2.4, (-26, 0, 3), 2.2, c)
     bone(s, (-26, 0, 3), 2.2, (-34, 0, 16), 1.8, c)
     s.proxy_slab((-12, 20), (-14, 14), (0, 10), 1.0)
@@ -244,7 +245,7 @@ def rubber_duck(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     blob(s, [((-1.2, 0, 3), 2.9), ((1.8, 0, 2.9), 2.8)], c, rough=0.3, detail=3)
     bone(s, (-3, 0, 3.6), 1.8, (-4.6, 0, 5.6), 0.6, c, rough=0.3)
     s.ball(2.5, (2.0, 0, 7.1), c, rough=0.3)
-    s.ball(1, (4.7, 0, 6.7), _BEAK, scale=(1.3, 1.2, 0.5))
+    s.ball(1, (4.7, 0, 6.7), _BEAK, scale=(1.3, 1.2, 0.5), of="plastic_hard")
     _eyes(s, 3.7, 1.4, 7.9, 0.4)
     for side in (-1, 1):
         s.ball(1, (-0.6, side * 2.6, 3.6), shade(c, 0.92), scale=(2.4, 0.7, 1.5))

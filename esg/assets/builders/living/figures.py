@@ -67,9 +67,9 @@ def robot(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.ball(3.4, (26, side * 21, 46), DARK)
     s.rod(5, (0, 0, 78), (0, 0, 84), STEEL)
     s.slab((-11, 11), (-15, 15), (83, 102), c, rough=0.3)
-    s.slab((10.6, 11.6), (-13, 13), (85, 100), DARK, rough=0.1)
+    s.slab((10.6, 11.6), (-13, 13), (85, 100), DARK, of="glass_dark")
     for side in (-1, 1):
-        s.rod(2.4, (11.4, side * 5.4, 94), (12.2, side * 5.4, 94), rgb(90, 210, 240))
+        s.rod(2.4, (11.4, side * 5.4, 94), (12.2, side * 5.4, 94), rgb(90, 210, 240), of="lamp")
     s.rod(0.7, (0, 8, 102), (0, 8, 110), STEEL, sections=8)
     s.ball(1.4, (0, 8, 110), RED, detail=2)
     s.proxy_cylinder(27, (0, 26), 2.0)

@@ -22,8 +22,16 @@ def _horns(s: Sketch, b: Beast, c: Color) -> None:
     for side in (-1, 1):
         a = (x - 0.2 * r, side * 0.6 * r, z + 0.75 * r)
         m = (x, side * 1.45 * r, z + 1.0 * r)
-        bone(s, a, 0.16 * r, m, 0.13 * r, _IVORY)
-        bone(s, m, 0.13 * r, (x + 0.3 * r, side * 1.55 * r, z + 1.75 * r), 0.03 * r, _IVORY)
+        bone(s, a, 0.16 * r, m, 0.13 * r, _IVORY, of="horn")
+        bone(
+            s,
+            m,
+            0.13 * r,
+            (x + 0.3 * r, side * 1.55 * r, z + 1.75 * r),
+            0.03 * r,
+            _IVORY,
+            of="horn",
+        )
 
 
 def _ossicones(s: Sketch, b: Beast, c: Color) -> None:
@@ -42,10 +50,10 @@ def _antlers(s: Sketch, b: Beast, c: Color) -> None:
         m = (x - 10, side * 18, z + 26)
         t = (x + 2, side * 24, z + 50)
         low = (m[0] + 5, m[1] + side * 3, m[2] + 11)
-        bone(s, a, 1.6, m, 1.4, _IVORY)
-        bone(s, m, 1.4, t, 0.7, _IVORY)
-        bone(s, m, 1.2, (m[0] + 14, m[1] + side * 2, m[2] + 12), 0.6, _IVORY)
-        bone(s, low, 1.1, (m[0] - 6, m[1] + side * 8, m[2] + 24), 0.5, _IVORY)
+        bone(s, a, 1.6, m, 1.4, _IVORY, of="horn")
+        bone(s, m, 1.4, t, 0.7, _IVORY, of="horn")
+        bone(s, m, 1.2, (m[0] + 14, m[1] + side * 2, m[2] + 12), 0.6, _IVORY, of="horn")
+        bone(s, low, 1.1, (m[0] - 6, m[1] + side * 8, m[2] + 24), 0.5, _IVORY, of="horn")
 
 
 def _muzzle(b: Beast) -> Vec3:
@@ -54,7 +62,7 @@ def _muzzle(b: Beast) -> Vec3:
 
 def _nose_horn(s: Sketch, b: Beast, c: Color) -> None:
     x, _, z = _muzzle(b)
-    bone(s, (x + 6, 0, z + 12), 8, (x + 20, 0, z + 62), 1.5, _IVORY)
+    bone(s, (x + 6, 0, z + 12), 8, (x + 20, 0, z + 62), 1.5, _IVORY, of="horn")
 
 
 def _mane(s: Sketch, b: Beast, c: Color) -> None:
@@ -108,7 +116,7 @@ def _patches(s: Sketch, b: Beast, c: Color) -> None:
 
 def _udder(s: Sketch, b: Beast, c: Color) -> None:
     place = (b.legs[0] + 16, 0, b.trunk[0] - b.trunk[2])
-    s.ball(1, place, rgb(226, 168, 158), scale=(13, 10, 8))
+    s.ball(1, place, rgb(226, 168, 158), scale=(13, 10, 8), of="skin")
 
 
 def _wool(s: Sketch, b: Beast, c: Color) -> None:
@@ -145,7 +153,7 @@ def _trunk(s: Sketch, b: Beast, c: Color) -> None:
     for (p, pr), (q, qr) in itertools.pairwise(path):
         bone(s, p, pr, q, qr, c)
     for side in (-1, 1):
-        bone(s, (x + 34, side * 24, z - 44), 7, (x + 92, side * 30, z - 76), 2.5, _IVORY)
+        bone(s, (x + 34, side * 24, z - 44), 7, (x + 92, side * 30, z - 76), 2.5, _IVORY, of="horn")
 
 
 def _ruff(s: Sketch, b: Beast, c: Color) -> None:

@@ -47,7 +47,7 @@ def hay_bale(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "squ
             sections=6,
         )
     for x in (-22, 22):
-        s.slab((x - 0.8, x + 0.8), (-23.4, 23.4), (0, 38.5), rgb(180, 90, 50))
+        s.slab((x - 0.8, x + 0.8), (-23.4, 23.4), (0, 38.5), rgb(180, 90, 50), of="rope")
     s.proxy_slab((-50, 50), (-23, 23), (0, 38))
     s.surface("top", 38, (47, 20))
 
@@ -105,9 +105,12 @@ def plant_form(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "s
         shift(s, -38)
         return
     s.lathe(
-        [(0, 0), (7, 0), (9.6, 14), (10.4, 14), (10.4, 17), (0, 17)], rgb(180, 92, 58), sections=32
+        [(0, 0), (7, 0), (9.6, 14), (10.4, 14), (10.4, 17), (0, 17)],
+        rgb(180, 92, 58),
+        sections=32,
+        of="ceramic",
     )
-    s.rod(9, (0, 0, 16), (0, 0, 17.3), rgb(70, 50, 36))
+    s.rod(9, (0, 0, 16), (0, 0, 17.3), rgb(70, 50, 36), of="soil")
     s.proxy_cylinder(7.2, (0, 4), 2.0)
     s.proxy_cylinder(9.6, (4, 17), 1.6)
     if kind == "cactus":
@@ -132,7 +135,7 @@ def plant_form(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "s
 @builder("gravestone")
 def gravestone(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Gravestone with a round head facing +X, 30 x 60 x 95."""
-    s.slab((-15, 15), (-30, 30), (0, 12), shade(c, 0.85), rough=0.95)
+    s.slab((-15, 15), (-30, 30), (0, 12), shade(c, 0.85))
     s.extrude(
         [
             (-24, 12),
@@ -147,7 +150,6 @@ def gravestone(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         (-7, 7),
         c,
         plane="yz",
-        rough=0.9,
     )
     s.slab((7, 7.6), (-2, 2), (46, 80), shade(c, 0.6))
     s.slab((7, 7.6), (-10, 10), (66, 70), shade(c, 0.6))

@@ -46,7 +46,7 @@ def lighthouse(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.lathe([(r0 - 8, z0), (r0 + 3, z0), (r1 + 3, z1), (r1 - 8, z1), (r0 - 8, z0)], c)
     s.rod(230, (0, 0, 1100), (0, 0, 1125), DARK)
     s.torus(222, 5, (0, 0, 1210), DARK)
-    s.rod(120, (0, 0, 1125), (0, 0, 1290), (0.98, 0.92, 0.6), rough=0.05, alpha=0.6)
+    s.rod(120, (0, 0, 1125), (0, 0, 1290), (0.98, 0.92, 0.6), rough=0.05, alpha=0.6, of="lamp")
     s.lathe([(0, 1290), (150, 1290), (20, 1400), (0, 1420)], c)
     s.slab((230, 262), (-55, 55), (0, 210), DARK_WOOD)
     s.proxy_cylinder(255, (0, 400), 1.0)
@@ -73,6 +73,7 @@ def windmill(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 for d in (0, 4)
             ],
             rgb(228, 220, 200),
+            of="wood",
         )
     s.slab((210, 252), (-50, 50), (0, 190), DARK_WOOD)
     s.proxy_cylinder(235, (0, 300), 1.0)
@@ -109,6 +110,7 @@ def castle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s,
         [(x, y, 640) for x in (-140, 140) for y in (-140, 140)] + [(0, 0, 860)],
         rgb(150, 56, 44),
+        of="roof_tiles",
     )
     s.proxy_slab((-120, 120), (-120, 120), (0, 700), 1.0)
 
@@ -140,12 +142,15 @@ def well(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 quat=turn("z", math.degrees(t)),
                 rough=0.95,
             )
-    s.rod(46, (0, 0, 0), (0, 0, 30), rgb(60, 90, 110), rough=0.05)
+    s.rod(46, (0, 0, 0), (0, 0, 30), rgb(60, 90, 110), rough=0.05, of="water")
     for side in (-1, 1):
         s.slab((-5, 5), (side * 54 - 5, side * 54 + 5), (72, 190), WOOD)
     s.rod(5, (0, -54, 140), (0, 54, 140), WOOD, sections=16)
     s.extrude(
-        [(-56, 176), (0, 224), (56, 176), (50, 176), (0, 216), (-50, 176)], (-74, 74), BRICK_RED
+        [(-56, 176), (0, 224), (56, 176), (50, 176), (0, 216), (-50, 176)],
+        (-74, 74),
+        BRICK_RED,
+        of="roof_tiles",
     )
     s.rod(0.8, (0, 0, 104), (0, 0, 138), PALE_WOOD, sections=8)
     s.lathe([(0, 84), (8, 84), (10, 104), (0, 104)], DARK_WOOD, sections=20)
@@ -181,7 +186,7 @@ def bridge(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             shade(c, 0.88),
             rough=0.95,
         )
-    s.slab((-430, 430), (-178, 178), (180, 182), rgb(92, 92, 96))
+    s.slab((-430, 430), (-178, 178), (180, 182), rgb(92, 92, 96), of="asphalt")
     s.proxy_slab((-430, 430), (-200, 200), (150, 180), 1.0)
     for side in (-1, 1):
         s.proxy_hull(
@@ -200,7 +205,7 @@ def fair_ride(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "ca
     """Carousel or Ferris wheel (in the plane of X and Z)."""
     if kind == "carousel":
         s.rod(290, (0, 0, 0), (0, 0, 30), shade(c, 0.8), sections=32)
-        s.rod(40, (0, 0, 30), (0, 0, 340), rgb(236, 214, 150))
+        s.rod(40, (0, 0, 30), (0, 0, 340), rgb(236, 214, 150), of="textile")
         s.lathe([(0, 330), (300, 330), (300, 360), (60, 450), (0, 460)], c, sections=16)
         for k in range(8):
             a = 2 * math.pi * k / 8
@@ -304,7 +309,7 @@ def pavilion(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "kio
             RED if k % 2 == 0 else WHITE,
         )
     for k in range(4):
-        s.ball(9, (40, -60 + 40 * k, 111), (RED, YELLOW, LEAF, rgb(230, 120, 40))[k])
+        s.ball(9, (40, -60 + 40 * k, 111), (RED, YELLOW, LEAF, rgb(230, 120, 40))[k], of="textile")
     s.proxy_slab((-70, 84), (-105, 105), (0, 102), 1.0)
     for y in (-1, 1):
         s.proxy_slab((-70, -62), mirrored(y, 96, 104), (102, 205), 0.3)

@@ -108,7 +108,7 @@ def waterfall(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     lip = [(-L * 0.12 + L * 0.08 * math.sin(a), drop - H * 0.06 * (1 - math.cos(a))) for a in steps]
     sheet = [(-L * 0.3, drop), *lip, (-L * 0.02, H * 0.02), (-L * 0.14, H * 0.02)]
     sheet.append((-L * 0.3, drop - H * 0.03))
-    s.extrude(sheet, (-W * 0.22, W * 0.22), _WATER, rough=0.15)
+    s.extrude(sheet, (-W * 0.22, W * 0.22), _WATER, rough=0.15, of="water")
     for y in (-0.15, -0.04, 0.07, 0.17):
         s.slab(
             (-L * 0.1, -L * 0.005),
@@ -116,7 +116,14 @@ def waterfall(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             (H * 0.02, drop * 0.92),
             WHITE,
         )
-    s.slab((-L * 0.14, L / 2), (-W * 0.4, W * 0.4), (0, H * 0.02), shade(_WATER, 0.75), rough=0.1)
+    s.slab(
+        (-L * 0.14, L / 2),
+        (-W * 0.4, W * 0.4),
+        (0, H * 0.02),
+        shade(_WATER, 0.75),
+        rough=0.1,
+        of="water",
+    )
     for y, x in ((-0.18, 0.02), (-0.06, 0.05), (0.06, 0.02), (0.18, 0.05)):
         s.ball(1, (L * x, W * y, H * 0.02), WHITE, scale=(L * 0.07, W * 0.07, H * 0.03), detail=2)
     s.proxy_slab(back, (-W / 2, W / 2), (0, H), 1.0)

@@ -19,7 +19,7 @@ def phone_booth(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.slab((-46, 46), (-46, 46), (0, 8), CONCRETE, solid=1)
     s.slab((-44, 44), (-44, 44), (214, 232), c, solid=1)
     s.slab((-36, 36), (-36, 36), (232, 240), c, solid=1)
-    s.slab((-40, 40), (-40, 40), (10, 214), (0.62, 0.72, 0.75), rough=0.05, alpha=0.5)
+    s.slab((-40, 40), (-40, 40), (10, 214), (0.62, 0.72, 0.75), rough=0.05, alpha=0.5, of="glass")
     for x in (-41, 41):
         for y in (-41, 41):
             s.slab((x - 3, x + 3), (y - 3, y + 3), (8, 214), c)

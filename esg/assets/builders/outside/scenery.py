@@ -21,6 +21,7 @@ def pond(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         WATER,
         plane="xy",
         rough=0.05,
+        of="water",
     )
     for k, a in enumerate(_turns(n)):
         b = a + 2 * math.pi / n
@@ -85,7 +86,7 @@ def hanging(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "lant
         return
     s.rod(0.35, (14, 0, 100), (14, 0, 118), STEEL, sections=8)
     s.lathe([(0, 92), (9, 92), (5, 98), (1, 101), (0, 101)], c, center=(14, 0, 0))
-    s.rod(7, (14, 0, 76), (14, 0, 92), (0.98, 0.9, 0.62), rough=0.1, alpha=0.7)
+    s.rod(7, (14, 0, 76), (14, 0, 92), (0.98, 0.9, 0.62), rough=0.1, alpha=0.7, of="lamp")
     s.rod(8, (14, 0, 73), (14, 0, 76), c)
     for k in range(6):
         a = math.pi * k / 3

@@ -6,7 +6,6 @@ goes down.
 
 from __future__ import annotations
 
-import itertools
 import math
 from typing import Any
 
@@ -15,7 +14,6 @@ from esg.assets.builders.common import shade
 from esg.assets.geometry.sketch import (
     ASPHALT,
     BRICK_RED,
-    CONCRETE,
     DARK,
     STEEL,
     WHITE,
@@ -34,7 +32,7 @@ def _decal(s: Sketch, L: float, W: float, H: float) -> None:
 @builder("ground", "free")
 def ground(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """The visible ground or floor; the engine's half-space carries the load."""
-    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H), c, rough=1.0)
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H), c)
     _decal(s, L, W, H)
 
 
@@ -220,27 +218,8 @@ def stairs(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
 @builder("wall", "free")
 def wall(s: Sketch, L: float, W: float, H: float, c: Color, bricks: bool = False) -> None:
-    """Wall across Y, thickness along X; optionally with brick courses."""
-    if bricks:
-        s.slab((-L / 2 + 0.6, L / 2 - 0.6), (-W / 2, W / 2), (0, H), CONCRETE, rough=1.0)
-        rows = min(max(2, round(H / 9)), 24)
-        per = min(max(1, round(W / 26)), 24)
-        for i in range(rows):
-            z, h = H * i / rows, H / rows
-            cuts = [k / per for k in range(per + 1)]
-            if i % 2:
-                cuts = [0.0] + [(k + 0.5) / per for k in range(per)] + [1.0]
-            for a, b in itertools.pairwise(cuts):
-                f = 0.86 + 0.14 * ((i * 7 + round(a * per * 2) * 5) % 4) / 3
-                s.slab(
-                    (-L / 2, L / 2),
-                    (-W / 2 + W * a + 0.4, -W / 2 + W * b - 0.4),
-                    (z + 0.5, z + h),
-                    shade(c, f),
-                    rough=0.95,
-                )
-    else:
-        s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H), c, rough=0.95)
+    """Wall across Y, thickness along X, of bare bricks or in its own material."""
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H), c, of="brick" if bricks else "")
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
     s.surface("top", H, (L / 2, W / 2))
 
@@ -381,11 +360,18 @@ def house(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     e = H * 0.6
     s.slab((-L / 2 + 20, L / 2 - 20), (-W / 2 + 20, W / 2 - 20), (0, e), c, rough=0.9, solid=1)
     roof = [(-W / 2, e), (W / 2, e), (0, H)]
-    s.extrude(roof, (-L / 2, L / 2), BRICK_RED, plane="yz", rough=0.9)
+    s.extrude(roof, (-L / 2, L / 2), BRICK_RED, plane="yz", of="roof_tiles")
     s.proxy_hull([(x * L / 2, y, z) for y, z in roof for x in (-1, 1)], 0.3)
     f = L / 2 - 20
-    s.slab((f, f + 4), (-45, 45), (0, 205), rgb(110, 60, 40))
+    s.slab((f, f + 4), (-45, 45), (0, 205), rgb(110, 60, 40), of="paint")
     for y in (-1, 1):
         at = y * W * 0.3
         s.slab((f, f + 3), (at - 50, at + 50), (90, 205), WHITE)
-        s.slab((f + 2, f + 4), (at - 44, at + 44), (96, 199), (0.3, 0.4, 0.5), rough=0.1)
+        s.slab(
+            (f + 2, f + 4),
+            (at - 44, at + 44),
+            (96, 199),
+            (0.3, 0.4, 0.5),
+            rough=0.1,
+            of="glass_dark",
+        )

@@ -103,7 +103,7 @@ def _pocket(s: Sketch, name: str, sx: int, sy: int, size: tuple[float, float, fl
         _liner(s, (0.0, sy * oy, bed), "y", sy, 2 * SIDE_MOUTH)
     s.region(name, x, y, (low, bed + 1.0), "pocket")
     s.slab(*floor, (low, low + 0.3), DARK)
-    s.slab(*lid, (bed + 6.4, bed + 7.2), LEATHER, solid=0.3, rough=0.8)
+    s.slab(*lid, (bed + 6.4, bed + 7.2), LEATHER, solid=0.3, rough=0.8, of="walnut")
 
 
 def _liner(s: Sketch, at: tuple[float, float, float], axis: str, sign: int, width: float) -> None:
@@ -118,7 +118,7 @@ def _liner(s: Sketch, at: tuple[float, float, float], axis: str, sign: int, widt
         else (at[0], at[1] + offset, at[2] + 1.6)
     )
     size = (thick, width, tall) if axis == "x" else (width, thick, tall)
-    s.box(size, center, LEATHER, solid=0.3, rough=0.9, quat=quat)
+    s.box(size, center, LEATHER, solid=0.3, rough=0.9, quat=quat, of="walnut")
 
 
 def _dark(c: Color) -> Color:

@@ -113,7 +113,11 @@ def spool(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def tape_roll(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Roll of tape on a cardboard core, drawn at 10 x 10 x 5."""
     s.lathe([(3.9, 0), (5, 0), (5, 5), (3.9, 5), (3.9, 0)], c, rough=0.35, sections=64)
-    s.lathe([(3.6, 0.1), (3.9, 0.1), (3.9, 4.9), (3.6, 4.9), (3.6, 0.1)], (0.73, 0.57, 0.38))
+    s.lathe(
+        [(3.6, 0.1), (3.9, 0.1), (3.9, 4.9), (3.6, 4.9), (3.6, 0.1)],
+        (0.73, 0.57, 0.38),
+        of="cardboard",
+    )
     s.box((0.12, 1.6, 5), (5.02, 0.5, 2.5), shade(c, 0.85), rough=0.35)
     _ring(s, 5, 3.6, 5)
 
@@ -124,7 +128,7 @@ def cheese_wheel(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     edge = [(14 + math.sin(a), 1 - math.cos(a)) for a in (math.radians(15 * k) for k in range(7))]
     profile = [(0, 0), *edge, *[(r, 11 - z) for r, z in reversed(edge)], (0, 11)]
     s.lathe(profile, c, rough=0.6, sections=64)
-    s.rod(6, (0, 0, 10.9), (0, 0, 11.02), (0.72, 0.12, 0.1), sections=48)
+    s.rod(6, (0, 0, 10.9), (0, 0, 11.02), (0.72, 0.12, 0.1), sections=48, of="paper")
     s.rod(4.4, (0, 0, 11.0), (0, 0, 11.06), (0.96, 0.92, 0.8), sections=48)
     s.proxy_cylinder(15, (0, 11))
     s.surface("top", 11, (10, 10))

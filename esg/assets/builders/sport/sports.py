@@ -219,7 +219,7 @@ def pingpong_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.slab((-137, 137), (y - w, y + w), (76, 76.05), WHITE)
     for x in (-136, 136):
         s.slab((x - 1, x + 1), (-76.2, 76.2), (76, 76.05), WHITE)
-    s.slab((-0.3, 0.3), (-76.2, 76.2), (76, 91), (0.25, 0.27, 0.3), alpha=0.8)
+    s.slab((-0.3, 0.3), (-76.2, 76.2), (76, 91), (0.25, 0.27, 0.3), alpha=0.8, of="rope")
     s.slab((-0.6, 0.6), (-76.2, 76.2), (90, 91.2), WHITE)
     s.proxy_slab((-0.5, 0.5), (-76.2, 76.2), (76, 91), 0.1)
     for x in (-100, 100):
@@ -286,10 +286,23 @@ def golf_hole(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         middle = (inner + outer) / 2
         center = (x0 + middle * math.cos(a), middle * math.sin(a), wall / 2)
         size = (outer - inner, 2 * outer * math.sin(math.radians(10.2)), wall)
-        s.box(size, center, c, rough=0.9, quat=turn("z", angle), solid=1.0)
+        s.box(size, center, c, of="grass", quat=turn("z", angle), solid=1.0)
     corners = [(x0 + 17.0, 0.0), (x0 + 6.2, 0.0), (x0 + 6.2, lip), (x0 + 7.2, lip)]
-    s.extrude(corners, (-7.4, 7.4), c, rough=0.9)
+    s.extrude(corners, (-7.4, 7.4), c, of="grass")
     s.proxy_hull([(x, y, z) for x, z in corners for y in (-7.4, 7.4)])
-    s.rod(0.35, (x0 - 8, 0, wall), (x0 - 8, 0, 45), (0.95, 0.95, 0.93), solid=0.3, sections=14)
-    s.extrude([(x0 - 7.8, 45), (x0 - 7.8, 35), (x0 + 5, 40)], (-0.15, 0.15), (0.78, 0.1, 0.1))
+    s.rod(
+        0.35,
+        (x0 - 8, 0, wall),
+        (x0 - 8, 0, 45),
+        (0.95, 0.95, 0.93),
+        solid=0.3,
+        sections=14,
+        of="paint",
+    )
+    s.extrude(
+        [(x0 - 7.8, 45), (x0 - 7.8, 35), (x0 + 5, 40)],
+        (-0.15, 0.15),
+        (0.78, 0.1, 0.1),
+        of="textile",
+    )
     s.region("inside", (x0 - 6, x0 + 6), (-6, 6), (0, wall), "hole")

@@ -324,7 +324,7 @@ def ufo(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         c,
         rough=0.25,
     )
-    s.ball(1, (0, 0, 236), rgb(120, 200, 190), scale=(135, 135, 110), rough=0.05)
+    s.ball(1, (0, 0, 236), rgb(120, 200, 190), scale=(135, 135, 110), rough=0.05, of="glass")
     for k in range(12):
         a = 2 * math.pi * k / 12
         s.ball(16, (330 * math.cos(a), 330 * math.sin(a), 200), YELLOW, detail=2)
@@ -366,8 +366,8 @@ def hot_air_balloon(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 tone,
                 sections=8,
             )
-    s.slab((-75, 75), (-60, 60), (0, 110), WOOD, rough=0.95)
-    s.slab((-80, 80), (-65, 65), (104, 116), rgb(96, 62, 34))
+    s.slab((-75, 75), (-60, 60), (0, 110), WOOD, of="wicker")
+    s.slab((-80, 80), (-65, 65), (104, 116), rgb(96, 62, 34), of="wicker")
     for x in (-70, 70):
         for y in (-55, 55):
             s.rod(3, (x, y, 110), (x * 1.2, y * 1.4, 580), DARK, sections=8)

@@ -101,8 +101,8 @@ def boat(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "rowboat
     elif kind == "sailboat":
         s.rod(4, (30, 0, 4), (30, 0, 560), STEEL, sections=16)
         s.rod(3, (30, 0, 110), (-190, 0, 105), STEEL, sections=12)
-        s.extrude([(24, 116), (24, 548), (-184, 112)], (-1, 1), WHITE, rough=0.9)
-        s.extrude([(38, 110), (38, 460), (200, 84)], (-1, 1), WHITE, rough=0.9)
+        s.extrude([(24, 116), (24, 548), (-184, 112)], (-1, 1), WHITE, of="linen")
+        s.extrude([(38, 110), (38, 460), (200, 84)], (-1, 1), WHITE, of="linen")
         s.proxy_slab((-6, 66), (-5, 5), (4.5, 110), 0.2)
         s.proxy_slab((-150, 40), (-2, 2), (110, 400), 0.02)
         s.proxy_slab((-30, 34), (-2, 2), (400, 550), 0.02)

@@ -355,7 +355,7 @@ def _track(s: Sketch, x: tuple[float, float], y: float, r: float, width: float) 
         + [(hi, r * 2)],
         (y - width / 2, y + width / 2),
         DARK,
-        rough=0.9,
+        of="rubber",
     )
     n = 5
     for k in range(n):

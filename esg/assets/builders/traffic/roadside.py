@@ -18,10 +18,16 @@ def bus_stop(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.slab((-70, 70), (-155, 155), (238, 246), c)
     for y in (-150, 0, 150):
         s.slab((-68, -60), (y - 4, y + 4), (0, 238), c)
-    s.slab((-66, -64), (-146, 146), (18, 226), (0.7, 0.82, 0.86), rough=0.05, alpha=0.4)
+    s.slab((-66, -64), (-146, 146), (18, 226), (0.7, 0.82, 0.86), rough=0.05, alpha=0.4, of="glass")
     for side in (-1, 1):
         s.slab(
-            (-60, 30), mirrored(side, 149, 151), (18, 226), (0.7, 0.82, 0.86), rough=0.05, alpha=0.4
+            (-60, 30),
+            mirrored(side, 149, 151),
+            (18, 226),
+            (0.7, 0.82, 0.86),
+            rough=0.05,
+            alpha=0.4,
+            of="glass",
         )
         s.slab((26, 34), mirrored(side, 147, 153), (0, 238), c)
     s.slab((-56, -22), (-100, 60), (42, 47), WOOD)
