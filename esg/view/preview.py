@@ -28,8 +28,8 @@ from esg.view.framing import (
     viewpoint,
 )
 from esg.view.moments import Moment, failures, moments_of
-from esg.view.parts import scene_parts
 from esg.view.render import SAMPLES, Renderer
+from esg.view.scenery import scenery_of, seen_from
 from esg.view.sheet import Panel, draw_ropes, draw_trail, write_loop, write_sheet
 
 if TYPE_CHECKING:
@@ -77,16 +77,20 @@ def preview(
         Path of the sheet.
     """
     moments = moments_of(scene, rollout, verdict, doc)
-    parts = scene_parts(scene, rollout, doc)
-    renderers = [Renderer(parts, len(scene.bodies), *PANEL_PX) for _ in range(_threads())]
-    view = viewpoint(scene, rollout, moments, renderers[0])
-    for renderer in renderers:
-        renderer.light(view[0])
+    scenery = scenery_of(scene, rollout, doc)
+    finder = Renderer(scenery.parts, scenery.n_bodies, *PANEL_PX)
+    view = viewpoint(scene, rollout, moments, finder)
     shots: list[Shot] = []
     for moment in moments:
         frame = frame_at(rollout, moment.time)
-        shots.append(Shot(frame, camera_of_moment(scene, rollout, moment, view, renderers[0])))
+        shots.append(Shot(frame, camera_of_moment(scene, rollout, moment, view, finder)))
     film = loop_shots(scene, rollout, moments, view) if loop else []
+    seen = seen_from(scenery, [shot.camera for shot in (*shots, *film)], scene, rollout)
+    renderers = [
+        Renderer(seen.parts, seen.n_bodies, *PANEL_PX, seen.surroundings) for _ in range(_threads())
+    ]
+    for renderer in renderers:
+        renderer.light(view[0])
     images = [
         draw_ropes(image, shot.camera, ropes_at(scene, rollout, shot.frame))
         for shot, image in zip(
