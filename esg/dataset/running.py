@@ -35,7 +35,7 @@ if TYPE_CHECKING:
     from esg.graph.models import EsgDocument
 
 SCENE_STAGES = STAGES[: STAGES.index("dress")]
-"""Datasets keep trajectories, not scene folders: what only pictures and exports need is left out."""
+"""Datasets keep trajectories, not scene folders: what only pictures need is left out."""
 
 RETRIES = 2
 _BACKOFF_S = 0.5

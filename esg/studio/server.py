@@ -80,6 +80,15 @@ def build(jobs: Jobs) -> FastAPI:
     async def mistake(_: Request, error: UserError) -> JSONResponse:
         return JSONResponse({"error": str(error)}, 400)
 
+    _serve_page(app)
+    _serve_questions(app, jobs)
+    _serve_scenes(app, jobs)
+    return app
+
+
+def _serve_page(app: FastAPI) -> None:
+    """The page itself and its own files."""
+
     @app.get("/")
     def page() -> Response:
         return Response(
@@ -94,6 +103,10 @@ def build(jobs: Jobs) -> FastAPI:
         if path.name != name or path.suffix not in _KINDS or not path.is_file():
             return JSONResponse({"error": "there is no such file"}, 404)
         return Response(path.read_bytes(), media_type=f"{_KINDS[path.suffix]}; charset=utf-8")
+
+
+def _serve_questions(app: FastAPI, jobs: Jobs) -> None:
+    """What the page asks: how words are read, whether a graph holds, for scenes, and for news."""
 
     @app.post("/api/read")
     def read(asked: Asked) -> JSONResponse:
@@ -123,6 +136,10 @@ def build(jobs: Jobs) -> FastAPI:
     async def stream() -> StreamingResponse:
         return StreamingResponse(_stream(jobs), media_type="text/event-stream")
 
+
+def _serve_scenes(app: FastAPI, jobs: Jobs) -> None:
+    """Finished scenes: their player, their files, their exports."""
+
     @app.get("/scenes/{number}/")
     def scene(number: int) -> Response:
         return Response(_player(jobs, number), media_type="text/html; charset=utf-8")
@@ -140,8 +157,6 @@ def build(jobs: Jobs) -> FastAPI:
     def export(number: int, to: str) -> Response:
         folder = _folder(jobs, jobs.get(number))
         return _attachment(f"{folder.name}-{to}.zip", _exported(folder, to))
-
-    return app
 
 
 def _refused(method: str, headers: Mapping[str, str]) -> tuple[int, str] | None:

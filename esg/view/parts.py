@@ -2,25 +2,22 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.looks import Color, Look
-from esg.engines.scene import Body, Rollout, SimScene
+from esg.compile.visuals.decals import drawn_lifts, is_ground
+from esg.engines.scene import Rollout, SimScene
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument
 from esg.lexicon.places import places
 from esg.units import CM_PER_M
+from esg.view.ground import plane, span
 from esg.view.pieces import Part, Turning
-
-GROUND_HALF_EXTENT_M = 45.0
-"""A surface without collision at least this wide is the ground."""
-TILE_RAISE_M = 0.0002
-"""Tiles lie so much above the plane: less than depth resolves, more than a ray's rounding."""
-GROUND_RGB = {"indoor": (0.47, 0.41, 0.35), "outdoor": (0.36, 0.38, 0.36)}
+from esg.view.surroundings import GROUND, Surroundings, surroundings_of, thing_of
 
 
 def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Part]:
@@ -29,39 +26,43 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
     What stands around the action is not among them: `surroundings_of` has it, and leaves out what
     is in a camera's way.
     """
-    from esg.view.surroundings import GROUND, surroundings_of, thing_of
-
     around = surroundings_of(doc, scene, rollout)
-    low, high = _span(rollout)
+    return [*body_parts(scene, doc), *ground_parts(rollout, around)]
+
+
+def ground_parts(rollout: Rollout, around: Surroundings) -> list[Part]:
+    """The ground as a plane, and what is drawn on it."""
+    low, high = span(rollout)
     flat = [part for part in around.parts if thing_of(part) == GROUND]
-    return [*body_parts(scene, doc), _plane(0.5 * (low + high), around.ground), *flat]
+    return [plane(0.5 * (low + high), around.ground), *flat]
 
 
 def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:
     """Meshes of all bodies in their frames [m] but those in whose place the ground is seen."""
     from esg.assets import build_mesh
-    from esg.dressing.clearance import covered
+    from esg.assets.appearances import appearances
 
+    hidden = ground_bodies(scene, doc)
+    lifts = drawn_lifts(scene, {scene.bodies[i].name for i in hidden})
     doc = effective(doc)
-    around = None if doc.dressing is None else places()[doc.dressing.place].setting
     parts: list[Part] = []
-    meshes: dict[str, Any] = {}
+    looks = appearances(doc)
+    meshes: dict[Any, Any] = {}
     turning = 0
-    decals: list[tuple[float, float, list[Part]]] = []
     for index, body in enumerate(scene.bodies):
         first, turning = turning, turning + len(body.wheels)
         node = doc.spatial_relation_graph.nodes.get(body.name)
         if node is None:
             continue
-        flat = not body.collides
-        if _is_ground(body) or (around is not None and covered(body, indoor=around == "indoor")):
+        if index in hidden:
             continue
-        if node.asset_id not in meshes:
-            meshes[node.asset_id] = build_mesh(doc.asset_configurations[node.asset_id])
-        mesh = meshes[node.asset_id]
+        key = (node.asset_id, looks[body.name])
+        if key not in meshes:
+            meshes[key] = build_mesh(doc.asset_configurations[node.asset_id], looks[body.name])
+        mesh = meshes[key]
         wheels = {w.name: Turning(first + k, w.axle) for k, w in enumerate(body.wheels)}
-        offset = np.asarray(body.origin_offset)
-        own = [
+        offset = body.origin_offset + np.array([0.0, 0.0, lifts.get(index, 0.0)])
+        parts += [
             Part(
                 index,
                 p.vertices / CM_PER_M + offset,
@@ -75,28 +76,19 @@ def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:
             )
             for p in mesh_parts(mesh, body.color)
         ]
-        if flat:
-            area, thickness = body.half_extents[0] * body.half_extents[1], 2 * body.half_extents[2]
-            decals.append((area, thickness, own))
-        else:
-            parts += own
-    # Roads and markings lie on the ground, the smaller on the larger: a few millimetres apart.
-    # Their thickness goes into the ground, or what stands at z = 0 would be sunk in them.
-    for layer, (_, thickness, own) in enumerate(sorted(decals, key=lambda d: -d[0]), 1):
-        lift = np.array([0.0, 0.0, 0.004 * layer - thickness])
-        parts += [replace(p, vertices=p.vertices + lift) for p in own]
     return parts
 
 
-def _is_ground(body: Body) -> bool:
-    """Whether a body is the ground itself, which is an endless plane in its colour."""
-    return not body.collides and max(body.half_extents[:2]) > GROUND_HALF_EXTENT_M
+def ground_bodies(scene: SimScene, doc: EsgDocument) -> frozenset[int]:
+    """Indices of the bodies in whose place the ground is seen."""
+    from esg.dressing.clearance import covered
 
-
-def ground_color(scene: SimScene, doc: EsgDocument) -> Color:
-    """Of the endless plane where nothing dresses it (sRGB)."""
-    own = [b.color for b in scene.bodies if _is_ground(b)]
-    return own[-1] if own else GROUND_RGB[doc.scene_definition.scene_parameters.scene_type]
+    around = None if doc.dressing is None else places()[doc.dressing.place].setting
+    return frozenset(
+        index
+        for index, body in enumerate(scene.bodies)
+        if is_ground(body) or (around is not None and covered(body, indoor=around == "indoor"))
+    )
 
 
 @dataclass(frozen=True)
@@ -156,56 +148,3 @@ def _color(geometry: Any, fallback: Color) -> Color:
         return fallback
     red, green, blue = (float(c) / 255.0 for c in np.asarray(rgba)[:3])
     return red, green, blue
-
-
-def _span(rollout: Rollout) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Between which points of the plane nearly all happens [m], each of shape [2]."""
-    span = rollout.position[0, :, :, :2].reshape(-1, 2)
-    span = span[np.isfinite(span).all(axis=1)]
-    low, high = np.percentile(span, [2, 98], axis=0).astype(np.float64)
-    return low, high
-
-
-def _plane(middle: NDArray[np.float64], look: Look) -> Part:
-    """The ground: a plane just below what is drawn at z = 0."""
-    corner = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
-    flat = (corner - 0.5) * 900 + middle
-    vertices = np.concatenate([flat, np.full((4, 1), -TILE_RAISE_M)], axis=1)
-    normals = np.tile([0.0, 0.0, 1.0], (4, 1))
-    faces = np.array([[0, 1, 2], [0, 2, 3]])
-    return Part(-1, vertices, faces, shown(look), None, look, normals, flat / look.tile_m, "ground")
-
-
-def shown(look: Look) -> Color:
-    """The colour (sRGB) that a surface has on average."""
-    from esg.assets.textures import linear, recipes, srgb
-
-    if look.texture is None:
-        return look.color
-    light = linear(look.color) * linear(recipes()[look.texture].mean)
-    red, green, blue = (float(c) for c in srgb(light))
-    return red, green, blue
-
-
-def checkerboard(rollout: Rollout, color: Color) -> tuple[Part, ...]:
-    """As a sense of scale every second one of faint tiles of 1 m (or 0.25 m), at z = 0."""
-    low, high = _span(rollout)
-    extent = float(np.max(high - low))
-    tile = 0.25 if extent < 3 else 1.0
-    margin = 14 * tile + 0.25 * extent
-    start = np.floor((low - margin) / tile).astype(int)
-    stop = np.ceil((high + margin) / tile).astype(int)
-    if int(np.max(stop - start)) > 240:  # a runaway body: tiles around the origin only
-        start, stop = np.array([-120, -120]), np.array([120, 120])
-    corner = np.array([[0, 0], [1, 0], [1, 1], [0, 1]], float)
-    i, j = np.meshgrid(np.arange(start[0], stop[0]), np.arange(start[1], stop[1]), indexing="ij")
-    cells = np.stack([i.ravel(), j.ravel()], axis=1)
-    red, green, blue = (min(1.0, 1.1 * c) for c in color)
-    # The others are the plane just below: every ray searches every mesh of the ground, so that
-    # another one for them would cost a fifth of a picture.
-    lighter = cells[cells.sum(axis=1) % 2 == 0]
-    corners = ((lighter[:, None, :] + corner) * tile).reshape(-1, 2)
-    flat = np.concatenate([corners, np.zeros((len(corners), 1))], axis=1)
-    square = np.array([[0, 1, 2], [0, 2, 3]])
-    faces = (square[None] + 4 * np.arange(len(lighter))[:, None, None]).reshape(-1, 3)
-    return (Part(-1, flat, faces, (red, green, blue), name="ground/tiles"),)

@@ -149,7 +149,7 @@ def surroundings_of(doc: EsgDocument, scene: SimScene, rollout: Rollout) -> Surr
         scene: Its bodies.
         rollout: Their motion: the checkerboard lies where they go.
     """
-    from esg.view.parts import checkerboard, ground_color
+    from esg.view.ground import checkerboard, ground_color
 
     dressing = doc.dressing
     if dressing is None:

@@ -11,7 +11,7 @@ import pytest
 from esg.assets.builders.common import shade
 from esg.assets.geometry.mesh import configured_sketch
 from esg.assets.geometry.sketch import finish
-from esg.assets.library.catalogue import Entry, entries_by_name
+from esg.assets.library.catalogue import Entry, entries_by_name, finishes
 from esg.assets.materials import MATERIALS, TABLE, find_material, look_of, visible
 from esg.assets.stage import configure
 from esg.assets.textures import linear, recipes
@@ -60,6 +60,12 @@ def test_every_part_names_a_material(entry: Entry) -> None:
         assert part.material in MATERIALS, part.name
         assert part.name and not part.name.startswith("part_")
         assert look_of(part.material, part.color).material in MATERIALS
+
+
+def test_finishes_are_of_kinds_and_materials_and_differ_from_the_surface() -> None:
+    entries = entries_by_name()
+    for kind, material in finishes().items():
+        assert material in MATERIALS and entries[kind].material != material, kind
 
 
 def test_metal_in_another_colour_is_painted() -> None:

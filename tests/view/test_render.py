@@ -13,7 +13,7 @@ from esg.view.camera import Camera
 from esg.view.maps import encoded
 from esg.view.pieces import Movers, Part
 from esg.view.render import Renderer
-from esg.view.sheet import CAPTION_PX, GAP, Panel, panel_boxes, write_loop, write_sheet
+from esg.view.sheet import CAPTION_PX, GAP, Panel, panel_boxes, write_sheet
 from esg.view.surroundings import Sky
 from esg.view.tracer.stage import bundles
 
@@ -96,16 +96,6 @@ def test_the_sun_stands_behind_the_viewer() -> None:
     assert np.ptp(seen) < 3
     renderer.light(np.pi)
     assert renderer.color(Camera((6.0, 0.0, 0.0), (0.0, 0.0, 0.0)))[16, 24].mean() < seen[0] - 30
-
-
-def test_a_loop_plays_forever_and_rests_at_its_end(tmp_path: Path) -> None:
-    """Every frame is kept, in order."""
-    frames = [np.full((40, 60, 3), 30 + 60 * k, np.uint8) for k in range(4)]
-    with Image.open(write_loop(tmp_path / "l.webp", frames, 100)) as loop:
-        assert (loop.n_frames, loop.info["loop"], loop.size) == (4, 0, (60, 40))
-        for k in range(4):
-            loop.seek(k)
-            assert abs(int(np.asarray(loop.convert("RGB"))[20, 30, 0]) - (30 + 60 * k)) < 6
 
 
 def test_panels_of_a_sheet_are_found_again(tmp_path: Path) -> None:

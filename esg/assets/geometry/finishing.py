@@ -74,7 +74,9 @@ def _merged(vertices: Floats, faces: Ints, normals: Floats, uvs: Floats, chart: 
 
 
 def completed(mesh: trimesh.Trimesh, tile_cm: float) -> trimesh.Trimesh:
-    """A foreign mesh with the normals and texture coordinates it lacks; the same one if with both.
+    """A foreign mesh with the normals and texture coordinates it lacks.
+
+    The same one if it lacks none, or has a colour for every vertex.
 
     Args:
         mesh: Its visual keeps its material, and its texture coordinates if it has any.
@@ -83,7 +85,7 @@ def completed(mesh: trimesh.Trimesh, tile_cm: float) -> trimesh.Trimesh:
     visual: Any = mesh.visual
     uv = getattr(visual, "uv", None)
     has_normals = "vertex_normals" in mesh._cache
-    if (has_normals and uv is not None) or not isinstance(visual, TextureVisuals):
+    if (has_normals and uv is not None) or visual.kind == "vertex":
         return mesh
     vertices, faces = np.asarray(mesh.vertices, float), np.asarray(mesh.faces, np.int64)
     corners = faces.reshape(-1)
@@ -96,11 +98,13 @@ def completed(mesh: trimesh.Trimesh, tile_cm: float) -> trimesh.Trimesh:
     else:
         uvs, chart = np.asarray(uv)[corners], np.zeros(len(corners), np.int64)
     surface = _merged(vertices, faces, normals, uvs, chart)
+    if isinstance(visual, TextureVisuals):
+        visual = TextureVisuals(uv=surface.uvs, material=visual.material)
     return trimesh.Trimesh(
         surface.vertices,
         surface.faces,
         vertex_normals=surface.normals,
-        visual=TextureVisuals(uv=surface.uvs, material=visual.material),
+        visual=visual,
         metadata=mesh.metadata,
         process=False,
     )
