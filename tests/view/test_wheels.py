@@ -124,6 +124,7 @@ def test_parts_of_a_scene_know_their_wheels() -> None:
         ),
         asset_configurations={"car": config},
         casting=None,
+        provenance=(),
         dressing=None,
     )
     rollout = SimpleNamespace(position=np.zeros((1, 2, 2, 3)))
