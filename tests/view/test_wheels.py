@@ -118,7 +118,10 @@ def test_parts_of_a_scene_know_their_wheels() -> None:
         for name in ("a", "b")
     ]
     doc = SimpleNamespace(
-        scene_definition=SimpleNamespace(scene_parameters=SimpleNamespace(scene_type="outdoor")),
+        scene_definition=SimpleNamespace(
+            original_description="Two cars.",
+            scene_parameters=SimpleNamespace(scene_type="outdoor"),
+        ),
         spatial_relation_graph=SimpleNamespace(
             nodes={b.name: SimpleNamespace(asset_id="car") for b in bodies}
         ),
