@@ -17,6 +17,7 @@ from esg.lexicon.places import places
 from esg.units import CM_PER_M
 from esg.view.ground import plane, span
 from esg.view.pieces import Part, Turning
+from esg.view.surroundings import GROUND, Surroundings, surroundings_of, thing_of
 
 
 def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Part]:
@@ -25,12 +26,15 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
     What stands around the action is not among them: `surroundings_of` has it, and leaves out what
     is in a camera's way.
     """
-    from esg.view.surroundings import GROUND, surroundings_of, thing_of
-
     around = surroundings_of(doc, scene, rollout)
+    return [*body_parts(scene, doc), *ground_parts(rollout, around)]
+
+
+def ground_parts(rollout: Rollout, around: Surroundings) -> list[Part]:
+    """The ground as a plane, and what is drawn on it."""
     low, high = span(rollout)
     flat = [part for part in around.parts if thing_of(part) == GROUND]
-    return [*body_parts(scene, doc), plane(0.5 * (low + high), around.ground), *flat]
+    return [plane(0.5 * (low + high), around.ground), *flat]
 
 
 def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:

@@ -29,11 +29,13 @@ from esg.view.framing import (
     viewpoint,
 )
 from esg.view.moments import failures, moments_of
-from esg.view.parts import scene_parts
+from esg.view.parts import ground_parts
 from esg.view.pieces import Part
 from esg.view.render import SAMPLES, Renderer
 from esg.view.ropes import ropes_at
+from esg.view.scenery import scenery_of, seen_from
 from esg.view.sheet import Panel, draw_ropes, draw_trail, write_sheet
+from esg.view.surroundings import surroundings_of
 
 if TYPE_CHECKING:
     from esg.metrics.models import SceneVerdict
@@ -76,15 +78,19 @@ def preview(
         Path of the sheet.
     """
     moments = moments_of(scene, rollout, verdict, doc)
-    parts = scene_parts(scene, rollout, doc)
-    renderers = [Renderer(parts, len(scene.bodies), *PANEL_PX) for _ in range(_threads())]
-    view = viewpoint(scene, rollout, moments, renderers[0])
-    for renderer in renderers:
-        renderer.light(view[0])
+    scenery = scenery_of(scene, rollout, doc)
+    finder = Renderer(scenery.parts, scenery.n_bodies, *PANEL_PX)
+    view = viewpoint(scene, rollout, moments, finder)
     shots: list[Shot] = []
     for moment in moments:
         frame = frame_at(rollout, moment.time)
-        shots.append(Shot(frame, camera_of_moment(scene, rollout, moment, view, renderers[0])))
+        shots.append(Shot(frame, camera_of_moment(scene, rollout, moment, view, finder)))
+    seen = seen_from(scenery, [shot.camera for shot in shots], scene, rollout)
+    renderers = [
+        Renderer(seen.parts, seen.n_bodies, *PANEL_PX, seen.surroundings) for _ in range(_threads())
+    ]
+    for renderer in renderers:
+        renderer.light(view[0])
     images = [
         draw_ropes(image, shot.camera, ropes_at(scene, rollout, shot.frame))
         for shot, image in zip(
@@ -101,6 +107,8 @@ def preview(
         image = draw_trail(image, shot.camera, trails, specks)
         panels.append(Panel(image, moment.title, moment.caption))
         since = moment.time
+    around = surroundings_of(doc, scene, rollout)
+    parts = [*scenery.parts, *ground_parts(rollout, around)]
     lost = _filmed(Action(scene, rollout, verdict, doc), doc, parts, folder) if film else []
     return write_sheet(
         folder / "preview.png",

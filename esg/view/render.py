@@ -10,11 +10,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.view.camera import Camera
-from esg.view.pieces import Part, Turning
+from esg.view.pieces import Movers, Part, Turning
 from esg.view.surroundings import Surroundings
 from esg.view.worlds import SAMPLES, WorldRenderer
 
-__all__ = ["SAMPLES", "Part", "Renderer", "Turning"]
+__all__ = ["SAMPLES", "Movers", "Part", "Renderer", "Turning"]
 
 
 class Renderer:

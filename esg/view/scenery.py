@@ -11,13 +11,18 @@ import numpy as np
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import EsgDocument
 from esg.view.camera import Camera
+from esg.view.framing import corners_of
 from esg.view.parts import body_parts
 from esg.view.renderers.records import Scenery
 from esg.view.skies import sun_behind
-from esg.view.surroundings import surroundings_of
+from esg.view.surroundings import GROUND, surroundings_of, thing_of
 
 INSTANTS = 8
 """Instants of the motion at which nothing may stand between a camera and what moves."""
+FLATTER = 0.1
+"""Heights of what dresses the ground are multiplied with it: rays tell a tenth of a millimetre."""
+MOST_MOVERS = 6
+"""Of a crowd, the first are enough to tell what is in the way."""
 
 
 def scenery_of(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> Scenery:
@@ -29,6 +34,12 @@ def scenery_of(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> Scenery:
         doc: Asset configurations (meshes) and dressing.
     """
     around = surroundings_of(doc, scene, rollout)
+    # What dresses the ground lies below the roads and floors that are bodies, some at z = 0.001.
+    flat = np.array([1.0, 1.0, FLATTER])
+    parts = tuple(
+        replace(p, vertices=p.vertices * flat) if thing_of(p) == GROUND else p for p in around.parts
+    )
+    around = replace(around, parts=parts)
     return Scenery(tuple(body_parts(scene, doc)), len(scene.bodies), around)
 
 
@@ -50,10 +61,9 @@ def seen_from(
     if around.sky.kind == "plain":
         azimuth = math.atan2(first.eye[1] - first.target[1], first.eye[0] - first.target[0])
         around = replace(around, sky=replace(around.sky, sun=sun_behind(azimuth)))
-    movers = [k for k, b in enumerate(scene.bodies) if not b.static]
+    movers = [k for k, b in enumerate(scene.bodies) if not b.static][:MOST_MOVERS]
     frames = np.linspace(0, len(rollout.time) - 1, INSTANTS).astype(int)
-    points = rollout.position[0][frames][:, movers].reshape(-1, 3).astype(float)
-    points = points[np.isfinite(points).all(axis=1)]
-    targets = np.array([c.target for c in cameras], float)
-    eyes = np.array([c.eye for c in cameras], float)
-    return replace(whole, surroundings=around.seen_from(eyes, np.concatenate([points, targets])))
+    corners = [corners_of(scene, rollout, int(f), k) for f in np.unique(frames) for k in movers]
+    points = np.concatenate([np.array([c.target for c in cameras], float), *corners])
+    eyes = np.unique([c.eye for c in cameras], axis=0)
+    return replace(whole, surroundings=around.seen_from(eyes, points[np.isfinite(points).all(1)]))

@@ -22,8 +22,8 @@ from esg.view.tracer.stage import Stage
 
 NOTHING, GROUND = -2, -1
 """Body indices of pixels that hit nothing, and the ground."""
-SEEN = ("depth", "normal", "mover", "albedo", "light", "mirror", "shine", "rest")
-"""Pictures that the first ray of every pixel makes; all but two are vectors."""
+SEEN = ("depth", "normal", "mover", "paint", "point", "albedo", "light", "mirror", "shine", "rest")
+"""Pictures that the first ray of every pixel makes; most are vectors."""
 SAMPLES = 4
 """Rays a pixel where surfaces meet; elsewhere there is one."""
 
@@ -142,7 +142,8 @@ class WorldRenderer:
         shown = wp.array(views, dtype=kernels.View, device=self._device)
         dim = images["depth"].shape
         seen = [images[k] for k in SEEN]
-        wp.launch(kernels.look, dim, inputs=[scene, shown, int(rgb), *seen], device=self._device)
+        rays = (2 if samples >= SAMPLES else 1) if rgb else 0
+        wp.launch(kernels.look, dim, inputs=[scene, shown, rays, *seen], device=self._device)
         if rgb:
             edges = [images["edge"], images["is_edge"]]
             k, count = instant
@@ -177,6 +178,7 @@ class WorldRenderer:
             types = dict.fromkeys((*SEEN, "edge", "radiance"), wp.vec3) | {
                 "depth": wp.float32,
                 "mover": wp.int32,
+                "paint": wp.int32,
                 "is_edge": wp.int32,
                 "packed": wp.uint32,
             }

@@ -11,6 +11,7 @@ from PIL import Image
 import pytest
 import trimesh
 
+from esg.assets.looks import Look
 from esg.engines.joints import joint_between
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import (
@@ -42,6 +43,7 @@ from esg.view.pieces import Part
 from esg.view.render import Renderer
 from esg.view.ropes import ropes_at
 from esg.view.sheet import draw_ropes, draw_trail
+from esg.view.surroundings import Sky, Surroundings
 from tests.report.folders import HIT_S, rollout, scene
 
 DOC = EsgDocument(
@@ -170,13 +172,13 @@ def simple(monkeypatch: pytest.MonkeyPatch) -> None:
     """Plain meshes instead of assets."""
     ball = trimesh.creation.icosphere(subdivisions=2, radius=0.2)
     box = trimesh.creation.box((1.0, 1.0, 0.5))
-    floor = np.array([[-9, -9, 0], [9, -9, 0], [9, 9, 0], [-9, 9, 0.0]])
     parts = [
         Part(0, np.asarray(ball.vertices), np.asarray(ball.faces), (0.9, 0.1, 0.1)),
         Part(1, np.asarray(box.vertices), np.asarray(box.faces), (0.2, 0.3, 0.9)),
-        Part(-1, floor, np.array([[0, 1, 2], [0, 2, 3]]), (0.5, 0.5, 0.5)),
     ]
-    monkeypatch.setattr(previews, "scene_parts", lambda *_: parts)
+    around = Surroundings(Sky(), Look("", (0.5, 0.5, 0.5)))
+    monkeypatch.setattr("esg.view.scenery.body_parts", lambda *_: parts)
+    monkeypatch.setattr("esg.view.scenery.surroundings_of", lambda *_: around)
     monkeypatch.setattr(previews, "PANEL_PX", (96, 64))
 
 

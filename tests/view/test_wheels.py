@@ -9,6 +9,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from esg.assets.appearance import USUAL
 from esg.assets.library.catalogue import entries_by_name
 from esg.assets.stage import configure
 from esg.dynamics.plan.build import make_body
@@ -108,8 +109,9 @@ def test_merging_keeps_wheels_apart() -> None:
     assert [(b.mover, len(b.faces)) for b in made] == [(0, 12), (1, 24)]
 
 
-def test_parts_of_a_scene_know_their_wheels() -> None:
+def test_parts_of_a_scene_know_their_wheels(monkeypatch: pytest.MonkeyPatch) -> None:
     """Of two cars the second one's wheels are counted on."""
+    monkeypatch.setattr("esg.assets.appearances.appearances", lambda _: dict.fromkeys("ab", USUAL))
     config = configure("car", requirement(entries_by_name()["car"]))
     bodies = [
         make_body(

@@ -29,8 +29,6 @@ GROUND_M = wp.constant(-2.0e-4)
 """The plane lies so much below what is drawn at z = 0."""
 PATTERN = wp.constant(9)
 """Pixels that share a pattern of rays toward sun and sky, three by three."""
-RAYS = wp.constant(2)
-"""Rays a pixel toward the sun, and as many toward the sky."""
 LAYERS = wp.constant(4)
 """So many clear surfaces are looked through."""
 ALIKE = wp.constant(0.92)
@@ -332,6 +330,25 @@ def _lit(s: Scene, world: int, at: wp.vec3, n: wp.vec3, flat: wp.vec3, t: float,
 
 
 @wp.func
+def _face(s: Scene, hit: Hit) -> int:
+    """Where the face of a hit on a mesh stands among all faces."""
+    first = s.fixed_first
+    if hit.instance < s.instances:
+        first = s.face_first[hit.instance]
+    elif hit.instance > s.instances:
+        first = s.fixed_clear_first
+    return first + hit.face
+
+
+@wp.func
+def _paint(s: Scene, hit: Hit) -> int:
+    """Which material a hit shows; -1 and below for the ground and for nothing."""
+    if hit.instance < 0:
+        return hit.instance
+    return s.face_material[_face(s, hit)]
+
+
+@wp.func
 def _painted(s: Scene, hit: Hit, at: wp.vec3, footprint_m: float):
     """Material at a hit, its colour and roughness those of its texture, and the smooth normal."""
     m = s.ground
@@ -343,12 +360,7 @@ def _painted(s: Scene, hit: Hit, at: wp.vec3, footprint_m: float):
             m.color = wp.cw_mul(m.color, wp.vec3(texel[0], texel[1], texel[2]))
             m.roughness = m.roughness * texel[3]
         return m, n
-    first = s.fixed_first
-    if hit.instance < s.instances:
-        first = s.face_first[hit.instance]
-    elif hit.instance > s.instances:
-        first = s.fixed_clear_first
-    face = first + hit.face
+    face = _face(s, hit)
     m = s.material[s.face_material[face]]
     w = 1.0 - hit.u - hit.v
     smooth = (
@@ -478,17 +490,19 @@ def place(
 def look(
     s: Scene,
     views: wp.array(dtype=View),
-    colored: int,
+    rays: int,
     depth: wp.array3d(dtype=float),
     normal: wp.array3d(dtype=wp.vec3),
     mover: wp.array3d(dtype=int),
+    paint: wp.array3d(dtype=int),
+    point: wp.array3d(dtype=wp.vec3),
     albedo: wp.array3d(dtype=wp.vec3),
     light: wp.array3d(dtype=wp.vec3),
     mirror: wp.array3d(dtype=wp.vec3),
     shine: wp.array3d(dtype=wp.vec3),
     rest: wp.array3d(dtype=wp.vec3),
 ):
-    """One ray through the centre of every pixel."""
+    """One ray through every pixel, and `rays` toward sun and sky each; 0 for no colour."""
     w, y, x = wp.tid()
     height = depth.shape[1]
     width = depth.shape[2]
@@ -511,9 +525,11 @@ def look(
     depth[w, y, x] = far
     normal[w, y, x] = n
     mover[w, y, x] = owner
-    if colored > 0:
+    point[w, y, x] = o + d * hit.t
+    paint[w, y, x] = _paint(s, hit)
+    if rays > 0:
         pixel = 2.0 * view.tangent / float(height)
-        shade = _shade(s, w, o, d, hit, pixel, 3 * (y % 3) + x % 3, RAYS)
+        shade = _shade(s, w, o, d, hit, pixel, 3 * (y % 3) + x % 3, rays)
         albedo[w, y, x] = shade.albedo
         light[w, y, x] = shade.light
         mirror[w, y, x] = shade.mirror
@@ -526,6 +542,7 @@ def _differs(
     depth: wp.array3d(dtype=float),
     normal: wp.array3d(dtype=wp.vec3),
     mover: wp.array3d(dtype=int),
+    point: wp.array3d(dtype=wp.vec3),
     w: int,
     y: int,
     x: int,
@@ -537,13 +554,14 @@ def _differs(
         return False
     if mover[w, y, x] != mover[w, v, u]:
         return True
-    if wp.dot(normal[w, y, x], normal[w, v, u]) < ALIKE and mover[w, y, x] != NOTHING:
-        return True
-    if mover[w, y, x] == GROUND:  # however fast it recedes
+    if mover[w, y, x] == NOTHING:
         return False
-    a = depth[w, y, x]
-    b = depth[w, v, u]
-    return wp.abs(a - b) > 0.08 * wp.min(a, b)
+    n = normal[w, y, x]
+    if wp.dot(n, normal[w, v, u]) < ALIKE:
+        return True
+    # A surface may recede as it likes, but one of the two is not beside the other's plane.
+    step = wp.dot(n, point[w, v, u] - point[w, y, x])
+    return wp.abs(step) > 0.004 * depth[w, y, x]
 
 
 @wp.func
@@ -559,6 +577,7 @@ def _smoothed(
     depth: wp.array3d(dtype=float),
     normal: wp.array3d(dtype=wp.vec3),
     mover: wp.array3d(dtype=int),
+    point: wp.array3d(dtype=wp.vec3),
     light: wp.array3d(dtype=wp.vec3),
     w: int,
     y: int,
@@ -571,7 +590,7 @@ def _smoothed(
         v = y + j / 3 - 1
         u = x + j % 3 - 1
         if v >= 0 and u >= 0 and v < depth.shape[1] and u < depth.shape[2]:
-            if not _differs(depth, normal, mover, w, y, x, v, u):
+            if not _differs(depth, normal, mover, point, w, y, x, v, u):
                 total = total + light[w, v, u]
                 count = count + 1.0
     return total / count
@@ -585,6 +604,8 @@ def refine(
     depth: wp.array3d(dtype=float),
     normal: wp.array3d(dtype=wp.vec3),
     mover: wp.array3d(dtype=int),
+    paint: wp.array3d(dtype=int),
+    point: wp.array3d(dtype=wp.vec3),
     albedo: wp.array3d(dtype=wp.vec3),
     light: wp.array3d(dtype=wp.vec3),
     mirror: wp.array3d(dtype=wp.vec3),
@@ -602,8 +623,12 @@ def refine(
     is_edge[w, y, x] = 0
     found = bool(False)
     for j in range(9):
+        v = wp.clamp(y + j / 3 - 1, 0, depth.shape[1] - 1)
+        u = wp.clamp(x + j % 3 - 1, 0, depth.shape[2] - 1)
         if not found:
-            found = _differs(depth, normal, mover, w, y, x, y + j / 3 - 1, x + j % 3 - 1)
+            found = paint[w, v, u] != paint[w, y, x]
+        if not found:
+            found = _differs(depth, normal, mover, point, w, y, x, v, u)
     if samples < 2 or not found:
         return
     view = views[w]
@@ -616,7 +641,7 @@ def refine(
     here.mirror = mirror[w, y, x]
     here.shine = shine[w, y, x]
     here.rest = rest[w, y, x]
-    total = _added(s, here, _smoothed(depth, normal, mover, light, w, y, x))
+    total = _added(s, here, _smoothed(depth, normal, mover, point, light, w, y, x))
     for i in range(1, samples):
         # Kronecker's sequence in the plane (Roberts 2018) spreads any number of points well.
         dx = float(i) * 0.7548776662
@@ -652,6 +677,8 @@ def develop(
     depth: wp.array3d(dtype=float),
     normal: wp.array3d(dtype=wp.vec3),
     mover: wp.array3d(dtype=int),
+    paint: wp.array3d(dtype=int),
+    point: wp.array3d(dtype=wp.vec3),
     albedo: wp.array3d(dtype=wp.vec3),
     light: wp.array3d(dtype=wp.vec3),
     mirror: wp.array3d(dtype=wp.vec3),
@@ -673,7 +700,7 @@ def develop(
         here.mirror = mirror[w, y, x]
         here.shine = shine[w, y, x]
         here.rest = rest[w, y, x]
-        color = _added(s, here, _smoothed(depth, normal, mover, light, w, y, x))
+        color = _added(s, here, _smoothed(depth, normal, mover, point, light, w, y, x))
     if first > 0:
         radiance[w, y, x] = color * share
     else:

@@ -13,7 +13,7 @@ from esg.assets.looks import Look
 from esg.view.maps import RASTER_PX, linear, mean_color, pyramid
 from esg.view.pieces import Movers, Part
 from esg.view.skies import AIRS, blurred_maps, sky_map
-from esg.view.surroundings import Sky, Surroundings
+from esg.view.surroundings import GROUND, Sky, Surroundings, thing_of
 
 CLEAR = 0.97
 """What is less opaque lets the sun through."""
@@ -24,11 +24,11 @@ WORLD = -1
 
 @dataclass
 class Bundle:
-    """All parts that move as one and are all opaque or all clear, as one mesh.
+    """All parts that move as one and all cast shadows or none, as one mesh.
 
     Args:
         mover: Index among `Movers`; -1 for the world.
-        clear: Whether one sees through it.
+        clear: Whether it casts no shadow: one sees through it, or it lies flat on the ground.
         vertices: Shape [n, 3] [m].
         faces: Shape [f, 3].
         normals: At the corners of faces, 0 for a flat face, shape [f, 3, 3].
@@ -59,7 +59,8 @@ def bundles(parts: Sequence[Part], movers: Movers) -> tuple[list[Bundle], list[L
     groups: dict[tuple[int, bool], list[Part]] = {}
     for part in parts:
         if len(part.faces):
-            clear = surface(part).alpha < CLEAR
+            flat = part.body == WORLD and thing_of(part) == GROUND
+            clear = flat or surface(part).alpha < CLEAR
             groups.setdefault((movers.of(part), clear), []).append(part)
     out: list[Bundle] = []
     for (mover, clear), members in sorted(groups.items(), key=lambda g: g[0]):
