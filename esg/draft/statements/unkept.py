@@ -14,6 +14,7 @@ from esg.draft.discourse.core import kind_of, movable
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.courses import measurable
+from esg.draft.events.hanging import row_of
 from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import adverbs_of
 from esg.draft.events.told import last_of
@@ -96,6 +97,8 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
             return False
         if condition == "gently" and not (f.verb.passive and _MANNERS & {*adverbs_of(d.text, f)}):
             return False
+        if condition == "loose" and not (clause.movers and _loose(d, clause)):
+            return False
         if condition == "bumped" and not (f.verb.form == "ing" and _bumped(d, f)):
             return False
         words = d.text[f.verb.start : f.verb.end + 5].lower().split()
@@ -117,6 +120,12 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
         if condition.startswith("of:") and condition[3:] not in kinds:
             return False
     return True
+
+
+def _loose(d: Discourse, clause: Clause) -> bool:
+    """Whether nothing that a clause moves is on a joint."""
+    named = clause.frame.subject.entities if clause.frame.subject is not None else []
+    return all(row_of(d, i) is None for i in (*clause.movers, *named))
 
 
 def _bumped(d: Discourse, f: Frame) -> bool:
