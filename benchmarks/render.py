@@ -42,8 +42,20 @@ def street() -> tuple[list[Part], int]:
     for node in doc.spatial_relation_graph.nodes.values():
         config = doc.asset_configurations[node.asset_id]
         moves = bool(config.proxies) and not node.is_structural
-        for vertices, faces, color, _ in mesh_parts(build_mesh(config), config.color_rgb):
-            parts.append(Part(body if moves else -1, vertices / CM_PER_M, faces, color))
+        for piece in mesh_parts(build_mesh(config), config.color_rgb):
+            mover, vertices = body if moves else -1, piece.vertices / CM_PER_M
+            parts.append(
+                Part(
+                    mover,
+                    vertices,
+                    piece.faces,
+                    piece.color,
+                    look=piece.look,
+                    normals=piece.normals,
+                    uvs=piece.uvs,
+                    name=piece.name,
+                )
+            )
         body += moves
     return parts, body
 

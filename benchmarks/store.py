@@ -23,7 +23,8 @@ from esg.store.tables import arrow_schema, to_table, write_part
 
 SCENES, EVENTS, RUNS = 100_000, 10, 40
 STAGES = (
-    "draft", "resolve", "cast", "layout", "optimize", "compile", "replay", "judge", "record",
+    "draft", "resolve", "cast", "layout", "optimize", "compile", "replay", "judge", "dress",
+    "record",
 )  # fmt: skip
 VIEWS = (
     "bench_summary", "bench_history", "scene_outcomes", "event_timings", "constraint_errors",

@@ -20,8 +20,8 @@ import statistics
 import time
 from typing import Any
 
+from esg.api.scene import document_of, expectation
 from esg.commands.console import table
-from esg.commands.replay import document_of, expectation
 from esg.compile.transfer import MATRIX_ENGINES, MATRIX_RATES_HZ, REFERENCE, transfer_matrix
 from esg.metrics import load_suite
 from esg.scenefolder import is_scene_folder

@@ -24,8 +24,8 @@ import sys
 import tempfile
 from typing import Any
 
+from esg.api.scene import document_of, expectation
 from esg.commands.console import table
-from esg.commands.replay import document_of, expectation
 from esg.compile.export import export
 from esg.compile.transfer import end_distance, replay_scene
 from esg.engines.manifest import load_manifest

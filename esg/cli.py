@@ -64,6 +64,7 @@ def build_app():  # the return type would import cyclopts for nothing
     )
     for name, (where, help_line) in COMMANDS.items():
         app.command(where, name=name, help=help_line)
+    app.register_install_completion_command(help="Complete words in this shell from now on.")
     return app
 
 

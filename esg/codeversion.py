@@ -61,8 +61,10 @@ SOURCES: dict[str, tuple[str, ...]] = {
     ),
     "replay": ("compile", "engines", "dynamics", "assets", "metrics", "layout/problem/hints.py"),
     "judge": ("metrics", "engines", "dynamics", "draft/document/coverage.py"),
+    "dress": ("dressing", "engines", "assets/looks.py"),
     "record": (
         "view",
+        "dressing",
         "store",
         "assets",
         "metrics",
@@ -84,6 +86,7 @@ LIBRARIES: dict[str, tuple[str, ...]] = {
     "compile": ("usd-core",),
     "replay": ("sapien", "newton", "rapier3d"),
     "judge": (),
+    "dress": (),
     "record": ("newton", "mcap", "usd-core"),
 }
 

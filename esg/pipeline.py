@@ -1,6 +1,6 @@
-"""One scene from prompt to recorded result: nine stages, each cached by content.
+"""One scene from prompt to recorded result: ten stages, each cached by content.
 
-    draft -> resolve -> cast -> layout -> optimize -> compile -> replay -> judge -> record
+    draft -> resolve -> cast -> layout -> optimize -> compile -> replay -> judge -> dress -> record
 
 A stage's result is a folder in the artifact store under a key made of its input's content, its
 configuration and the version of its code. A `SceneState` carries only keys, so that it can travel
@@ -38,6 +38,7 @@ STAGES = (
     "compile",
     "replay",
     "judge",
+    "dress",
     "record",
 )
 
@@ -70,6 +71,7 @@ class SceneRequest:
         close_loop: Whether the verify engine's outcome error is fed back to the search.
         collision: What bodies collide with during the search: exact, proxy or sdf.
         traffic: Side of the road that vehicles keep to: right or left.
+        document: A scene graph (JSON) of `prompt` that somebody has changed, in place of a draft.
     """
 
     prompt: str
@@ -83,6 +85,7 @@ class SceneRequest:
     close_loop: bool = False
     collision: str = "exact"
     traffic: str = "right"
+    document: str = ""
 
     @property
     def choreographed(self) -> bool:

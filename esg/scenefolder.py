@@ -17,7 +17,7 @@ from esg.pipeline import STAGES, SceneState
 from esg.stages import DOCUMENT, ROLLOUT
 from esg.strangers.sums import seal
 
-_DOCUMENT_STAGES = ("draft", "resolve", "cast", "layout", "optimize")
+_DOCUMENT_STAGES = ("draft", "resolve", "cast", "layout", "optimize", "dress")
 _MARKS = ("prompt.txt", "log.jsonl")
 """Files that tell a scene folder from a folder of the user's."""
 _ATTEMPTS = 20
@@ -109,8 +109,9 @@ def _fill(state: SceneState, folder: Path) -> None:
     (folder / "prompt.txt").write_text(state.request.prompt + "\n", encoding="utf-8")
     stages = folder / "stages"
     stages.mkdir()
-    for number, stage in enumerate(_DOCUMENT_STAGES, 1):
+    for stage in _DOCUMENT_STAGES:
         if stage in state.artifacts:
+            number = STAGES.index(stage) + 1
             source = state.artifact(stage) / DOCUMENT
             shutil.copyfile(source, stages / f"{number}-{stage}.json")
             shutil.copyfile(source, folder / DOCUMENT)

@@ -146,10 +146,13 @@ def load_suite_scene(request: SceneRequest, doc: EsgDocument) -> tuple[SuiteScen
 
 def _draft(state: SceneState, folder: Path) -> None:
     from esg.draft import draft
-    from esg.graph import verify
+    from esg.graph import EsgDocument, verify
 
     request = state.request
-    doc = draft(request.prompt, seed=request.seed, drafter=request.drafter)
+    if request.document:
+        doc = EsgDocument.model_validate_json(request.document)
+    else:
+        doc = draft(request.prompt, seed=request.seed, drafter=request.drafter)
     if request.traffic != "right":
         scene = doc.scene_definition.model_copy(update={"traffic": request.traffic})
         doc = doc.model_copy(update={"scene_definition": scene})
@@ -306,14 +309,24 @@ def _outcome(doc: EsgDocument, own: SceneVerdict, lost: Sequence[Row] = ()) -> t
     return claimed, reason
 
 
+def _dress(state: SceneState, folder: Path) -> None:
+    from esg.dressing import dress
+    from esg.engines.rollout_file import load_rollout
+
+    scene, _ = load_scene(state)
+    rollout = load_rollout(state.artifact("replay") / ROLLOUT)
+    write_doc(dress(load_doc(state), scene, rollout, seed=state.request.seed), folder)
+
+
 def _record(state: SceneState, folder: Path) -> None:
     from esg.assets import write_meshes
-    from esg.compile.export import export
+    from esg.compile.export import export, thinned
     from esg.engines.rollout_file import load_rollout
     from esg.store.mcap_log import write_mcap
     from esg.view.preview import preview
+    from esg.view.setting import setting_of
 
-    doc = load_doc(state)
+    doc = load_doc(state, "dress")
     scene, program = load_scene(state)
     rollout = load_rollout(state.artifact("replay") / ROLLOUT)
     metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
@@ -322,14 +335,17 @@ def _record(state: SceneState, folder: Path) -> None:
     # Exports read a scene folder: lend them the manifest, which belongs to another stage.
     manifest = folder / "manifest.json"
     manifest.write_bytes((state.artifact("compile") / manifest.name).read_bytes())
-    export(folder, "usd", rollout=rollout)
-    export(folder, "glb", rollout=rollout)
+    shown = verdict
+    if not verdict.events and "own_timeline" in metrics:
+        shown = _read_verdict(metrics["own_timeline"])  # a suite that asks for nothing
+    played = thinned(rollout)
+    setting = setting_of(scene, played, shown, doc)
+    export(folder, "usd", rollout=played, setting=setting)
+    export(folder, "glb", rollout=played, setting=setting)
     manifest.unlink()
     write_mcap(folder / "rollout.mcap", scene, program, rollout, verdict, doc)
     note = f"{metrics['outcome']}  |  replayed in {rollout.engine} at {1 / rollout.dt:.0f} Hz"
-    if not verdict.events and "own_timeline" in metrics:
-        verdict = _read_verdict(metrics["own_timeline"])  # a suite that asks for nothing
-    preview(scene, rollout, verdict, doc, folder, note=note)
+    preview(scene, rollout, shown, doc, folder, note=note)
 
 
 def write_doc(doc: EsgDocument, folder: Path) -> None:
@@ -345,7 +361,7 @@ def _write_json(value: Any, path: Path) -> None:
 
 
 SPECS: dict[str, Spec] = {
-    "draft": Spec(_draft, (), ("prompt", "seed", "drafter", "traffic")),
+    "draft": Spec(_draft, (), ("prompt", "seed", "drafter", "traffic", "document")),
     "resolve": Spec(_resolve, ("draft",), ("seed",)),
     "cast": Spec(_cast, ("resolve",), ("seed",)),
     "layout": Spec(_layout, ("cast",), ("seed", "choreographed")),
@@ -355,5 +371,6 @@ SPECS: dict[str, Spec] = {
     "compile": Spec(_compile, ("optimize",)),
     "replay": Spec(_replay, ("compile",), ("engine",)),
     "judge": Spec(_judge, ("optimize", "compile", "replay"), ("suite_scene",)),
-    "record": Spec(_record, ("optimize", "compile", "replay", "judge")),
+    "dress": Spec(_dress, ("optimize", "compile", "replay"), ("seed",)),
+    "record": Spec(_record, ("dress", "compile", "replay", "judge")),
 }

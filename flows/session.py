@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator
 import contextlib
-import importlib
 import os
 import signal
 import threading
 from typing import Any, TypeVar
 
+from esg.api.warming import load_usd, warm_up
 from esg.limits import stage_limits
 from esg.settings import check_limits
 from esg.workers import WorkerPool
@@ -90,26 +90,3 @@ def stopping(pool: WorkerPool) -> Generator[None]:
     finally:
         for number in answered:
             signal.signal(number, before[number])
-
-
-def load_usd() -> None:
-    """Loads USD's libraries, which no thread may do while another one imports anything native.
-
-    Their constructors let go of Python's lock while the loader's is held and then wait for it; a
-    thread that holds Python's and waits for the loader's (any import of a compiled module) never
-    gives it back, and the command hangs without a word.
-    """
-    with contextlib.suppress(ImportError):  # reported by the stage that needs it
-        for library in ("Sdf", "Usd", "UsdGeom", "UsdPhysics", "UsdShade"):
-            importlib.import_module(f"pxr.{library}")
-
-
-def warm_up() -> None:
-    """Imports what scenes need and silences it; results do not depend on it."""
-    with contextlib.suppress(Exception):  # a missing library is reported by the stage that needs it
-        from esg.engines.newton import quiet_warp
-
-        quiet_warp()
-        load_usd()
-        for library in ("newton", "newton.sensors", "sapien", "spacy", "trimesh"):
-            importlib.import_module(library)

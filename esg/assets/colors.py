@@ -69,3 +69,12 @@ def find_color(text: str | None) -> tuple[float, float, float] | None:
                 c / 255.0 * factor * (1 - lift) + lift for c in base
             )
     return None
+
+
+def color_word(color: tuple[float, float, float]) -> str:
+    """The colour word nearest to an RGB in [0, 1]."""
+
+    def off(word: str) -> float:
+        return sum((255.0 * a - b) ** 2 for a, b in zip(color, COLORS[word], strict=True))
+
+    return min(COLORS, key=off)

@@ -13,11 +13,12 @@ class Look:
 
     Args:
         material: Name of its row in the table of materials; "" if it has none.
-        color: sRGB in [0, 1], which the texture's colour is multiplied with.
+        color: sRGB in [0, 1], which the texture's colour is multiplied with, in linear light.
         roughness, metalness: In [0, 1], which those of the texture are multiplied with.
         alpha: 1 is opaque.
         texture: Name of a set of seeded maps; None for a plain surface.
         tile_m: Edge of one tile of the texture [m]; texture coordinates count tiles.
+        normal_strength: What the slopes of its normal map are multiplied with.
     """
 
     material: str
@@ -27,3 +28,4 @@ class Look:
     alpha: float = 1.0
     texture: str | None = None
     tile_m: float = 1.0
+    normal_strength: float = 1.0

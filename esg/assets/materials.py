@@ -1,12 +1,21 @@
-"""Contact materials: friction, restitution and density, with the source of each figure.
+"""Materials: how a surface slides, bounces and weighs, and how it looks, in one row of a table.
 
-Pairs combine by average, so a value is a property of one surface against an ordinary partner. Ball
-restitutions follow the rebound rules of their sports, e = sqrt(h_rebound / h_drop).
+Friction, restitution and density have their source in the row. Pairs combine by average, so a value
+is a property of one surface against an ordinary partner. Ball restitutions follow the rebound rules
+of their sports, e = sqrt(h_rebound / h_drop). Roughness and metalness are those of glTF 2.0.
 """
 
 from __future__ import annotations
 
+import csv
 from dataclasses import dataclass
+from pathlib import Path
+
+from esg.assets.looks import Color, Look
+
+TABLE = Path(__file__).parent / "materials.csv"
+_OWN = 0.22
+"""Distance (sRGB, largest channel) up to which a colour is that of the bare material."""
 
 
 @dataclass(frozen=True)
@@ -18,6 +27,15 @@ class Material:
         density: Of the substance [kg/m^3].
         friction: Coefficient of dry friction.
         restitution: Coefficient of restitution.
+        color: sRGB in [0, 1] it usually has.
+        roughness, metalness: In [0, 1].
+        alpha: 1 is opaque.
+        texture: Name of a set of seeded maps (`esg.assets.textures`); None for a plain surface.
+        tile_m: Edge of one tile of the texture [m].
+        normal_strength: What the slopes of the normal map are multiplied with.
+        coat: What it is covered with where it is of a colour not its own; None if it is dyed.
+        words: What prompts call it; no other material has them.
+        stands_for: Plain materials that this composite already stands for.
         source: Where the figures come from.
     """
 
@@ -25,161 +43,52 @@ class Material:
     density: float
     friction: float
     restitution: float
+    color: Color
+    roughness: float
+    metalness: float
+    alpha: float
+    texture: str | None
+    tile_m: float
+    normal_strength: float
+    coat: str | None
+    words: tuple[str, ...]
+    stands_for: frozenset[str]
     source: str
 
 
-_TOOLBOX = "Engineering ToolBox, friction coefficients and densities of common materials"
-_ROWS = (
-    ("wood", 600, 0.45, 0.40, f"{_TOOLBOX}: wood on wood 0.25-0.5; pine-oak 500-750 kg/m3"),
-    ("wood_panel", 680, 0.40, 0.35, f"{_TOOLBOX}: wood on wood; chipboard and MDF 600-750"),
-    (
-        "wood_lacquered",
-        700,
-        0.20,
-        0.40,
-        "USBC lane inspection: friction below 0.39, oiled 0.04-0.2",
-    ),
-    ("steel", 7850, 0.40, 0.45, f"{_TOOLBOX}: steel on steel 0.42-0.57 dry sliding"),
-    (
-        "steel_hardened",
-        7850,
-        0.20,
-        0.95,
-        "Goldsmith, Impact (1960): hardened steel balls 0.9-0.95 at low speeds; polished",
-    ),
-    ("cast_iron", 7200, 0.40, 0.40, f"{_TOOLBOX}: cast iron 0.15-1.1, 6800-7800 kg/m3"),
-    ("aluminium", 2700, 0.40, 0.45, f"{_TOOLBOX}: aluminium on steel 0.47"),
-    ("brass", 8500, 0.38, 0.45, f"{_TOOLBOX}: brass on steel 0.35-0.51"),
-    ("copper", 8960, 0.40, 0.40, f"{_TOOLBOX}: copper on steel 0.36-0.53"),
-    ("gold", 19300, 0.40, 0.30, f"{_TOOLBOX}: density 19300"),
-    ("lead", 11340, 0.45, 0.15, f"{_TOOLBOX}: density 11340; lead is nearly inelastic"),
-    ("glass", 2500, 0.35, 0.55, f"{_TOOLBOX}: glass on glass 0.4; soda-lime 2500 kg/m3"),
-    ("ceramic", 2400, 0.40, 0.45, f"{_TOOLBOX}: porcelain 2300-2500 kg/m3"),
-    ("stone", 2600, 0.60, 0.30, f"{_TOOLBOX}: stone on stone 0.6-0.7; granite 2650"),
-    (
-        "stone_polished",
-        2700,
-        0.15,
-        0.35,
-        "polished granite: 0.1-0.4 dry, 0.01 on pebbled ice (Nyberg)",
-    ),
-    ("marble_stone", 2700, 0.45, 0.40, f"{_TOOLBOX}: marble 2700 kg/m3"),
-    ("concrete", 2400, 0.65, 0.25, f"{_TOOLBOX}: rubber on concrete 0.6-0.85; 2400 kg/m3"),
-    ("brick", 1900, 0.62, 0.25, f"{_TOOLBOX}: brick on wood 0.6; 1900 kg/m3"),
-    ("asphalt", 2300, 0.70, 0.30, f"{_TOOLBOX}: rubber on asphalt 0.5-0.9"),
-    ("grass", 1200, 0.35, 0.30, f"{_TOOLBOX}: rubber on grass 0.35"),
-    ("rubber", 1150, 0.70, 0.70, f"{_TOOLBOX}: rubber on dry asphalt 0.5-0.9, 1100-1200 kg/m3"),
-    ("rubber_hard", 1350, 0.20, 0.45, "IIHF puck of vulcanized rubber, frozen for play"),
-    ("plastic", 950, 0.35, 0.45, f"{_TOOLBOX}: polyethylene on steel 0.2, polystyrene 0.3-0.35"),
-    ("plastic_hard", 1050, 0.35, 0.50, f"{_TOOLBOX}: ABS and polycarbonate 0.3-0.5"),
-    ("composite", 1600, 0.35, 0.45, "carbon-fibre laminate data sheets, 1550-1650 kg/m3"),
-    ("phenolic", 1300, 0.18, 0.65, "USBC ball specification: lane friction below 0.32"),
-    (
-        "phenolic_ball",
-        1700,
-        0.06,
-        0.95,
-        "Alciatore, pool physics: ball-ball e 0.92-0.98, mu 0.03-0.08",
-    ),
-    (
-        "cloth_table",
-        700,
-        0.25,
-        0.50,
-        "Alciatore, pool physics: cloth mu 0.15-0.4; cushion e with a ball 0.7-0.85",
-    ),
-    ("leather_ball", 85, 0.50, 0.76, "FIFA quality programme: rebound 115-155 cm from 200 cm"),
-    ("basketball", 85, 0.60, 0.83, "FIBA: rebound 124-136 cm (lower edge) from 180 cm"),
-    ("felt_ball", 360, 0.60, 0.74, "ITF: rebound 135-147 cm from 254 cm"),
-    ("hard_ball", 700, 0.50, 0.55, "MLB: coefficient of restitution 0.514-0.578"),
-    ("golf_ball", 1130, 0.35, 0.80, "USGA: ball and club COR at most 0.83"),
-    ("celluloid", 84, 0.30, 0.89, "ITTF: rebound 24-26 cm from 30.5 cm"),
-    ("inflatable", 20, 0.55, 0.65, "estimate between FIFA rebound and a slack bladder"),
-    ("paper", 800, 0.40, 0.15, f"{_TOOLBOX}: paper 700-1200 kg/m3"),
-    ("cardboard", 150, 0.45, 0.20, "corrugated board data sheets, mu 0.4-0.6"),
-    ("textile", 250, 0.60, 0.10, f"{_TOOLBOX}: cotton on cotton 0.3-0.6"),
-    ("leather", 900, 0.50, 0.30, f"{_TOOLBOX}: leather on wood 0.3-0.54"),
-    ("foam", 40, 0.60, 0.20, "polyurethane foam data sheets, 25-60 kg/m3"),
-    ("wicker", 300, 0.45, 0.25, "as wood; rattan 300-400 kg/m3"),
-    ("wax", 900, 0.40, 0.20, f"{_TOOLBOX}: paraffin 900 kg/m3"),
-    ("ice", 917, 0.05, 0.30, f"{_TOOLBOX}: ice on ice 0.02-0.09; 917 kg/m3"),
-    ("flesh", 985, 0.50, 0.20, "human body density 985 kg/m3; skin friction 0.3-0.7 (Derler)"),
-    ("fruit", 850, 0.45, 0.25, "produce handling tables: apple 750-900 kg/m3"),
-    ("car_body", 150, 0.30, 0.20, "bumper impacts: e 0.1-0.3 (Kolisnyk, crash test reviews)"),
-)
-MATERIALS: dict[str, Material] = {row[0]: Material(*row) for row in _ROWS}  # type: ignore[arg-type]
-
-_ALIASES = {
-    "wooden": "wood",
-    "oak": "wood",
-    "pine": "wood",
-    "timber": "wood",
-    "bamboo": "wood",
-    "plywood": "wood_panel",
-    "metal": "steel",
-    "metallic": "steel",
-    "iron": "cast_iron",
-    "stainless steel": "steel",
-    "aluminum": "aluminium",
-    "bronze": "brass",
-    "silver": "steel",
-    "golden": "gold",
-    "porcelain": "ceramic",
-    "clay": "ceramic",
-    "china": "ceramic",
-    "terracotta": "ceramic",
-    "granite": "stone",
-    "rock": "stone",
-    "marble": "marble_stone",
-    "cement": "concrete",
-    "tarmac": "asphalt",
-    "plastic": "plastic_hard",
-    "polymer": "plastic",
-    "nylon": "plastic",
-    "acrylic": "plastic_hard",
-    "carbon": "composite",
-    "fabric": "textile",
-    "cloth": "textile",
-    "cotton": "textile",
-    "wool": "textile",
-    "felt": "textile",
-    "carton": "cardboard",
-    "crystal": "glass",
-    "styrofoam": "foam",
-    "sponge": "foam",
-    "rubbery": "rubber",
-    "tin": "steel",
-    "frozen": "ice",
-    "grassy": "grass",
-}
+def _material(row: dict[str, str]) -> Material:
+    red, green, blue = bytes.fromhex(row["color"][1:])
+    return Material(
+        name=row["name"],
+        density=float(row["density"]),
+        friction=float(row["friction"]),
+        restitution=float(row["restitution"]),
+        color=(red / 255.0, green / 255.0, blue / 255.0),
+        roughness=float(row["roughness"]),
+        metalness=float(row["metalness"]),
+        alpha=float(row["alpha"]),
+        texture=row["texture"] or None,
+        tile_m=float(row["tile_m"] or 1.0),
+        normal_strength=float(row["normal_strength"] or 1.0),
+        coat=row["coat"] or None,
+        words=tuple(w for w in row["words"].split(";") if w),
+        stands_for=frozenset(w for w in row["stands_for"].split(";") if w),
+        source=row["source"],
+    )
 
 
-_MADE_OF: dict[str, frozenset[str]] = {
-    "leather_ball": frozenset({"leather", "rubber", "plastic", "plastic_hard", "textile"}),
-    "basketball": frozenset({"rubber", "leather", "plastic", "plastic_hard"}),
-    "felt_ball": frozenset({"textile", "rubber"}),
-    "hard_ball": frozenset({"leather"}),
-    "golf_ball": frozenset({"plastic", "plastic_hard", "rubber"}),
-    "celluloid": frozenset({"plastic", "plastic_hard"}),
-    "inflatable": frozenset({"plastic", "plastic_hard", "rubber"}),
-    "phenolic": frozenset({"plastic", "plastic_hard", "composite"}),
-    "phenolic_ball": frozenset({"plastic", "plastic_hard", "composite"}),
-    "car_body": frozenset({"steel", "aluminium", "cast_iron", "composite"}),
-    "cloth_table": frozenset({"wood", "textile", "stone", "wood_panel"}),
-    "wood_panel": frozenset({"wood"}),
-    "wood_lacquered": frozenset({"wood", "wood_panel"}),
-    "plastic_hard": frozenset({"plastic"}),
-    "rubber_hard": frozenset({"rubber"}),
-    "cast_iron": frozenset({"steel"}),
-    "asphalt": frozenset({"concrete"}),
-    "grass": frozenset({"stone", "asphalt"}),
-}
-"""Plain materials that a composite row already stands for: naming them changes nothing."""
+def _read() -> dict[str, Material]:
+    with TABLE.open(encoding="utf-8", newline="") as file:
+        return {row["name"]: _material(row) for row in csv.DictReader(file)}
+
+
+MATERIALS = _read()
+_NAMED = {word: material for material in MATERIALS.values() for word in material.words}
 
 
 def is_usual(asked: Material, own: str) -> bool:
     """Whether a request for `asked` only repeats what an entry of material `own` is made of."""
-    return asked.name == own or asked.name in _MADE_OF.get(own, frozenset())
+    return asked.name == own or asked.name in MATERIALS[own].stands_for
 
 
 def find_material(text: str | None) -> Material | None:
@@ -188,7 +97,48 @@ def find_material(text: str | None) -> Material | None:
         return None
     words = text.lower().replace("_", " ").replace("-", " ").strip()
     for key in (words, *reversed(words.split())):
-        name = _ALIASES.get(key, key.replace(" ", "_"))
-        if name in MATERIALS:
-            return MATERIALS[name]
+        if key in _NAMED:
+            return _NAMED[key]
     return None
+
+
+def visible(name: str, color: Color | None) -> Material:
+    """The row whose look a surface of a material and a colour has: red steel is painted."""
+    material = MATERIALS[name]
+    if color is None or material.coat is None:
+        return material
+    off = max(abs(a - b) for a, b in zip(color, material.color, strict=True))
+    return MATERIALS[material.coat] if off > _OWN else material
+
+
+def look_of(
+    name: str,
+    color: Color | None = None,
+    *,
+    roughness: float | None = None,
+    alpha: float | None = None,
+) -> Look:
+    """How a surface looks.
+
+    The colour of its texture is divided out, so that the surface has the wanted colour on average.
+
+    Args:
+        name: Of its material.
+        color: sRGB in [0, 1]; the material's own by default.
+        roughness, alpha: In [0, 1]; the material's own by default.
+    """
+    from esg.assets.textures import tint
+
+    material = visible(name, color)
+    rough = material.roughness if roughness is None else roughness
+    shown = material.color if color is None else (color[0], color[1], color[2])
+    return Look(
+        material=material.name,
+        color=tint(material.texture, shown),
+        roughness=rough,
+        metalness=material.metalness,
+        alpha=material.alpha if alpha is None else alpha,
+        texture=material.texture,
+        tile_m=material.tile_m,
+        normal_strength=material.normal_strength,
+    )

@@ -12,12 +12,16 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "report": ("esg.commands.report:report", "Write one page about a run that opens from disk."),
     "render": ("esg.commands.render:render", "Render ground-truth pictures of a finished scene."),
     "view": ("esg.commands.view:view", "Show the player of one scene in the browser."),
+    "studio": ("esg.commands.studio:studio", "Write, solve and play scenes on a page."),
     "sql": ("esg.commands.sql:sql", "Query the results of all runs with SQL."),
     "db": ("esg.commands.db:app", "Rebuild, fill, prune and look after the run database."),
     "replay": ("esg.commands.replay:replay", "Replay a finished scene in an engine of choice."),
     "export": ("esg.commands.export:export", "Write a scene for another program."),
     "check": ("esg.commands.check:check", "Check an ESG file against the schema and all rules."),
-    "assets": ("esg.commands.assets:app", "List, search, show and import assets."),
+    "assets": (
+        "esg.commands.assets:app",
+        "List, search, show and import assets; list materials.",
+    ),
     "doctor": (
         "esg.commands.doctor:doctor",
         "Tell what works on this machine and what is missing.",

@@ -32,7 +32,7 @@ def bench(
     """Run every scene of a suite with several seeds and report SLR, ECR and PPA.
 
     Args:
-        suite: Suite file (YAML).
+        suite: Suite file (YAML), or name of one that comes with the package: paper.
         runs: Seeds a scene: seed, seed + 1, ...
         seed: First seed.
         strategy: How the physics is searched; none keeps the first guess.
@@ -46,7 +46,7 @@ def bench(
         strict: Count scenes as failed that are partial or not plausible.
         workers: Worker processes; default one a core.
     """
-    from esg.commands import inputs
+    from esg.api import inputs
     from esg.commands.live import live
     from esg.failures import report_failures
     from esg.files import write_json

@@ -66,8 +66,8 @@ def dataset(
         strict: Count scenes as failed that are partial (not all is shown) or not plausible.
         json: Print one JSON document with counts and paths.
     """
+    from esg.api.inputs import check_cache, check_device, check_workers, checked
     from esg.commands.console import progress
-    from esg.commands.inputs import check_cache, check_device, check_workers, checked
     from esg.dataset.plan import DatasetSpec, Shard
 
     going_on = resume and prompts is None and sample is None
@@ -138,7 +138,7 @@ def _source(
     """The prompts of a file, and what the specification says about the source."""
     import hashlib
 
-    from esg.commands.inputs import existing_file
+    from esg.api.inputs import existing_file
     from esg.dataset.grammar import Distribution, load_distribution
     from esg.dataset.plan import MAX_SCENES, prompts_text, read_prompts
     from esg.files import read_limited

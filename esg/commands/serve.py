@@ -16,8 +16,8 @@ from cyclopts import Parameter
 if TYPE_CHECKING:
     from esg.commands.cron import Cron
 
-DEFAULT_SUITE = Path(__file__).parents[2] / "data" / "suites" / "paper.yaml"
-"""The project's own copy, wherever the command is called."""
+DEFAULT_SUITE = Path("paper")
+"""The name of one that comes with the package."""
 
 
 def serve(
@@ -44,7 +44,8 @@ def serve(
     Args:
         cron: When, e.g. "0 3 * * *" (minute, hour, day of month, month, day of week).
         once: Run now and end.
-        suite: Suite file; may be given several times. Default the project's data/suites/paper.yaml.
+        suite: Suite file, or name of one that comes with the package; may be given several times.
+            Default paper.
         runs: Seeds a scene.
         seed: First seed.
         strategy: How the physics is searched.
@@ -56,9 +57,7 @@ def serve(
         cached: Use finished stages of earlier runs instead of making everything anew.
         json: Print one JSON document (with --once).
     """
-    from esg.commands.bench import MAX_RUNS
-    from esg.commands.console import emit
-    from esg.commands.inputs import (
+    from esg.api.inputs import (
         check_cache,
         check_device,
         check_seed,
@@ -66,7 +65,9 @@ def serve(
         checked,
         in_range,
     )
-    from esg.metrics import load_suite
+    from esg.commands.bench import MAX_RUNS
+    from esg.commands.console import emit
+    from esg.metrics import load_suite, suite_file
     from esg.runs import database_path
     from esg.scenefolder import check_writable
 
@@ -82,7 +83,7 @@ def serve(
         check_cache,
     )
     options: dict[str, Any] = {
-        "suites": [str(p.resolve()) for p in suites], "out": str(out.resolve()),
+        "suites": [str(suite_file(p).resolve()) for p in suites], "out": str(out.resolve()),
         "database": str((db or database_path()).resolve()), "runs": runs, "seed": seed,
         "strategy": strategy, "engine": engine, "device": device,
         "workers": -1 if workers is None else workers, "cached": cached,

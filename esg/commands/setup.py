@@ -25,7 +25,7 @@ def setup() -> int:
     from pathlib import Path
     import tempfile
 
-    from esg.commands.inputs import check_cache
+    from esg.api.inputs import check_cache
     from esg.engines import warmup
     from esg.paths import cache_dir
 

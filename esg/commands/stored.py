@@ -27,7 +27,7 @@ def open_scene(scene: str, *, meshes: bool = False) -> Generator[Path]:
     """
     import tempfile
 
-    from esg.commands.inputs import find_scene
+    from esg.api.inputs import find_scene
     from esg.notices import warn
     from esg.outcomes import UserError
     from esg.strangers.sums import altered

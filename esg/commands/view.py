@@ -29,7 +29,7 @@ def view(
     Returns:
         0, or 3 if files of the scene are damaged: the page names them and shows the rest.
     """
-    from esg.commands.inputs import checked, find_scene, in_range
+    from esg.api.inputs import checked, find_scene, in_range
     from esg.commands.report import engine_names
     from esg.notices import warn
     from esg.report.run import load_run

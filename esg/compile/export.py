@@ -8,6 +8,8 @@ import tempfile
 from typing import Literal, get_args
 
 from esg.compile.transfer import check_length
+from esg.compile.visuals.setting import Setting
+from esg.compile.visuals.usd_files import UsdForm
 from esg.engines.manifest import Manifest, load_manifest
 from esg.engines.program import batch_programs
 from esg.engines.registry import get_engine
@@ -28,6 +30,8 @@ def export(
     out: str | Path | None = None,
     *,
     rollout: Rollout | None = None,
+    setting: Setting | None = None,
+    form: UsdForm = "usda",
 ) -> list[Path]:
     """Writes a scene for another program.
 
@@ -38,6 +42,8 @@ def export(
         out: Folder to write into, default `folder`.
         rollout: Replay to show in animations (its first world, at most 60 frames a second);
             default the recorded one, else the program is replayed in PhysX.
+        setting: Ground, dressing, light and cameras of `usd` and `glb`; None: the bodies alone.
+        form: Of `usd`: layers as text or in binary, or a package of what is seen.
 
     Returns:
         The files written, sorted.
@@ -57,7 +63,7 @@ def export(
     with tempfile.TemporaryDirectory(prefix=".export-", suffix=TEMPORARY, dir=target) as aside:
         work = Path(aside)
         files: list[Path] = []
-        for file in _write(folder, manifest, to, work, rollout):
+        for file in _write(folder, manifest, to, work, rollout, setting, form):
             path = target / file.relative_to(work)
             path.parent.mkdir(parents=True, exist_ok=True)
             file.replace(path)
@@ -68,7 +74,13 @@ def export(
 
 
 def _write(
-    folder: Path, manifest: Manifest, to: Target, out: Path, rollout: Rollout | None
+    folder: Path,
+    manifest: Manifest,
+    to: Target,
+    out: Path,
+    rollout: Rollout | None,
+    setting: Setting | None,
+    form: UsdForm,
 ) -> list[Path]:
     if to == "unreal":
         from esg.compile.plugin import write_plugin
@@ -85,11 +97,11 @@ def _write(
         from esg.compile.glb import scene_glb
 
         path = out / "scene.glb"
-        path.write_bytes(scene_glb(manifest.scene, rollout, folder))
+        path.write_bytes(scene_glb(manifest.scene, rollout, folder, setting=setting))
         return [path]
     from esg.compile.usd import write_usd
 
-    return write_usd(manifest, rollout, folder, out)
+    return write_usd(manifest, rollout, folder, out, setting=setting, form=form)
 
 
 def animation(folder: Path, manifest: Manifest) -> Rollout:

@@ -2,48 +2,61 @@
 
 glTF is right-handed with Y up in metres: (x, y, z) of the simulation becomes (x, z, -y), and a
 quaternion (x, y, z, w) becomes (x, z, -y, w). The mesh files are merged as they are, so materials
-and textures survive; bodies with the same file share its buffers. The same input gives the same
-bytes.
+and textures survive; bodies with the same file share its buffers, and pictures, textures and
+materials that several files hold stand in it once. The same input gives the same bytes.
 """
 
 from __future__ import annotations
 
 from collections.abc import Collection
-from dataclasses import dataclass, field
-import json
+import math
 from pathlib import Path
-import struct
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.assets.gltf.asset import gltf_vector
+from esg.assets.gltf.document import Document, unit
+from esg.assets.gltf.parts import node_matrices, parts_of
+from esg.assets.gltf.surfaces import Surface, surface_of
+from esg.assets.textures import linear
 from esg.compile.assets import mesh_file
+from esg.compile.visuals.decals import drawn_lifts
+from esg.compile.visuals.ropes import LOOKS, Rope, rope_mesh, ropes_of
+from esg.compile.visuals.setting import (
+    Setting,
+    View,
+    by_surface,
+    by_thing,
+    facing,
+    ground_mesh,
+    seen_at,
+    spread,
+    strength,
+)
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.engines.wheels import about_axle, wheel_angles
-from esg.strangers.gltf import BIN, JSON, MAGIC, MOST_BYTES, read_glb
-from esg.units import quat_rotate
+from esg.strangers.gltf import MOST_BYTES, read_glb
+from esg.units import quat_multiply, quat_rotate
 
-_FLOAT, _SCALAR, _VEC3, _VEC4 = 5126, "SCALAR", "VEC3", "VEC4"
-_VERTICES, _INDICES = 34962, 34963
-_MOVED = 1e-6
-"""Smallest change [m, or of a quaternion] that counts as motion."""
-
-_SHARED = ("meshes", "materials", "textures", "images", "samplers", "accessors", "bufferViews")
+if TYPE_CHECKING:
+    from esg.view.render import Part
 
 Floats = NDArray[np.float64]
 
-
-def to_gltf_vector(v: Any) -> Floats:
-    """Simulation frame to glTF, shape [..., 3]."""
-    x, y, z = np.moveaxis(np.asarray(v, float), -1, 0)
-    return np.stack([x, z, -y], axis=-1)
+LIGHTS = "KHR_lights_punctual"
 
 
 def to_gltf_quaternion(q: Any) -> Floats:
     """Orientation (x, y, z, w) in glTF's frame, shape [..., 4]."""
     x, y, z, w = np.moveaxis(np.asarray(q, float), -1, 0)
     return np.stack([x, z, -y, w], axis=-1)
+
+
+def to_gltf_looking(q: Any) -> Floats:
+    """Orientation in glTF's frame of what keeps its own axes (cameras, lights), shape [..., 4]."""
+    return quat_multiply((-math.sqrt(0.5), 0.0, 0.0, math.sqrt(0.5)), q)
 
 
 def origin_poses(body: Body, position: Any, quaternion: Any) -> tuple[Floats, Floats]:
@@ -54,190 +67,43 @@ def origin_poses(body: Body, position: Any, quaternion: Any) -> tuple[Floats, Fl
     return np.asarray(position, float) + quat_rotate(q, offset), q
 
 
-@dataclass
-class _Document:
-    """A growing glTF document with one buffer."""
-
-    data: dict[str, Any] = field(default_factory=dict)
-    binary: bytearray = field(default_factory=bytearray)
-    extensions: set[str] = field(default_factory=set)
-    required: set[str] = field(default_factory=set)
-    channels: list[dict[str, Any]] = field(default_factory=list)
-    samplers: list[dict[str, Any]] = field(default_factory=list)
-    clock: int = -1
-
-    def append(self, key: str, item: Any) -> int:
-        items = self.data.setdefault(key, [])
-        items.append(item)
-        return len(items) - 1
-
-    def floats(self, values: Any, kind: str, *, limits: bool = False) -> int:
-        """Adds an accessor of float32 values, shape [n] or [n, k]."""
-        array = np.ascontiguousarray(values, np.float32)
-        view = {"buffer": 0, "byteOffset": len(self.binary), "byteLength": array.nbytes}
-        self.binary += array.tobytes()
-        accessor: dict[str, Any] = {
-            "bufferView": self.append("bufferViews", view),
-            "componentType": _FLOAT,
-            "count": len(array),
-            "type": kind,
-        }
-        if limits:
-            flat = array.reshape(len(array), -1)
-            accessor["min"] = [float(v) for v in flat.min(0)]
-            accessor["max"] = [float(v) for v in flat.max(0)]
-        return self.append("accessors", accessor)
-
-    def merge(self, source: bytes) -> tuple[list[dict[str, Any]], list[int]]:
-        """Takes over a GLB's meshes; returns its nodes with meshes renumbered, and its roots."""
-        other, binary = read_glb(source)
-        start = {key: len(self.data.get(key, [])) for key in _SHARED}
-        base = len(self.binary)
-        self.binary += binary + b"\0" * (-len(binary) % 4)
-        for view in other.get("bufferViews", []):
-            view["buffer"] = 0
-            view["byteOffset"] = view.get("byteOffset", 0) + base
-        for accessor in other.get("accessors", []):
-            _shift(accessor, "bufferView", start["bufferViews"])
-        for image in other.get("images", []):
-            _shift(image, "bufferView", start["bufferViews"])
-        for texture in other.get("textures", []):
-            _shift(texture, "source", start["images"])
-            _shift(texture, "sampler", start["samplers"])
-        for material in other.get("materials", []):
-            _shift_textures(material, start["textures"])
-        for mesh in other.get("meshes", []):
-            for primitive in mesh["primitives"]:
-                _say_use(other, primitive["attributes"].values(), _VERTICES, start["bufferViews"])
-                indices = [primitive["indices"]] if "indices" in primitive else []
-                _say_use(other, indices, _INDICES, start["bufferViews"])
-                for key, value in primitive["attributes"].items():
-                    primitive["attributes"][key] = value + start["accessors"]
-                _shift(primitive, "indices", start["accessors"])
-                _shift(primitive, "material", start["materials"])
-        for key in _SHARED:
-            for item in other.get(key, []):
-                self.append(key, item)
-        self.extensions |= set(other.get("extensionsUsed", []))
-        self.required |= set(other.get("extensionsRequired", []))
-        nodes = other.get("nodes", [])
-        for node in nodes:
-            _shift(node, "mesh", start["meshes"])
-            for key in ("camera", "skin"):
-                node.pop(key, None)
-        scene = other.get("scenes", [{}])[other.get("scene", 0)]
-        return nodes, list(scene.get("nodes", range(len(nodes))))
-
-    def place(self, nodes: list[dict[str, Any]], roots: list[int]) -> list[int]:
-        """Adds one copy of a file's nodes; returns the indices of the copied roots."""
-        if not nodes:
-            return []
-        base = len(self.data.setdefault("nodes", []))
-        for node in nodes:
-            copy = dict(node)
-            if "children" in copy:
-                copy["children"] = [c + base for c in copy["children"]]
-            self.data["nodes"].append(copy)
-        return [r + base for r in roots]
-
-    def animate(self, node: int, path: str, values: Floats, time: Floats) -> None:
-        """Moves a node: key frames of its translation or rotation; none if it keeps still.
-
-        Args:
-            node: Its index.
-            path: translation or rotation.
-            values: At the frames, shape [T, 3] or [T, 4].
-            time: Of the frames [s], shape [T].
-        """
-        if len(time) < 2 or np.abs(values - values[0]).max() < _MOVED:
-            return
-        if self.clock < 0:
-            self.clock = self.floats(time, _SCALAR, limits=True)
-        turns = path == "rotation"
-        keys = self.floats(_unit32(values) if turns else values, _VEC4 if turns else _VEC3)
-        sampler = {"input": self.clock, "output": keys, "interpolation": "LINEAR"}
-        self.samplers.append(sampler)
-        target = {"node": node, "path": path}
-        self.channels.append({"sampler": len(self.samplers) - 1, "target": target})
-
-    def glb(self) -> bytes:
-        """The file; a scene without bodies has neither buffer nor binary chunk."""
-        if self.binary:
-            self.data["buffers"] = [{"byteLength": len(self.binary)}]
-        if self.extensions:
-            self.data["extensionsUsed"] = sorted(self.extensions)
-        if self.required:
-            self.data["extensionsRequired"] = sorted(self.required)
-        text = json.dumps(self.data, separators=(",", ":"), ensure_ascii=True).encode()
-        text += b" " * (-len(text) % 4)
-        binary = bytes(self.binary) + b"\0" * (-len(self.binary) % 4)
-        chunks = [struct.pack("<II", len(text), JSON), text]
-        if binary:
-            chunks += [struct.pack("<II", len(binary), BIN), binary]
-        length = 12 + sum(map(len, chunks))
-        return b"".join([struct.pack("<III", MAGIC, 2, length), *chunks])
-
-
-def _say_use(document: dict[str, Any], accessors: Any, use: int, first_view: int) -> None:
-    """Marks the buffer views behind accessors as vertex or index data, which uploads faster."""
-    for index in accessors:
-        view = document["accessors"][index].get("bufferView")
-        if view is not None:
-            document["bufferViews"][view - first_view].setdefault("target", use)
-
-
-def _shift(item: dict[str, Any], key: str, by: int) -> None:
-    if key in item:
-        item[key] += by
-
-
-def _shift_textures(value: Any, by: int) -> None:
-    """Renumbers every `...Texture: {index}` below a material, extensions included."""
-    if isinstance(value, dict):
-        for key, inner in value.items():
-            if key.endswith("Texture") and isinstance(inner, dict):
-                _shift(inner, "index", by)
-            _shift_textures(inner, by)
-
-
-def scene_glb(scene: SimScene, rollout: Rollout, folder: Path, *, world: int = 0) -> bytes:
+def scene_glb(
+    scene: SimScene,
+    rollout: Rollout,
+    folder: Path,
+    *,
+    setting: Setting | None = None,
+    world: int = 0,
+) -> bytes:
     """The replayed scene as an animated GLB.
 
     Args:
         scene: Bodies, in the rollout's order.
         rollout: Poses; its frames become key frames.
         folder: Scene folder with the meshes; a body without a readable one shows its collision.
+        setting: Ground, dressing, light and cameras; None: the bodies alone.
         world: World of the rollout.
     """
-    document = _Document({"asset": {"version": "2.0", "generator": "esg-scenes"}, "scene": 0})
-    roots: list[int] = []
+    document = Document({"asset": {"version": "2.0", "generator": "esg-scenes"}, "scene": 0})
     library: dict[str, tuple[list[dict[str, Any]], list[int]]] = {}
     document.data["nodes"] = []
+    lifts = {} if setting is None else drawn_lifts(scene, setting.covered)
+    roots: list[int] = []
     for i, body in enumerate(scene.bodies):
+        if setting is not None and body.name in setting.covered:
+            continue
         key, data = mesh_of(body, folder)
         if data is None:
             continue
         if key not in library:
             library[key] = document.merge(data)
-        parts = len(document.data["nodes"])
-        children = document.place(*library[key])
         poses = rollout.position[world, :, i], rollout.quaternion[world, :, i]
-        at, turn = origin_poses(body, *poses)
-        at, turn = to_gltf_vector(at), _continuous(to_gltf_quaternion(turn))
-        node: dict[str, Any] = {
-            "name": body.name,
-            "translation": at[0].astype(np.float32).tolist(),
-            "rotation": _unit32(turn[:1])[0].tolist(),
-            "extras": {"label": body.label, "category": body.category, "mass_kg": body.mass},
-        }
-        if children:
-            node["children"] = children
-        index = document.append("nodes", node)
-        roots.append(index)
-        document.animate(index, "translation", at, rollout.time)
-        document.animate(index, "rotation", turn, rollout.time)
-        angles = wheel_angles(body, rollout.time, *poses, scene.gravity)
-        _turn_wheels(document, range(parts, index), body, angles, rollout.time)
+        roots.append(_body(document, body, library[key], poses, rollout.time, scene, lifts.get(i)))
+    for rope in ropes_of(scene, rollout.position[world], rollout.quaternion[world]):
+        roots.append(_rope(document, rope, rollout.time))
+    if setting is not None:
+        roots += _surroundings(document, setting)
+        roots += [_view(document, view, rollout.time) for view in setting.views]
     document.data["scenes"] = [{"name": scene.scene_id, "nodes": roots}]
     if document.channels:
         document.data["animations"] = [
@@ -248,8 +114,40 @@ def scene_glb(scene: SimScene, rollout: Rollout, folder: Path, *, world: int = 0
     return document.glb()
 
 
+def _body(
+    document: Document,
+    body: Body,
+    mesh: tuple[list[dict[str, Any]], list[int]],
+    poses: tuple[Any, Any],
+    time: Floats,
+    scene: SimScene,
+    lift: float | None,
+) -> int:
+    """Adds a body that moves through poses of its centre of mass; returns its node."""
+    first = len(document.data["nodes"])
+    children = document.place(*mesh)
+    at, turn = origin_poses(body, *poses)
+    if lift is not None:
+        at = at + np.array([0.0, 0.0, lift])
+    at, turn = gltf_vector(at), continuous(to_gltf_quaternion(turn))
+    node: dict[str, Any] = {
+        "name": body.name,
+        "translation": at[0].astype(np.float32).tolist(),
+        "rotation": unit(turn[0]),
+        "extras": {"label": body.label, "category": body.category, "mass_kg": body.mass},
+    }
+    if children:
+        node["children"] = children
+    index = document.append("nodes", node)
+    document.animate(index, "translation", at, time)
+    document.animate(index, "rotation", turn, time)
+    angles = wheel_angles(body, time, *poses, scene.gravity)
+    _turn_wheels(document, range(first, index), body, angles, time)
+    return index
+
+
 def _turn_wheels(
-    document: _Document, nodes: range, body: Body, angles: Floats, time: Floats
+    document: Document, nodes: range, body: Body, angles: Floats, time: Floats
 ) -> None:
     """Turns the nodes of a body's wheels, among `nodes`, by angles [rad], shape [T, wheels]."""
     for wheel, angle in zip(body.wheels, angles.T, strict=True):
@@ -262,24 +160,105 @@ def _turn_wheels(
             if matrix is not None:
                 node["translation"] = matrix[12:15]
             turn = to_gltf_quaternion(about_axle(angle))
-            document.animate(index, "rotation", _continuous(turn), time)
+            document.animate(index, "rotation", continuous(turn), time)
 
 
-def _continuous(q: Floats) -> Floats:
+def _rope(document: Document, rope: Rope, time: Floats) -> int:
+    """Adds a rope or spring; returns its node."""
+    vertices, faces, normals = rope_mesh(rope.kind)
+    corners = gltf_vector(vertices), faces, gltf_vector(normals), None
+    sign = "ropes", rope.kind
+    if sign not in document.known:
+        material = document.material(surface_of(LOOKS[rope.kind]))
+        document.known[sign] = document.mesh(rope.kind, [(corners, material)])
+    at = gltf_vector(rope.position)
+    turn = continuous(to_gltf_quaternion(rope.quaternion))
+    across = np.where(rope.length > 0.0, rope.radius, 0.0)
+    scale = np.stack([across, rope.length, across], axis=1)
+    node = {
+        "name": rope.name,
+        "mesh": document.known[sign],
+        "translation": at[0].astype(np.float32).tolist(),
+        "rotation": unit(turn[0]),
+        "scale": scale[0].astype(np.float32).tolist(),
+        "extras": {"joint": rope.kind},
+    }
+    index = document.append("nodes", node)
+    document.animate(index, "translation", at, time)
+    document.animate(index, "rotation", turn, time)
+    document.animate(index, "scale", scale, time)
+    return index
+
+
+def _surroundings(document: Document, setting: Setting) -> list[int]:
+    """Adds ground, dressing and sun; returns their nodes."""
+    vertices, faces, normals, uvs = ground_mesh(setting)
+    ground = surface_of(setting.ground)
+    corners = (
+        gltf_vector(vertices), faces, gltf_vector(normals),
+        uvs if ground.base is not None else None,
+    )  # fmt: skip
+    mesh = document.mesh("ground", [(corners, document.material(ground))])
+    nodes = [document.append("nodes", {"name": "ground", "mesh": mesh})]
+    dressing = [
+        document.append("nodes", {"name": name, "mesh": _dressing(document, name, parts)})
+        for name, parts in by_thing(spread(setting.parts)).items()
+    ]
+    if dressing:
+        nodes.append(document.append("nodes", {"name": "dressing", "children": dressing}))
+    most, color = strength(setting.sky.sun_rgb)
+    # White paper that faces a light of pi lux reflects one unit of luminance.
+    light = {
+        "type": "directional",
+        "name": "sun",
+        "color": [round(c, 6) for c in color],
+        "intensity": round(math.pi * most, 6),
+    }
+    document.extensions.add(LIGHTS)
+    document.data["extensions"] = {LIGHTS: {"lights": [light]}}
+    turn = unit(to_gltf_looking(facing(setting.sky.sun)))
+    sun = {"name": "sun", "rotation": turn, "extensions": {LIGHTS: {"light": 0}}}
+    return [*nodes, document.append("nodes", sun)]
+
+
+def _dressing(document: Document, name: str, parts: list[Part]) -> int:
+    """Adds parts that are fixed to the world as one mesh; returns its index."""
+    primitives: list[Any] = []
+    for surface, (vertices, faces, normals, uvs) in by_surface(parts):
+        turned = None if normals is None else gltf_vector(normals)
+        corners = gltf_vector(vertices), faces, turned, uvs
+        primitives.append((corners, document.material(surface)))
+    return document.mesh(name, primitives)
+
+
+def _view(document: Document, view: View, time: Floats) -> int:
+    """Adds a camera; returns its node."""
+    lens = {"yfov": view.fov, "aspectRatio": view.aspect, "znear": view.near}
+    camera = {"type": "perspective", "name": view.name, "perspective": lens}
+    at, turn = seen_at(view, time)
+    at, turn = gltf_vector(at), continuous(to_gltf_looking(turn))
+    node = {
+        "name": view.name,
+        "camera": document.append("cameras", camera),
+        "translation": at[0].astype(np.float32).tolist(),
+        "rotation": unit(turn[0]),
+    }
+    index = document.append("nodes", node)
+    document.animate(index, "translation", at, time)
+    document.animate(index, "rotation", turn, time)
+    return index
+
+
+def continuous(q: Floats) -> Floats:
     """Signs chosen so that neighbouring key frames interpolate the short way, shape [T, 4]."""
     flips = np.sign(np.einsum("ti,ti->t", q[1:], q[:-1]))
     flips[flips == 0] = 1
     return q * np.concatenate([[1.0], np.cumprod(flips)])[:, None]
 
 
-def _unit32(q: Floats) -> NDArray[np.float32]:
-    single = q.astype(np.float32)
-    return single / np.linalg.norm(single, axis=-1, keepdims=True)
-
-
 def mesh_of(body: Body, folder: Path) -> tuple[str, bytes | None]:
     """Key and GLB of a body's mesh; its collision shapes where the file is missing or broken."""
-    path = mesh_file(folder, body.mesh)
+    path = mesh_file(folder, body.mesh, body.name)
     if path is not None and path.stat().st_size <= MOST_BYTES:
         data = path.read_bytes()
         try:
@@ -287,30 +266,24 @@ def mesh_of(body: Body, folder: Path) -> tuple[str, bytes | None]:
         except ValueError:
             pass
         else:
-            return body.mesh, data
+            return path.relative_to(folder).as_posix(), data
     if not body.shapes:
         return "", None
     return f"shapes of {body.name}", _shapes_glb(body)
 
 
 def _shapes_glb(body: Body) -> bytes:
-    import trimesh
-    from trimesh.visual import TextureVisuals
-    from trimesh.visual.material import PBRMaterial
-
-    color = [round(255 * c) for c in body.color] + [255]
-    scene = trimesh.Scene()
+    document = Document({"asset": {"version": "2.0", "generator": "esg-scenes"}, "scene": 0})
+    red, green, blue = (float(c) for c in linear(body.color))
+    material = document.material(Surface("collision", (red, green, blue), roughness=0.8))
     for number, shape in enumerate(body.shapes):
         mesh = shape_mesh(shape, body)
-        vertices = to_gltf_vector(mesh.vertices)
-        solid = trimesh.Trimesh(vertices, mesh.faces, process=False)
-        material = PBRMaterial(name="collision", baseColorFactor=color, metallicFactor=0.0)
-        solid.visual = TextureVisuals(material=material)
+        corners = gltf_vector(mesh.vertices), np.asarray(mesh.faces), None, None
         name = f"shape_{number}"
-        scene.add_geometry(solid, node_name=name, geom_name=name)
-    data = scene.export(file_type="glb")
-    assert isinstance(data, bytes)
-    return data
+        index = document.mesh(name, [(corners, material)])
+        document.append("nodes", {"name": name, "mesh": index})
+    document.data["scenes"] = [{"nodes": list(range(len(body.shapes)))}]
+    return document.glb()
 
 
 def shape_mesh(shape: Shape, body: Body) -> Any:
@@ -339,58 +312,20 @@ def part_of(data: bytes, *, holders: Collection[str] = (), without: Collection[s
 
     What one node holds comes in that node's frame.
     """
-    import io
-
-    import trimesh
-
-    loaded: Any = trimesh.load(io.BytesIO(data), file_type="glb", force="scene")
-    parents = loaded.graph.transforms.parents
-    scene = trimesh.Scene()
-    for name in loaded.graph.nodes_geometry:
-        holder = parents.get(name, "")
-        if holder in without or (holders and holder not in holders):
+    document = Document({"asset": {"version": "2.0", "generator": "esg-scenes"}, "scene": 0})
+    frames = node_matrices(data)
+    nodes: list[int] = []
+    for part in parts_of(data):
+        if part.holder in without or (holders and part.holder not in holders):
             continue
-        transform, geometry = loaded.graph[name]
+        vertices = gltf_vector(part.vertices)
+        normals = None if part.normals is None else gltf_vector(part.normals)
         if holders:
-            transform = np.linalg.inv(loaded.graph[holder][0]) @ transform
-        mesh = loaded.geometry[geometry]
-        scene.add_geometry(mesh, node_name=name, geom_name=geometry, transform=transform)
-    out = scene.export(file_type="glb")
-    assert isinstance(out, bytes)
-    return out
-
-
-class GltfMeshes:
-    """Triangles of a GLB, back in the simulation's frame.
-
-    Args:
-        data: A binary glTF 2 file.
-    """
-
-    def __init__(self, data: bytes) -> None:
-        self._data = data
-
-    def parts(self) -> list[tuple[Floats, NDArray[np.int64], tuple[float, ...]]]:
-        """Vertices [m], faces and RGBA of every part, in the file's order."""
-        return [(vertices, faces, color) for _, vertices, faces, color in self.held_parts()]
-
-    def held_parts(self) -> list[tuple[str, Floats, NDArray[np.int64], tuple[float, ...]]]:
-        """The name of the node that holds a part, its vertices [m], faces and RGBA."""
-        import io
-
-        import trimesh
-
-        loaded: Any = trimesh.load(io.BytesIO(self._data), file_type="glb", force="scene")
-        out: list[tuple[str, Floats, NDArray[np.int64], tuple[float, ...]]] = []
-        for name in loaded.graph.nodes_geometry:
-            transform, geometry = loaded.graph[name]
-            mesh = loaded.geometry[geometry]
-            points = np.asarray(mesh.vertices) @ transform[:3, :3].T + transform[:3, 3]
-            x, y, z = points.T
-            material = getattr(mesh.visual, "material", None)
-            base = getattr(material, "baseColorFactor", None)
-            color = (0.6, 0.6, 0.6, 1.0) if base is None else tuple(float(c) / 255 for c in base)
-            vertices = np.stack([x, -z, y], axis=1)
-            holder = str(loaded.graph.transforms.parents.get(name, ""))
-            out.append((holder, vertices, np.asarray(mesh.faces), color))
-        return out
+            back = np.linalg.inv(frames[part.holder])
+            vertices = vertices @ back[:3, :3].T + back[:3, 3]
+            normals = None if normals is None else normals @ back[:3, :3].T
+        corners = vertices, part.faces, normals, part.uvs
+        mesh = document.mesh(part.name, [(corners, document.material(part.surface))])
+        nodes.append(document.append("nodes", {"name": part.name, "mesh": mesh}))
+    document.data["scenes"] = [{"nodes": nodes}]
+    return document.glb()

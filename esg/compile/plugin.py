@@ -11,6 +11,7 @@ import json
 from pathlib import Path
 from typing import Any
 
+from esg.assets.gltf.parts import parts_of
 from esg.compile import names
 from esg.compile.assets import mesh_file
 from esg.compile.build import ClassFiles
@@ -92,7 +93,30 @@ def _resource(folder: Path, asset: dict[str, Any], meshes: dict[str, bytes]) -> 
         data = part_of(data, without=rest)
     meshes[source.as_posix()] = data
     plain = {k: v for k, v in asset.items() if k not in ("node", "without_nodes")}
-    return plain | {"source": source.as_posix()}
+    return plain | {"source": source.as_posix(), "materials": _materials(data)}
+
+
+def _materials(data: bytes) -> list[dict[str, Any]]:
+    """The materials of a GLB in the order of its parts: linear factors, and names of pictures."""
+    surfaces = dict.fromkeys(part.surface for part in parts_of(data))
+    return [
+        {
+            "name": surface.name,
+            "base_color": [*surface.color, surface.alpha],
+            "roughness": surface.roughness,
+            "metallic": surface.metalness,
+            "textures": {
+                kind: picture.name or picture.digest
+                for kind, picture in (
+                    ("base_color", surface.base),
+                    ("normal", surface.normal),
+                    ("roughness_metallic", surface.rough_metal),
+                )
+                if picture is not None
+            },
+        }
+        for surface in surfaces
+    ]
 
 
 @cache

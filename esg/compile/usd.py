@@ -4,7 +4,7 @@
 `scene.usda` (m, kg, Z up) holds bodies with mass properties, colliders, materials, start
 velocities, and the control program as prims. `scene_animation.usda` sublayers it, switches its
 rigid bodies off and adds time samples of the replay, so that one file simulates and the other
-plays.
+plays. Both show the meshes, materials, ground and lights of `scene_looks.usdc`.
 """
 
 from __future__ import annotations
@@ -16,8 +16,9 @@ from typing import Any
 
 import numpy as np
 
+from esg.assets.gltf.parts import parts_of
 from esg.compile import names
-from esg.compile.glb import GltfMeshes, _continuous, mesh_of
+from esg.compile.glb import continuous, mesh_of
 from esg.compile.mjcf import start_velocities
 from esg.compile.usd_physx import (
     physx_body,
@@ -28,6 +29,25 @@ from esg.compile.usd_physx import (
     physx_scene,
 )
 from esg.compile.usd_program import write_program
+from esg.compile.visuals.decals import drawn_lifts
+from esg.compile.visuals.ropes import Rope, ropes_of
+from esg.compile.visuals.setting import Setting, View, seen_at
+from esg.compile.visuals.usd_files import (
+    LOOKS_FILE,
+    UsdForm,
+    UsdScene,
+    write_layers,
+    write_package,
+)
+from esg.compile.visuals.usd_looks import (
+    ROOT,
+    SURROUNDINGS,
+    UsdLooks,
+    camera_prim,
+    place,
+    quatd,
+    triangles,
+)
 from esg.engines.joint_rules import BREAK_WINDOW_S
 from esg.engines.joints import WORLD, Joint
 from esg.engines.manifest import Manifest
@@ -42,44 +62,80 @@ GROUND_SIZE_M = 200.0
 
 GROUNDED = ("roll_radius", "wheeled", "tyre_friction", "tyre_drop", "tyre_foot")
 """Fields of a body that a player asks for who lets brakes and tyres act (docs/read_traction.py)."""
-_RESERVED = ("Ground", "VehicleGround", "Looks", "PhysicsScene", "Program", "Joints")
-JOINTS_PATH = "/World/Joints"
+_RESERVED = ("Ground", "VehicleGround", "Looks", "PhysicsScene", "Program")
+_SURROUNDINGS = ("Surroundings", "Cameras")
+JOINTS_PATH, ROPES_PATH = "/World/Joints", "/World/Ropes"
+SURROUNDINGS_PATH, CAMERAS_PATH = "/World/Surroundings", "/World/Cameras"
+_GONE = 1e-6
+"""Size of a rope that has broken [m]."""
 DRIVE_STRENGTH = 1e4
 """Of a motor that its limit alone holds back [N s/m, N/m and by the radian]."""
 _RAD_TO_DEG = 180.0 / np.pi
 
 
-def _reserved(scene: SimScene) -> tuple[str, ...]:
-    """Names of prims that no body gets; without joints, none is kept for them."""
-    return _RESERVED if scene.joints else _RESERVED[:-1]
+def reserved(scene: SimScene, setting: Setting | None) -> tuple[str, ...]:
+    """Names of prims that no body gets."""
+    ropes = ("Ropes",) if any(j.flexible for j in scene.joints) else ()
+    joints = ("Joints",) if scene.joints else ()
+    return (*_RESERVED, *joints, *ropes, *(() if setting is None else _SURROUNDINGS))
 
 
-def write_usd(manifest: Manifest, rollout: Rollout, folder: Path, out: Path) -> list[Path]:
-    """Writes both layers; the same input gives the same bytes.
+def write_usd(
+    manifest: Manifest,
+    rollout: Rollout,
+    folder: Path,
+    out: Path,
+    *,
+    setting: Setting | None = None,
+    form: UsdForm = "usda",
+) -> list[Path]:
+    """Writes the scene; the same input gives the same bytes.
 
     Args:
         manifest: Scene and program.
         rollout: Replay for the time samples.
         folder: Scene folder with the meshes.
         out: Where to write.
+        setting: Ground, dressing, light and cameras; None: the bodies alone.
+        form: Layers as text, in binary, or a package of what is seen.
     """
-    physics, animation = out / "scene.usda", out / "scene_animation.usda"
-    physics.write_text(physics_layer(manifest, folder), "utf-8", newline="\n")
-    animation.write_text(_animation_layer(manifest, rollout, physics.name), "utf-8", newline="\n")
-    return [physics, animation]
+    scene = usd_scene(manifest, rollout, folder, setting, "usda" if form == "usda" else "usdc")
+    return write_package(scene, out) if form == "usdz" else write_layers(scene, out, form)
 
 
-def physics_layer(manifest: Manifest, folder: Path) -> str:
-    """The scene to simulate, as text.
+def usd_scene(
+    manifest: Manifest,
+    rollout: Rollout,
+    folder: Path,
+    setting: Setting | None = None,
+    suffix: str = "usda",
+) -> UsdScene:
+    """The layers of a scene, in memory."""
+    from pxr import Sdf
+
+    looks = UsdLooks(Sdf.Layer.CreateAnonymous(".usdc"))
+    physics = physics_layer(manifest, looks, folder, setting)
+    animation = _animation_layer(manifest, rollout, setting, f"scene.{suffix}")
+    pictures = {name: picture.data for name, picture in sorted(looks.pictures.items())}
+    return UsdScene(physics, animation, looks.layer, pictures)
+
+
+def physics_layer(
+    manifest: Manifest, looks: UsdLooks, folder: Path, setting: Setting | None = None
+) -> Any:
+    """The scene to simulate, an `Sdf.Layer`.
 
     Args:
         manifest: Scene and program.
+        looks: Receives the meshes, to which the layer refers.
         folder: Scene folder with the meshes.
+        setting: What is seen beside the bodies.
     """
     from pxr import Gf, Sdf, Usd, UsdGeom, UsdPhysics
 
     scene = manifest.scene
-    stage = Usd.Stage.CreateInMemory()
+    layer = Sdf.Layer.CreateAnonymous(".usda")
+    stage = Usd.Stage.Open(layer)
     _stage_metrics(stage)
     world = UsdGeom.Xform.Define(stage, "/World").GetPrim()
     stage.SetDefaultPrim(world)
@@ -91,36 +147,112 @@ def physics_layer(manifest: Manifest, folder: Path) -> str:
     physics.CreateGravityDirectionAttr(Gf.Vec3f(*map(float, down)))
     physics.CreateGravityMagnitudeAttr(strength)
     physx_scene(physics.GetPrim(), manifest.dt)
-    idents = names.unique_identifiers(scene.names, reserved=_reserved(scene))
+    idents = names.unique_identifiers(scene.names, reserved=reserved(scene, setting))
     paths = {name: f"/World/{ident}" for name, ident in idents.items()}
     moving = [b for b in scene.bodies if b.collides and not b.static]
     wheeled = [idents[b.name] for b in moving if b.wheeled]
     normal = [idents[b.name] for b in moving if not b.wheeled]
-    _ground(stage, manifest, normal, wheeled)
+    _ground(stage, manifest, normal, wheeled, drawn=setting is None)
     start, iterations = start_velocities(manifest), position_iterations(scene)
-    library: dict[str, str] = {}
     UsdGeom.Scope.Define(stage, "/World/Looks")
     for body in scene.bodies:
         prim = _body(stage, paths[body.name], body)
-        _visual(stage, prim, body, folder, library)
         if body.collides and not body.static:
-            # UsdPhysics states velocities in the space of the body's own xform, angles in degrees.
-            x, y, z, w = body.quaternion
-            linear, angular = (
-                quat_rotate((-x, -y, -z, w), v)
-                for v in start.get(body.name, ((0.0,) * 3, (0.0,) * 3))
-            )
-            rigid = UsdPhysics.RigidBodyAPI(prim)
-            rigid.CreateVelocityAttr(Gf.Vec3f(*map(float, linear)))
-            rigid.CreateAngularVelocityAttr(Gf.Vec3f(*(float(v) * _RAD_TO_DEG for v in angular)))
-            # NVIDIA's PhysX takes velocities as the world's unless a body says otherwise.
-            prim.SetCustomDataByKey("physics:localSpaceVelocities", True)
-            physx_body(prim, body, iterations)
+            _moving(prim, body, start, iterations)
+    references = _seen(stage, manifest, paths, looks, folder, setting)
     joints = _joints(stage, manifest, paths)
     write_program(stage, manifest.program, manifest.dt, paths, joints)
-    layer = stage.GetRootLayer()
-    assert isinstance(layer, Sdf.Layer)
-    return layer.ExportToString()
+    # The layer is in memory: a stage would look for what it refers to beside nothing and complain.
+    del stage
+    for path, target in references:
+        reference = Sdf.Reference(f"./{LOOKS_FILE}", target)
+        layer.GetPrimAtPath(path).referenceList.prependedItems.append(reference)
+    return layer
+
+
+def _moving(prim: Any, body: Body, start: dict[str, Any], iterations: int) -> None:
+    """Velocities at the start, and what PhysX wants to know of a body that moves."""
+    from pxr import Gf, UsdPhysics
+
+    # UsdPhysics states velocities in the space of the body's own xform, angles in degrees.
+    x, y, z, w = body.quaternion
+    linear, angular = (
+        quat_rotate((-x, -y, -z, w), v) for v in start.get(body.name, ((0.0,) * 3, (0.0,) * 3))
+    )
+    rigid = UsdPhysics.RigidBodyAPI(prim)
+    rigid.CreateVelocityAttr(Gf.Vec3f(*map(float, linear)))
+    rigid.CreateAngularVelocityAttr(Gf.Vec3f(*(float(v) * _RAD_TO_DEG for v in angular)))
+    # NVIDIA's PhysX takes velocities as the world's unless a body says otherwise.
+    prim.SetCustomDataByKey("physics:localSpaceVelocities", True)
+    physx_body(prim, body, iterations)
+
+
+def _seen(
+    stage: Any,
+    manifest: Manifest,
+    paths: dict[str, str],
+    looks: UsdLooks,
+    folder: Path,
+    setting: Setting | None,
+) -> list[tuple[str, str]]:
+    """Writes what is seen; returns which prims refer to which of the looks."""
+    from pxr import UsdGeom
+
+    scene = manifest.scene
+    library: dict[str, str] = {}
+    out: list[tuple[str, str]] = []
+    lifts = {} if setting is None else drawn_lifts(scene, setting.covered)
+    for index, body in enumerate(scene.bodies):
+        if setting is not None and body.name in setting.covered:
+            continue
+        key, data = mesh_of(body, folder)
+        if data is None:
+            continue
+        if key not in library:
+            library[key] = f"{ROOT}/Asset{len(library)}"
+            looks.asset(library[key], parts_of(data), body)
+        visual = UsdGeom.Xform.Define(stage, f"{paths[body.name]}/Visual")
+        if index in lifts:
+            up = visual.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble)
+            up.Set((0.0, 0.0, lifts[index]))
+        out.append((str(visual.GetPath()), library[key]))
+    positions = np.array([[b.position for b in scene.bodies]])
+    quaternions = np.array([[b.quaternion for b in scene.bodies]])
+    ropes = ropes_of(scene, positions, quaternions)
+    if ropes:
+        UsdGeom.Scope.Define(stage, ROPES_PATH)
+    for rope, path in zip(ropes, _rope_paths(ropes), strict=True):
+        form = UsdGeom.Xform.Define(stage, path)
+        place(form, rope.position[0], rope.quaternion[0])
+        form.AddScaleOp(UsdGeom.XformOp.PrecisionDouble).Set(_rope_scale(rope, 0))
+        out.append((path, looks.rope(rope.kind)))
+    if setting is not None:
+        looks.surroundings(setting)
+        UsdGeom.Xform.Define(stage, SURROUNDINGS_PATH)
+        out.append((SURROUNDINGS_PATH, SURROUNDINGS))
+        UsdGeom.Xform.Define(stage, CAMERAS_PATH)
+        for path, view in _cameras(setting):
+            camera_prim(stage, path, view, np.zeros(1))
+    return out
+
+
+def _rope_paths(ropes: list[Rope]) -> list[str]:
+    idents = names.unique_identifiers(rope.name for rope in ropes)
+    return [f"{ROPES_PATH}/{idents[rope.name]}" for rope in ropes]
+
+
+def _rope_scale(rope: Rope, frame: int) -> Any:
+    from pxr import Gf
+
+    length = float(rope.length[frame])
+    # Nothing can be turned back that has no size at all.
+    across = rope.radius if length > 0.0 else _GONE
+    return Gf.Vec3d(across, across, length or _GONE)
+
+
+def _cameras(setting: Setting) -> list[tuple[str, View]]:
+    idents = names.unique_identifiers(view.name for view in setting.views)
+    return [(f"{CAMERAS_PATH}/{idents[view.name]}", view) for view in setting.views]
 
 
 def _joints(stage: Any, manifest: Manifest, paths: dict[str, str]) -> dict[str, str]:
@@ -167,7 +299,7 @@ def _joint(
             (made.CreateLocalPos1Attr, made.CreateLocalRot1Attr),
         )[end]
         place(at)
-        face(Gf.Quatf(_quatd(turn)))
+        face(Gf.Quatf(quatd(turn)))
     made.CreateCollisionEnabledAttr(joint.collide)
     if joint.break_impulse is not None:
         made.CreateBreakForceAttr(joint.break_impulse / BREAK_WINDOW_S)
@@ -245,7 +377,9 @@ def _bind(prim: Any, material: Any) -> None:
     api.Bind(material, UsdShade.Tokens.weakerThanDescendants, "physics")
 
 
-def _ground(stage: Any, manifest: Manifest, normal: list[str], wheeled: list[str]) -> None:
+def _ground(
+    stage: Any, manifest: Manifest, normal: list[str], wheeled: list[str], *, drawn: bool
+) -> None:
     """Two planes: the ground of ordinary bodies and that of bodies on wheels."""
     from pxr import UsdGeom, UsdPhysics
 
@@ -265,6 +399,8 @@ def _ground(stage: Any, manifest: Manifest, normal: list[str], wheeled: list[str
         plane.CreateDisplayColorAttr([(0.6, 0.6, 0.6)])
         if name == "VehicleGround":
             plane.CreateVisibilityAttr("invisible")
+        if not drawn:
+            plane.CreatePurposeAttr("guide")
         UsdPhysics.CollisionAPI.Apply(plane.GetPrim())
         physx_collider(plane.GetPrim())
         _bind(plane.GetPrim(), _material(stage, name, friction, scene.ground_restitution))
@@ -283,7 +419,7 @@ def _body(stage: Any, path: str, body: Body) -> Any:
     offset = np.asarray(body.origin_offset, float)
     origin = np.asarray(body.position) + quat_rotate(body.quaternion, offset)
     form.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(*map(float, origin)))
-    form.AddOrientOp(UsdGeom.XformOp.PrecisionDouble).Set(_quatd(body.quaternion))
+    form.AddOrientOp(UsdGeom.XformOp.PrecisionDouble).Set(quatd(body.quaternion))
     # As JSON, because a name may hold characters that USD text cannot.
     prim.SetCustomDataByKey("esg:name", json.dumps(body.name))
     for field in GROUNDED:
@@ -296,7 +432,7 @@ def _body(stage: Any, path: str, body: Body) -> Any:
         moments, axes = principal_axes(np.asarray(body.inertia, float))
         mass.CreateMassAttr(float(body.mass))
         mass.CreateDiagonalInertiaAttr(Gf.Vec3f(*map(float, moments)))
-        mass.CreatePrincipalAxesAttr(Gf.Quatf(_quatd(axes)))
+        mass.CreatePrincipalAxesAttr(Gf.Quatf(quatd(axes)))
     if body.shapes:
         ident = path.rsplit("/", 1)[1]
         material = _material(stage, ident, body.friction, body.restitution)
@@ -336,7 +472,7 @@ def _collider(stage: Any, path: str, shape: Shape, body: Body, material: Any) ->
         geom.CreateExtentAttr([tuple(-v for v in half), half])
     at = np.asarray(shape.position) - np.asarray(body.origin_offset)
     geom.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(*map(float, at)))
-    geom.AddOrientOp(UsdGeom.XformOp.PrecisionDouble).Set(_quatd(shape.quaternion))
+    geom.AddOrientOp(UsdGeom.XformOp.PrecisionDouble).Set(quatd(shape.quaternion))
     if shape.kind == "box":
         geom.AddScaleOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(2 * x, 2 * y, 2 * z))
     geom.CreatePurposeAttr("guide")
@@ -351,62 +487,10 @@ def _hull(stage: Any, path: str, shape: Shape) -> Any:
 
     hull = trimesh.Trimesh(np.array(shape.vertices)).convex_hull
     mesh = UsdGeom.Mesh.Define(stage, path)
-    _triangles(mesh, hull.vertices, hull.faces)
+    triangles(mesh, hull.vertices, hull.faces)
     api = UsdPhysics.MeshCollisionAPI.Apply(mesh.GetPrim())
     api.CreateApproximationAttr("convexHull")
     return mesh
-
-
-def _triangles(mesh: Any, vertices: Any, faces: Any) -> None:
-    points = np.asarray(vertices, float)
-    mesh.CreatePointsAttr([tuple(map(float, p)) for p in points])
-    mesh.CreateFaceVertexCountsAttr([3] * len(faces))
-    mesh.CreateFaceVertexIndicesAttr(np.asarray(faces).ravel().astype(int).tolist())
-    mesh.CreateSubdivisionSchemeAttr("none")
-    low, high = points.min(0), points.max(0)
-    mesh.CreateExtentAttr([tuple(map(float, low)), tuple(map(float, high))])
-
-
-def _visual(stage: Any, prim: Any, body: Body, folder: Path, library: dict[str, str]) -> None:
-    """The body's mesh as a child that references the one copy of its asset."""
-    from pxr import UsdGeom
-
-    key, data = mesh_of(body, folder)
-    if data is None:
-        return
-    if key not in library:
-        number = len(library)
-        root = f"/Assets/Asset{number}"
-        stage.CreateClassPrim("/Assets")
-        UsdGeom.Xform.Define(stage, root)
-        wheels = _wheels(stage, root, body)
-        for i, (holder, vertices, faces, color) in enumerate(GltfMeshes(data).held_parts()):
-            path, axle = wheels.get(holder, (root, 0.0))
-            mesh = UsdGeom.Mesh.Define(stage, f"{path}/Part{i}")
-            vertices = vertices - axle
-            _triangles(mesh, vertices, faces)
-            mesh.CreateDisplayColorAttr([color[:3]])
-            if color[3] < 1.0:
-                mesh.CreateDisplayOpacityAttr([color[3]])
-        library[key] = root
-    visual = UsdGeom.Xform.Define(stage, f"{prim.GetPath()}/Visual").GetPrim()
-    visual.GetReferences().AddInternalReference(library[key])
-
-
-def _wheels(stage: Any, root: str, body: Body) -> dict[str, tuple[str, Any]]:
-    """Prims of a body's wheels below its asset: path and axle in the mesh's frame [m] by name."""
-    from pxr import Gf, UsdGeom
-
-    out: dict[str, tuple[str, Any]] = {}
-    idents = names.unique_identifiers((w.name for w in body.wheels), "Wheel")
-    for wheel in body.wheels:
-        path = f"{root}/{idents[wheel.name]}"
-        form = UsdGeom.Xform.Define(stage, path)
-        axle = np.asarray(wheel.axle) - np.asarray(body.origin_offset)
-        form.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble).Set(Gf.Vec3d(*map(float, axle)))
-        form.AddRotateYOp(UsdGeom.XformOp.PrecisionDouble).Set(0.0)
-        out[wheel.name] = path, axle
-    return out
 
 
 def _turn_wheels(stage: Any, path: str, body: Body, angles: Any) -> None:
@@ -421,11 +505,14 @@ def _turn_wheels(stage: Any, path: str, body: Body, angles: Any) -> None:
             attribute.Set(float(angle), float(frame))
 
 
-def _animation_layer(manifest: Manifest, rollout: Rollout, physics: str) -> str:
+def _animation_layer(
+    manifest: Manifest, rollout: Rollout, setting: Setting | None, physics: str
+) -> Any:
+    """The replay over the scene to simulate, an `Sdf.Layer`."""
     from pxr import Sdf, Usd
 
     scene = manifest.scene
-    idents = names.unique_identifiers(scene.names, reserved=_reserved(scene))
+    idents = names.unique_identifiers(scene.names, reserved=reserved(scene, setting))
     rate = 1.0 / (rollout.time[1] - rollout.time[0]) if len(rollout.time) > 1 else 1.0
     layer = Sdf.Layer.CreateAnonymous(".usda")
     stage = Usd.Stage.Open(layer)
@@ -442,25 +529,35 @@ def _animation_layer(manifest: Manifest, rollout: Rollout, physics: str) -> str:
         enabled = prim.CreateAttribute("physics:rigidBodyEnabled", Sdf.ValueTypeNames.Bool)
         enabled.Set(False)
         q = rollout.quaternion[0, :, i].astype(float)
-        q = _continuous(q / np.linalg.norm(q, axis=1, keepdims=True))
+        q = continuous(q / np.linalg.norm(q, axis=1, keepdims=True))
         offset = np.broadcast_to(np.asarray(body.origin_offset, float), (len(q), 3))
-        at = rollout.position[0, :, i] + quat_rotate(q, offset)
-        translate = prim.CreateAttribute("xformOp:translate", Sdf.ValueTypeNames.Double3)
-        orient = prim.CreateAttribute("xformOp:orient", Sdf.ValueTypeNames.Quatd)
-        for frame in range(len(q)):
-            translate.Set(tuple(map(float, at[frame])), float(frame))
-            orient.Set(_quatd(q[frame]), float(frame))
+        _move(prim, rollout.position[0, :, i] + quat_rotate(q, offset), q)
         centers, turns = rollout.position[0, :, i], rollout.quaternion[0, :, i]
         angles = wheel_angles(body, rollout.time, centers, turns, scene.gravity)
         _turn_wheels(stage, str(prim.GetPath()), body, angles)
-    # The layer is in memory: a stage would look for the sublayer beside nothing and complain.
+    ropes = ropes_of(scene, rollout.position[0], rollout.quaternion[0])
+    for rope, path in zip(ropes, _rope_paths(ropes), strict=True):
+        prim = stage.OverridePrim(path)
+        _move(prim, rope.position, continuous(rope.quaternion))
+        scale = prim.CreateAttribute("xformOp:scale", Sdf.ValueTypeNames.Double3)
+        for frame in range(len(rope.length)):
+            scale.Set(_rope_scale(rope, frame), float(frame))
+    for path, view in _cameras(setting) if setting is not None else ():
+        if len(view.time) > 1:
+            at, turned = seen_at(view, rollout.time)
+            _move(stage.OverridePrim(path), at, continuous(turned))
+    # As above: without a stage, nothing looks for the other layer.
     del stage
     layer.subLayerPaths.append(f"./{physics}")
-    return layer.ExportToString()
+    return layer
 
 
-def _quatd(quaternion: Any) -> Any:
-    from pxr import Gf
+def _move(prim: Any, positions: Any, quaternions: Any) -> None:
+    """Time samples of a prim's pose, shapes [T, 3] and [T, 4]."""
+    from pxr import Sdf
 
-    x, y, z, w = (float(v) for v in quaternion)
-    return Gf.Quatd(w, x, y, z)
+    translate = prim.CreateAttribute("xformOp:translate", Sdf.ValueTypeNames.Double3)
+    orient = prim.CreateAttribute("xformOp:orient", Sdf.ValueTypeNames.Quatd)
+    for frame, (at, turn) in enumerate(zip(positions, quaternions, strict=True)):
+        translate.Set(tuple(map(float, at)), float(frame))
+        orient.Set(quatd(turn), float(frame))

@@ -34,8 +34,8 @@ if TYPE_CHECKING:
     from esg.dataset.job import BatchJob
     from esg.graph.models import EsgDocument
 
-SCENE_STAGES = STAGES[: STAGES.index("record")]
-"""Datasets keep trajectories, not scene folders: the record stage with its exports is left out."""
+SCENE_STAGES = STAGES[: STAGES.index("dress")]
+"""Datasets keep trajectories, not scene folders: what only pictures need is left out."""
 
 RETRIES = 2
 _BACKOFF_S = 0.5

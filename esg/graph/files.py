@@ -169,14 +169,28 @@ def check_file(path: Path | str) -> CheckReport:
         path: The file; whatever is wrong with it becomes a violation, never an exception.
     """
     found = Findings()
-    raw = read_json(path, found)
+    return _checked(str(path), read_json(path, found), found)
+
+
+def check_text(text: str) -> CheckReport:
+    """Checks a text as `check_file` does a file.
+
+    Args:
+        text: JSON; whatever is wrong with it becomes a violation, never an exception.
+    """
+    found = Findings()
+    data = text.encode("utf-8", errors="replace")
+    return _checked("", parse_json(data, found), found)
+
+
+def _checked(path: str, raw: dict[str, Any] | None, found: Findings) -> CheckReport:
     if raw is None:
-        return CheckReport(str(path), tuple(found.items))
+        return CheckReport(path, tuple(found.items))
     violations = (*found.items, *verify(raw))
     document = None
     if not violations:
         document = parse(raw, Findings()).doc
-    return CheckReport(str(path), violations, document)
+    return CheckReport(path, violations, document)
 
 
 def load_document(path: Path | str) -> EsgDocument:

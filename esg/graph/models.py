@@ -829,10 +829,62 @@ class DynamicsResult(Model):
     dt_s: float = 0.0
 
 
+class Marking(Model):
+    """Something flat that is drawn on the ground of a place: a lane, a line, a pavement, water."""
+
+    surface: str
+    """Row of the table of surfaces (`esg/lexicon/surfaces.csv`)."""
+    center_cm: tuple[float, float]
+    half_cm: tuple[float, float]
+    """Along its own X and Y; both radii of an ellipse."""
+    yaw_deg: float = 0.0
+    shape: Literal["rectangle", "ellipse"] = "rectangle"
+    line_cm: float | None = None
+    """Width of the line, where only its outline is drawn."""
+    layer: int = 0
+    """Of two that overlap the one with the greater layer is seen."""
+
+
+class DressingItem(Model):
+    """Something that stands in a place and takes no part in its physics."""
+
+    id: str
+    kind: str
+    """An entry of the parametric library, or a builder of `esg.dressing`."""
+    position_cm: Vec3
+    """Of the middle of its bottom."""
+    yaw_deg: float = 0.0
+    size_cm: Vec3
+    surface: str | None = None
+    """Row of the table of surfaces; None: as its kind is made."""
+    color_rgb: tuple[float, float, float] | None = None
+    """sRGB in [0, 1]; None: the usual one of its kind or surface."""
+    variant: int = 0
+    """Seed of what else may differ: proportions, wear, which windows are lit."""
+
+
+class Dressing(Model):
+    """Stage dress: the place around the action. Nothing of it is a body; no engine knows of it."""
+
+    place: str
+    """Row of the table of places (`esg/lexicon/places.csv`)."""
+    reasons: tuple[str, ...] = ()
+    """Why this place and this sky: what the document says of them."""
+    sky: str
+    """Row of the table of skies (`esg/lexicon/skies.csv`)."""
+    sun_azimuth_deg: float
+    """Direction toward the sun, or toward the main lamp of a room, counter-clockwise from +X."""
+    sun_elevation_deg: float
+    ground: str
+    """Row of the table of surfaces."""
+    markings: tuple[Marking, ...] = ()
+    items: tuple[DressingItem, ...] = ()
+
+
 class Provenance(Model):
     """Which stage, version and seed wrote which part."""
 
-    stage: Literal["draft", "resolve", "cast", "layout", "optimize", "compile"]
+    stage: Literal["draft", "resolve", "cast", "layout", "optimize", "compile", "dress"]
     version: str
     seed: int
     config: dict[str, Any] = {}
@@ -857,4 +909,6 @@ class EsgDocument(Model):
     """None for what has no timeline."""
     layout_result: LayoutResult | None = None
     dynamics_result: DynamicsResult | None = None
+    dressing: Dressing | None = None
+    """What surrounds the action; None where nothing may be added, or nothing was."""
     provenance: tuple[Provenance, ...] = ()

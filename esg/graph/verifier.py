@@ -11,6 +11,7 @@ from typing import Any
 
 from esg.graph import (
     rules_casting,
+    rules_dressing,
     rules_events,
     rules_joints,
     rules_relations,
@@ -58,6 +59,7 @@ def verify(doc: EsgDocument | Mapping[str, Any]) -> tuple[Violation, ...]:
             rules_joints,
             rules_stages,
             rules_casting,
+            rules_dressing,
         ):
             rules.check(ctx)
     return tuple(found.items)

@@ -205,6 +205,11 @@ RULES: dict[str, str] = {
     "PROGRAM_INVALID": "The control program can be read.",
     "PROGRAM_BODY": "Bodies of the control program are nodes.",
     "OUTCOME_UNKNOWN": "The outcome is one of the known outcomes.",
+    "DRESSING_UNASKED": "A scene that allows no other objects has no dressing.",
+    "DRESSING_UNKNOWN": "A dressing names only what the tables of places have.",
+    "DRESSING_TWICE": "Every thing of a dressing has its own id.",
+    "DRESSING_RANGE": "At most 500 things and markings have sizes of 1 mm to 1 km, within 2 km.",
+    "DRESSING_NEAR": "Nothing of a dressing stands within 2 m of where a body starts.",
     "COVERAGE_SPAN": "A coverage span lies inside the prompt.",
     "COVERAGE_POINTER": "A coverage pointer names a field of the document.",
 }

@@ -22,7 +22,7 @@ if TYPE_CHECKING:
         SuiteScene,
         SuiteStatement,
     )
-    from esg.metrics.suite import load_suite, parse_suite
+    from esg.metrics.suite import load_suite, own_suites, parse_suite, suite_file
 
 _HOME = {
     "SceneRun": "aggregate",
@@ -44,7 +44,9 @@ _HOME = {
     "SuiteScene": "models",
     "SuiteStatement": "models",
     "load_suite": "suite",
+    "own_suites": "suite",
     "parse_suite": "suite",
+    "suite_file": "suite",
 }
 
 __all__ = [
@@ -67,7 +69,9 @@ __all__ = [
     "judge",
     "load_paper_results",
     "load_suite",
+    "own_suites",
     "parse_suite",
+    "suite_file",
 ]
 
 

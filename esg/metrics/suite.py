@@ -39,20 +39,40 @@ ENOUGH_LINES = 1000
 MAX_TEXT = {"id": 100, "prompt": 8000}
 """Characters: ids name folders, and longer prompts are not read as a scene."""
 _SCENE_FIELDS = ("id", "level", "prompt", "events", "constraints", "objects", "statements")
+SUITES = Path(__file__).parent / "data" / "suites"
 _SUITE_FIELDS = ("suite", "source", "scenes")
 
 
-def load_suite(path: str | Path) -> Suite:
-    """Reads and checks a suite file.
+def own_suites() -> dict[str, Path]:
+    """The suites that come with the package, by name."""
+    return {path.stem: path for path in sorted(SUITES.glob("*.yaml"))}
+
+
+def suite_file(suite: str | Path) -> Path:
+    """The file of a suite.
+
+    Args:
+        suite: Path of a file, or the name of one that comes with the package: paper.
+    """
+    path = Path(suite)
+    return path if path.is_file() else own_suites().get(str(suite), path)
+
+
+def load_suite(suite: str | Path) -> Suite:
+    """Reads and checks a suite.
+
+    Args:
+        suite: Path of a file, or the name of one that comes with the package: paper.
 
     Raises:
         UserError: Listing every problem with scene id, field, value and remedy.
     """
-    file = Path(path)
+    file = suite_file(suite)
     try:
         text = read_limited(file, MAX_CHARACTERS).decode()
     except FileNotFoundError:
-        raise UserError(f"suite {file} does not exist; check the path") from None
+        names = ", ".join(own_suites())
+        raise UserError(f"suite {file} does not exist; give a file, or one of {names}") from None
     except IsADirectoryError:
         raise UserError(f"suite {file} is a folder; name the .yaml file in it") from None
     except UnicodeDecodeError:

@@ -9,7 +9,8 @@ from pathlib import Path
 
 import numpy as np
 
-from esg.compile.glb import GltfMeshes, mesh_of
+from esg.assets.gltf.parts import parts_of
+from esg.compile.glb import mesh_of
 from esg.engines.scene import Body
 from esg.report.binary import Chunk
 from esg.scenereading import damaged
@@ -61,9 +62,10 @@ def mesh_chunk(data: bytes, wheels: Collection[str] = ()) -> str:
         wheels: Names of the nodes that turn: their parts stay apart.
     """
     pieces: dict[tuple[str, tuple[float, ...]], list[tuple[np.ndarray, np.ndarray]]] = {}
-    for holder, vertices, faces, color in GltfMeshes(data).held_parts():
-        key = holder if holder in wheels else "", tuple(round(float(c), 3) for c in color)
-        pieces.setdefault(key, []).append((vertices, faces))
+    for part in parts_of(data):
+        color = (*part.surface.shown, part.surface.alpha)
+        key = part.holder if part.holder in wheels else "", tuple(round(c, 3) for c in color)
+        pieces.setdefault(key, []).append((part.vertices, part.faces))
     colors, vertices, faces, counts, start = [], [], [], [], 0
     for (_, color), parts in pieces.items():
         total = 0

@@ -6,7 +6,6 @@ import base64
 from collections.abc import Generator, Sequence
 import contextlib
 import io
-import itertools
 from pathlib import Path
 from typing import Any
 
@@ -18,6 +17,7 @@ from esg.report.binary import Chunk
 from esg.report.meshes import MeshLibrary
 from esg.report.replays import Replayed
 from esg.report.run import SceneEntry
+from esg.report.words import pieces
 from esg.scenereading import absent, collected, damaged
 from esg.strangers.gltf import MOST_PIXELS
 
@@ -107,7 +107,7 @@ def scene_chunk(
         {
             "document": scene.document,
             "metrics": scene.metrics,
-            "words": words_of(scene),
+            "words": pieces(scene.prompt, scene.document, scene.statements),
             "statements": scene.statements,
             "asked": scene.asked,
             "log": list(scene.log),
@@ -126,50 +126,6 @@ def scene_chunk(
     for number, replay in enumerate(replays):
         chunk.head["replays"].append(_replay(chunk, number, replay))
     return chunk.text()
-
-
-_FATES = ("broken", "not_represented", "not_understood", "not_judged", "kept", "ignored", "used")
-"""What words may come to, the worst first: where several meet, it is what a reader must see."""
-
-
-def words_of(scene: SceneEntry) -> list[dict[str, Any]]:
-    """The prompt in pieces, each with what became of it: text, fate and notes.
-
-    A statement covers the words in it, so a piece ends where another fate begins; text of which
-    nobody took note has no fate. Places count characters (code points).
-    """
-    notes = [*(_item_note(i) for i in scene.document.get("coverage", {}).get("items", []))]
-    notes += [_statement_note(row) for row in scene.statements]
-    notes = [n for n in notes if 0 <= n["start"] < n["end"] <= len(scene.prompt)]
-    edges = sorted({0, len(scene.prompt), *(n[k] for n in notes for k in ("start", "end"))})
-    pieces: list[dict[str, Any]] = []
-    for start, end in itertools.pairwise(edges):
-        here = [n for n in notes if n["start"] <= start and end <= n["end"]]
-        fate = min((n["fate"] for n in here), key=_FATES.index, default="")
-        told = [n["note"] for n in here if n["fate"] == fate]
-        last = pieces[-1] if pieces else None
-        # Pieces of one statement read as one.
-        if last and last["fate"] == fate and (not fate or set(told) & set(last["notes"])):
-            last["text"] += scene.prompt[start:end]
-            last["notes"] = list(dict.fromkeys([*last["notes"], *told]))
-        else:
-            pieces.append({"text": scene.prompt[start:end], "fate": fate, "notes": told})
-    return pieces
-
-
-def _item_note(item: dict[str, Any]) -> dict[str, Any]:
-    parts = (item["kind"], item["status"].replace("_", " "), item.get("note", ""))
-    place = {k: item[k] for k in ("start", "end")}
-    return {**place, "fate": item["status"], "note": ": ".join(filter(None, parts))}
-
-
-def _statement_note(row: dict[str, Any]) -> dict[str, Any]:
-    measured = ", ".join(f"{k.replace('_', ' ')} {v:.3g}" for k, v in row["measured"].items())
-    parts = (row["says"].replace("_", " "), row["status"].replace("_", " "), row["reason"])
-    text = ": ".join(dict.fromkeys(filter(None, parts)))
-    place = {k: row[k] for k in ("start", "end")}
-    note = text + (f" (measured: {measured})" if measured else "")
-    return {**place, "fate": row["status"], "note": note}
 
 
 def _bodies(

@@ -31,11 +31,13 @@ class Camera:
     @property
     def axes(self) -> Floats:
         """Columns right, up, backward in the world, shape [3, 3]."""
-        forward = np.subtract(self.target, self.eye)
-        forward = forward / np.linalg.norm(forward)
-        right = np.cross(forward, (0.0, 0.0, 1.0))
-        right = right / np.linalg.norm(right)
-        return np.stack([right, np.cross(right, forward), -forward], axis=1)
+        # Written out: directors ask thousands of times, and np.cross is slow for single vectors.
+        x, y, z = (t - e for t, e in zip(self.target, self.eye, strict=True))
+        length = math.sqrt(x * x + y * y + z * z)
+        x, y, z = x / length, y / length, z / length
+        flat = math.sqrt(x * x + y * y)
+        u, v = y / flat, -x / flat
+        return np.array([[u, v * z, -x], [v, -u * z, -y], [0.0, u * y - v * x, -z]])
 
     def quaternion(self) -> Floats:
         """Orientation (x, y, z, w) of a camera that looks along its -Z with +Y up, shape [4]."""
@@ -65,7 +67,12 @@ class Camera:
 
 
 def frame_points(
-    points: Floats, azimuth: float, elevation: float, aspect: float, fill: float = 0.86
+    points: Floats,
+    azimuth: float,
+    elevation: float,
+    aspect: float,
+    fill: float = 0.86,
+    fov: float = FOV_RAD,
 ) -> Camera:
     """The camera in a given direction that just contains all points.
 
@@ -75,6 +82,7 @@ def frame_points(
         elevation: Of the camera above the horizon [rad].
         aspect: Width over height.
         fill: Part of the picture's half size that the points may use.
+        fov: Vertical field of view [rad].
     """
     points = np.asarray(points, float)
     direction = np.array(
@@ -85,9 +93,9 @@ def frame_points(
         ]
     )
     center = 0.5 * (points.min(axis=0) + points.max(axis=0))
-    tan_y = math.tan(FOV_RAD / 2) * fill
+    tan_y = math.tan(fov / 2) * fill
     tan_x = tan_y * aspect
-    camera = Camera(tuple(center + direction), tuple(center))  # type: ignore[arg-type]  # three floats
+    camera = Camera(tuple(center + direction), tuple(center), fov)  # type: ignore[arg-type]  # three floats
     for _ in range(3):
         axes = camera.axes
         local = (points - center) @ axes
@@ -95,7 +103,7 @@ def frame_points(
         need = np.maximum(np.abs(local[:, 0]) / tan_x, np.abs(local[:, 1]) / tan_y) + local[:, 2]
         distance = max(float(need.max()), 0.3)
         eye = center + direction * distance
-        camera = Camera(tuple(eye), tuple(center))  # type: ignore[arg-type]  # three floats
+        camera = Camera(tuple(eye), tuple(center), fov)  # type: ignore[arg-type]  # three floats
         # Perspective shifts the centre of what is seen: re-centre on the projected bounding box.
         depth = distance - local[:, 2]
         offset_x = local[:, 0] / depth

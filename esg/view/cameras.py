@@ -1,12 +1,16 @@
-"""Fixed cameras that see a whole scene's action."""
+"""Cameras that see a whole scene's action: fixed ones around it, and those of a director."""
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 import math
 from typing import TYPE_CHECKING
 
 from esg.engines.scene import Rollout, SimScene
 from esg.view.camera import Camera, frame_points
+from esg.view.director.review import Viewfinder
+from esg.view.director.staging import azimuth_of, direct
+from esg.view.director.takes import Take
 
 if TYPE_CHECKING:
     from esg.graph.models import EsgDocument
@@ -16,6 +20,9 @@ TURNS_DEG = (0, 45, -45, 90, -90, 180, 135, -135)
 """Azimuths of the cameras, from the side of the motion that faces the viewer."""
 ELEVATIONS_DEG = (24, 34, 34, 44, 44, 24, 34, 34)
 _STEPS = 12
+LEAD_S, TAIL_S = 1.0, 0.9
+"""A director's camera is planned from so long before the first event to so long after the last."""
+Takes = list[Take]
 
 
 def action_cameras(
@@ -44,3 +51,21 @@ def action_cameras(
         frame_points(points, side + math.radians(turn), math.radians(elevation), aspect)
         for turn, elevation in list(zip(TURNS_DEG, ELEVATIONS_DEG, strict=True))[:count]
     ]
+
+
+def directed(finder: Viewfinder, kinds: Sequence[str], count: int, seed: int) -> Takes:
+    """Takes of the whole action by the director, from places that are apart.
+
+    Args:
+        finder: Of the scene.
+        kinds: Kinds of camera to choose from for each.
+        count: How many.
+        seed: Of lenses, sides and angles.
+    """
+    beats, end = finder.action.beats, float(finder.action.time[-1])
+    start, stop = max(0.0, beats[0].time_s - LEAD_S), min(end, beats[-1].time_s + TAIL_S)
+    takes: Takes = []
+    for number in range(count):
+        apart = [azimuth_of(take) for take in takes]
+        takes.append(direct(finder, start, stop, seed=seed + number, kinds=kinds, apart=apart))
+    return takes

@@ -41,7 +41,7 @@ def moments_of(
     """The start, every completed event in order of time, and the moment after the last."""
     events = [e for e in verdict.events if e.completed and e.time_s is not None] if verdict else []
     events = sorted(events, key=lambda e: e.time_s or 0.0)[:MAX_EVENTS]
-    cast = _with_openings(scene, doc, _cast(scene, rollout, verdict))
+    cast = _with_openings(scene, doc, cast_of(scene, rollout, verdict))
     company = _company(scene, doc, cast)
     end = float(rollout.time[-1])
     if events:
@@ -94,7 +94,7 @@ def _company(scene: SimScene, doc: EsgDocument, cast: tuple[int, ...]) -> tuple[
     )
 
 
-def _cast(scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None) -> tuple[int, ...]:
+def cast_of(scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None) -> tuple[int, ...]:
     """Bodies the picture is about: event participants, else movers, else what the prompt names."""
     names = [b for e in verdict.events for b in e.bodies] if verdict else []
     cast = {scene.index(n) for n in names if n in scene.names}
@@ -109,18 +109,24 @@ def _cast(scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None) -> tu
 
 
 def _with_openings(scene: SimScene, doc: EsgDocument, cast: tuple[int, ...]) -> tuple[int, ...]:
-    """The cast and the goal, hole or basket it enters; what is flat fills the picture."""
+    """The cast and the goal, hole or basket it enters."""
+    return tuple(sorted({*cast, *openings_of(scene, doc, cast)}))
+
+
+def openings_of(scene: SimScene, doc: EsgDocument, cast: Sequence[int]) -> tuple[int, ...]:
+    """The goal, hole or basket that bodies enter; none that is flat and fills the picture."""
     timeline = doc.timeline_system
     if timeline is None:
-        return cast
+        return ()
     names = {scene.bodies[i].name for i in cast}
     owners = {
         (n.region or "").partition("/")[0]
         for n in timeline.sequence_graph.nodes
         if names & set(n.participants)
     }
-    solid = {scene.index(n) for n in owners if n in scene.names and scene.body(n).collides}
-    return tuple(sorted({*cast, *solid}))
+    return tuple(
+        sorted(scene.index(n) for n in owners if n in scene.names and scene.body(n).collides)
+    )
 
 
 def _name(scene: SimScene, name: str) -> str:

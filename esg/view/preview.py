@@ -12,34 +12,31 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.joints import joint_ends, joint_poses
 from esg.engines.scene import Rollout, SimScene
 from esg.engines.wheels import scene_angles
 from esg.graph.models import EsgDocument
-from esg.thresholds import PIECE_GAP_M
 from esg.view.camera import Camera
+from esg.view.director.acting import Action
+from esg.view.film.encoding import NoFilmError
+from esg.view.film.shooting import write_scene_film
 from esg.view.framing import (
     PANEL_PX,
-    camera_for,
     camera_of_moment,
     corners_of,
     frame_at,
     pose,
     viewpoint,
 )
-from esg.view.moments import Moment, failures, moments_of
+from esg.view.moments import failures, moments_of
 from esg.view.parts import scene_parts
-from esg.view.render import SAMPLES, Renderer
-from esg.view.sheet import Panel, draw_ropes, draw_trail, write_loop, write_sheet
+from esg.view.render import SAMPLES, Part, Renderer
+from esg.view.ropes import ropes_at
+from esg.view.sheet import Panel, draw_ropes, draw_trail, write_sheet
 
 if TYPE_CHECKING:
     from esg.metrics.models import SceneVerdict
 
-LOOP_PX = (240, 160)
-LOOP_FPS = 10
-LOOP_FRAMES = 20
-LOOP_LEAD_S = 0.8
-"""The loop starts so long before the first event."""
+FILM = "preview.mp4"
 
 
 @dataclass(frozen=True)
@@ -60,9 +57,9 @@ def preview(
     folder: Path,
     *,
     note: str = "",
-    loop: bool = True,
+    film: bool = True,
 ) -> Path:
-    """Writes `preview.png`, the scene before, at every completed event and after, and a loop of it.
+    """Writes `preview.png`, the scene before, at every completed event and after, and its film.
 
     Args:
         scene: The bodies.
@@ -71,7 +68,7 @@ def preview(
         doc: Asset configurations (meshes) and the prompt.
         folder: Where the files go.
         note: A line under the prompt, e.g. the outcome.
-        loop: Also write `preview.webp`, the same action as a short animation.
+        film: Also write `preview.mp4`. Where that fails, the sheet says why.
 
     Returns:
         Path of the sheet.
@@ -86,46 +83,37 @@ def preview(
     for moment in moments:
         frame = frame_at(rollout, moment.time)
         shots.append(Shot(frame, camera_of_moment(scene, rollout, moment, view, renderers[0])))
-    film = loop_shots(scene, rollout, moments, view) if loop else []
     images = [
         draw_ropes(image, shot.camera, ropes_at(scene, rollout, shot.frame))
         for shot, image in zip(
-            [*shots, *film],
-            _render(renderers, rollout, scene_angles(scene, rollout), [*shots, *film]),
-            strict=True,
+            shots, _render(renderers, rollout, scene_angles(scene, rollout), shots), strict=True
         )
     ]
     panels: list[Panel] = []
     since = 0.0
-    for moment, shot, image in zip(moments, shots, images[: len(shots)], strict=True):
+    for moment, shot, image in zip(moments, shots, images, strict=True):
         trails = _trails(rollout, moment.focus, since, moment.time)
         specks = [] if panels else [corners_of(scene, rollout, shot.frame, i) for i in moment.focus]
         image = draw_trail(image, shot.camera, trails, specks)
         panels.append(Panel(image, moment.title, moment.caption))
         since = moment.time
-    if loop:
-        write_loop(folder / "preview.webp", images[len(shots) :], round(1000 / LOOP_FPS))
+    lost = _filmed(Action(scene, rollout, verdict, doc), doc, parts, folder) if film else []
     return write_sheet(
         folder / "preview.png",
         panels,
         title=doc.scene_definition.original_description,
         note=note,
-        footnotes=failures(scene, verdict),
+        footnotes=[*failures(scene, verdict), *lost],
     )
 
 
-def ropes_at(scene: SimScene, rollout: Rollout, frame: int) -> list[NDArray[np.float64]]:
-    """Ends [m] of the ropes and springs that hold at a frame of the first world, each [2, 3]."""
-    p, q = rollout.position[0, frame], rollout.quaternion[0, frame]
-    out: list[NDArray[np.float64]] = []
-    for joint in scene.joints:
-        if not joint.flexible:
-            continue
-        ends = np.array(joint_ends(joint, *joint_poses(scene, joint, p, q)))
-        slack = joint.upper if joint.kind == "rope" and joint.upper is not None else np.inf
-        if float(np.linalg.norm(ends[1] - ends[0])) <= slack + PIECE_GAP_M:
-            out.append(ends)
-    return out
+def _filmed(action: Action, doc: EsgDocument, parts: Sequence[Part], folder: Path) -> list[str]:
+    """Writes the film; why there is none, in a line, if it cannot be written."""
+    try:
+        write_scene_film(action, doc, parts, folder / FILM)
+    except NoFilmError as error:
+        return [f"no film: {error}"]
+    return []
 
 
 def _threads() -> int:
@@ -159,35 +147,6 @@ def _render(
     with ThreadPoolExecutor(len(renderers)) as pool:
         dealt = list(pool.map(draw, range(len(renderers))))
     return [dealt[i % len(renderers)][i // len(renderers)] for i in range(len(shots))]
-
-
-def loop_shots(
-    scene: SimScene, rollout: Rollout, moments: Sequence[Moment], view: tuple[float, float]
-) -> list[Shot]:
-    """Frames of the loop: from shortly before the first event to shortly after the last.
-
-    The camera goes smoothly from one moment's framing to the next.
-    """
-    start, end = moments[0].time, moments[-1].time
-    if len(moments) > 2:
-        start = max(start, moments[1].time - LOOP_LEAD_S)
-    count = int(min(LOOP_FRAMES, max(2, round((end - start) * LOOP_FPS))))
-    times = np.linspace(start, end, count)
-    stops = moments[1:] if len(moments) > 2 else moments
-    cameras = [camera_for(scene, rollout, m, frame_at(rollout, m.time), *view) for m in stops]
-    marks = np.array([m.time for m in stops])
-    shots: list[Shot] = []
-    for time in times:
-        eye, target = (
-            tuple(
-                float(np.interp(time, marks, [getattr(c, key)[axis] for c in cameras]))
-                for axis in range(3)
-            )
-            for key in ("eye", "target")
-        )
-        camera = Camera(eye, target)  # type: ignore[arg-type]  # three floats each
-        shots.append(Shot(frame_at(rollout, float(time)), camera, LOOP_PX, 2))
-    return shots
 
 
 def _trails(

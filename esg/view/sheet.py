@@ -164,30 +164,6 @@ def write_sheet(
     return path
 
 
-def write_loop(path: Path, frames: Sequence[NDArray[np.uint8]], milliseconds: int) -> Path:
-    """Writes frames as an endless WebP animation.
-
-    Args:
-        path: Of the file.
-        frames: At least one, each of shape [height, width, 3].
-        milliseconds: Each frame is shown so long; the last one for a second.
-    """
-    from PIL import Image
-
-    images = [Image.fromarray(frame) for frame in frames]
-    images[0].save(
-        path,
-        "WEBP",
-        save_all=True,
-        append_images=images[1:],
-        duration=[milliseconds] * (len(images) - 1) + [1000],
-        loop=0,
-        quality=55,
-        method=2,
-    )
-    return path
-
-
 def panel_boxes(image: Any) -> list[tuple[int, int, int, int]]:
     """Where the panels are on a sheet that `write_sheet` wrote: left, top, right, bottom [px].
 

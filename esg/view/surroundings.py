@@ -2,16 +2,24 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 import math
 from typing import TYPE_CHECKING, Literal
+
+import numpy as np
+from numpy.typing import NDArray
 
 from esg.assets.looks import Color, Look
 
 if TYPE_CHECKING:
-    from esg.view.render import Part
+    from esg.engines.scene import Rollout, SimScene
+    from esg.graph.models import Dressing, EsgDocument
+    from esg.view.pieces import Part
 
+SkyKind = Literal["plain", "clear", "cloudy", "dusk", "night", "indoor"]
 Vec = tuple[float, float, float]
+Floats = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -26,7 +34,7 @@ class Sky:
         zenith, horizon: Linear colours of the sky straight up and at the horizon.
     """
 
-    kind: Literal["plain", "clear", "cloudy", "dusk", "night", "indoor"] = "plain"
+    kind: SkyKind = "plain"
     sun: Vec = (0.5 / math.sqrt(2.0), 0.5 / math.sqrt(2.0), math.sqrt(0.75))
     sun_rgb: Color = (0.8, 0.78, 0.74)
     ambient_rgb: Color = (0.34, 0.36, 0.4)
@@ -41,9 +49,128 @@ class Surroundings:
     Args:
         sky: Its light.
         ground: The endless plane at z = 0.
-        parts: Meshes fixed to the world (body -1): walls, kerbs, facades, trees, lamps.
+        parts: Meshes fixed to the world (body -1): walls, kerbs, facades, trees, lamps. Their names
+            begin with the id of the thing they are of, before a "/"; markings are "ground/...".
     """
 
     sky: Sky
     ground: Look
     parts: tuple[Part, ...] = ()
+
+    def seen_from(self, eyes: Floats, points: Floats) -> Surroundings:
+        """Without the things that stand between cameras and what they are to show.
+
+        Walls of a room and facades of a street are left out whole as soon as one looks through
+        them from one of the eyes, as in a dollhouse, and so is what a camera stands in.
+
+        Args:
+            eyes: Of all cameras that draw it [m], shape [n, 3].
+            points: What they look at: a few points of the action [m], shape [m, 3].
+        """
+        hidden = in_the_way(self.parts, np.atleast_2d(eyes), np.atleast_2d(points))
+        return replace(self, parts=tuple(p for p in self.parts if thing_of(p) not in hidden))
+
+
+GROUND = "ground"
+"""What the parts of markings are of; they hide nothing."""
+NEAR_M = 0.6
+"""A camera stands in what is nearer to it than this."""
+
+
+def thing_of(part: Part) -> str:
+    """Id of the thing of a dressing that a part belongs to."""
+    return part.name.partition("/")[0]
+
+
+def in_the_way(parts: Sequence[Part], eyes: Floats, points: Floats) -> frozenset[str]:
+    """Things between eyes and points, and things in which an eye stands.
+
+    Args:
+        parts: Of surroundings.
+        eyes: [m], shape [n, 3].
+        points: [m], shape [m, 3].
+    """
+    starts = np.repeat(eyes, len(points), axis=0)
+    ends = np.tile(points, (len(eyes), 1))
+    found: set[str] = set()
+    for part in parts:
+        name = thing_of(part)
+        if name in found or name == GROUND:
+            continue
+        low, high = part.vertices.min(axis=0), part.vertices.max(axis=0)
+        if (np.all((eyes > low - NEAR_M) & (eyes < high + NEAR_M), axis=1)).any():
+            found.add(name)
+            continue
+        cross = _crosses_box(starts, ends, low, high)
+        if cross.any() and _crosses(starts[cross], ends[cross], part.vertices[part.faces]):
+            found.add(name)
+    return frozenset(found)
+
+
+def _crosses_box(starts: Floats, ends: Floats, low: Floats, high: Floats) -> NDArray[np.bool_]:
+    """Which segments meet a box, shape [n]."""
+    way = ends - starts
+    way = np.where(np.abs(way) < 1e-9, 1e-9, way)
+    near, far = (low - starts) / way, (high - starts) / way
+    enter = np.minimum(near, far).max(axis=1)
+    leave = np.maximum(near, far).min(axis=1)
+    return (enter <= leave) & (leave >= 0.0) & (enter <= 1.0)
+
+
+def _crosses(starts: Floats, ends: Floats, corners: Floats) -> bool:
+    """Whether a segment meets a triangle (Moeller and Trumbore, 1997).
+
+    Args:
+        starts, ends: Of the segments, shape [n, 3].
+        corners: Of the triangles, shape [m, 3, 3].
+    """
+    a, u, v = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    for start, end in zip(starts, ends, strict=True):
+        way = end - start
+        p = np.cross(way, v)
+        det = (u * p).sum(axis=1)
+        safe = np.where(np.abs(det) < 1e-12, np.inf, det)
+        s = start - a
+        x = (s * p).sum(axis=1) / safe
+        q = np.cross(s, u)
+        y = (q @ way) / safe
+        t = (v * q).sum(axis=1) / safe
+        inside = np.abs(det) >= 1e-12
+        if (inside & (x >= 0) & (y >= 0) & (x + y <= 1) & (t > 0) & (t < 1)).any():
+            return True
+    return False
+
+
+def surroundings_of(doc: EsgDocument, scene: SimScene, rollout: Rollout) -> Surroundings:
+    """What surrounds a scene: its dressing, or without one a plain ground with a checkerboard.
+
+    Args:
+        doc: The document.
+        scene: Its bodies.
+        rollout: Their motion: the checkerboard lies where they go.
+    """
+    from esg.view.ground import checkerboard, ground_color
+
+    dressing = doc.dressing
+    if dressing is None:
+        color = ground_color(scene, doc)
+        return Surroundings(Sky(), Look("", color, 0.9), checkerboard(rollout, color))
+    from esg.dressing.meshes import meshes_of, surface_look
+    from esg.view.pieces import Part
+
+    parts = [
+        Part(-1, m.vertices, m.faces, m.color, None, m.look, m.normals, m.uvs, m.name)
+        for m in meshes_of(dressing)
+    ]
+    return Surroundings(_sky(dressing), surface_look(dressing.ground)[0], tuple(parts))
+
+
+def _sky(dressing: Dressing) -> Sky:
+    from esg.lexicon.places import skies
+
+    row = skies()[dressing.sky]
+    azimuth = math.radians(dressing.sun_azimuth_deg)
+    elevation = math.radians(dressing.sun_elevation_deg)
+    flat = math.cos(elevation)
+    sun = (flat * math.cos(azimuth), flat * math.sin(azimuth), math.sin(elevation))
+    return Sky(row.kind, sun, row.sun_rgb, row.ambient_rgb, row.zenith, row.horizon)

@@ -37,6 +37,17 @@ def test_help_imports_nothing_heavy() -> None:
     assert done.stderr.strip() == "[]"
 
 
+def test_completion_knows_commands_and_options(tmp_path: Path) -> None:
+    done = subprocess.run(
+        [sys.executable, "-m", "esg", "--install-completion"],
+        capture_output=True, text=True, check=False,
+        env={"HOME": str(tmp_path), "SHELL": "/bin/bash", "PYTHONPATH": str(ROOT), "PATH": "/bin"},
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    script = next(p for p in tmp_path.rglob("esg") if p.is_file()).read_text()
+    assert all(word in script for word in ("generate", "--close-loop", "batched", "rapier"))
+
+
 @pytest.mark.parametrize(
     ("arguments", "words"),
     [

@@ -9,8 +9,8 @@ import sys
 
 import pytest
 
+from esg.api.inputs import Mistakes, checked, clean_prompt, in_range
 from esg.cli import build_app
-from esg.commands.inputs import Mistakes, checked, clean_prompt, in_range
 from esg.commands.parsing import parse
 from esg.outcomes import UserError
 from tests.cli.test_cli import ROOT, esg

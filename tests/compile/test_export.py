@@ -213,7 +213,7 @@ def test_usd_states_the_scene_in_si(folder: Path, tmp_path: Path) -> None:
     from pxr import Usd, UsdGeom, UsdPhysics
 
     scene = load_manifest(folder / "manifest.json").scene
-    physics, _ = export(folder, "usd", tmp_path)
+    physics, *_ = export(folder, "usd", tmp_path)
     stage = Usd.Stage.Open(str(physics))
     assert UsdGeom.GetStageMetersPerUnit(stage) == 1.0
     assert UsdGeom.GetStageUpAxis(stage) == "Z"
@@ -313,7 +313,7 @@ def test_usd_animation_plays_the_replay(folder: Path, tmp_path: Path) -> None:
 
     scene = load_manifest(folder / "manifest.json").scene
     rollout = replayed(folder)
-    _, animation = export(folder, "usd", tmp_path)
+    _, animation, _ = export(folder, "usd", tmp_path)
     stage = Usd.Stage.Open(str(animation))
     assert stage.GetTimeCodesPerSecond() == 60.0
     assert stage.GetEndTimeCode() == len(rollout.time) - 1
@@ -436,7 +436,7 @@ def test_usd_runs_in_newton(tmp_path: Path, name: str) -> None:
 
     scene, program = CASES[name]()
     folder = folder_of(tmp_path, scene, program)
-    physics, _ = export(folder, "usd")
+    physics, *_ = export(folder, "usd")
     builder = newton.ModelBuilder()
     builder.add_usd(str(physics))
     masses = sorted(b.mass for b in scene.bodies if b.collides and not b.static)

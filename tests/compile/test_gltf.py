@@ -33,7 +33,7 @@ def validated(*files: Path) -> list[dict]:
     return json.loads(done.stdout)
 
 
-def textured(path: Path) -> None:
+def textured(path: Path, seed: int = 0) -> None:
     """A ball with an image as its colour, as imported assets have."""
     from PIL import Image
     import trimesh
@@ -41,7 +41,7 @@ def textured(path: Path) -> None:
     from trimesh.visual.material import PBRMaterial
 
     ball = trimesh.creation.icosphere(subdivisions=2, radius=0.11)
-    pixels = np.random.default_rng(0).integers(0, 255, (16, 16, 3), np.uint8)
+    pixels = np.random.default_rng(seed).integers(0, 255, (16, 16, 3), np.uint8)
     material = PBRMaterial(baseColorTexture=Image.fromarray(pixels), metallicFactor=0.0)
     uv = ball.vertices[:, :2] / 0.22 + 0.5
     ball.visual = TextureVisuals(uv=uv, material=material)
@@ -49,10 +49,11 @@ def textured(path: Path) -> None:
     path.write_bytes(trimesh.Scene(ball).export(file_type="glb"))
 
 
-def textured_scene(root: Path) -> Path:
+def textured_scene(root: Path, seed: int = 1) -> Path:
+    """Three balls of two files, the second with a picture of its own unless `seed` is 0."""
     scene, program = scenes.marbles()
     textured(root / "meshes" / "ball.glb")
-    textured(root / "meshes" / "other.glb")
+    textured(root / "meshes" / "other.glb", seed)
     bodies = tuple(
         replace(b, mesh=f"meshes/{'other' if b.name == 'ball_c' else 'ball'}.glb")
         if b.name.startswith("ball")
@@ -75,6 +76,17 @@ def test_textures_of_several_files_survive(tmp_path: Path) -> None:
         view = document["bufferViews"][image["bufferView"]]
         start = view.get("byteOffset", 0)
         assert binary[start : start + 8] == b"\x89PNG\r\n\x1a\n"
+
+
+def test_a_picture_of_several_files_is_there_once(tmp_path: Path) -> None:
+    folder = textured_scene(tmp_path, seed=0)
+    data = export(folder, "glb")[0].read_bytes()
+    document, _ = read_glb(data)
+    assert len(document["images"]) == len(document["textures"]) == 1
+    # The two files' materials are one, the capsule's and the wedge's another.
+    assert len(document["materials"]) == 2
+    balls = [m for m in document["meshes"] if m["primitives"][0]["attributes"].get("TEXCOORD_0")]
+    assert len(balls) == 2 and data.count(b"\x89PNG") == 1
 
 
 @needs_validator

@@ -9,6 +9,8 @@ from types import ModuleType
 import pytest
 
 from esg.compile.usd import physics_layer
+from esg.compile.visuals.usd_files import LOOKS_FILE
+from esg.compile.visuals.usd_looks import UsdLooks
 from esg.engines.manifest import manifest_from_json, manifest_to_json
 from esg.engines.program import Program
 from esg.engines.scene import SimScene
@@ -29,7 +31,13 @@ def player(monkeypatch: pytest.MonkeyPatch) -> ModuleType:
 
 def usd_of(folder: Path, scene: SimScene, program: Program) -> Path:
     """Writes the scene to simulate."""
+    from pxr import Sdf
+
     data = manifest_to_json(scene, program, dt=1 / 240)
     path = folder / "scene.usda"
-    path.write_text(physics_layer(manifest_from_json(data), folder), "utf-8")
+    looks = UsdLooks(Sdf.Layer.CreateAnonymous(".usdc"))
+    path.write_text(
+        physics_layer(manifest_from_json(data), looks, folder).ExportToString(), "utf-8"
+    )
+    looks.layer.Export(str(folder / LOOKS_FILE))
     return path

@@ -10,6 +10,7 @@ import sys
 import pytest
 
 from benchmarks.resume import differences, files
+import esg
 
 pytestmark = pytest.mark.slow
 ROOT = Path(__file__).parents[2]
@@ -71,6 +72,13 @@ def test_datasets_reads_every_table_and_split(small: Path) -> None:
         assert sum(len(s) for s in splits.values()) >= 8
     row = datasets.load_dataset(str(small), "trajectories", split="train")[0]
     assert len(row["position_m"]) == 3 * row["n_frames"] * len(row["bodies"])
+
+
+def test_python_reads_it(small: Path) -> None:
+    found = esg.load_dataset(small)
+    assert len(found) == 8
+    assert {"scenes", "trajectories"} <= set(found.tables)
+    assert all(row["prompt"] for row in found.rows())
 
 
 def test_polars_and_duckdb_read_it(small: Path) -> None:

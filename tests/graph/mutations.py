@@ -936,6 +936,43 @@ def casting(m: Maker) -> None:
     m.add("STAGE_ORDER", ("choreography",), still, "TIMELINE_MISSING")
 
 
+def dressing(m: Maker) -> None:
+    """Places that are not there, nobody wants, or that stand in the way."""
+    around: Json = {
+        "place": "park",
+        "sky": "clear",
+        "sun_azimuth_deg": 30.0,
+        "sun_elevation_deg": 50.0,
+        "ground": "grass",
+        "markings": [{"surface": "gravel", "center_cm": [0, 900], "half_cm": [4000, 90]}],
+        "items": [
+            {"id": "bench_1", "kind": "bench", "position_cm": [0, 1500, 0], "size_cm": [60, 160, 80]},
+            {"id": "tree_1", "kind": "broadleaf", "position_cm": [0, -900, 0],
+             "size_cm": [500, 500, 700], "surface": "leaves"},
+        ],
+    }  # fmt: skip
+    dressed = {**m.raw, "dressing": around}
+    here = ("dressing",)
+    if m.base != "finished":
+        m.add("STAGE_ORDER", here, dressed)
+        return
+    for path in (("place",), ("sky",), ("ground",), ("markings", 0, "surface"),
+                 ("items", 0, "kind"), ("items", 1, "surface")):  # fmt: skip
+        m.add("DRESSING_UNKNOWN", (*here, *path), put(dressed, (*here, *path), "ghost"))
+    m.add("DRESSING_TWICE", (*here, "items"), put(dressed, (*here, "items", 1, "id"), "bench_1"))
+    for path, value in (
+        (("items", 0, "size_cm"), [60, 160, 1e6]),
+        (("items", 0, "position_cm"), [0, 9e5, 0]),
+        (("markings", 0, "half_cm"), [0, 90]),
+    ):
+        there = (*here, *path[:2])
+        m.add("DRESSING_RANGE", there, put(dressed, (*here, *path), value), note=path[2])
+    near = (*here, "items", 1)
+    m.add("DRESSING_NEAR", near, put(dressed, (*near, "position_cm"), [100, -430, 0]))
+    only = put(dressed, ("scene_definition", "scene_parameters", "allow_supplementary"), False)
+    m.add("DRESSING_UNASKED", here, only)
+
+
 def joints(m: Maker) -> None:
     """Joints of what is not there, that cannot move anything, or that say too much or too little."""
     if m.base != "finished":
@@ -1017,6 +1054,7 @@ GENERATORS: tuple[Callable[[Maker], None], ...] = (
     statements,
     casting,
     joints,
+    dressing,
 )
 
 

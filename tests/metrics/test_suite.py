@@ -10,7 +10,7 @@ import pytest
 import yaml
 
 from esg.graph.models import Predicate
-from esg.metrics import load_suite, parse_suite
+from esg.metrics import load_suite, own_suites, parse_suite
 from esg.outcomes import UserError
 
 PAPER = Path(__file__).parents[2] / "data" / "suites" / "paper.yaml"
@@ -167,6 +167,17 @@ def test_all_problems_are_reported_at_once():
     message = problems(text)
     assert "4 problems" in message
     assert message.count("\n") == 4
+
+
+def test_suites_of_the_package_go_by_name_unless_a_file_is_called_so(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    assert {"paper", "breadth"} <= set(own_suites())
+    for name, path in own_suites().items():
+        assert load_suite(name).suite == load_suite(path).suite
+    (tmp_path / "paper").write_text(ONE)
+    assert load_suite("paper").suite == "one"
+    with pytest.raises(UserError, match=r"papers does not exist; give a file, or one of .*paper"):
+        load_suite("papers")
 
 
 def test_files_that_cannot_be_read(tmp_path):

@@ -10,9 +10,9 @@ from hypothesis import HealthCheck, example, given, settings
 from hypothesis import strategies as st
 import pytest
 
+from esg.api.inputs import check_device
 from esg.assets.imports.sources import parse_properties, read_folder
 from esg.assets.imports.store import read_record
-from esg.commands.inputs import check_device
 from esg.commands.serve import check_cron
 from esg.dataset.grammar import load_distribution
 from esg.dataset.plan import Shard, read_prompts

@@ -26,13 +26,17 @@ from esg.report.payload import (
     frames_at,
     index_entry,
     scene_chunk,
-    words_of,
 )
 from esg.report.replays import Replayed, replays_of
-from esg.report.run import load_run, read_scene
+from esg.report.run import SceneEntry, load_run, read_scene
+from esg.report.words import pieces
 from tests.report import folders
 
 ROOT = Path(__file__).parents[2]
+
+
+def pieces_of(scene: SceneEntry) -> list[dict[str, Any]]:
+    return pieces(scene.prompt, scene.document, scene.statements)
 
 
 def decode(text: str) -> dict[str, Any]:
@@ -148,18 +152,18 @@ def said() -> list[dict[str, Any]]:
 
 def test_words_say_what_became_of_them_the_worst_first(tmp_path: Path) -> None:
     scene = read_scene(folders.write_scene(tmp_path / "a", SAID, outcome="partial", said=said()))
-    pieces = words_of(scene)
-    assert "".join(p["text"] for p in pieces) == SAID
-    assert [(p["text"], p["fate"]) for p in pieces] == [
+    found = pieces_of(scene)
+    assert "".join(p["text"] for p in found) == SAID
+    assert [(p["text"], p["fate"]) for p in found] == [
         ("A 🔴 ball ", ""), ("on the table", "broken"), (" flies ", ""),
         ("straight up", "not_represented"), (".", ""),
     ]  # fmt: skip
-    assert pieces[1]["notes"] == ["supported by: broken: carried in 0% of 95% (measured: share 0)"]
+    assert found[1]["notes"] == ["supported by: broken: carried in 0% of 95% (measured: share 0)"]
     entry = index_entry(scene, 0, "a")
     assert (entry["kept"], entry["statements"]) == (1, 3)
     assert [r["words"] for r in entry["not_kept"]] == ["on the table", "straight up"]
     chunk = decode(scene_chunk(scene, [], MeshLibrary()))
-    assert chunk["words"] == pieces and len(chunk["statements"]) == 3
+    assert chunk["words"] == found and len(chunk["statements"]) == 3
 
 
 def test_pieces_end_where_another_fate_begins(tmp_path: Path) -> None:
@@ -169,7 +173,7 @@ def test_pieces_end_where_another_fate_begins(tmp_path: Path) -> None:
         folders.statement(SAID, "on", "broken", "in the air"),
     ]
     scene = read_scene(folders.write_scene(tmp_path / "a", SAID, said=rows))
-    assert [(p["text"], p["fate"]) for p in words_of(scene)] == [
+    assert [(p["text"], p["fate"]) for p in pieces_of(scene)] == [
         ("A 🔴 ", ""), ("ball ", "kept"), ("on", "broken"), (" the table", "kept"),
         (" flies straight up.", ""),
     ]  # fmt: skip
@@ -281,7 +285,8 @@ def test_a_mesh_keeps_its_shape_and_colours() -> None:
     cube.visual = TextureVisuals(material=material)
     data = trimesh.Scene(cube).export(file_type="glb")
     mesh = decode(mesh_chunk(data))
-    assert mesh["colors"] == [[1.0, 0.0, 0.2, 1.0]]
+    # A factor of glTF is linear light, a colour of the page sRGB.
+    assert mesh["colors"] == [[1.0, 0.0, pytest.approx(0.485, abs=1e-3), 1.0]]
     assert mesh["counts"] == [36]
     assert len(mesh["data"]["vertices"]) == 8
     # glTF is Y up; the page is Z up again: (x, -z, y).

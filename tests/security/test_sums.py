@@ -47,9 +47,9 @@ def test_missing_and_added_files(scene: Path, capsys: pytest.CaptureFixture[str]
     (scene / "notes.txt").write_text("mine")
     assert check(scene) == 0
     assert "added: notes.txt" in capsys.readouterr().out
-    (scene / "preview.webp").unlink()
+    (scene / "preview.mp4").unlink()
     assert check(scene) == 1
-    assert "missing: preview.webp" in capsys.readouterr().out
+    assert "missing: preview.mp4" in capsys.readouterr().out
 
 
 def test_an_export_into_the_folder_keeps_the_list(scene: Path) -> None:

@@ -166,6 +166,17 @@ def test_history_compares_with_the_last_good_run(tmp_path):
     assert rows[1]["ecr_change"] == pytest.approx(-2.0)
 
 
+def test_prompts_of_no_suite_are_not_compared(tmp_path):
+    path = tmp_path / "h.duckdb"
+    for day, complete in ((1, True), (2, False)):
+        info = run_info(f"generate-{day}", day, kind="generate", suite="")
+        items = [record(info, "S1", 0, complete=complete)]
+        write_tables(tmp_path / info.run_id, items, name=info.run_id)
+        ingest(path, [tmp_path / info.run_id])
+    assert len(query(path, "FROM bench_summary").rows) == 2
+    assert query(path, "FROM bench_history").rows == []
+
+
 def test_outcomes_timings_and_errors(db):
     outcome = query(db, "FROM scene_outcomes WHERE scene_id = 'S2'").dicts()[0]
     assert (outcome["runs"], outcome["solved"], outcome["not_converged"]) == (2, 1, 1)

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import pytest
 import trimesh
 
+from esg.assets.appearance import USUAL
 from esg.view import parts as module
 
 
@@ -32,8 +33,9 @@ def test_decals_lie_within_millimetres_of_the_ground(monkeypatch: pytest.MonkeyP
         return trimesh.Scene(box)
 
     meshes = {b.name: mesh(tuple(2 * h for h in b.half_extents)) for b in bodies}
-    monkeypatch.setattr("esg.assets.build_mesh", lambda name: meshes[name])
-    monkeypatch.setattr(module, "_ground", lambda *_: [])
+    monkeypatch.setattr("esg.assets.build_mesh", lambda name, look: meshes[name])
+    usual = dict.fromkeys(meshes, USUAL)
+    monkeypatch.setattr("esg.assets.appearances.appearances", lambda doc: usual)
     doc = SimpleNamespace(
         scene_definition=SimpleNamespace(scene_parameters=SimpleNamespace(scene_type="indoor")),
         spatial_relation_graph=SimpleNamespace(
@@ -41,8 +43,9 @@ def test_decals_lie_within_millimetres_of_the_ground(monkeypatch: pytest.MonkeyP
         ),
         asset_configurations={b.name: b.name for b in bodies},
         casting=None,
+        dressing=None,
     )
-    drawn = module.scene_parts(SimpleNamespace(bodies=bodies), None, doc)  # type: ignore[arg-type]
+    drawn = module.body_parts(SimpleNamespace(bodies=bodies), doc)  # type: ignore[arg-type]
     tops = {bodies[p.body].name: float(p.vertices[:, 2].max()) for p in drawn}
     assert 0.0 < tops["floor"] < tops["lane"] < 0.01
     assert tops["rug"] == pytest.approx(0.012)

@@ -1,4 +1,4 @@
-"""Framing: who is in the picture, from where, and that a whole sheet and loop come out."""
+"""Framing: who is in the picture, from where, and that a whole sheet comes out."""
 
 from __future__ import annotations
 
@@ -28,6 +28,7 @@ from esg.metrics.models import EventVerdict, LayoutVerdict, SceneVerdict
 from esg.view import preview as previews
 from esg.view.camera import Camera, box_corners
 from esg.view.cameras import action_cameras
+from esg.view.film.encoding import NoFilmError
 from esg.view.framing import (
     camera_for,
     camera_of_moment,
@@ -38,6 +39,7 @@ from esg.view.framing import (
 )
 from esg.view.moments import failures, moments_of
 from esg.view.render import Part, Renderer
+from esg.view.ropes import ropes_at
 from esg.view.sheet import draw_ropes, draw_trail
 from tests.report.folders import HIT_S, rollout, scene
 
@@ -175,14 +177,13 @@ def simple(monkeypatch: pytest.MonkeyPatch) -> None:
     ]
     monkeypatch.setattr(previews, "scene_parts", lambda *_: parts)
     monkeypatch.setattr(previews, "PANEL_PX", (96, 64))
-    monkeypatch.setattr(previews, "LOOP_PX", (60, 40))
 
 
 @pytest.mark.usefixtures("simple")
-def test_sheet_and_loop_are_the_same_with_one_thread_and_two(
+def test_sheet_and_film_are_the_same_with_one_thread_and_two(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Which thread draws a picture makes no difference; the loop shows the whole action."""
+    """Which thread draws a picture makes no difference, and films are the same."""
     made = []
     for threads in (1, 2):
         monkeypatch.setattr(previews, "_threads", lambda n=threads: n)
@@ -190,12 +191,8 @@ def test_sheet_and_loop_are_the_same_with_one_thread_and_two(
         folder.mkdir()
         previews.preview(scene(), rollout(), verdict(EVENT), DOC, folder)
         made.append({p.name: p.read_bytes() for p in folder.iterdir()})
-    assert made[0].keys() == {"preview.png", "preview.webp"}
+    assert made[0].keys() == {"preview.png", "preview.mp4"}
     assert made[0] == made[1]
-    with Image.open(tmp_path / "1" / "preview.webp") as loop:
-        assert loop.size == (60, 40)
-        # One second at ten frames a second; what rests is one long frame.
-        assert 3 <= loop.n_frames <= 10
     with Image.open(tmp_path / "1" / "preview.png") as sheet:
         picture = np.asarray(sheet.convert("RGB")).astype(int)
     red = (picture[..., 0] > 1.6 * picture[..., 1]) & (picture[..., 0] > 1.6 * picture[..., 2])
@@ -260,13 +257,13 @@ def hung() -> tuple[SimScene, Rollout]:
 
 def test_ropes_are_drawn_between_their_ends_while_they_hold():
     jointed, played = hung()
-    (ends,) = previews.ropes_at(jointed, played, 0)
+    (ends,) = ropes_at(jointed, played, 0)
     rope = jointed.joints[0]
     assert ends[1] == pytest.approx(played.position[0, 0, jointed.index(rope.child)], abs=1e-5)
     assert ends[0] == pytest.approx(played.position[0, 0, jointed.index(rope.parent)], abs=1e-5)
     torn = replace(jointed, joints=(replace(rope, upper=0.5 * (rope.upper or 0.0)),))
-    assert previews.ropes_at(torn, played, 0) == []
-    assert previews.ropes_at(scene(), played, 0) == []
+    assert ropes_at(torn, played, 0) == []
+    assert ropes_at(scene(), played, 0) == []
 
 
 def test_a_rope_darkens_the_picture_along_its_line_only():
@@ -277,3 +274,26 @@ def test_a_rope_darkens_the_picture_along_its_line_only():
     dark = np.argwhere((drawn < 150).any(axis=2))
     assert 5 < len(dark) < 120
     assert np.ptp(dark[:, 1]) <= 3
+
+
+@pytest.mark.usefixtures("simple")
+def test_a_scene_is_recorded_without_its_film(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A film that cannot be written costs the film, not the sheet, which says why."""
+
+    def refuse(*_: object) -> None:
+        raise NoFilmError("no space left")
+
+    notes: list[list[str]] = []
+    real = previews.write_sheet
+
+    def sheet(*args: object, **more: object) -> object:
+        notes.append(list(more["footnotes"]))  # type: ignore[call-overload]
+        return real(*args, **more)  # type: ignore[arg-type]
+
+    monkeypatch.setattr(previews, "write_scene_film", refuse)
+    monkeypatch.setattr(previews, "write_sheet", sheet)
+    previews.preview(scene(), rollout(), verdict(EVENT), DOC, tmp_path)
+    assert [p.name for p in tmp_path.iterdir()] == ["preview.png"]
+    assert notes == [["no film: no space left"]]

@@ -5,19 +5,20 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import replace
 import math
-from typing import Any
+from typing import Any, Unpack
 
-from esg.assets.geometry.sketch import CHROME, RUBBER, STEEL, Color, Sketch, rgb
+from esg.assets.geometry.sketch import CHROME, RUBBER, STEEL, Color, Finish, Sketch, Style, rgb
 from esg.assets.lazy import shapes
 from esg.graph.models import Vec3
 
 Span = tuple[float, float]
-LEAF = rgb(66, 130, 56)
+LEAF = Finish(rgb(66, 130, 56), "leaves")
 
 
 def shade(c: Color, factor: float) -> Color:
-    """A lighter or darker tone."""
-    return (min(c[0] * factor, 1.0), min(c[1] * factor, 1.0), min(c[2] * factor, 1.0))
+    """A lighter or darker tone of the same material."""
+    tone = (min(c[0] * factor, 1.0), min(c[1] * factor, 1.0), min(c[2] * factor, 1.0))
+    return Finish(tone, c.material) if isinstance(c, Finish) else tone
 
 
 def mirrored(sign: int, low: float, high: float) -> Span:
@@ -38,12 +39,11 @@ def bone(
     rb: float,
     c: Color,
     *,
-    rough: float = 0.85,
-    metal: float = 0.0,
     detail: int = 2,
+    **style: Unpack[Style],
 ) -> None:
     """Draws the hull of two balls: limbs, necks, horns, petals."""
-    blob(s, [(a, ra), (b, rb)], c, rough=rough, metal=metal, detail=detail)
+    blob(s, [(a, ra), (b, rb)], c, detail=detail, **style)
 
 
 def blob(
@@ -51,9 +51,8 @@ def blob(
     balls: Sequence[tuple[Vec3, float]],
     c: Color,
     *,
-    rough: float = 0.85,
-    metal: float = 0.0,
     detail: int = 2,
+    **style: Unpack[Style],
 ) -> None:
     """Draws the hull of some balls."""
 
@@ -63,14 +62,12 @@ def blob(
         points = [shapes.ball(r, p, detail=detail).vertices for p, r in balls]
         return shapes.hull(np.concatenate(points))
 
-    s.add(make, c, rough, metal)
+    s.add(make, c, **style)
 
 
-def prism(
-    s: Sketch, points: Sequence[Vec3], c: Color, *, rough: float = 0.6, metal: float = 0.0
-) -> None:
+def prism(s: Sketch, points: Sequence[Vec3], c: Color, **style: Unpack[Style]) -> None:
     """Draws the convex hull of corner points."""
-    s.add(lambda: shapes.hull(points), c, rough, metal)
+    s.add(lambda: shapes.hull(points), c, **style)
 
 
 def shift(s: Sketch, dx: float = 0.0, dy: float = 0.0, dz: float = 0.0) -> None:
@@ -101,7 +98,7 @@ def shift(s: Sketch, dx: float = 0.0, dy: float = 0.0, dz: float = 0.0) -> None:
 def wheel(s: Sketch, x: float, y: float, r: float, width: float, hub: Color = CHROME) -> None:
     """A wheel about Y whose middle is at `y`."""
     s.rod(r, (x, y - width / 2, r), (x, y + width / 2, r), RUBBER, rough=0.9, sections=32)
-    s.rod(r * 0.58, (x, y - width * 0.55, r), (x, y + width * 0.55, r), hub, rough=0.4, metal=0.4)
+    s.rod(r * 0.58, (x, y - width * 0.55, r), (x, y + width * 0.55, r), hub, rough=0.4)
     holes(s, (x, y, r), r * 0.58, width * 1.16)
     s.wheel((x, y, r), r, parts=3)
 
@@ -116,13 +113,13 @@ def holes(s: Sketch, at: Vec3, rim: float, width: float) -> None:
         ends = [((u, y - width / 2, v), (u, y + width / 2, v)) for u, v in spots]
         return shapes.join([shapes.rod(0.24 * rim, a, b, 12) for a, b in ends])
 
-    s.add(make, RUBBER, 0.9)
+    s.add(make, RUBBER)
 
 
 def spokes(s: Sketch, x: float, y: float, r: float, c: Color = CHROME) -> None:
     """A spoked wheel about Y."""
     s.torus(r - 0.06 * r, 0.06 * r, (x, y, r), RUBBER, axis="y", rough=0.9)
-    s.rod(0.1 * r, (x, y - 0.1 * r, r), (x, y + 0.1 * r, r), STEEL, metal=0.6, sections=14)
+    s.rod(0.1 * r, (x, y - 0.1 * r, r), (x, y + 0.1 * r, r), STEEL, sections=14)
     for k in range(6):
         a = math.pi * k / 6
         d = (0.9 * r * math.cos(a), 0.9 * r * math.sin(a))

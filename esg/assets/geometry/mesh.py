@@ -6,30 +6,68 @@ Y becomes -Z. Readers that want the document's frame apply the inverse (x, y, z)
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 import hashlib
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.assets.configuration import parametric_entry
+from esg.assets.appearance import USUAL, Appearance
+from esg.assets.appearances import appearances, first_of_asset
+from esg.assets.colors import color_word
+from esg.assets.configuration import node_mesh_path, parametric_entry
+from esg.assets.geometry.finishing import Surface, completed, finished, joined
 from esg.assets.geometry.rolling import drawn_size, is_rolling_form, rolling
 from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
 from esg.assets.geometry.sketch import Sketch
 from esg.assets.geometry.wheels import wheels_of
+from esg.assets.gltf.asset import asset_glb
 from esg.assets.imports.imported import load_imported
 from esg.assets.library.catalogue import Entry, build_sketch
+from esg.assets.looks import Color, Look
+from esg.assets.materials import look_of
+from esg.assets.textures import has_grain
 from esg.graph.casting import effective
-from esg.graph.models import AssetConfiguration, EsgDocument, Vec3
+from esg.graph.models import AssetConfiguration, EsgDocument, Vec3, Wheel
 from esg.outcomes import UserError
 
 if TYPE_CHECKING:
     import trimesh
 
 
-def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
-    """The asset's geometry [cm] in its local frame, one coloured closed mesh a part.
+@dataclass(frozen=True)
+class Model:
+    """What is of one look and turns together.
+
+    Args:
+        name: Unique in its asset.
+        surface: In the asset's frame, or about the axle of its wheel [cm].
+        look: How it looks.
+        color: sRGB in [0, 1] of the surface on average.
+        wheel: Index of its wheel; None for what does not turn.
+    """
+
+    name: str
+    surface: Surface
+    look: Look
+    color: Color
+    wheel: int | None = None
+
+
+_BEVELLED = 0.03
+"""Boxes and rods longer than this share of their asset's longest extent are bevelled."""
+
+_FOREIGN_TILE_CM = 100.0
+"""Edge of one tile of the coordinates that an imported mesh without any is given."""
+
+
+def build_mesh(config: AssetConfiguration, appearance: Appearance = USUAL) -> trimesh.Scene:
+    """The asset's geometry [cm] in its local frame, one mesh a look, apart for every wheel.
+
+    Each mesh has normals and texture coordinates (in tiles, v up); its `metadata` holds the `Look`
+    and the colour [sRGB] of its surface.
 
     Raises:
         UserError: If the configuration names an asset that no library on this machine holds.
@@ -40,34 +78,97 @@ def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
 
     entry = parametric_entry(config)
     if entry is None:
-        return load_imported(config)
+        return _completed(load_imported(config))
     scene = trimesh.Scene()
-    sketch = configured_sketch(entry, config)
-    wheels = wheels_of(sketch) or ()
+    models, wheels = _models(configured_sketch(entry, config, appearance))
     for wheel in wheels:
         scene.graph.update(frame_to=wheel.name, matrix=_moved(wheel.axle_cm))
-    for part in sketch.parts:
-        mesh = part.mesh()
-        wheel = None if part.axle is None else wheels[part.axle]
-        if wheel is not None:
-            mesh.apply_translation([-c for c in wheel.axle_cm])
-        rgba = [round(255 * c) for c in (*part.color, part.alpha)]
-        mesh.visual = TextureVisuals(
-            material=PBRMaterial(
-                name=part.name,
-                baseColorFactor=rgba,
-                roughnessFactor=part.roughness,
-                metallicFactor=part.metallic,
-                alphaMode="BLEND" if part.alpha < 1.0 else "OPAQUE",
-            )
+    for model in models:
+        look, surface = model.look, model.surface
+        material = PBRMaterial(
+            name=look.material,
+            baseColorFactor=[round(255 * c) for c in (*model.color, look.alpha)],
+            roughnessFactor=look.roughness,
+            metallicFactor=look.metalness,
+            alphaMode="BLEND" if look.alpha < 1.0 else "OPAQUE",
+        )
+        mesh = trimesh.Trimesh(
+            surface.vertices,
+            surface.faces,
+            vertex_normals=surface.normals,
+            visual=TextureVisuals(uv=surface.uvs, material=material),
+            metadata={"look": look, "color": model.color},
+            process=False,
         )
         scene.add_geometry(
             mesh,
-            node_name=part.name,
-            geom_name=part.name,
-            parent_node_name=None if wheel is None else wheel.name,
+            node_name=model.name,
+            geom_name=model.name,
+            parent_node_name=None if model.wheel is None else wheels[model.wheel].name,
         )
     return scene
+
+
+def _completed(scene: trimesh.Scene) -> trimesh.Scene:
+    """A foreign asset with the normals and texture coordinates it lacks."""
+    for name, geometry in list(scene.geometry.items()):
+        scene.geometry[name] = completed(geometry, _FOREIGN_TILE_CM)
+    return scene
+
+
+def closed_mesh(config: AssetConfiguration) -> trimesh.Trimesh:
+    """The asset as its builder drew it [cm], local frame: closed parts with sharp edges.
+
+    Raises:
+        UserError: If the configuration names an asset that no library on this machine holds.
+    """
+    import trimesh
+
+    entry = parametric_entry(config)
+    if entry is None:
+        meshes: list[Any] = load_imported(config).dump()
+    else:
+        meshes = [part.mesh() for part in configured_sketch(entry, config).parts]
+    whole: Any = trimesh.util.concatenate(meshes)
+    return whole
+
+
+def _models(sketch: Sketch) -> tuple[list[Model], tuple[Wheel, ...]]:
+    """What a sketch draws, together what is of one look and turns together, and its wheels."""
+    wheels = wheels_of(sketch) or ()
+    meshes = [part.mesh() for part in sketch.parts]
+    extents = [np.ptp(mesh.vertices, axis=0).max() for mesh in meshes]
+    smallest = _BEVELLED * float(max(extents, default=0.0))
+    groups: dict[tuple[Look, Color, int | None], tuple[list[str], list[Surface]]] = {}
+    for part, mesh in zip(sketch.parts, meshes, strict=True):
+        look = look_of(part.material, part.color, roughness=part.roughness, alpha=part.alpha)
+        surface = finished(
+            mesh, 100.0 * look.tile_m, grain=has_grain(look.texture), smallest_cm=smallest
+        )
+        if part.axle is not None:
+            surface = surface._replace(vertices=surface.vertices - wheels[part.axle].axle_cm)
+        red, green, blue = (round(c, 4) for c in part.color)
+        names, surfaces = groups.setdefault((look, (red, green, blue), part.axle), ([], []))
+        names.append(part.name)
+        surfaces.append(surface)
+    taken = {wheel.name for wheel in wheels}
+    out: list[Model] = []
+    for (look, color, axle), (names, surfaces) in groups.items():
+        name = names[0] if len(set(names)) == 1 else look.material
+        name = name if axle is None else f"{wheels[axle].name}_{name}"
+        out.append(Model(_free_name(name, color, taken), joined(surfaces), look, color, axle))
+    return out, wheels
+
+
+def _free_name(name: str, color: Color, taken: set[str]) -> str:
+    """The name, told apart by its colour, or else its number, if another has it."""
+    named = name if name not in taken else f"{name}_{color_word(color)}"
+    out, count = named, 1
+    while out in taken:
+        count += 1
+        out = f"{named}_{count}"
+    taken.add(out)
+    return out
 
 
 def _moved(by: Vec3 | NDArray[np.float64]) -> NDArray[np.float64]:
@@ -76,38 +177,33 @@ def _moved(by: Vec3 | NDArray[np.float64]) -> NDArray[np.float64]:
     return matrix
 
 
-def configured_sketch(entry: Entry, config: AssetConfiguration) -> Sketch:
+def configured_sketch(
+    entry: Entry, config: AssetConfiguration, appearance: Appearance = USUAL
+) -> Sketch:
     """What an entry draws for a configuration: lying, or on its rim."""
     if not is_rolling_form(entry, config.rolls):
-        return build_sketch(entry, config.dimensions_cm, config.color_rgb)
+        return build_sketch(entry, config.dimensions_cm, config.color_rgb, appearance)
     size = drawn_size(entry, config.dimensions_cm)
-    return rolling(entry, build_sketch(entry, size, config.color_rgb), size)
+    return rolling(entry, build_sketch(entry, size, config.color_rgb, appearance), size)
 
 
-def glb_bytes(config: AssetConfiguration) -> bytes:
+def glb_bytes(config: AssetConfiguration, appearance: Appearance = USUAL) -> bytes:
     """The asset as binary glTF (metres, Y up); the same configuration gives the same bytes."""
-    scene = build_mesh(config)
-    _to_gltf(scene)
-    data = scene.export(file_type="glb")
+    scene = build_mesh(config, appearance)
+    if all("look" in geometry.metadata for geometry in scene.geometry.values()):
+        return asset_glb(scene)
+    scene.apply_transform(GLTF_FROM_LOCAL)
+    data = scene.export(file_type="glb", include_normals=True)
     if not isinstance(data, bytes):
         raise UserError(f"{config.asset_name}: the mesh could not be exported as GLB", exit_code=1)
     return data
 
 
-def _to_gltf(scene: trimesh.Scene) -> None:
-    """Leads a scene into glTF's frame; nodes of wheels keep no more than their place, to turn."""
-    graph = scene.graph
-    scene.apply_transform(GLTF_FROM_LOCAL)
-    for wheel in set(graph.nodes) - set(graph.nodes_geometry) - {graph.base_frame}:
-        place = _moved(graph[wheel][0][:3, 3])
-        graph.update(frame_to=wheel, matrix=place)
-        for part in graph.transforms.children[wheel]:
-            matrix = GLTF_FROM_LOCAL.copy()
-            graph.update(frame_from=wheel, frame_to=part, matrix=matrix)
-
-
 def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:
     """Writes the GLB of every configuration at its `mesh_path` below `folder`.
+
+    Nodes that look unlike the first with the same asset get a file of their own beside it
+    (`node_mesh_path`).
 
     Returns:
         SHA-256 of each file by asset id.
@@ -116,22 +212,30 @@ def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:
         UserError: If a file cannot be written.
     """
     doc = effective(doc)
+    looks = appearances(doc)
+    firsts = first_of_asset(doc, looks)
     hashes: dict[str, str] = {}
     for key, config in doc.asset_configurations.items():
-        path = Path(folder) / config.mesh_path
-        data = glb_bytes(config)
-        try:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            partial = path.with_suffix(".part")
-            partial.write_bytes(data)
-            partial.replace(path)
-        except OSError as error:
-            raise UserError(
-                f"cannot write {path}: {error.strerror}; choose another folder"
-            ) from None
+        data = glb_bytes(config, firsts.get(key, USUAL))
+        _write(Path(folder) / config.mesh_path, data)
         hashes[key] = hashlib.sha256(data).hexdigest()
+    for name, node in doc.spatial_relation_graph.nodes.items():
+        config = doc.asset_configurations.get(node.asset_id)
+        if config is not None and looks[name] != firsts[node.asset_id]:
+            path = node_mesh_path(config.mesh_path, name)
+            _write(Path(folder) / path, glb_bytes(config, looks[name]))
     _write_attribution(doc, Path(folder))
     return hashes
+
+
+def _write(path: Path, data: bytes) -> None:
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        partial = path.with_suffix(".part")
+        partial.write_bytes(data)
+        partial.replace(path)
+    except OSError as error:
+        raise UserError(f"cannot write {path}: {error.strerror}; choose another folder") from None
 
 
 def _write_attribution(doc: EsgDocument, folder: Path) -> None:

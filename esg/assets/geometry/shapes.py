@@ -80,6 +80,7 @@ def lathe(
     if matrix is not None:
         mesh.apply_transform(matrix)
     mesh.apply_translation(center)
+    mesh.metadata["shape"] = "lathe"
     return mesh
 
 

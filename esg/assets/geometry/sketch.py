@@ -3,6 +3,9 @@
 Builders draw in the asset's local frame (cm, origin bottom centre, front +X, Z up). Proxies,
 surfaces and regions are plain numbers and available at once; meshes are recorded as closures and
 made only when somebody looks at them, so that resolving a scene never waits for geometry.
+
+Every part is of a material of the table (`esg/assets/materials.csv`): the one it names (`of=`),
+that of its colour (`RUBBER`, `STEEL`), or else that of the whole (`Sketch.material`).
 """
 
 from __future__ import annotations
@@ -10,17 +13,32 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field, replace
 import itertools
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
+from esg.assets.appearance import USUAL, Appearance
 from esg.assets.geometry.collider import Collider
 from esg.assets.geometry.rotations import IDENTITY, direction
 from esg.assets.lazy import shapes
+from esg.assets.looks import Color
+from esg.assets.materials import MATERIALS
 from esg.graph.models import ProxyKind, Quat, Vec3
 
 if TYPE_CHECKING:
     import trimesh
 
-Color = tuple[float, float, float]
+
+class Finish(tuple[float, float, float]):
+    """A colour that knows what it is the colour of."""
+
+    material: str
+
+    def __new__(cls, color: Color, material: str) -> Finish:
+        out = super().__new__(cls, color)
+        out.material = material
+        return out
+
+    def __getnewargs__(self) -> tuple[Color, str]:
+        return (self[0], self[1], self[2]), self.material
 
 
 def rgb(red: int, green: int, blue: int) -> Color:
@@ -28,12 +46,19 @@ def rgb(red: int, green: int, blue: int) -> Color:
     return (red / 255.0, green / 255.0, blue / 255.0)
 
 
-STEEL, CHROME, DARK = rgb(150, 153, 158), rgb(200, 203, 208), rgb(38, 38, 42)
-RUBBER, WHITE, GLASS = rgb(28, 28, 30), rgb(244, 243, 238), rgb(40, 50, 62)
-WOOD, DARK_WOOD, PALE_WOOD = rgb(176, 128, 78), rgb(110, 70, 40), rgb(214, 178, 128)
-CONCRETE, ASPHALT, BRICK_RED = rgb(178, 176, 170), rgb(62, 63, 66), rgb(160, 76, 56)
-RED, GREEN, BLUE, YELLOW = rgb(190, 28, 30), rgb(40, 120, 62), rgb(40, 78, 150), rgb(235, 190, 40)
-ORANGE, CARDBOARD, BRASS = rgb(236, 104, 30), rgb(186, 146, 98), rgb(196, 160, 80)
+def finish(material: str, color: Color | None = None) -> Finish:
+    """A material in a colour, its own by default."""
+    return Finish(MATERIALS[material].color if color is None else color, material)
+
+
+STEEL, CHROME = finish("steel"), finish("chrome")
+DARK, WHITE = finish("plastic", rgb(38, 38, 42)), finish("paint", rgb(244, 243, 238))
+RUBBER, GLASS = finish("rubber"), finish("glass_dark")
+WOOD, DARK_WOOD, PALE_WOOD = finish("oak"), finish("walnut"), finish("pine")
+CONCRETE, ASPHALT, BRICK_RED = finish("concrete"), finish("asphalt"), finish("brick")
+RED, GREEN = finish("paint", rgb(190, 28, 30)), finish("paint", rgb(40, 120, 62))
+BLUE, YELLOW = finish("paint", rgb(40, 78, 150)), finish("paint", rgb(235, 190, 40))
+ORANGE, CARDBOARD, BRASS = finish("paint", rgb(236, 104, 30)), finish("cardboard"), finish("brass")
 
 
 @dataclass(frozen=True)
@@ -49,35 +74,64 @@ class Part:
     """One closed mesh with one material; `mesh` makes it (cm, local frame).
 
     A part of a wheel knows its `axle`, an index into those of its sketch.
+
+    Args:
+        name: What it is ("seat"); its material if the builder does not say.
+        mesh: Makes it.
+        color: sRGB in [0, 1].
+        material: Key of the table of materials.
+        roughness, alpha: In [0, 1]; None for the material's own.
+        axle: Of the wheel it belongs to.
     """
 
     name: str
     mesh: Callable[[], trimesh.Trimesh]
     color: Color
-    roughness: float = 0.6
-    metallic: float = 0.0
-    alpha: float = 1.0
+    material: str
+    roughness: float | None = None
+    alpha: float | None = None
     axle: int | None = None
+
+
+class Style(TypedDict, total=False):
+    """What else a builder may say of a part.
+
+    `of` names its material, `name` says what it is; `rough` and `alpha` replace the material's own.
+    """
+
+    of: str
+    name: str
+    rough: float
+    alpha: float
 
 
 @dataclass
 class Sketch(Collider):
-    """What a builder fills. `solid` arguments are relative densities: 0 draws without a proxy."""
+    """What a builder fills. `solid` arguments are relative densities: 0 draws without a proxy.
+
+    Args:
+        material: Of what is drawn in a colour that names none.
+        appearance: What the builder chooses details by.
+    """
 
     parts: list[Part] = field(default_factory=list)
     axles: list[Axle] = field(default_factory=list)
+    material: str = "plastic_hard"
+    appearance: Appearance = USUAL
 
     def add(
         self,
         make: Callable[[], Any],
         color: Color,
-        rough: float = 0.6,
-        metal: float = 0.0,
-        alpha: float = 1.0,
+        *,
+        of: str = "",
+        name: str = "",
+        rough: float | None = None,
+        alpha: float | None = None,
     ) -> None:
         """Records a closed mesh made by `make`."""
-        name = f"part_{len(self.parts):03d}"
-        self.parts.append(Part(name, make, color, rough, metal, alpha))
+        material = of or (color.material if isinstance(color, Finish) else self.material)
+        self.parts.append(Part(name or material, make, color, material, rough, alpha))
 
     def wheel(self, point: Vec3, radius: float, parts: int = 1) -> None:
         """Says that the last `parts` parts are a wheel that turns about Y through `point`."""
@@ -92,14 +146,12 @@ class Sketch(Collider):
         color: Color,
         *,
         solid: float = 0.0,
-        rough: float = 0.6,
-        metal: float = 0.0,
-        alpha: float = 1.0,
         quat: Quat = IDENTITY,
+        **style: Unpack[Style],
     ) -> None:
         """Box of full extents `size` about `center`."""
 
-        self.add(lambda: shapes.box(size, center, quat), color, rough, metal, alpha)
+        self.add(lambda: shapes.box(size, center, quat), color, **style)
         if solid:
             self.proxy_box((size[0] / 2, size[1] / 2, size[2] / 2), center, solid, quat)
 
@@ -109,13 +161,16 @@ class Sketch(Collider):
         y: tuple[float, float],
         z: tuple[float, float],
         color: Color,
-        **style: Any,
+        *,
+        solid: float = 0.0,
+        **style: Unpack[Style],
     ) -> None:
         """Box between coordinate pairs."""
         self.box(
             (x[1] - x[0], y[1] - y[0], z[1] - z[0]),
             ((x[0] + x[1]) / 2, (y[0] + y[1]) / 2, (z[0] + z[1]) / 2),
             color,
+            solid=solid,
             **style,
         )
 
@@ -127,14 +182,12 @@ class Sketch(Collider):
         color: Color,
         *,
         solid: float = 0.0,
-        rough: float = 0.6,
-        metal: float = 0.0,
-        alpha: float = 1.0,
         sections: int = 28,
+        **style: Unpack[Style],
     ) -> None:
         """Cylinder from `start` to `end`."""
 
-        self.add(lambda: shapes.rod(radius, start, end, sections), color, rough, metal, alpha)
+        self.add(lambda: shapes.rod(radius, start, end, sections), color, **style)
         if solid:
             quat, length = direction(start, end)
             mid = tuple((a + b) / 2 for a, b in zip(start, end, strict=True))
@@ -149,19 +202,11 @@ class Sketch(Collider):
         smooth: int = 0,
         sections: int = 48,
         axis: str = "z",
-        rough: float = 0.6,
-        metal: float = 0.0,
-        alpha: float = 1.0,
+        **style: Unpack[Style],
     ) -> None:
         """Surface of revolution of a (radius, height) profile about `axis`."""
 
-        self.add(
-            lambda: shapes.lathe(profile, center, smooth, sections, axis),
-            color,
-            rough,
-            metal,
-            alpha,
-        )
+        self.add(lambda: shapes.lathe(profile, center, smooth, sections, axis), color, **style)
 
     def ball(
         self,
@@ -170,14 +215,13 @@ class Sketch(Collider):
         color: Color,
         *,
         solid: float = 0.0,
-        rough: float = 0.5,
-        metal: float = 0.0,
         scale: Vec3 = (1, 1, 1),
         detail: int = 3,
+        **style: Unpack[Style],
     ) -> None:
         """Sphere, or an ellipsoid if scaled (then without a proxy)."""
 
-        self.add(lambda: shapes.ball(radius, center, scale, detail), color, rough, metal)
+        self.add(lambda: shapes.ball(radius, center, scale, detail), color, **style)
         if solid:
             self.proxy(ProxyKind.SPHERE, (radius,) * 3, center, solid)
 
@@ -190,15 +234,11 @@ class Sketch(Collider):
         plane: str = "xz",
         soft: float = 0.0,
         holes: Sequence[Sequence[tuple[float, float]]] = (),
-        rough: float = 0.6,
-        metal: float = 0.0,
-        alpha: float = 1.0,
+        **style: Unpack[Style],
     ) -> None:
         """Prism of a polygon in plane xz (along y), yz (along x) or xy (along z)."""
 
-        self.add(
-            lambda: shapes.extrude(polygon, span, plane, soft, holes), color, rough, metal, alpha
-        )
+        self.add(lambda: shapes.extrude(polygon, span, plane, soft, holes), color, **style)
 
     def torus(
         self,
@@ -208,24 +248,21 @@ class Sketch(Collider):
         color: Color,
         *,
         axis: str = "z",
-        rough: float = 0.6,
-        metal: float = 0.0,
+        **style: Unpack[Style],
     ) -> None:
         """Ring about `axis`."""
 
-        self.add(lambda: shapes.torus(major, minor, center, axis), color, rough, metal)
+        self.add(lambda: shapes.torus(major, minor, center, axis), color, **style)
 
     def pipe(
         self,
         radius: float,
         path: Sequence[Vec3],
         color: Color,
-        *,
-        rough: float = 0.4,
-        metal: float = 0.0,
+        **style: Unpack[Style],
     ) -> None:
         """Rods along a polyline with ball joints."""
         for a, b in itertools.pairwise(path):
-            self.rod(radius, a, b, color, rough=rough, metal=metal, sections=14)
+            self.rod(radius, a, b, color, sections=14, **style)
         for p in path[1:-1]:
-            self.ball(radius, p, color, rough=rough, metal=metal, detail=2)
+            self.ball(radius, p, color, detail=2, **style)

@@ -10,7 +10,8 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.casting.changes import resized
-from esg.dynamics.choreography.throws import fallen, is_dropped
+from esg.dynamics.choreography.bounces import apex_after
+from esg.dynamics.choreography.throws import fallen, is_dropped, stated_height
 from esg.dynamics.story.stagecraft import support_of, top_surface
 from esg.dynamics.story.story import Story, bounds
 from esg.graph.models import (
@@ -102,7 +103,7 @@ def fit_containers(doc: EsgDocument, story: Story) -> dict[str, AssetConfigurati
         if not falls:
             continue
         depth = 0.02 * mouth.half_extents_cm[2] * grow
-        drop = max(_drop_height(story, node, thing), _comes_through(doc, story, node))
+        drop = max(_drop_height(doc, story, node, thing), _comes_through(doc, story, node))
         livelier = max(math.sqrt(depth / drop) - DOUBT, 0.0)
         pair = 2.0 * min(math.sqrt(REBOUND * depth / drop), livelier)
         softest = max(pair - body.restitution, 0.0)
@@ -224,7 +225,7 @@ def _comes_through(doc: EsgDocument, story: Story, node: TimelineNode) -> float:
     return max(heights)
 
 
-def _drop_height(story: Story, node: TimelineNode, thing: str) -> float:
+def _drop_height(doc: EsgDocument, story: Story, node: TimelineNode, thing: str) -> float:
     """Height [m] whose fall is as fast as the thing comes down: a long flight goes high."""
     flight = 0.0
     if node.time_is_prescribed:
@@ -235,5 +236,6 @@ def _drop_height(story: Story, node: TimelineNode, thing: str) -> float:
             low, high, _ = bounds(c.value, (0.0, 0.0))
             flight = max(flight, 0.5 * (low + high))
     if any(p.end.id == node.id and is_dropped(p) for p in story.phases.get(thing, ())):
-        return max(USUAL_DROP_M, fallen(flight))
-    return max(USUAL_DROP_M, GRAVITY_MPS2 * flight * flight / 8.0 + 0.5)
+        return max(USUAL_DROP_M, stated_height(story, node, thing) or 0.0, fallen(flight))
+    risen = apex_after(doc, story, node, thing) or 0.0
+    return max(USUAL_DROP_M, risen, GRAVITY_MPS2 * flight * flight / 8.0 + 0.5)

@@ -11,7 +11,12 @@ import math
 
 from esg.dynamics.choreography.flights import CLEAR_M, LOW_M, mouth_height
 from esg.dynamics.choreography.stage import Encounter, Stage
-from esg.dynamics.choreography.throws import asked_height, is_dropped, region_of
+from esg.dynamics.choreography.throws import (
+    asked_height,
+    is_dropped,
+    region_of,
+    stated_height,
+)
 from esg.dynamics.story.kinematics import Frame, half_along, rubbed
 from esg.dynamics.story.stagecraft import Prop, prop, top_surface
 from esg.dynamics.story.story import Phase, Story, read_story
@@ -109,6 +114,18 @@ def lively_tops(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]
         if config.proxies and config.restitution < LIVELY:
             out[key] = config.model_copy(update={"restitution": LIVELY})
     return out
+
+
+def apex_after(doc: EsgDocument, story: Story, node: TimelineNode, thing: str) -> float | None:
+    """Height [m] to which a thing rises off the top before an event; None if it comes off none."""
+    for phase, under in _bounces(doc, story):
+        if phase.edge.actor == thing and phase.end.id in story.ancestors(node.id):
+            top = top_surface(doc, under).center_cm[2] / 100.0
+            stated = stated_height(story, phase.end, thing)
+            above = LETS_GO_M if stated is None else stated - top if stated > top else stated
+            lively = max(prop(doc, under).restitution, LIVELY)
+            return top + (0.5 * (prop(doc, thing).restitution + lively)) ** 2 * above
+    return None
 
 
 @dataclass(frozen=True)

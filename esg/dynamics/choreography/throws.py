@@ -8,7 +8,7 @@ import math
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.stagecraft import Prop, release_height, support_of, top_surface
-from esg.dynamics.story.story import Phase, bounds
+from esg.dynamics.story.story import Phase, Story, bounds
 from esg.dynamics.story.tipping import FLIES_AT
 from esg.engines.scene import Region
 from esg.graph.models import EdgeEvent, NamedRegion, NodeEvent, RelationType, TimelineNode
@@ -181,17 +181,22 @@ def is_dropped(phase: Phase) -> bool:
     return bounds(speed, (0.0, 0.0))[1] <= 1.0
 
 
-def asked_height(stage: Stage, node: TimelineNode, a: str) -> float | None:
+def stated_height(story: Story, node: TimelineNode, thing: str) -> float | None:
     """The height [m] at which the prompt has a body start, None if it states none."""
-    stated = [c for n in (node, *stage.story.nodes.values()) for c in n.constraints]
+    stated = [c for n in (node, *story.nodes.values()) for c in n.constraints]
     return next(
         (
             sum(bounds(c.value, (1, 1))[:2]) / 200.0
             for c in stated
-            if c.quantity == "height" and c.object == stage.member(a)
+            if c.quantity == "height" and c.object == thing
         ),
         None,
     )
+
+
+def asked_height(stage: Stage, node: TimelineNode, a: str) -> float | None:
+    """`stated_height` of a body, by its key on the stage."""
+    return stated_height(stage.story, node, stage.member(a))
 
 
 def is_let_go(stage: Stage, e: Encounter) -> bool:

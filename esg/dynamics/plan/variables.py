@@ -33,6 +33,8 @@ OVER_MOUTH = 1.25
 """Height over the middle of a container at which a throw is aimed, in half heights of it."""
 CHAIN_PRECISION = 0.4
 """Factor on the first spread of the aim for every ball that a struck ball shall hit."""
+ASIDE_M = 0.25
+"""Most that a driven body starts aside of its line; what is narrow at most half its width."""
 SOFTEST_BRAKE_MPS2 = 0.5
 """Nothing that is said to brake does so more gently."""
 AFTER_EVENT_S = 0.12
@@ -132,7 +134,8 @@ class Declarations:
             "rad",
         )
         if self.cast.drives(actor):
-            self.add(f"{actor}/lateral", -0.25, 0.25, 0.0, 0.0, 0.06, "m")
+            aside = min(ASIDE_M, min(body.half_extents[:2]))
+            self.add(f"{actor}/lateral", -aside, aside, 0.0, 0.0, 0.24 * aside, "m")
         for phase in phases:
             self.declare_phase(actor, body, phase)
         if first.edge.params.heading_deg is not None and first.edge.event is EdgeEvent.TOWARD:

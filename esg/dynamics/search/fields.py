@@ -158,17 +158,16 @@ def _part(shape: Shape) -> trimesh.Trimesh:
 
 
 def _asset_mesh(doc: EsgDocument, asset: str, body: Body) -> trimesh.Trimesh | None:
-    from esg.assets import build_mesh
+    from esg.assets.geometry.mesh import closed_mesh
     from esg.outcomes import UserError
 
     config = doc.asset_configurations.get(asset)
     if config is None:
         return None
     try:
-        mesh: Any = build_mesh(config).to_geometry()
+        mesh = closed_mesh(config)
     except (UserError, KeyError):
         return None
-    mesh = mesh.copy()
     mesh.vertices = mesh.vertices / 100.0 + np.array(body.origin_offset)
     return mesh
 

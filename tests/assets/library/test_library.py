@@ -9,6 +9,7 @@ import pytest
 from shapely.geometry import MultiPoint, Point
 
 from esg.assets import build_mesh, catalogue
+from esg.assets.geometry.mesh import configured_sketch
 from esg.assets.library.catalogue import Entry, entries_by_name
 from esg.assets.materials import MATERIALS
 from esg.assets.stage import configure
@@ -80,9 +81,10 @@ def proxy_points(config: AssetConfiguration) -> np.ndarray:
 @NAMED
 def test_mesh_is_closed_and_of_the_stated_extents(entry: Entry) -> None:
     config = configure(entry.name, requirement(entry))
+    for part in configured_sketch(entry, config).parts:
+        mesh = part.mesh()
+        assert mesh.is_watertight and mesh.volume > 0, part.name
     scene = build_mesh(config)
-    for mesh in scene.geometry.values():
-        assert mesh.is_watertight and mesh.volume > 0
     extents = scene.bounds[1] - scene.bounds[0]
     np.testing.assert_allclose(extents, config.dimensions_cm, rtol=0.04, atol=0.1)
     assert abs(scene.bounds[0][2]) < 0.02 * config.dimensions_cm[2] + 0.05

@@ -1,0 +1,1 @@
+"""Exports opened in Blender and three.js: `python -m benchmarks.looks`."""

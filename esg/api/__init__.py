@@ -1,0 +1,1 @@
+"""The Python interface: what `import esg` offers (docs/api.md), under the command line."""

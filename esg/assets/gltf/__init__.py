@@ -1,0 +1,1 @@
+"""glTF files: surfaces as they hold them, reading their parts, writing them."""

@@ -1,0 +1,1 @@
+"""`esg studio`: a page on this machine on which scenes are written, solved and played."""

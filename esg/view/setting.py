@@ -1,0 +1,124 @@
+"""What exports show beside the bodies: the surroundings of a scene and the cameras that see it."""
+
+from __future__ import annotations
+
+import math
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from esg.compile.export import Target, animation, export
+from esg.compile.visuals.setting import Setting, View
+from esg.compile.visuals.usd_files import UsdForm
+from esg.engines.manifest import load_manifest
+from esg.engines.scene import Rollout, SimScene
+from esg.scenereading import absent, read_metrics
+from esg.view.camera import Camera
+from esg.view.cameras import action_cameras
+from esg.view.parts import ground_bodies
+from esg.view.renderers.records import Scenery
+from esg.view.scenery import seen_from
+from esg.view.surroundings import surroundings_of
+
+if TYPE_CHECKING:
+    from esg.graph.models import EsgDocument
+    from esg.metrics.models import SceneVerdict
+
+ASPECT = 16 / 9
+"""Width over height of what the camera of an export sees."""
+NEAR = 0.05
+"""Nearest of what a camera sees, by its distance from what it looks at."""
+SIDES, SIDES_M = 24.0, (30.0, 900.0)
+"""Side of the drawn ground by the extent of the action, so that one does not look over its edge."""
+
+
+def setting_of(
+    scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None, doc: EsgDocument
+) -> Setting:
+    """The setting of a replayed scene.
+
+    Args:
+        scene: The bodies.
+        rollout: Their motion.
+        verdict: Events, whose participants the camera keeps in view.
+        doc: The scene's document.
+    """
+    cameras = action_cameras(scene, rollout, verdict, doc, 1, ASPECT) if scene.bodies else []
+    around = surroundings_of(doc, scene, rollout)
+    if cameras:
+        seen = seen_from(Scenery((), 0, around), cameras, scene, rollout).surroundings
+        around = around if seen is None else seen
+    low, high = _span(rollout)
+    x, y = (float(v) for v in 0.5 * (low + high))
+    return Setting(
+        sky=around.sky,
+        ground=around.ground,
+        middle=(x, y),
+        side=float(np.clip(SIDES * max(*(high - low), 0.0), *SIDES_M)),
+        covered=frozenset(scene.bodies[i].name for i in ground_bodies(scene, doc)),
+        parts=around.parts,
+        views=tuple(_still("Camera", camera) for camera in cameras),
+    )
+
+
+def _span(rollout: Rollout) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Corners of where bodies are [m], without those that run away, each of shape [2]."""
+    points = rollout.position[0, :, :, :2].reshape(-1, 2).astype(np.float64)
+    points = points[np.isfinite(points).all(axis=1)]
+    if not len(points):
+        return np.zeros(2), np.zeros(2)
+    return np.percentile(points, 2, axis=0), np.percentile(points, 98, axis=0)
+
+
+def setting_in(folder: Path, scene: SimScene, rollout: Rollout) -> Setting | None:
+    """The setting of a scene folder; None if it holds no document.
+
+    Args:
+        folder: With `esg.json` and, if it was judged, `metrics.json`.
+        scene: Its bodies.
+        rollout: Their motion.
+
+    Raises:
+        UserError: For a file that is damaged.
+    """
+    from esg.graph import load_document
+    from esg.metrics import SceneVerdict
+
+    if absent(folder / "esg.json"):
+        return None
+    doc = load_document(folder / "esg.json")
+    verdict = None
+    if not absent(folder / "metrics.json"):
+        metrics = read_metrics(folder / "metrics.json")
+        found = metrics.get("verdict", {})
+        if not found.get("events"):
+            found = metrics.get("own_timeline", found)  # a suite that asks for nothing
+        if found:
+            known = {k: v for k, v in found.items() if k in SceneVerdict.model_fields}
+            verdict = SceneVerdict.model_validate(known)
+    return setting_of(scene, rollout, verdict, doc)
+
+
+def export_folder(folder: Path, to: Target, out: Path, *, form: UsdForm = "usda") -> list[Path]:
+    """Writes a scene folder for another program, in its setting where the format has one.
+
+    Args:
+        folder: Compiled scene folder.
+        to: As for `esg.compile.export.export`, which tells what it raises.
+        out: Folder to write into.
+        form: Of `usd`.
+    """
+    if to not in ("usd", "glb") or not (folder / "manifest.json").is_file():
+        return export(folder, to, out)
+    manifest = load_manifest(folder / "manifest.json")
+    rollout = animation(folder, manifest)
+    setting = setting_in(folder, manifest.scene, rollout)
+    return export(folder, to, out, rollout=rollout, setting=setting, form=form)
+
+
+def _still(name: str, camera: Camera) -> View:
+    eye, turn = np.array([camera.eye]), camera.quaternion()[None]
+    near = NEAR * math.dist(camera.eye, camera.target)
+    return View(name, np.zeros(1), eye, turn, camera.fov, ASPECT, near)

@@ -1,0 +1,181 @@
+"""The director: every event is in view, unobscured and large enough, and cameras move smoothly."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from esg.view.camera import Camera
+from esg.view.cameras import Takes, directed
+from esg.view.director.acting import AFTER_S
+from esg.view.director.lens import FILL_LEAST, FILL_MOST, SAFE, extent, framed
+from esg.view.director.lens import View as LensView
+from esg.view.director.paths import (
+    KINDS,
+    SPEED_JERK,
+    TURN_JERK,
+    TURN_MOST,
+    is_smooth,
+    knots,
+    motion_of,
+)
+from esg.view.director.review import IN_VIEW, UNOBSCURED
+from esg.view.director.staging import azimuth_of, direct
+from esg.view.director.takes import Take, standing
+from esg.view.film.shooting import shots_of
+from tests.view.plays import PLAYS, Play, action_of, finder_of
+
+NAMED = {play.name: play for play in PLAYS}
+BOX = np.array([[x, y, z] for x in (-2, 2) for y in (-1, 1) for z in (0, 1.5)], float)
+
+
+@pytest.mark.parametrize("play", PLAYS, ids=lambda p: p.name)
+def test_every_event_is_in_view_unobscured_and_large_enough(play: Play) -> None:
+    """In the film's own shots; cameras are smooth, above ground and inside of nothing."""
+    finder = finder_of(play)
+    shots = shots_of(finder)
+    seen = [one for shot in shots for one in finder.review(shot.take)]
+    assert [s.beat.event for s in seen] == [f"e{k}" for k in range(1, len(play.events) + 1)]
+    for one in seen:
+        assert one.inside >= IN_VIEW
+        assert one.unobscured >= UNOBSCURED
+        assert FILL_LEAST <= one.fill <= FILL_MOST
+    for shot in shots:
+        turn, gain, rush = motion_of(shot.take)
+        assert turn <= TURN_MOST and gain <= TURN_JERK and rush <= SPEED_JERK
+        assert shot.take.eye[:, 2].min() >= 0.1
+        assert finder.clear(shot.take, looks=8)
+
+
+@pytest.mark.parametrize("seed", [1, 2, 3])
+def test_seeds_change_the_camera_and_keep_the_rules(seed: int) -> None:
+    """Another seed, another picture; the same seed, the same one."""
+    finder = finder_of(NAMED["head_on"])
+    one, again, first = (direct(finder, 0.5, 2.0, seed=s) for s in (seed, seed, 0))
+    assert (one.eye == again.eye).all() and (one.target == again.target).all()
+    assert one.fov != first.fov or abs(azimuth_of(one) - azimuth_of(first)) > 0.02
+    assert all(s.good for s in finder.review(one))
+
+
+def test_a_wall_between_viewer_and_action_is_walked_around() -> None:
+    """From the viewer's side at eye height it would hide the hit."""
+    finder = finder_of(NAMED["behind_a_wall"])
+    beat = finder.action.beats[0]
+    points = finder.action.acting(beat.time_s, beat)
+    hidden = Camera((0.0, 6.0, 1.0), tuple(points.mean(axis=0)), 0.6)  # type: ignore[arg-type]
+    assert finder.seen(beat, hidden).unobscured < 0.2
+    assert all(s.unobscured > 0.95 for s in finder.review(direct(finder, 0.0, 1.8)))
+
+
+def test_what_is_too_close_or_crosses_a_wall_is_not_clear() -> None:
+    """An eye inside of a wall, one that rides through it, and one beside it."""
+    finder = finder_of(NAMED["behind_a_wall"])
+    times = knots(0.0, 1.0)
+    along = np.linspace(0.0, 3.0, len(times))
+    eye = np.stack([0 * along, 3.5 - along, 0 * along + 1.0], axis=1)
+    through = Take("dolly", times, eye, np.tile((0.0, 0.0, 0.2), (len(times), 1)), 0.6)
+    assert not finder.clear(through)
+    assert not finder.clear(standing(Camera((-1.0, 1.6, 1.0), (0.0, 0.0, 0.2)), times))
+    assert finder.clear(standing(Camera((-1.0, -4.0, 1.6), (0.0, 0.0, 0.2)), times))
+
+
+@pytest.mark.parametrize("kind", [k for k in KINDS if k != "dash"])
+@pytest.mark.parametrize("name", ["ball_and_box", "head_on", "chain"])
+def test_every_kind_keeps_the_events_in_view(kind: str, name: str) -> None:
+    """Static cameras do not move, the others do."""
+    play = NAMED[name]
+    finder = finder_of(play)
+    take = direct(finder, 0.2, play.events[-1][1] + 0.6, kinds=(kind,))
+    assert take.kind == kind
+    assert all(s.inside >= IN_VIEW and s.unobscured >= UNOBSCURED for s in finder.review(take))
+    way = float(np.ptp(take.eye, axis=0).max())
+    assert way == 0.0 if kind == "static" else way > 0.05
+    assert is_smooth(take)
+
+
+def test_a_scene_without_vehicles_has_no_dash() -> None:
+    """Something else films it."""
+    assert direct(finder_of(NAMED["drop"]), 0.0, 1.0, kinds=("dash",)).kind in (
+        "static",
+        "tracking",
+    )
+
+
+def test_eye_height_and_thirds() -> None:
+    """Beside cars one stands at 1.6 m; what moves to the right has room on the right."""
+    action = action_of(NAMED["brakes"])
+    points = action.acting(0.5)
+    for azimuth, lead in ((-math.pi / 2, 1.0), (math.pi / 2, -1.0)):
+        camera = framed(points, LensView(azimuth, None, 0.65, 16 / 9, lead))
+        assert 1.3 < camera.eye[2] < 1.9
+        found = extent(camera, points, 16 / 9)
+        middle = 0.5 * (found.low[0] + found.high[0])
+        assert math.copysign(1.0, middle) == -lead and 0.05 < abs(middle) < 0.5
+        assert 0.5 * (found.low[1] + found.high[1]) < -0.05
+        assert found.overflow <= SAFE + 1e-6
+        assert FILL_LEAST <= found.fill <= FILL_MOST
+
+
+@pytest.mark.parametrize("fov", [0.35, 0.62, 0.9])
+@pytest.mark.parametrize("wanted", [0.2, 0.4])
+def test_framed_points_have_the_wanted_fill(fov: float, wanted: float) -> None:
+    """Whatever the lens; measured on the projected corners."""
+    camera = framed(BOX, LensView(0.7, 0.3, fov, 16 / 9), wanted)
+    pixels, ahead = camera.project(BOX, 1600, 900)
+    low, high = pixels.min(axis=0), pixels.max(axis=0)
+    assert ahead.all()
+    shares = (high - low) / (1600, 900)
+    assert math.sqrt(shares[0] * shares[1]) == pytest.approx(wanted, rel=0.12)
+    assert extent(camera, BOX, 16 / 9).fill == pytest.approx(math.sqrt(shares[0] * shares[1]))
+
+
+def test_fill_counts_what_is_inside_the_picture() -> None:
+    """A box of which half is outside fills half as much of that direction; one behind nothing."""
+    camera = Camera((0.0, -10.0, 0.0), (0.0, 0.0, 0.0), 2 * math.atan(0.5))
+    square = np.array([[x, 0.0, z] for x in (-1, 1) for z in (-1, 1)], float)
+    assert extent(camera, square, 1.0).fill == pytest.approx(0.2)
+    beside = extent(camera, np.add(square, (5.0, 0, 0)), 1.0)
+    assert beside.fill == pytest.approx(0.2 / math.sqrt(2)) and beside.inside == pytest.approx(0.5)
+    assert extent(camera, square - (0, 20.0, 0), 1.0).fill == 0.0
+
+
+def test_who_acts_changes_with_the_beats() -> None:
+    """First the car with the bin it comes near, then the bin with the sign."""
+    action = action_of(NAMED["chain"])
+    car_hits, bin_hits = action.beats
+    assert [action.scene.bodies[i].name for i in car_hits.participants] == ["car", "bin"]
+    assert [action.scene.bodies[i].name for i in bin_hits.leads] == ["bin"]
+    assert action.beat_at(car_hits.time_s + AFTER_S - 0.01) is car_hits
+    assert action.beat_at(car_hits.time_s + AFTER_S + 0.01) is bin_hits
+    alone = action.acting(0.1)
+    assert np.ptp(alone[:, 0]) == pytest.approx(4.4)  # the bin is far away still
+    assert np.ptp(action.acting(1.2)[:, 0]) > 4.9
+
+
+def test_intrinsics_and_extrinsics_put_points_where_the_camera_does() -> None:
+    """Of every frame of a moving camera; a still one has one matrix."""
+    take = direct(finder_of(NAMED["head_on"]), 0.5, 2.0, kinds=("tracking",))
+    record = take.record((640, 360))
+    assert len(record["world_to_camera_by_frame"]) == len(take)
+    for k in (0, len(take) - 1):
+        local = np.c_[BOX, np.ones(8)] @ np.array(record["world_to_camera_by_frame"][k]).T
+        pixels = local[:, :3] @ np.array(record["intrinsics_px"]).T
+        wanted, _ = take.camera(k).project(BOX, 640, 360)
+        assert pixels[:, :2] / pixels[:, 2:] == pytest.approx(wanted, abs=1e-6)
+    assert record["lens_mm"] == pytest.approx(35.0)
+    still = standing(take.camera(0), take.time_s).record((640, 360))
+    assert np.shape(still["world_to_camera"]) == (4, 4)
+    assert "world_to_camera_by_frame" not in still
+
+
+def test_several_cameras_stand_apart() -> None:
+    """Every one keeps the rules."""
+    finder = finder_of(NAMED["ball_and_box"])
+    takes: Takes = directed(finder, ("static",), 3, seed=0)
+    angles = [azimuth_of(take) for take in takes]
+    for a in range(3):
+        assert all(s.good for s in finder.review(takes[a]))
+        for b in range(a):
+            assert math.cos(angles[a] - angles[b]) < math.cos(math.radians(20))
