@@ -81,9 +81,15 @@ def requirement(e: Entity) -> AssetRequirement:
         mass_is_prescribed=e.mass_prescribed,
         dimensions_are_prescribed=e.dimensions_prescribed,
         material=material or None,
-        color=e.color,
+        color=e.color or _known_by(e),
         shape=shape,
     )
+
+
+def _known_by(e: Entity) -> str | None:
+    """The colour that a kind of vehicle is known by: taxis are yellow, fire engines red."""
+    first = e.noun.description.partition(" ")[0]
+    return first if e.noun.kind == "vehicle" and e.known and first in lex.COLORS else None
 
 
 def opened(e: Entity, required: AssetRequirement, golf: bool) -> AssetRequirement:

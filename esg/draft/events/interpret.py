@@ -332,6 +332,16 @@ def _nothing_to_move(d: Discourse, f: Frame, parts: Parts) -> bool:
     return True
 
 
+def _no_hand(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "A crate lands on the seesaw and lifts a box": what has no hands takes nothing."""
+    picks = _HANDLED.get((f.verb.sense, f.verb.lemma)) == "pick" and bool(parts.objects)
+    inert = [i for i in parts.subject if kind_of(d, i) not in SELF_POWERED]
+    if picks and any(i in d.timeline.tracks for i in inert):
+        ignore(d, f, "nothing of the kind happens in the scene")
+        return True
+    return False
+
+
 def _runs_now(d: Discourse, f: Frame, parts: Parts) -> bool:
     """ "Is walking, then suddenly starts running": it gains speed."""
     if f.verb.lemma not in _FASTER_GAITS or f.verb.sense != "own" or f.verb.passive or f.object:
@@ -354,6 +364,7 @@ STEPS: tuple[Step, ...] = (
     _ridden_instead,
     _abreast,
     _nothing_to_move,
+    _no_hand,
     _runs_now,
 )
 """What is found out about who a clause is about before its verb is read, in this order."""

@@ -29,7 +29,8 @@ def arguments(a: Account) -> Iterator[Gap]:
     taking = {i for n in d.timeline.nodes for i in n.participants}
     taking |= {str(n.extra.get("region", "")).split("/")[0] for n in d.timeline.nodes}
     taking |= {i for e in d.timeline.edges for i in (e.actor, e.target) if i}
-    taking |= {i for r in scene.relations for i in (r.source, r.target, r.text)}
+    told = [r for r in scene.relations if r.kind != "structural"]
+    taking |= {i for r in told for i in (r.source, r.target, r.text)}
     for at in (scene.supported_by, scene.inside_of, scene.attached, scene.marked, scene.facing):
         taking |= {i for pair in at.items() if not structural(d, pair[1]) for i in pair}
     taking |= {i for s in a.said for i in (*s.object, *s.target)} | {*d.moves.still}

@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 import csv
 from dataclasses import dataclass
 from functools import cache
@@ -14,6 +15,7 @@ from esg.draft.discourse.core import kind_of, movable
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.courses import measurable
+from esg.draft.events.hanging import row_of
 from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import adverbs_of
 from esg.draft.events.told import last_of
@@ -96,10 +98,8 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
             return False
         if condition == "gently" and not (f.verb.passive and _MANNERS & {*adverbs_of(d.text, f)}):
             return False
-        if condition == "bumped" and not (f.verb.form == "ing" and _bumped(d, f)):
-            return False
-        words = d.text[f.verb.start : f.verb.end + 5].lower().split()
-        if condition == "down" and condition not in words:
+        test = _TESTS.get(condition)
+        if test is not None and not test(d, clause):
             return False
         if condition == "unmet" and _leads_to_an_event(d, clause):
             return False
@@ -119,10 +119,29 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
     return True
 
 
+def _loose(d: Discourse, clause: Clause) -> bool:
+    """Whether nothing that a clause moves is on a joint."""
+    named = clause.frame.subject.entities if clause.frame.subject is not None else []
+    return all(row_of(d, i) is None for i in (*clause.movers, *named))
+
+
 def _bumped(d: Discourse, f: Frame) -> bool:
     """Whether the last that happens to what a clause acts on is that it is touched."""
     told = [last_of(d, i) for i in (f.object.entities[:1] if f.object is not None else [])]
     return any(n is not None and n.event is NodeEvent.COLLISION for n in told)
+
+
+def _goes_down(d: Discourse, clause: Clause) -> bool:
+    verb = clause.frame.verb
+    return "down" in d.text[verb.start : verb.end + 5].lower().split()
+
+
+_TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
+    "loose": lambda d, c: bool(c.movers) and _loose(d, c),
+    "bumped": lambda d, c: c.frame.verb.form == "ing" and _bumped(d, c.frame),
+    "down": _goes_down,
+}
+"""Conditions of a row that look at the scene or at the words around the verb."""
 
 
 def _leads_to_an_event(d: Discourse, clause: Clause, kind: str = "") -> bool:

@@ -20,7 +20,7 @@ from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.events.acts import add_event, add_hit, go_into, kinematics, outcomes
 from esg.draft.events.consequences import already_hit, consequence, knock_on
-from esg.draft.events.hanging import hanging
+from esg.draft.events.hanging import hanging, turning
 from esg.draft.events.lengths import distance
 from esg.draft.events.motions import each_passed, motion, start_motion, target_of
 from esg.draft.events.roles import doer_and_done
@@ -149,10 +149,11 @@ def launch_by(d: Discourse, f: Frame, agents: list[str], sent: list[str]) -> Non
         return
     mode = f.verb.note or "roll"
     hung = hanging(d, sent)
-    if hung and agents and kind_of(d, agents[0]) in SELF_POWERED:
-        add_hit(d, f, agents[:1], hung[:1], time_of(d, f))  # "kicks a punching bag"
-        note = add_event(d, NodeEvent.SWING, (hung[0],), f, None)
-        mark_used(d, f, note)
+    held = hung or turning(d, sent)
+    if held and agents and kind_of(d, agents[0]) in SELF_POWERED:
+        add_hit(d, f, agents[:1], held[:1], time_of(d, f))  # "kicks a punching bag"
+        event = NodeEvent.SWING if hung else NodeEvent.SPIN
+        mark_used(d, f, add_event(d, event, (held[0],), f, None))
         return
     if f.verb.lemma == "blow":
         agents = []  # the air that a fan moves touches it, not the fan

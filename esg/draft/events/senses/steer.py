@@ -58,6 +58,10 @@ def read_turn(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         ignore(d, f, "a part turns, not the whole")
         return
     side = _side(d, f)
+    wheels = s and not o and not any(kind_of(d, a) in SELF_POWERED for a in s)
+    if wheels and all(at_rest(d, a) for a in s) and not (f.phrases or f.adverbs or f.verb.extra):
+        read_as(d, "spin", f, s, o)  # "a fan turns"
+        return
     degrees = 180.0 if f.verb.extra.get("dir") in ("u", "around", "back") else 90.0
     angles = [a for _, a in amounts_of(d, f) if a.dimension == "angle"]
     if angles:

@@ -106,10 +106,10 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
 def _other_end(c: Clauses, s: State, m: Mention, i: int) -> bool:
     """ "Between the plate and the cup": one thing has nothing between it."""
     first = element_at(c.elements, i - 2)
-    if not isinstance(first, Mention) or first.after_prep != "between" or m.after_prep:
+    joined = getattr(element_at(c.elements, i - 1), "low", "") == "and"
+    if not isinstance(first, Mention) or first is not s.last or not joined or m.after_prep:
         return False
-    one = first is s.last and not first.plural and not first.coordinated
-    return one and getattr(element_at(c.elements, i - 1), "low", "") == "and"
+    return first.after_prep == "between" and not first.plural and not first.coordinated
 
 
 def _coordinated(c: Clauses, s: State, i: int) -> bool:
