@@ -107,9 +107,7 @@ def preview(
     )
 
 
-def _filmed(
-    action: Action, doc: EsgDocument, parts: Sequence[Part], folder: Path
-) -> list[str]:
+def _filmed(action: Action, doc: EsgDocument, parts: Sequence[Part], folder: Path) -> list[str]:
     """Writes the film; why there is none, in a line, if it cannot be written."""
     try:
         write_scene_film(action, doc, parts, folder / FILM)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -120,7 +121,9 @@ class Viewfinder:
         beat, camera = self.action.beat_at(time), take.at([time]).camera(0)
         shown, _ = self.scan.look(camera, GLANCE_PX)
         alone, _ = self.scan.look(camera, GLANCE_PX, beat.participants)
-        return _share(np.count_nonzero(np.isin(shown, beat.participants)), np.count_nonzero(alone >= 0))
+        return _share(
+            np.count_nonzero(np.isin(shown, beat.participants)), np.count_nonzero(alone >= 0)
+        )
 
     def review(self, take: Take) -> list[Seen]:
         """What a take shows of every event that happens during it."""
@@ -146,7 +149,7 @@ class Viewfinder:
         return True
 
 
-def _share(seen: float, whole: float) -> float:
+def _share(seen: Any, whole: Any) -> float:
     """Of a thing without a pixel nothing can be said to be seen."""
     return min(1.0, float(seen) / float(whole)) if whole > 0 else 0.0
 
