@@ -16,7 +16,7 @@ import {
   Mesh,
   MeshBasicMaterial,
   MeshStandardMaterial,
-  PCFSoftShadowMap,
+  PCFShadowMap,
   PerspectiveCamera,
   PlaneGeometry,
   RepeatWrapping,
@@ -53,7 +53,7 @@ export function createPlayer(stage, view) {
   stage.replaceChildren(canvas);
   renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
   renderer.shadowMap.enabled = true;
-  renderer.shadowMap.type = PCFSoftShadowMap;
+  renderer.shadowMap.type = PCFShadowMap;
   const world = new Scene();
   world.background = new Color(0xcddbeb);
   const camera = new PerspectiveCamera(38, 1.5, 0.02, 600);
