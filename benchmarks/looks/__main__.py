@@ -40,7 +40,7 @@ from esg.view.camera import Camera
 from esg.view.setting import export_folder, setting_in
 
 SIZE = (480, 270)
-SAMPLES = 24
+SAMPLES = 12
 THREADS = 2
 FACTOR = 0.01
 """Largest difference of a factor that counts as the same."""
@@ -177,13 +177,24 @@ def ours(
     """Our own picture of a frame through the same camera."""
     from PIL import Image
 
-    from esg.view.parts import scene_parts
-    from esg.view.render import Renderer
+    from esg.engines.wheels import scene_angles
+    from esg.view.parts import body_parts
+    from esg.view.renderers.kinds import kind_named
+    from esg.view.renderers.records import Poses, Quality, Scenery
+    from esg.view.surroundings import Surroundings
 
-    doc = load_document(folder / "esg.json")
-    renderer = Renderer(scene_parts(scene, rollout, doc), len(scene.bodies), *SIZE)
-    renderer.pose(rollout.position[0, frame], rollout.quaternion[0, frame])
-    Image.fromarray(renderer.color(camera_at(setting, float(rollout.time[frame])))).save(out)
+    around = Surroundings(setting.sky, setting.ground, setting.parts)
+    parts = body_parts(scene, load_document(folder / "esg.json"))
+    drawer = kind_named("raster").load(
+        Scenery(tuple(parts), len(scene.bodies), around), Quality(SIZE)
+    )
+    angles = scene_angles(scene, rollout)[None, frame : frame + 1]
+    now = slice(frame, frame + 1)
+    poses = Poses(rollout.position[:1, now], rollout.quaternion[:1, now], angles)
+    camera = camera_at(setting, float(rollout.time[frame]))
+    rgb = drawer.draw(poses, [camera]).rgb
+    assert rgb is not None
+    Image.fromarray(rgb[0]).save(out)
 
 
 def camera_at(setting: Setting, time: float) -> Camera:

@@ -84,7 +84,7 @@ def render(job: dict[str, Any], rate: float) -> None:
     scene.render.engine = "CYCLES"
     scene.cycles.device = "CPU"
     scene.cycles.samples = job["samples"]
-    scene.cycles.use_denoising = False
+    scene.cycles.use_denoising = True
     scene.cycles.max_bounces = 3
     scene.render.threads_mode, scene.render.threads = "FIXED", job["threads"]
     scene.render.resolution_x, scene.render.resolution_y = job["size"]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import base64
 import functools
 import html
 from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
@@ -60,30 +61,23 @@ def shown(glb: Path, job: dict[str, Any], browser: str) -> dict[str, Any]:
     handler = functools.partial(_Handler, glb=glb.resolve(), job=json.dumps(job).encode())
     server = ThreadingHTTPServer(("127.0.0.1", 0), handler)
     threading.Thread(target=server.serve_forever, daemon=True).start()
-    width, height = job["size"]
     with tempfile.TemporaryDirectory() as profile:
-        common = [
+        command = [
             browser, "--headless=new", "--no-sandbox", "--disable-dev-shm-usage",
             "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
-            "--hide-scrollbars", f"--user-data-dir={profile}",
-            f"--window-size={width},{height}", "--virtual-time-budget=60000",
+            f"--user-data-dir={profile}", "--virtual-time-budget=60000", "--dump-dom",
+            f"http://127.0.0.1:{server.server_port}/",
         ]  # fmt: skip
-        address = f"http://127.0.0.1:{server.server_port}/"
         try:
-            for more in ("--dump-dom", f"--screenshot={Path(job['picture']).resolve()}"):
-                done = subprocess.run(
-                    [*common, more, address],
-                    capture_output=True,
-                    text=True,
-                    timeout=TIMEOUT_S,
-                    check=True,
-                )
-                if more == "--dump-dom":
-                    page = done.stdout
+            page = subprocess.run(
+                command, capture_output=True, text=True, timeout=TIMEOUT_S, check=True
+            ).stdout
         finally:
             server.shutdown()
     title = page.split("<title>", 1)[1].split("</title>", 1)[0]
     if title != "done":
         raise RuntimeError(f"{glb}: {title}")
     text = page.split('id="answer">', 1)[1].split("</script>", 1)[0]
-    return json.loads(html.unescape(text) if "&quot;" in text else text)
+    answer = json.loads(html.unescape(text) if "&quot;" in text else text)
+    Path(job["picture"]).write_bytes(base64.b64decode(answer.pop("picture").partition(",")[2]))
+    return answer

@@ -5,6 +5,7 @@ from __future__ import annotations
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from esg.assets.appearance import USUAL, Appearance
 from esg.graph.models import AssetConfiguration, EsgDocument, RetrievalCandidate
 
 if TYPE_CHECKING:
@@ -20,11 +21,16 @@ def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
     return run(doc, seed=seed)
 
 
-def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
-    """The asset's geometry [cm] in its local frame: origin bottom centre, front +X, Z up."""
+def build_mesh(config: AssetConfiguration, appearance: Appearance = USUAL) -> trimesh.Scene:
+    """The asset's geometry [cm] in its local frame: origin bottom centre, front +X, Z up.
+
+    Args:
+        config: The asset.
+        appearance: How one of it looks where its kind leaves it open (`esg.assets.appearances`).
+    """
     from esg.assets.geometry.mesh import build_mesh as run
 
-    return run(config)
+    return run(config, appearance)
 
 
 def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:

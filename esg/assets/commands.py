@@ -108,6 +108,38 @@ def show(name: str) -> dict[str, Any]:
     }
 
 
+def list_materials() -> list[dict[str, Any]]:
+    """One row a material: its figures with their source, and how it looks."""
+    from dataclasses import asdict
+
+    from esg.assets.materials import MATERIALS
+
+    def row(material: Any) -> dict[str, Any]:
+        out = asdict(material)
+        red, green, blue = (round(255 * c) for c in material.color)
+        out["color"] = f"#{red:02x}{green:02x}{blue:02x}"
+        out["stands_for"] = sorted(material.stands_for)
+        return out
+
+    return [row(material) for material in MATERIALS.values()]
+
+
+def draw_materials(path: Path) -> int:
+    """Draws a ball of every material into a picture.
+
+    Raises:
+        UserError: If it is no picture's name, or cannot be written.
+    """
+    from esg.assets.swatches import materials_sheet
+
+    if path.suffix.lower() not in {".png", ".jpg", ".jpeg", ".webp"}:
+        raise UserError(f"{path}: choose a file that ends in .png, .jpg or .webp")
+    try:
+        return materials_sheet(path)
+    except OSError as error:
+        raise UserError(f"cannot write {path}: {error.strerror}; choose another file") from None
+
+
 def import_assets(path: str | Path, library: str | None = None, **options: Any) -> dict[str, Any]:
     """Imports a folder or a `.sh3f` and says what happened."""
     from esg.assets.imports.importer import import_folder

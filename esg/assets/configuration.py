@@ -27,6 +27,11 @@ def mesh_path(key: str) -> str:
     return f"meshes/{re.sub(r'[^A-Za-z0-9_.-]+', '_', key) or 'asset'}.glb"
 
 
+def node_mesh_path(path: str, node: str) -> str:
+    """Path of the GLB of one node that looks unlike the first with the same asset."""
+    return f"{path.removesuffix('.glb')}.{re.sub(r'[^A-Za-z0-9_-]+', '_', node)}.glb"
+
+
 def finish(
     key: str,
     entry: Entry,

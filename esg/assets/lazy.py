@@ -17,3 +17,4 @@ class LazyModule:
 
 
 shapes: Any = LazyModule("esg.assets.geometry.shapes")
+forms: Any = LazyModule("esg.assets.geometry.forms")

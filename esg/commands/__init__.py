@@ -18,7 +18,10 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "replay": ("esg.commands.replay:replay", "Replay a finished scene in an engine of choice."),
     "export": ("esg.commands.export:export", "Write a scene for another program."),
     "check": ("esg.commands.check:check", "Check an ESG file against the schema and all rules."),
-    "assets": ("esg.commands.assets:app", "List, search, show and import assets."),
+    "assets": (
+        "esg.commands.assets:app",
+        "List, search, show and import assets; list materials.",
+    ),
     "doctor": (
         "esg.commands.doctor:doctor",
         "Tell what works on this machine and what is missing.",

@@ -7,7 +7,7 @@ from typing import Annotated, Any
 
 from cyclopts import App, Parameter
 
-app = App(name="assets", help="List, search, show and import assets.")
+app = App(name="assets", help="List, search, show and import assets; list materials.")
 MAX_COUNT = 1000
 Json = Annotated[bool, Parameter(negative="")]
 
@@ -96,6 +96,31 @@ def show(name: str, *, json: Json = False) -> int:
     for key in ("dimensions_cm", "mass_kg", "friction", "restitution", "is_movable"):
         print(f"{key}: {config[key]}")
     print("proxies: " + ", ".join(p["kind"] for p in config["proxies"]))
+    return 0
+
+
+@app.command
+def materials(*, sheet: Path | None = None, json: Json = False) -> int:
+    """List all materials: how they slide, bounce, weigh and look.
+
+    Args:
+        sheet: Draw a picture of them into this file (.png, .jpg or .webp).
+        json: Print one JSON document.
+    """
+    from esg.assets.commands import draw_materials, list_materials
+    from esg.commands.console import emit, table
+
+    if sheet is not None:
+        draw_materials(sheet)
+    rows = list_materials()
+    if json:
+        emit(rows)
+        return 0
+    keys = ("density", "friction", "restitution", "roughness", "metalness")
+    cells = [
+        [r["name"], *(f"{r[k]:g}" for k in keys), r["color"], r["texture"] or "-"] for r in rows
+    ]
+    print(table(["material", "kg/m3", *keys[1:], "colour", "texture"], cells))
     return 0
 
 

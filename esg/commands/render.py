@@ -12,6 +12,7 @@ if TYPE_CHECKING:
     from esg.view.capture import Settings
 
 MAX_CAMERAS = 8
+MAX_SAMPLES = 65536
 
 
 def render(
@@ -24,6 +25,9 @@ def render(
     format: Literal["png", "parquet"] = "png",
     device: str = "cpu",
     seed: int = 0,
+    renderer: str = "raster",
+    samples: int | None = None,
+    motion_blur: Annotated[bool, Parameter(negative="")] = False,
     out: Path | None = None,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
@@ -37,7 +41,11 @@ def render(
         cameras: How many stand around the action, 1 to 8.
         format: png writes files, parquet shards of rows.
         device: cpu or cuda:N.
-        seed: Of the points that tracks follow.
+        seed: Of the points that tracks follow, of noise and of clouds.
+        renderer: Of colours: raster (fast), path (Mitsuba), cycles (a Blender on this machine); the
+            other channels are exact with all of them.
+        samples: Rays a pixel; default what suits the renderer.
+        motion_blur: Let the shutter be open for half of the time between frames.
         out: Folder to write; default render in the scene folder.
         json: Print one JSON document: the folder and what is in it.
     """
@@ -45,14 +53,23 @@ def render(
     from esg.commands.console import emit
     from esg.scenefolder import check_writable
 
-    chosen, device, seed, folder, _ = checked(
+    chosen, (renderer, samples), device, seed, folder, _ = checked(
         lambda: settings(channels, size, fps, cameras, format),
+        lambda: drawn_by(renderer, samples),
         lambda: check_device(device),
         lambda: check_seed(seed),
         lambda: find_scene(scene),
         lambda: None if out is None else check_writable(out),
     )
-    result = run(folder, out or folder / "render", replace(chosen, device=device, seed=seed))
+    chosen = replace(
+        chosen,
+        device=device,
+        seed=seed,
+        renderer=renderer,
+        samples=samples,
+        motion_blur=motion_blur,
+    )
+    result = run(folder, out or folder / "render", chosen)
     if json:
         emit(result)
     else:
@@ -78,6 +95,23 @@ def settings(
         lambda: in_range("--cameras", cameras, 1, MAX_CAMERAS),
     )
     return Settings(names, pixels, fps, cameras, format)
+
+
+def drawn_by(renderer: str, samples: int | None) -> tuple[str, int | None]:
+    """Checked renderer and its rays a pixel.
+
+    Raises:
+        UserError: Naming the options and what they take, or what the renderer lacks here.
+    """
+    from esg.api.inputs import checked, in_range
+    from esg.view.renderers.kinds import kind_named
+
+    kind, _ = checked(
+        lambda: kind_named(renderer),
+        lambda: None if samples is None else in_range("--samples", samples, 1, MAX_SAMPLES),
+    )
+    kind.version()
+    return renderer, samples
 
 
 def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:
@@ -136,4 +170,5 @@ def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:
         "frames": manifest["frames"],
         "channels": list(chosen.channels),
         "format": chosen.container,
+        "renderer": manifest["renderer"],
     }

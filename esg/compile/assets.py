@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.assets.configuration import node_mesh_path
 from esg.compile import frames, names
 from esg.engines.scene import Body, Shape, SimScene
 from esg.outcomes import UserError
@@ -79,14 +80,21 @@ def safe_source(mesh: str) -> str:
     return "" if str(path) == "." else str(path)
 
 
-def mesh_file(folder: Path, mesh: str) -> Path | None:
+def mesh_file(folder: Path, mesh: str, node: str = "") -> Path | None:
     """The file of a mesh in a scene folder, None if there is none.
+
+    Args:
+        folder: Of the scene.
+        mesh: Path of the mesh in it.
+        node: Whose mesh it is: its own file is preferred, if it looks unlike its asset.
 
     Raises:
         UserError: If the path leaves the folder, be it through a symbolic link.
     """
     source = safe_source(mesh)
     path = folder / source
+    own = folder / node_mesh_path(source, node)
+    path = own if node and own.is_file() else path
     if not source or not path.is_file():
         return None
     if not path.resolve().is_relative_to(folder.resolve()):

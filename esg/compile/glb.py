@@ -27,11 +27,12 @@ from esg.compile.visuals.ropes import LOOKS, Rope, rope_mesh, ropes_of
 from esg.compile.visuals.setting import (
     Setting,
     View,
-    by_look,
+    by_surface,
     by_thing,
     facing,
     ground_mesh,
     seen_at,
+    spread,
     strength,
 )
 from esg.engines.scene import Body, Rollout, Shape, SimScene
@@ -201,7 +202,7 @@ def _surroundings(document: Document, setting: Setting) -> list[int]:
     nodes = [document.append("nodes", {"name": "ground", "mesh": mesh})]
     dressing = [
         document.append("nodes", {"name": name, "mesh": _dressing(document, name, parts)})
-        for name, parts in by_thing(setting.parts).items()
+        for name, parts in by_thing(spread(setting.parts)).items()
     ]
     if dressing:
         nodes.append(document.append("nodes", {"name": "dressing", "children": dressing}))
@@ -223,14 +224,9 @@ def _surroundings(document: Document, setting: Setting) -> list[int]:
 def _dressing(document: Document, name: str, parts: list[Part]) -> int:
     """Adds parts that are fixed to the world as one mesh; returns its index."""
     primitives: list[Any] = []
-    for look, (vertices, faces, normals, uvs) in by_look(parts):
-        surface = surface_of(look)
-        corners = (
-            gltf_vector(vertices),
-            faces,
-            None if normals is None else gltf_vector(normals),
-            uvs if surface.base is not None else None,
-        )
+    for surface, (vertices, faces, normals, uvs) in by_surface(parts):
+        turned = None if normals is None else gltf_vector(normals)
+        corners = gltf_vector(vertices), faces, turned, uvs
         primitives.append((corners, document.material(surface)))
     return document.mesh(name, primitives)
 
@@ -262,7 +258,7 @@ def continuous(q: Floats) -> Floats:
 
 def mesh_of(body: Body, folder: Path) -> tuple[str, bytes | None]:
     """Key and GLB of a body's mesh; its collision shapes where the file is missing or broken."""
-    path = mesh_file(folder, body.mesh)
+    path = mesh_file(folder, body.mesh, body.name)
     if path is not None and path.stat().st_size <= MOST_BYTES:
         data = path.read_bytes()
         try:
@@ -270,7 +266,7 @@ def mesh_of(body: Body, folder: Path) -> tuple[str, bytes | None]:
         except ValueError:
             pass
         else:
-            return body.mesh, data
+            return path.relative_to(folder).as_posix(), data
     if not body.shapes:
         return "", None
     return f"shapes of {body.name}", _shapes_glb(body)

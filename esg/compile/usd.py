@@ -40,6 +40,7 @@ from esg.compile.visuals.usd_files import (
     write_package,
 )
 from esg.compile.visuals.usd_looks import (
+    ROOT,
     SURROUNDINGS,
     UsdLooks,
     camera_prim,
@@ -208,7 +209,7 @@ def _seen(
         if data is None:
             continue
         if key not in library:
-            library[key] = f"/Asset{len(library)}"
+            library[key] = f"{ROOT}/Asset{len(library)}"
             looks.asset(library[key], parts_of(data), body)
         visual = UsdGeom.Xform.Define(stage, f"{paths[body.name]}/Visual")
         if index in lifts:

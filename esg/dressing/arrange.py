@@ -6,7 +6,7 @@ on the ground and of what stands already.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cache
 import itertools
@@ -26,10 +26,13 @@ from esg.units import CM_PER_M
 _T = TypeVar("_T")
 TRIES = 10
 MOST_ITEMS = 48
+RUN_STEP_M = 0.5
 MOST_RUN_M = 90.0
 """A row of things goes no farther than this from its middle."""
 BEYOND_M = 70.0
 """How far what is drawn along a side goes on beyond it."""
+WATER = "water"
+"""The surface on which nothing stands but what floats."""
 FLAT_M = 0.2
 """What is lower shares its place with others: a kerb, a mat."""
 TALL_M = 1.0
@@ -64,7 +67,7 @@ class Site:
         rect: The action's rectangle, or the street's, or the room.
         height: Of the room [m].
         viewer: Unit vector in the frame's plane from the action to where one looks from.
-        axis: Where the thing stands along which the place is laid out; None if there is none.
+        axis: Box of the thing along which the place is laid out; None if there is none.
         ban: What must not appear.
         rng: Of every choice.
     """
@@ -74,10 +77,14 @@ class Site:
     rect: Box
     height: float
     viewer: tuple[float, float]
-    axis: tuple[float, float] | None
+    axis: Box | None
     ban: Ban
     rng: np.random.Generator
     items: list[DressingItem] = field(default_factory=list[DressingItem])
+    hung: list[Box] = field(default_factory=list[Box])
+    """What hangs on walls, and what is so tall that it would hide it."""
+    water: list[Box] = field(default_factory=list[Box])
+    """Where only boats are."""
     walls: dict[str, str] = field(default_factory=dict[str, str])
     """Builder of the wall on each side of a room."""
     counts: dict[str, int] = field(default_factory=dict[str, int])
@@ -120,6 +127,8 @@ def arrange(site: Site) -> tuple[tuple[Marking, ...], tuple[DressingItem, ...]]:
     Returns:
         What is drawn on its ground and what stands in it, in the world [cm].
     """
+    flats = _markings(site)
+    site.water += [box for marking, box in flats if marking.surface == WATER]
     rows = standing(site.place.name)
     _walls(site, [row for row in rows if row.where == "wall"])
     rest = [row for row in rows if row.where != "wall"]
@@ -130,7 +139,7 @@ def arrange(site: Site) -> tuple[tuple[Marking, ...], tuple[DressingItem, ...]]:
             continue
         for row in members:
             _scattered(site, row)
-    return tuple(_markings(site)), tuple(site.items)
+    return tuple(marking for marking, _ in flats), tuple(site.items)
 
 
 def rails(site: Site, sides: str) -> list[Rail]:
@@ -174,71 +183,81 @@ def _walls(site: Site, rows: list[Standing]) -> None:
 
 
 def _run(site: Site, rows: list[Standing]) -> None:
-    """Things end to end along a side, from its middle outwards."""
-    weights = np.array([float(row.count[1]) for row in rows])
-    most = int(weights.sum())
+    """Things end to end along a side, as near to it as most of them can stand."""
+    low, high = rows[0].away_m
     for rail in rails(site, rows[0].sides):
         if float(site.rng.random()) >= rows[0].chance:
             continue
-        half = min(0.5 * rail.length + rows[0].away_m[1], MOST_RUN_M)
-        placed: list[tuple[Standing, float, tuple[float, float, float]]] = []
-        at, ends, tried = 0.0, [0.0, 0.0], 0
-        while tried < most:
-            row = rows[int(site.rng.choice(len(rows), p=weights / weights.sum()))]
-            size = _size(site, row)
-            width = _across(row, size)
-            side = tried % 2
-            tried += 1
-            if ends[side] + 0.5 * width > half and tried > 1:
-                continue
-            at = (ends[side] + 0.5 * width) * (1 if side else -1)
-            if tried == 1:
-                at, ends = 0.0, [0.5 * width + row.gap_m, 0.5 * width + row.gap_m]
-            else:
-                ends[side] += width + row.gap_m
-            if _stands(site, row, rail, at, size, check_only=True):
-                placed.append((row, at, size))
-        for row, at, size in _joined(placed):
-            _stands(site, row, rail, at, size, check_only=False)
+        wanted = _lined(site, rows, rail)
+        best: list[Member] = []
+        nearest = low
+        for away in np.arange(low, high + 1e-6, RUN_STEP_M):
+            fit = [m for m in wanted if _fits(site, m.row, _member_box(m, rail, away), m.size)]
+            if len(fit) > len(best):
+                best, nearest = fit, float(away)
+        for member in _joined(best):
+            box = _member_box(member, rail, nearest)
+            yaw = _yaw(rail, member.row.facing, site.rng)
+            if len(site.items) < MOST_ITEMS:
+                _put(site, member.row, box.middle, member.size, yaw, box)
 
 
-def _joined(
-    placed: list[tuple[Standing, float, tuple[float, float, float]]],
-) -> Iterator[tuple[Standing, float, tuple[float, float, float]]]:
+@dataclass(frozen=True)
+class Member:
+    """One of a row: where its middle is along the side [m], and its extents [m]."""
+
+    row: Standing
+    along: float
+    size: tuple[float, float, float]
+
+
+def _lined(site: Site, rows: list[Standing], rail: Rail) -> list[Member]:
+    """Things side by side from the middle of a side outwards, until it or they end."""
+    counts = np.array([float(row.count[1]) for row in rows])
+    half = min(0.5 * rail.length + rows[0].away_m[1], MOST_RUN_M)
+    out: list[Member] = []
+    ends = [0.0, 0.0]
+    for number in range(int(counts.sum())):
+        row = rows[int(site.rng.choice(len(rows), p=counts / counts.sum()))]
+        size = _size(site, row)
+        width = size[0] if row.facing == "along" else size[1]
+        side = number % 2
+        if number == 0:
+            ends = [0.5 * width + row.gap_m] * 2
+            out.append(Member(row, 0.0, size))
+        elif ends[side] + width <= half:
+            along = (ends[side] + 0.5 * width) * (1 if side else -1)
+            ends[side] += width + row.gap_m
+            out.append(Member(row, along, size))
+    return out
+
+
+def _member_box(member: Member, rail: Rail, away: float) -> Box:
+    facing = member.row.facing
+    deep = member.size[1] if facing == "along" else member.size[0]
+    middle = rail.at(member.along, away + 0.5 * deep)
+    return _box(middle, member.size, _turned(rail.normal, facing))
+
+
+def _joined(members: list[Member]) -> Iterator[Member]:
     """Neighbours of one size without a gap become one longer thing."""
-    done = sorted(placed, key=lambda p: p[1])
+    done = sorted(members, key=lambda m: m.along)
     k = 0
     while k < len(done):
-        row, at, size = done[k]
-        low, high = at - 0.5 * size[1], at + 0.5 * size[1]
-        fixed = _fixed(row) and row.gap_m == 0.0
-        while fixed and k + 1 < len(done) and done[k + 1][0] is row:
-            gap = done[k + 1][1] - 0.5 * size[1] - high
-            if gap > 1e-6:
-                break
+        first = done[k]
+        width = first.size[1]
+        low, high = first.along - 0.5 * width, first.along + 0.5 * width
+        while (
+            _fixed(first.row)
+            and first.row.gap_m == 0.0
+            and k + 1 < len(done)
+            and done[k + 1].row is first.row
+            and done[k + 1].along - 0.5 * width - high < 1e-6
+        ):
             k += 1
-            high = done[k][1] + 0.5 * size[1]
-        yield row, 0.5 * (low + high), (size[0], high - low, size[2])
+            high = done[k].along + 0.5 * width
+        yield Member(first.row, 0.5 * (low + high), (first.size[0], high - low, first.size[2]))
         k += 1
-
-
-def _stands(
-    site: Site,
-    row: Standing,
-    rail: Rail,
-    along: float,
-    size: tuple[float, float, float],
-    *,
-    check_only: bool,
-) -> bool:
-    """Puts a member of a row at its place, or says whether it could stand there."""
-    yaw = _yaw(rail, row.facing, site.rng)
-    deep = size[1] if row.facing == "along" else size[0]
-    normal = _turned(rail.normal, row.facing)
-    box = _box(rail.at(along, row.away_m[0] + 0.5 * deep), size, normal)
-    if check_only:
-        return _fits(site, row, box, size)
-    return _put(site, row, box.middle, size, yaw, box)
 
 
 def _scattered(site: Site, row: Standing) -> None:
@@ -262,7 +281,7 @@ def _spot(
     """A place for a thing that is not in a row: its middle, its yaw in the frame, its box."""
     rng = site.rng
     choices = rails(site, row.sides)
-    if row.where == "ring":
+    if row.where in ("ring", "water"):
         return _in_ring(site, row, size)
     if row.where in ("against", "hung"):
         bare = [r for r in choices if BUILDERS[site.walls[r.side]].bare] if site.walls else []
@@ -318,7 +337,14 @@ def _fits(site: Site, row: Standing, box: Box, size: tuple[float, float, float])
     keep = max([KEEP_M, *(site.ban.near[c] for c in categories if c in site.ban.near)])
     if not site.clear.free(box, keep):
         return False
+    if row.where == "hung":
+        return all(box.to(h) >= row.gap_m for h in site.hung) and _inside(box, site.rect)
     if site.walls and not _inside(box, site.rect):
+        return False
+    wet = [w for w in site.water if box.to(w) < 0.0]
+    if row.where == "water":
+        return any(_inside(box, w) for w in wet)
+    if wet:
         return False
     return size[2] <= FLAT_M or site.clear.open(box, row.gap_m)
 
@@ -337,6 +363,8 @@ def _put(
         return False
     if size[2] > FLAT_M and row.where not in ("hung", "wall"):
         site.clear.placed.append((box, row.gap_m))
+    if row.where == "hung" or (row.where != "wall" and size[2] > TALL_M):
+        site.hung.append(box)
     x, y = site.clear.frame.out(middle)
     site.counts[row.item] = site.counts.get(row.item, 0) + 1
     turned = math.degrees(yaw + site.clear.frame.yaw)
@@ -401,10 +429,6 @@ def _within(span: Span, rng: np.random.Generator) -> float:
     return round(float(rng.uniform(*span)), 2)
 
 
-def _across(row: Standing, size: tuple[float, float, float]) -> float:
-    return size[0] if row.facing == "along" else size[1]
-
-
 def _turned(normal: tuple[float, float], facing: str) -> tuple[float, float]:
     return (-normal[1], normal[0]) if facing == "along" else normal
 
@@ -436,11 +460,13 @@ def _cm(metres: float) -> float:
     return round(CM_PER_M * metres, 1)
 
 
-def _markings(site: Site) -> Iterable[Marking]:
+def _markings(site: Site) -> list[tuple[Marking, Box]]:
+    """What is drawn on the ground, with the box of each in the frame."""
+    out: list[tuple[Marking, Box]] = []
     for row in drawn(site.place.name):
         for middle, half in _flats(site, row):
             x, y = site.clear.frame.out(middle)
-            yield Marking(
+            marking = Marking(
                 surface=row.surface,
                 center_cm=(_cm(x), _cm(y)),
                 half_cm=(_cm(half[0]), _cm(half[1])),
@@ -449,21 +475,22 @@ def _markings(site: Site) -> Iterable[Marking]:
                 line_cm=row.line_cm or None,
                 layer=row.layer,
             )
+            out.append((marking, Box.around(middle, (2 * half[0], 2 * half[1]))))
+    return out
 
 
 def _flats(site: Site, row: Drawn) -> Iterator[tuple[tuple[float, float], tuple[float, float]]]:
     """Middles and half extents of what a row draws, in the frame [m]."""
-    if row.sides == "axis":
-        if site.axis is not None:
-            x, y = site.axis
-            yield (x + row.away_m, y), (0.5 * row.length_m, 0.5 * row.width_m)
+    if row.sides in ("axis", "beside"):
+        yield from _by_axis(site, row)
         return
     if row.sides == "middle":
-        across = 0.5 * (row.width_m or site.rect.size[1])
-        along = 0.5 * (row.length_m or site.rect.size[0] + 2 * BEYOND_M)
+        base = site.axis or site.rect
+        across = 0.5 * (row.width_m or base.size[1])
+        along = 0.5 * (row.length_m or base.size[0] + 2 * BEYOND_M)
         for k in range(row.repeat):
-            x = site.rect.middle[0] + 4.0 * along * (k - 0.5 * (row.repeat - 1))
-            yield (x, site.rect.middle[1]), (along, across)
+            x = base.middle[0] + 4.0 * along * (k - 0.5 * (row.repeat - 1))
+            yield (x, base.middle[1]), (along, across)
         return
     for rail in rails(site, row.sides):
         # The strips along Y end where those along X begin, so that nothing is drawn twice.
@@ -475,6 +502,19 @@ def _flats(site: Site, row: Drawn) -> Iterator[tuple[tuple[float, float], tuple[
             middle = rail.at(along, row.away_m + 0.5 * row.width_m)
             half = (0.5 * row.width_m, 0.5 * long)
             yield middle, half if abs(rail.normal[0]) > 0.5 else (half[1], half[0])
+
+
+def _by_axis(site: Site, row: Drawn) -> Iterator[tuple[tuple[float, float], tuple[float, float]]]:
+    """What is drawn before the thing along which a place is laid out, or on both sides of it."""
+    if site.axis is None:
+        return
+    (x, y), (a, b) = site.axis.middle, site.axis.size
+    if row.sides == "axis":
+        yield (x + row.away_m, y), (0.5 * row.length_m, 0.5 * row.width_m)
+        return
+    for sign in (1.0, -1.0):
+        across = y + sign * (0.5 * b + row.away_m + 0.5 * row.width_m)
+        yield (x, across), (0.5 * (row.length_m or a), 0.5 * row.width_m)
 
 
 def room_of(place: Place, clear: Clearance, viewer: tuple[float, float]) -> tuple[Box, float]:

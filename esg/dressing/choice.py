@@ -11,13 +11,17 @@ import numpy as np
 
 from esg.engines.scene import SimScene
 from esg.graph.models import EsgDocument
-from esg.lexicon import kinds
+from esg.lexicon import kinds, singular
 from esg.lexicon.places import Place, SkyRow, places, skies, surfaces
 
 WHERE = 10.0
-"""Weight of a place's noun after a preposition of place; bare, it counts a fifth."""
 BARE = 2.0
-SAME_SETTING = 1.0
+OF_A_THING = 1.0
+"""Weight of a place's noun after a preposition of place, without one, and in a thing's name."""
+GENERIC = "generic"
+"""The environment of a prompt that says nothing of where it is: not even indoors or outdoors."""
+TOO_LARGE = 6.0
+"""Weight against a room that would have to be larger than such rooms are."""
 MOST_OF_KINDS = 7.0
 """The things of a scene together weigh no more: less than words that say where it is."""
 LUCK = 1.0
@@ -25,7 +29,8 @@ LUCK = 1.0
 STREETLIKE = 2.0
 """A road is a street if it is so many times as long as it is wide."""
 _BEFORE = (
-    r"(?:in|on|at|across|through|along|down|into|inside|onto|over|around|outside|near|by|from)"
+    r"(?:in|on|at|across|through|along|down|into|inside|onto|over|around|outside|near|by|from|to"
+    r"|towards?|off|past|beside)"
 )
 _ARTICLE = r"(?:an?|the|his|her|their|our|its|this|that|some)?"
 _PREPOSED = r"\b" + _BEFORE + r"\s+" + _ARTICLE + r"\s*(?:[\w-]+\s+){{0,2}}?{}\b"
@@ -48,16 +53,17 @@ class Choice:
     reasons: tuple[str, ...]
 
 
-def choose(doc: EsgDocument, scene: SimScene, rng: np.random.Generator) -> Choice:
+def choose(doc: EsgDocument, scene: SimScene, extent: float, rng: np.random.Generator) -> Choice:
     """Place, sky and ground of a scene.
 
     Args:
         doc: The document.
         scene: Its bodies.
+        extent: Greatest extent along X or Y of what they sweep [m].
         rng: Draws what nothing speaks for.
     """
     text = doc.scene_definition.original_description.lower()
-    place, why = _place(doc, scene, text, rng)
+    place, why = _place(doc, scene, text, extent, rng)
     sky, light = _sky(place, text, rng)
     ground, below = _ground(doc, place, text)
     return Choice(place, sky, ground, tuple(r for r in (why, light, below) if r))
@@ -75,7 +81,7 @@ def categories(scene: SimScene) -> set[str]:
 
 
 def _place(
-    doc: EsgDocument, scene: SimScene, text: str, rng: np.random.Generator
+    doc: EsgDocument, scene: SimScene, text: str, extent: float, rng: np.random.Generator
 ) -> tuple[Place, str]:
     told = doc.scene_definition.scene_parameters
     found = categories(scene)
@@ -90,12 +96,10 @@ def _place(
         score = preset + said + min(MOST_OF_KINDS, sum(things.values()))
         if score <= 0.0 and row.name not in ("meadow", "room"):
             continue
-        if row.setting == told.scene_type:
-            score += SAME_SETTING
-        elif told.environment != "generic" and not said >= WHERE:
+        if row.setting != told.scene_type and told.environment != GENERIC and said < WHERE:
             continue
-        elif not said:
-            score -= SAME_SETTING
+        if row.most_m and extent > row.most_m:
+            score -= TOO_LARGE
         if best is None or score + luck > best[0]:
             because = [f'"{word}"'] if word else []
             because += [f"environment {told.environment}"] if preset else []
@@ -110,23 +114,33 @@ def _said(words: Iterable[str], text: str) -> tuple[float, str]:
     best = (0.0, "")
     for word in words:
         for match in re.finditer(rf"\b{re.escape(word)}\b", text):
-            if _of_a_thing(word, text[match.end() :]):
+            before = text[: match.end()]
+            if any(before.endswith(longer) for longer in _longer(word)):
                 continue
-            placed = re.search(_PREPOSED.format(re.escape(word)), text[: match.end()])
-            at_end = placed is not None and placed.end() == match.end()
-            best = max(best, (WHERE if at_end else BARE, word))
+            placed = re.search(_PREPOSED.format(re.escape(word)) + "$", before)
+            weight = WHERE if placed else BARE
+            if _of_a_thing(text[match.end() :]):
+                weight = OF_A_THING
+            best = max(best, (weight, word))
     return best
 
 
-def _of_a_thing(word: str, rest: str) -> bool:
-    """Whether a word is the first of a thing's name: a beach ball, a park bench."""
+@cache
+def _longer(word: str) -> tuple[str, ...]:
+    """Nouns of places that end with a word: a car park is no park."""
+    known = (noun for place in places().values() for noun in place.said_as)
+    return tuple(sorted(noun for noun in known if noun.endswith(f" {word}")))
+
+
+def _of_a_thing(rest: str) -> bool:
+    """Whether a word is followed by the name of a thing: a beach ball, a park bench."""
     following = re.match(r"[\s-]+([a-z]+)", rest)
-    return following is not None and f"{word} {following[1]}" in _names()
+    return following is not None and singular(following[1]) in _things()
 
 
 @cache
-def _names() -> frozenset[str]:
-    told = ((kind.name, *kind.said_as, *kind.found_as) for kind in kinds())
+def _things() -> frozenset[str]:
+    told = ((kind.name, *kind.said_as) for kind in kinds() if kind.kind != "ground")
     return frozenset(name for names in told for name in names)
 
 

@@ -21,6 +21,8 @@ KEEP_M = 2.0
 STEP_M = 0.2
 """A path is sampled about so often; its boxes are grown by half of it."""
 MOST_SAMPLES = 700
+DECAL_M = 0.05
+"""Things stand so far from roads and lanes."""
 GROUND_HALF_M = 45.0
 """A surface without collision at least this wide is the ground itself (esg.view.parts)."""
 GROUNDS = frozenset({"ground", "floor", "terrain", "land"})
@@ -90,14 +92,19 @@ class Box:
         return Box.around(self.middle, (max(a, x), max(b, y)))
 
     def gap(self, others: Floats) -> Floats:
-        """Distances to boxes, shape [n]; 0 where they overlap.
+        """Distances to boxes, shape [n]; below 0 where they overlap, by how much at least.
 
         Args:
             others: Rows x0, y0, x1, y1 [m], shape [n, 4].
         """
-        dx = np.maximum(np.maximum(others[:, 0] - self.x1, self.x0 - others[:, 2]), 0.0)
-        dy = np.maximum(np.maximum(others[:, 1] - self.y1, self.y0 - others[:, 3]), 0.0)
-        return np.hypot(dx, dy)
+        dx = np.maximum(others[:, 0] - self.x1, self.x0 - others[:, 2])
+        dy = np.maximum(others[:, 1] - self.y1, self.y0 - others[:, 3])
+        apart = np.hypot(np.maximum(dx, 0.0), np.maximum(dy, 0.0))
+        return np.where(apart > 0.0, apart, np.maximum(dx, dy))
+
+    def to(self, other: Box) -> float:
+        """Distance to one box, as of `gap`."""
+        return float(self.gap(np.array([other.row()]))[0])
 
     def row(self) -> list[float]:
         """x0, y0, x1, y1."""
@@ -145,13 +152,13 @@ class Clearance:
 
     def open(self, box: Box, gap: float) -> bool:
         """Whether a box overlaps nothing that lies or stands there, with `gap` [m] between."""
-        if any(float(box.gap(np.array([d.row()]))[0]) < 0.05 for _, d in self.decals):
+        if any(box.to(decal) < DECAL_M for _, decal in self.decals):
             return False
         if not self.placed:
             return True
         rows = np.array([b.row() for b, _ in self.placed])
         room = np.array([max(gap, g) for _, g in self.placed])
-        return bool((box.gap(rows) > room - 1e-9).all())
+        return bool((box.gap(rows) > room - 1e-6).all())
 
 
 def covered(body: Body, *, indoor: bool) -> bool:

@@ -29,6 +29,7 @@ _BOX_SIDES = (
     ("-z", (0, 1, 0), (1, 0, 0), (0, -1, 0)),
 )
 ALL_SIDES = frozenset(name for name, *_ in _BOX_SIDES)
+_BEHIND = {"+x": "-x", "-x": "+x", "+y": "-y", "-y": "+y"}
 STANDING = ALL_SIDES - {"-z"}
 """Sides of a box that stands on the ground."""
 
@@ -119,6 +120,8 @@ class Drawing:
     def __init__(self, rng: np.random.Generator, *, night: bool = False) -> None:
         self.rng = rng
         self.night = night
+        self.about = False
+        """Whether sheets and boxes are drawn half a turn about Z: what faces +X then faces -X."""
         self._heaps: dict[tuple[str, Color | None], _Heap] = {}
 
     def solids(self) -> list[Solid]:
@@ -138,7 +141,10 @@ class Drawing:
         self, surface: str, corner: Point, along: Point, up: Point, color: Color | None = None
     ) -> None:
         """A parallelogram, seen from where `along`, then `up` turn counter-clockwise."""
-        self._heap(surface, color).sheets.append((*corner, *along, *up))
+        rows = (*corner, *along, *up)
+        if self.about:
+            rows = tuple(v if k % 3 == 2 else -v for k, v in enumerate(rows))
+        self._heap(surface, color).sheets.append(rows)
 
     def box(
         self,
@@ -149,6 +155,9 @@ class Drawing:
         sides: frozenset[str] = STANDING,
     ) -> None:
         """A box between two corners, of which some sides are seen."""
+        if self.about:
+            low, high = (-high[0], -high[1], low[2]), (-low[0], -low[1], high[2])
+            sides = frozenset(_BEHIND.get(side, side) for side in sides)
         self._heap(surface, color).boxes.setdefault(sides, []).append((*low, *high))
 
     def tube(
@@ -192,6 +201,71 @@ class Drawing:
             ),
         ]
 
+    def prism(
+        self,
+        surface: str,
+        outline: Point,
+        halves: Point,
+        color: Color | None = None,
+    ) -> None:
+        """A body with one outline from the side and at every corner of it a width.
+
+        Args:
+            surface, color: Of it.
+            outline: Corners (x, z) [m] counter-clockwise as seen along +Y, shape [n, 2]; the
+                outline can be seen whole from its middle.
+            halves: Half widths [m] at the corners, shape [n].
+        """
+        flat, half = np.asarray(outline, float), np.asarray(halves, float)
+        n = len(flat)
+        sides = [np.column_stack([flat[:, 0], sign * half, flat[:, 1]]) for sign in (-1.0, 1.0)]
+        k = np.arange(n)
+        low, high = sides
+        for a, b in zip(k, (k + 1) % n, strict=True):
+            if abs(half[a] - half[b]) < 1e-9:
+                self.sheet(surface, low[a], high[a] - low[a], low[b] - low[a], color)
+            else:
+                self.polygon(surface, np.array([low[a], high[a], high[b], low[b]]), color)
+        self.polygon(surface, low, color)
+        self.polygon(surface, high[::-1], color)
+
+    def polygon(self, surface: str, corners: Floats, color: Color | None = None) -> None:
+        """A flat face of n corners, counter-clockwise, as a fan about its middle."""
+        n = len(corners)
+        vertices = np.concatenate([[corners.mean(axis=0)], corners])
+        k = np.arange(n)
+        faces = np.stack([np.zeros(n, int), 1 + k, 1 + (k + 1) % n], axis=1)
+        spokes = vertices[1:] - vertices[0]
+        normal = np.cross(spokes, np.roll(spokes, -1, axis=0)).sum(axis=0)
+        normal = normal / max(float(np.linalg.norm(normal)), 1e-12)
+        off = np.abs(normal).argmax()
+        uvs = np.delete(vertices, off, axis=1)
+        normals = np.tile(normal, (n + 1, 1))
+        self._heap(surface, color).meshes.append((vertices, faces, normals, uvs))
+
+    def disc(
+        self,
+        surface: str,
+        middle: Point,
+        radius: float,
+        width: float,
+        color: Color | None = None,
+        sides: int = 14,
+    ) -> None:
+        """An upright wheel that turns about Y."""
+        angles = np.arange(sides) * (2 * math.pi / sides)
+        x, y, z = (float(v) for v in middle)
+        outline = np.column_stack([radius * np.cos(angles), radius * np.sin(angles)])
+        low, high = (
+            np.column_stack([x + outline[:, 0], np.full(sides, y + s * width), z + outline[:, 1]])
+            for s in (-0.5, 0.5)
+        )
+        for a in range(sides):
+            b = (a + 1) % sides
+            self.sheet(surface, low[a], high[a] - low[a], low[b] - low[a], color)
+        self.polygon(surface, low, color)
+        self.polygon(surface, high[::-1], color)
+
     def clump(
         self,
         surface: str,
@@ -207,15 +281,15 @@ class Drawing:
         Args:
             surface, color: Of it.
             middle: Its centre.
-            radii: Along X, Y and Z.
+            radii: Along X, Y and Z, which it nowhere goes beyond.
             rough: How far its surface wanders, in radii.
             level: 1 has 80 triangles, 2 has 320.
         """
         unit, faces = _sphere(level)
-        waves = self.rng.normal(size=(6, 3)) * 3.2
+        waves = self.rng.normal(size=(6, 3)) * 2.4
         phases = self.rng.uniform(0, 2 * math.pi, 6)
         swell = 1.0 + rough * np.sin(unit @ waves.T + phases).sum(1) / 2.0
-        vertices = unit * swell[:, None] * np.asarray(radii, float)
+        vertices = unit * (swell / swell.max())[:, None] * np.asarray(radii, float)
         corners = vertices[faces]
         flat = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
         normals = np.zeros_like(vertices)

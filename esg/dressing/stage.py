@@ -53,7 +53,8 @@ def dressing_of(doc: EsgDocument, scene: SimScene, rollout: Rollout, *, seed: in
         scene, rollout, seed: As of `dress`.
     """
     rng = np.random.default_rng([seed, entropy(doc), 24])
-    choice = choose(doc, scene, rng)
+    extent = max(clearance(scene, rollout, Frame(0.0), indoor=True).reach.size)
+    choice = choose(doc, scene, extent, rng)
     axis = _axis(scene, choice.place.axis)
     frame = Frame(0.0 if axis is None else _heading(axis, scene, rollout))
     indoor = choice.place.setting == "indoor"
@@ -65,8 +66,8 @@ def dressing_of(doc: EsgDocument, scene: SimScene, rollout: Rollout, *, seed: in
         rect, height = room_of(choice.place, _with_axis(clear, scene, axis, frame), at)
     else:
         rect, height = _rectangle(choice, clear, scene, axis, frame), 0.0
-    spot = None if axis is None else _spot(axis, frame)
-    site = Site(choice.place, clear, rect, height, at, spot, _ban(doc, scene), rng)
+    own = None if axis is None else _own_box(axis, frame)
+    site = Site(choice.place, clear, rect, height, at, own, _ban(doc, scene), rng)
     markings, items = arrange(site)
     azimuth, elevation = _sun(choice, site, toward)
     return Dressing(
@@ -127,7 +128,7 @@ def _rectangle(
     choice: Choice, clear: Clearance, scene: SimScene, axis: Body | None, frame: Frame
 ) -> Box:
     """What things stand around outdoors: the street, or where the action is most of the time."""
-    if axis is not None and axis.category == "road":
+    if axis is not None and axis.category in choice.place.needs:
         return _own_box(axis, frame)
     box = clear.core.at_least(choice.place.least_m)
     if axis is not None and not axis.collides:

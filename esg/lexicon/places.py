@@ -87,6 +87,7 @@ class Place:
         surface: Of its ground.
         axis: Category of the thing along which it is laid out; "" for the world's axes.
         clear_m: From the action to its walls, or to the first things outdoors.
+        most_m: Greatest extent of the action that such a place has room for; 0 for any.
         least_m: Smallest extents of a room, or of the action's rectangle.
         height_m: Of its walls, at least.
     """
@@ -100,6 +101,7 @@ class Place:
     surface: str
     axis: str
     clear_m: float
+    most_m: float
     least_m: tuple[float, float]
     height_m: float
 
@@ -112,7 +114,8 @@ class Standing:
         places: Names of them.
         item: Entry of the parametric library, or builder of `esg.dressing`.
         where: rail (here and there along a side), run (end to end along a side), ring (anywhere
-            around), wall (a wall of the room), against (with its back to a wall).
+            around), water (afloat on what is drawn as water), wall (a wall of the room), against
+            (with its back to a wall), hung (on a wall without windows).
         sides: all, long, ends, back (the one farthest from the viewer) or rest (all but the
             viewer's).
         away_m: Least and greatest distance from the action (`against`: from the wall).
@@ -146,7 +149,8 @@ class Drawn:
     Args:
         places: Names of them.
         surface: Row of the table of surfaces.
-        sides: As of `Standing`, or middle.
+        sides: As of `Standing`; or middle, along the action's longer side; or axis and beside, in
+            front and on both sides of the thing along which the place is laid out.
         away_m: From the action's edge to the marking's nearer edge.
         width_m: Across the side.
         length_m: Along it; 0 for as long as the place, and beyond.
@@ -217,6 +221,7 @@ def places() -> dict[str, Place]:
             surface=row["surface"],
             axis=row["axis"],
             clear_m=float(row["clear_m"]),
+            most_m=float(row["most_m"]),
             least_m=_pair(row["least_m"]),
             height_m=float(row["height_m"]),
         )

@@ -26,8 +26,13 @@ from esg.view import png16, truth
 from esg.view.camera import Camera
 from esg.view.cameras import action_cameras
 from esg.view.containers import PICTURES, FileSink, ParquetSink
+from esg.view.pieces import Movers
+from esg.view.renderers.kinds import kind_named
+from esg.view.renderers.records import Quality
+from esg.view.renderers.shutter import OPEN, poses_at
+from esg.view.scenery import scenery_of, seen_from
 from esg.view.truth import Pinhole
-from esg.view.worlds import Views, WorldRenderer
+from esg.view.worlds import Views
 
 if TYPE_CHECKING:
     from esg.graph.models import EsgDocument
@@ -37,8 +42,6 @@ FORMAT_VERSION = "1.0"
 CHANNELS = (*PICTURES, "boxes2d", "boxes3d", "tracks")
 DEPTH_UNIT_M = 0.001
 FLOW_SCALE, FLOW_ZERO = 64.0, 32768
-BATCH = 24
-"""Frames drawn in one launch."""
 ENCODINGS = {
     "rgb": "8-bit RGB",
     "depth": "16-bit: distance along the camera's axis [mm]; 0 nothing, 65535 farther than 65.5 m",
@@ -63,7 +66,10 @@ class Settings:
         cameras: How many, 1 to 8.
         container: png writes files, parquet shards of rows.
         device: cpu or cuda:N.
-        seed: Of the points that are tracked.
+        seed: Of the points that are tracked, of noise and of clouds.
+        renderer: Of `esg.view.renderers.kinds`, for colours; the other channels are exact.
+        samples: Rays a pixel; None for what the renderer takes by itself.
+        motion_blur: Colours are those of all the time the shutter is open.
     """
 
     channels: tuple[str, ...] = ("rgb", "depth", "segmentation")
@@ -73,6 +79,14 @@ class Settings:
     container: Literal["png", "parquet"] = "png"
     device: str = "cpu"
     seed: int = 0
+    renderer: str = "raster"
+    samples: int | None = None
+    motion_blur: bool = False
+
+    @property
+    def open_s(self) -> float:
+        """How long the shutter is open [s]."""
+        return OPEN / self.fps if self.motion_blur else 0.0
 
 
 def parse_channels(text: str) -> tuple[str, ...]:
@@ -183,36 +197,28 @@ def _write(
     settings: Settings,
     on_frames: Callable[[int], None],
 ) -> None:
-    from esg.view.parts import scene_parts
-
-    parts = scene_parts(scene, rollout, doc)
+    scenery = scenery_of(scene, rollout, doc)
     frames = frame_indices(rollout, settings.fps)
-    points, owner = _tracked(parts, len(scene.bodies), settings)
+    points, owner = _tracked(scenery.parts, len(scene.bodies), settings)
     manifest = _manifest(scene, rollout, doc, cameras, frames, settings, points, owner)
     sink: Any = ParquetSink(folder) if settings.container == "parquet" else FileSink(folder)
-    direction = np.subtract(cameras[0].eye, cameras[0].target)
-    batch = min(BATCH, len(frames))
-    renderer = WorldRenderer(
-        parts,
-        len(scene.bodies),
-        batch,
-        settings.size,
-        device=settings.device,
-        sun=math.atan2(direction[1], direction[0]),
+    color = "rgb" in settings.channels
+    # Without colours there is nothing for the other renderers to do better.
+    kind = kind_named(settings.renderer if color else "raster")
+    exact = set(settings.channels) != {"rgb"}
+    quality = Quality(
+        settings.size, settings.samples, settings.seed, settings.device, exact=exact, color=color
     )
     angles = scene_angles(scene, rollout)
-    moved = renderer.movers.poses(rollout.position[0], rollout.quaternion[0], angles)
+    movers = Movers(scenery.parts, len(scene.bodies))
+    moved = movers.poses(rollout.position[0], rollout.quaternion[0], angles)
     for number, camera in enumerate(cameras):
         pinhole = Pinhole.of(camera, settings.size)
-        for first in range(0, len(frames), batch):
-            shown = frames[first : first + batch]
-            # A last batch that is not full draws its last frame several times.
-            filled = shown + shown[-1:] * (batch - len(shown))
-            renderer.pose(
-                rollout.position[0, filled], rollout.quaternion[0, filled], angles[filled]
-            )
-            renderer.draw([camera] * batch, rgb="rgb" in settings.channels)
-            views = renderer.read(rgb="rgb" in settings.channels)
+        drawer = kind.load(seen_from(scenery, [camera], scene, rollout), quality)
+        for first in range(0, len(frames), kind.batch):
+            shown = frames[first : first + kind.batch]
+            poses = poses_at(rollout, shown, angles, settings.open_s)
+            views = drawer.draw(poses, [camera] * len(shown))
             for k in range(len(shown)):
                 row = _row(
                     views, k, pinhole, scene, moved, frames, first + k, settings, points, owner
@@ -351,6 +357,12 @@ def _manifest(
         "time_s": [round(float(rollout.time[f]), 6) for f in frames],
         "channels": {name: ENCODINGS[name] for name in settings.channels},
         "container": settings.container,
+        "renderer": {
+            "name": settings.renderer,
+            "version": kind_named(settings.renderer).version(),
+            "samples": settings.samples or kind_named(settings.renderer).samples,
+            "shutter_open_s": settings.open_s,
+        },
         "conventions": {
             "world": "right-handed, Z up, metres",
             "camera": "x right, y down, z ahead (OpenCV)",

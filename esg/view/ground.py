@@ -6,20 +6,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.looks import Color, Look
-from esg.engines.scene import Body, Rollout, SimScene
+from esg.compile.visuals.decals import is_ground
+from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import EsgDocument
-from esg.view.render import Part
+from esg.view.pieces import Part
 
-GROUND_HALF_EXTENT_M = 45.0
-"""A surface without collision at least this wide is the ground."""
 TILE_RAISE_M = 0.0002
 """Tiles lie so much above the plane: less than depth resolves, more than a ray's rounding."""
 GROUND_RGB = {"indoor": (0.47, 0.41, 0.35), "outdoor": (0.36, 0.38, 0.36)}
-
-
-def is_ground(body: Body) -> bool:
-    """Whether a body is the ground itself, which is an endless plane in its colour."""
-    return not body.collides and max(body.half_extents[:2]) > GROUND_HALF_EXTENT_M
 
 
 def ground_color(scene: SimScene, doc: EsgDocument) -> Color:

@@ -2,20 +2,21 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.looks import Color, Look
+from esg.compile.visuals.decals import drawn_lifts, is_ground
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument
 from esg.lexicon.places import places
 from esg.units import CM_PER_M
-from esg.view.ground import is_ground, plane, span
-from esg.view.render import Part, Turning
+from esg.view.ground import plane, span
+from esg.view.pieces import Part, Turning
 
 
 def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Part]:
@@ -35,28 +36,29 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
 def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:
     """Meshes of all bodies in their frames [m] but those in whose place the ground is seen."""
     from esg.assets import build_mesh
-    from esg.dressing.clearance import covered
+    from esg.assets.appearances import appearances
 
+    hidden = ground_bodies(scene, doc)
+    lifts = drawn_lifts(scene, {scene.bodies[i].name for i in hidden})
     doc = effective(doc)
-    around = None if doc.dressing is None else places()[doc.dressing.place].setting
     parts: list[Part] = []
-    meshes: dict[str, Any] = {}
+    looks = appearances(doc)
+    meshes: dict[Any, Any] = {}
     turning = 0
-    decals: list[tuple[float, float, list[Part]]] = []
     for index, body in enumerate(scene.bodies):
         first, turning = turning, turning + len(body.wheels)
         node = doc.spatial_relation_graph.nodes.get(body.name)
         if node is None:
             continue
-        flat = not body.collides
-        if is_ground(body) or (around is not None and covered(body, indoor=around == "indoor")):
+        if index in hidden:
             continue
-        if node.asset_id not in meshes:
-            meshes[node.asset_id] = build_mesh(doc.asset_configurations[node.asset_id])
-        mesh = meshes[node.asset_id]
+        key = (node.asset_id, looks[body.name])
+        if key not in meshes:
+            meshes[key] = build_mesh(doc.asset_configurations[node.asset_id], looks[body.name])
+        mesh = meshes[key]
         wheels = {w.name: Turning(first + k, w.axle) for k, w in enumerate(body.wheels)}
-        offset = np.asarray(body.origin_offset)
-        own = [
+        offset = body.origin_offset + np.array([0.0, 0.0, lifts.get(index, 0.0)])
+        parts += [
             Part(
                 index,
                 p.vertices / CM_PER_M + offset,
@@ -70,17 +72,19 @@ def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:
             )
             for p in mesh_parts(mesh, body.color)
         ]
-        if flat:
-            area, thickness = body.half_extents[0] * body.half_extents[1], 2 * body.half_extents[2]
-            decals.append((area, thickness, own))
-        else:
-            parts += own
-    # Roads and markings lie on the ground, the smaller on the larger: a few millimetres apart.
-    # Their thickness goes into the ground, or what stands at z = 0 would be sunk in them.
-    for layer, (_, thickness, own) in enumerate(sorted(decals, key=lambda d: -d[0]), 1):
-        lift = np.array([0.0, 0.0, 0.004 * layer - thickness])
-        parts += [replace(p, vertices=p.vertices + lift) for p in own]
     return parts
+
+
+def ground_bodies(scene: SimScene, doc: EsgDocument) -> frozenset[int]:
+    """Indices of the bodies in whose place the ground is seen."""
+    from esg.dressing.clearance import covered
+
+    around = None if doc.dressing is None else places()[doc.dressing.place].setting
+    return frozenset(
+        index
+        for index, body in enumerate(scene.bodies)
+        if is_ground(body) or (around is not None and covered(body, indoor=around == "indoor"))
+    )
 
 
 @dataclass(frozen=True)

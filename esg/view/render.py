@@ -1,150 +1,20 @@
-"""Ray-traced stills of a scene's real meshes on the CPU (Newton's camera sensor)."""
+"""Stills of a scene's real meshes on the CPU, from one camera after another."""
 
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import dataclass
 import math
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.assets.looks import Look
-from esg.engines.wheels import about_axle
-from esg.units import quat_multiply, quat_rotate
 from esg.view.camera import Camera
+from esg.view.pieces import Part, Turning
+from esg.view.surroundings import Surroundings
+from esg.view.worlds import SAMPLES, WorldRenderer
 
-SKY = (205, 219, 235)
-"""RGB of everything the rays miss."""
-SAMPLES = 4
-"""Rays a pixel. What they hit is shaded once a pixel and surface (MSAA)."""
-
-
-@dataclass(frozen=True)
-class Turning:
-    """What turns on a body: wheel number `index` of the scene, about Y of the body through `axle`.
-
-    Args:
-        index: Among all wheels of the scene, in the order of their bodies.
-        axle: In the body's frame [m], shape [3].
-    """
-
-    index: int
-    axle: tuple[float, float, float]
-
-
-@dataclass(frozen=True)
-class Part:
-    """One coloured triangle mesh, fixed to a body or (body -1) to the world.
-
-    Args:
-        body: Index of the body, -1 for the world.
-        vertices: In the body's frame [m], shape [n, 3].
-        faces: Vertex indices, counter-clockwise seen from outside, shape [m, 3].
-        color: sRGB in [0, 1].
-        wheel: The wheel it is a part of, which turns on the body.
-        look: Its surface; None for a plain one in its colour.
-        normals: Unit normals at the vertices, shape [n, 3]; None for flat faces.
-        uvs: Texture coordinates at the vertices in tiles, v up, shape [n, 2]; None if untextured.
-        name: Of the part in its asset.
-    """
-
-    body: int
-    vertices: NDArray[np.float64]
-    faces: NDArray[np.int64]
-    color: tuple[float, float, float]
-    wheel: Turning | None = None
-    look: Look | None = None
-    normals: NDArray[np.float64] | None = None
-    uvs: NDArray[np.float64] | None = None
-    name: str = ""
-
-
-def merged(parts: Sequence[Part]) -> list[Part]:
-    """The same picture from fewer meshes: those of one body and colour become one.
-
-    Every mesh costs the tracer a search of its own; a car of forty pieces in six colours is six.
-    """
-    groups: dict[tuple[int, Turning | None, tuple[float, float, float]], list[Part]] = {}
-    for part in parts:
-        groups.setdefault((part.body, part.wheel, part.color), []).append(part)
-    out: list[Part] = []
-    for (body, wheel, color), members in groups.items():
-        starts = np.cumsum([0, *(len(m.vertices) for m in members[:-1])])
-        faces = [m.faces + start for m, start in zip(members, starts, strict=True)]
-        vertices = np.concatenate([m.vertices for m in members])
-        out.append(Part(body, vertices, np.concatenate(faces), color, wheel))
-    return out
-
-
-class Movers:
-    """What has a pose of its own: all bodies, and after them the wheels that turn on them.
-
-    Args:
-        parts: Meshes of the scene.
-        n_bodies: Number of bodies B that `Part.body` refers to.
-    """
-
-    def __init__(self, parts: Iterable[Part], n_bodies: int) -> None:
-        self._n_bodies = n_bodies
-        turning = {p.wheel: p.body for p in parts if p.wheel is not None}
-        self._wheels = sorted(turning, key=lambda w: w.index)
-        self._carriers = [turning[w] for w in self._wheels]
-        self._axles = np.array([w.axle for w in self._wheels]).reshape(-1, 3)
-        self._indices = [w.index for w in self._wheels]
-
-    def __len__(self) -> int:
-        return self._n_bodies + len(self._wheels)
-
-    def of(self, part: Part) -> int:
-        """Index of the pose that moves a part; -1 for the world."""
-        if part.wheel is None:
-            return part.body
-        return self._n_bodies + self._wheels.index(part.wheel)
-
-    def poses(
-        self, position: NDArray[Any], quaternion: NDArray[Any], angles: NDArray[Any] | None = None
-    ) -> tuple[NDArray[Any], NDArray[Any]]:
-        """Poses of everything for poses of the bodies.
-
-        Args:
-            position: Body origins [m], shape [..., B, 3].
-            quaternion: (x, y, z, w), shape [..., B, 4].
-            angles: Of all wheels of the scene [rad], shape [..., W]; None for none turned.
-
-        Returns:
-            Positions and quaternions of bodies and wheels, both in the body's frame at angle 0.
-        """
-        if not self._wheels:
-            return position, quaternion
-        at, q = position[..., self._carriers, :], quaternion[..., self._carriers, :]
-        turned = q
-        if angles is not None:
-            turned = quat_multiply(q, about_axle(angles[..., self._indices]))
-        at = at + quat_rotate(q, self._axles) - quat_rotate(turned, self._axles)
-        return (
-            np.concatenate([position, at], axis=-2),
-            np.concatenate([quaternion, turned], axis=-2),
-        )
-
-
-_kernels: dict[Any, Any] = {}
-
-
-def share_kernels(sensor: Any) -> None:
-    """Lets all cameras of this process use one set of kernels.
-
-    A kernel depends on what is rendered, not on the scene; each camera generates its own, which
-    takes a third of a second.
-
-    Args:
-        sensor: A `newton.sensors.SensorCamera`; of one that keeps its kernels elsewhere, nothing
-            is shared.
-    """
-    context: Any = getattr(sensor, "_render_context", None)
-    if isinstance(getattr(context, "_kernel_cache", None), dict):
-        context._kernel_cache = _kernels
+__all__ = ["SAMPLES", "Part", "Renderer", "Turning"]
 
 
 class Renderer:
@@ -154,59 +24,37 @@ class Renderer:
         parts: Meshes.
         n_bodies: Number of bodies that `Part.body` refers to.
         width, height: Of the picture [px].
+        surroundings: Sky, ground and what dresses the place; None for neither.
+        seed: Of the clouds.
     """
 
-    def __init__(self, parts: list[Part], n_bodies: int, width: int, height: int) -> None:
-        from esg.engines.newton import quiet_warp
-
-        wp = quiet_warp()
-        import newton
-        from newton.sensors import SensorCamera
-
+    def __init__(
+        self,
+        parts: Sequence[Part],
+        n_bodies: int,
+        width: int,
+        height: int,
+        surroundings: Surroundings | None = None,
+        seed: int = 0,
+    ) -> None:
         self.width, self.height = width, height
-        self._wp = wp
-        parts = merged(parts)
-        builder = newton.ModelBuilder(gravity=(0.0, 0.0, 0.0))
-        inertia = wp.mat33(np.eye(3).flatten())
-        self._movers = Movers(parts, n_bodies)
-        for _ in range(len(self._movers)):
-            builder.add_body(mass=1.0, inertia=inertia, lock_inertia=True)
-        for part in parts:
-            mesh = newton.Mesh(
-                np.ascontiguousarray(part.vertices, np.float32),
-                np.ascontiguousarray(part.faces, np.int32).reshape(-1),
-                compute_inertia=False,
-            )
-            builder.add_shape_mesh(self._movers.of(part), mesh=mesh, color=part.color)
-        self._model = builder.finalize(device="cpu")
-        self._state = self._model.state()
-        self._part_bodies = np.array([p.body for p in parts])
-        config = SensorCamera.RenderConfig(
-            enable_shadows=True, anti_aliasing=SensorCamera.AntiAliasing.MSAA
+        self._world = WorldRenderer(
+            parts,
+            n_bodies,
+            1,
+            (width, height),
+            sun=math.pi / 2,
+            surroundings=surroundings,
+            seed=seed,
         )
-        probe = SensorCamera.RenderConfig()
-        red, green, blue = SKY
-        self._clear = SensorCamera.ClearData(clear_color=red | green << 8 | blue << 16)
-        self._config, self._probe_config = config, probe
-        self._camera: Any = SensorCamera(self._model, default_render_config=config)
-        share_kernels(self._camera)
-        self.light(math.radians(90))
-        self._camera.set_ambient_light((0.34, 0.36, 0.4), (0.16, 0.15, 0.14))
-        self._rays: dict[tuple[int, int, float, int], Any] = {}
 
     def light(self, azimuth: float) -> None:
-        """Puts the sun behind the viewer's right shoulder, so that what one sees is lit.
+        """Puts the sun of a plain sky behind the viewer's right shoulder, to light what one sees.
 
         Args:
             azimuth: Direction from the scene to the viewer, counter-clockwise from +X [rad].
         """
-        toward = azimuth - math.radians(42)
-        direction = np.array([-0.67 * math.cos(toward), -0.67 * math.sin(toward), -0.9])
-        self._camera.create_default_light(
-            enable_shadows=True,
-            direction=self._wp.vec3f(*(direction / np.linalg.norm(direction))),
-            color=(0.8, 0.78, 0.74),
-        )
+        self._world.light(azimuth)
 
     def pose(
         self, position: NDArray[Any], quaternion: NDArray[Any], angles: NDArray[Any] | None = None
@@ -218,11 +66,8 @@ class Renderer:
             quaternion: (x, y, z, w), shape [B, 4].
             angles: Of the scene's wheels [rad], shape [W].
         """
-        moved = self._movers.poses(position, quaternion, angles)
-        poses = np.concatenate(moved, axis=1).astype(np.float32)
-        if self._state.body_q is not None:  # as it is without bodies
-            self._state.body_q.assign(poses)
-        self._model.bvh_refit_shapes(self._state)
+        turned = None if angles is None else angles[None]
+        self._world.pose(position[None], quaternion[None], turned)
 
     def color(
         self, camera: Camera, size: tuple[int, int] | None = None, samples: int = SAMPLES
@@ -232,19 +77,12 @@ class Renderer:
         Args:
             camera: Where to look from.
             size: Width and height [px]; default those of the renderer.
-            samples: Rays a pixel.
+            samples: Rays a pixel where surfaces meet.
         """
-        width, height = size or (self.width, self.height)
-        image = self._camera.allocate_image_color(1, width, height)
-        self._camera.update(
-            self._state,
-            self._transform(camera),
-            self._ray_bundle(width, height, camera.fov, samples),
-            color_image=image,
-            clear_data=self._clear,
-        )
-        packed = image.numpy().reshape(height, width)
-        return np.stack([packed & 255, packed >> 8 & 255, packed >> 16 & 255], -1).astype(np.uint8)
+        self._world.draw([camera], size=size or (self.width, self.height), samples=samples)
+        rgb = self._world.read().rgb
+        assert rgb is not None
+        return rgb[0]
 
     def visible(self, camera: Camera, bodies: Iterable[int], width: int = 96) -> dict[int, int]:
         """How many pixels of a small picture each body covers.
@@ -255,30 +93,6 @@ class Renderer:
             width: Of the small picture [px].
         """
         height = max(1, round(width * self.height / self.width))
-        image = self._camera.allocate_image_shape_index(1, width, height)
-        self._camera.update(
-            self._state,
-            self._transform(camera),
-            self._ray_bundle(width, height, camera.fov, 1),
-            shape_index_image=image,
-            render_config=self._probe_config,
-        )
-        index = image.numpy().reshape(-1).astype(np.int64)
-        index = index[index < len(self._part_bodies)]
-        seen = self._part_bodies[index]
+        self._world.draw([camera], rgb=False, size=(width, height))
+        seen = self._world.read(rgb=False).body
         return {b: int((seen == b).sum()) for b in bodies}
-
-    def _transform(self, camera: Camera) -> Any:
-        wp = self._wp
-        pose = wp.transform(wp.vec3(*camera.eye), wp.quat(*camera.quaternion()))
-        return wp.array([pose], dtype=wp.transformf, device="cpu")
-
-    def _ray_bundle(self, width: int, height: int, fov: float, samples: int) -> Any:
-        from newton.sensors import SensorCamera
-
-        key = (width, height, fov, samples)
-        if key not in self._rays:
-            self._rays[key] = SensorCamera.compute_camera_rays_pinhole(
-                width, height, camera_fov=fov, device="cpu", sample_count=samples
-            )
-        return self._rays[key]

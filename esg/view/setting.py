@@ -9,9 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.assets.looks import Look
 from esg.compile.export import Target, animation, export
-from esg.compile.visuals.decals import is_ground
 from esg.compile.visuals.setting import Setting, View
 from esg.compile.visuals.usd_files import UsdForm
 from esg.engines.manifest import load_manifest
@@ -19,8 +17,10 @@ from esg.engines.scene import Rollout, SimScene
 from esg.scenereading import absent, read_metrics
 from esg.view.camera import Camera
 from esg.view.cameras import action_cameras
-from esg.view.ground import GROUND_RGB
-from esg.view.surroundings import Sky, Surroundings
+from esg.view.parts import ground_bodies
+from esg.view.renderers.records import Scenery
+from esg.view.scenery import seen_from
+from esg.view.surroundings import surroundings_of
 
 if TYPE_CHECKING:
     from esg.graph.models import EsgDocument
@@ -45,14 +45,22 @@ def setting_of(
         verdict: Events, whose participants the camera keeps in view.
         doc: The scene's document.
     """
-    around = _surroundings(scene, doc)
     cameras = action_cameras(scene, rollout, verdict, doc, 1, ASPECT) if scene.bodies else []
+    around = surroundings_of(doc, scene, rollout)
+    if cameras:
+        seen = seen_from(Scenery((), 0, around), cameras, scene, rollout).surroundings
+        around = around if seen is None else seen
     low, high = _span(rollout)
     x, y = (float(v) for v in 0.5 * (low + high))
-    side = float(np.clip(SIDES * max(*(high - low), 0.0), *SIDES_M))
-    covered = frozenset(b.name for b in scene.bodies if is_ground(b))
-    views = tuple(_still("Camera", camera) for camera in cameras)
-    return Setting(around.sky, around.ground, (x, y), side, covered, around.parts, views)
+    return Setting(
+        sky=around.sky,
+        ground=around.ground,
+        middle=(x, y),
+        side=float(np.clip(SIDES * max(*(high - low), 0.0), *SIDES_M)),
+        covered=frozenset(scene.bodies[i].name for i in ground_bodies(scene, doc)),
+        parts=around.parts,
+        views=tuple(_still("Camera", camera) for camera in cameras),
+    )
 
 
 def _span(rollout: Rollout) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -108,12 +116,6 @@ def export_folder(folder: Path, to: Target, out: Path, *, form: UsdForm = "usda"
     rollout = animation(folder, manifest)
     setting = setting_in(folder, manifest.scene, rollout)
     return export(folder, to, out, rollout=rollout, setting=setting, form=form)
-
-
-def _surroundings(scene: SimScene, doc: EsgDocument) -> Surroundings:
-    color = GROUND_RGB[doc.scene_definition.scene_parameters.scene_type]
-    color = next((b.color for b in scene.bodies if is_ground(b)), color)
-    return Surroundings(Sky(), Look("", color))
 
 
 def _still(name: str, camera: Camera) -> View:

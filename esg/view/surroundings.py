@@ -15,7 +15,7 @@ from esg.assets.looks import Color, Look
 if TYPE_CHECKING:
     from esg.engines.scene import Rollout, SimScene
     from esg.graph.models import Dressing, EsgDocument
-    from esg.view.render import Part
+    from esg.view.pieces import Part
 
 SkyKind = Literal["plain", "clear", "cloudy", "dusk", "night", "indoor"]
 Vec = tuple[float, float, float]
@@ -156,7 +156,7 @@ def surroundings_of(doc: EsgDocument, scene: SimScene, rollout: Rollout) -> Surr
         color = ground_color(scene, doc)
         return Surroundings(Sky(), Look("", color, 0.9), checkerboard(rollout, color))
     from esg.dressing.meshes import meshes_of, surface_look
-    from esg.view.render import Part
+    from esg.view.pieces import Part
 
     parts = [
         Part(-1, m.vertices, m.faces, m.color, None, m.look, m.normals, m.uvs, m.name)

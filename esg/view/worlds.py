@@ -1,7 +1,7 @@
 """What cameras see, for many worlds at once: colour, depth, normals and which body it is.
 
-All views of a batch are one launch of Newton's camera sensor, on the CPU or a GPU. A world is one
-instant of one scene: the frames of a scene, or many scenes, fill a batch equally well.
+All views of a batch are one launch of the tracer, on the CPU or a GPU. A world is one instant of
+one scene: the frames of a scene, or many scenes, fill a batch equally well.
 """
 
 from __future__ import annotations
@@ -15,10 +15,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.view.camera import Camera
-from esg.view.render import SAMPLES, SKY, Movers, Part, merged, share_kernels
+from esg.view.pieces import Movers, Part
+from esg.view.skies import sun_behind
+from esg.view.surroundings import Surroundings
+from esg.view.tracer.stage import Stage
 
 NOTHING, GROUND = -2, -1
 """Body indices of pixels that hit nothing, and the ground."""
+SEEN = ("depth", "normal", "mover", "albedo", "light", "mirror", "shine", "rest")
+"""Pictures that the first ray of every pixel makes; all but two are vectors."""
+SAMPLES = 4
+"""Rays a pixel where surfaces meet; elsewhere there is one."""
 
 
 @dataclass(frozen=True)
@@ -49,7 +56,9 @@ class WorldRenderer:
         worlds: Number of worlds W.
         size: Width and height [px].
         device: cpu or cuda:N.
-        sun: Azimuth of the viewer that the sun stands behind [rad].
+        sun: Azimuth of the viewer that the sun of a plain sky stands behind [rad]; None leaves it.
+        surroundings: Sky, ground and what dresses the place; None for neither.
+        seed: Of the clouds.
     """
 
     def __init__(
@@ -60,70 +69,38 @@ class WorldRenderer:
         size: tuple[int, int],
         *,
         device: str = "cpu",
-        sun: float = math.pi / 2,
+        sun: float | None = None,
+        surroundings: Surroundings | None = None,
+        seed: int = 0,
     ) -> None:
-        from esg.engines.newton import quiet_warp
-
-        wp = quiet_warp()
-        import newton
-        from newton.sensors import SensorCamera
-
-        self.worlds, self.size, self._device, self._wp = worlds, size, device, wp
-        self._n_bodies = n_bodies
-        pieces = merged(parts)
-        inertia = wp.mat33(np.eye(3).flatten())
-        shapes = [
-            newton.Mesh(
-                np.ascontiguousarray(p.vertices, np.float32),
-                np.ascontiguousarray(p.faces, np.int32).reshape(-1),
-                compute_inertia=False,
-            )
-            for p in pieces
-        ]
-        one = newton.ModelBuilder(gravity=(0.0, 0.0, 0.0))
-        self.movers = Movers(pieces, n_bodies)
-        for _ in range(len(self.movers)):
-            one.add_body(mass=1.0, inertia=inertia, lock_inertia=True)
-        builder = newton.ModelBuilder(gravity=(0.0, 0.0, 0.0))
-        for part, mesh in zip(pieces, shapes, strict=True):
-            if part.body >= 0:
-                one.add_shape_mesh(self.movers.of(part), mesh=mesh, color=part.color)
-        for _ in range(worlds):
-            builder.add_world(one)
-        # What belongs to no body is the same in every world: it is there once.
-        for part, mesh in zip(pieces, shapes, strict=True):
-            if part.body < 0:
-                builder.add_shape_mesh(-1, mesh=mesh, color=part.color)
-        self._model = builder.finalize(device=device)
-        self._state = self._model.state()
-        owned = [p for p in pieces if p.body >= 0] * worlds
-        rest = [*(GROUND for p in pieces if p.body < 0), NOTHING]
-        self._owner = np.array([*(p.body for p in owned), *rest], np.int32)
-        self._mover = np.array([*(self.movers.of(p) for p in owned), *rest], np.int32)
-        self._plain = SensorCamera.RenderConfig()
-        self._fine = SensorCamera.RenderConfig(
-            enable_shadows=True, anti_aliasing=SensorCamera.AntiAliasing.MSAA
+        self.worlds, self.size, self._device = worlds, size, device
+        dressing = surroundings.parts if surroundings else ()
+        self._stage = Stage(
+            [*parts, *dressing], n_bodies, worlds, surroundings, device=device, seed=seed
         )
-        self._camera: Any = SensorCamera(self._model, default_render_config=self._fine)
-        share_kernels(self._camera)
-        toward = sun - math.radians(42)
-        light = np.array([-0.67 * math.cos(toward), -0.67 * math.sin(toward), -0.9])
-        self._camera.create_default_light(
-            enable_shadows=True,
-            direction=wp.vec3f(*(light / np.linalg.norm(light))),
-            color=(0.8, 0.78, 0.74),
-        )
-        self._camera.set_ambient_light((0.34, 0.36, 0.4), (0.16, 0.15, 0.14))
-        red, green, blue = SKY
-        self._clear = SensorCamera.ClearData(clear_color=red | green << 8 | blue << 16)
-        self._rays: dict[tuple[float, int], Any] = {}
-        allocate = self._camera
-        self._images = {
-            "color": allocate.allocate_image_color(worlds, *size),
-            "depth": allocate.allocate_image_depth_forward(worlds, *size),
-            "normal": allocate.allocate_image_normal(worlds, *size),
-            "shape": allocate.allocate_image_shape_index(worlds, *size),
-        }
+        self._plain = surroundings is None or surroundings.sky.kind == "plain"
+        self._images: dict[tuple[int, int], dict[str, Any]] = {}
+        self._last = size
+        # Of the kernels' owners, -3 are meshes of the world, -2 nothing and -1 the ground plane.
+        rest = [GROUND, NOTHING, GROUND]
+        self._body = np.array([*self.movers.bodies, *rest], np.int32)
+        self._mover = np.array([*range(len(self.movers)), *rest], np.int32)
+        if sun is not None:
+            self.light(sun)
+
+    @property
+    def movers(self) -> Movers:
+        """What has a pose of its own."""
+        return self._stage.movers
+
+    def light(self, azimuth: float) -> None:
+        """Puts the sun of a plain sky behind the viewer's right shoulder, to light what one sees.
+
+        Args:
+            azimuth: Direction from the scene to the viewer, counter-clockwise from +X [rad].
+        """
+        if self._plain:
+            self._stage.turn_sun(sun_behind(azimuth))
 
     def pose(
         self, position: NDArray[Any], quaternion: NDArray[Any], angles: NDArray[Any] | None = None
@@ -135,65 +112,77 @@ class WorldRenderer:
             quaternion: (x, y, z, w), shape [W, B, 4].
             angles: Of the wheels of a scene [rad], shape [W, wheels].
         """
-        moved = self.movers.poses(position, quaternion, angles)
-        poses = np.concatenate(moved, axis=-1).reshape(-1, 7)
-        if self._state.body_q is not None:  # as it is without bodies
-            self._state.body_q.assign(np.ascontiguousarray(poses, np.float32))
-        self._model.bvh_refit_shapes(self._state)
+        self._stage.pose(position, quaternion, angles)
 
-    def draw(self, cameras: Sequence[Camera], *, rgb: bool = True, exact: bool = True) -> None:
+    def draw(
+        self,
+        cameras: Sequence[Camera],
+        *,
+        rgb: bool = True,
+        size: tuple[int, int] | None = None,
+        samples: int = SAMPLES,
+        instant: tuple[int, int] = (0, 1),
+    ) -> None:
         """Draws one view a world; the pictures stay on the device until `read`.
 
+        Depth, normals and bodies come from the ray through each pixel's centre.
+
         Args:
-            cameras: One a world; all of one field of view.
-            rgb: Draw colours.
-            exact: Draw depth, normals and bodies, from the ray through each pixel's centre.
+            cameras: One a world.
+            rgb: Draw colours, too.
+            size: Width and height [px]; default those of the renderer.
+            samples: Rays a pixel where surfaces meet.
+            instant: Which of how many instants this is, whose colours are averaged.
         """
-        wp = self._wp
-        poses = np.array([[*c.eye, *c.quaternion()] for c in cameras], np.float32)
-        transforms = wp.array(poses, dtype=wp.transformf, device=self._device)
-        fov = cameras[0].fov
-        if exact:
-            self._camera.update(
-                self._state,
-                transforms,
-                self._bundle(fov, 1),
-                forward_depth_image=self._images["depth"],
-                normal_image=self._images["normal"],
-                shape_index_image=self._images["shape"],
-                render_config=self._plain,
-            )
+        wp, kernels, scene = self._stage.tools
+        images = self._allocated(size or self.size)
+        views: Any = np.zeros(self.worlds, kernels.View.numpy_dtype())
+        views["pose"] = np.array([[*c.eye, *c.quaternion()] for c in cameras], np.float32)
+        views["tangent"] = [math.tan(c.fov / 2) for c in cameras]
+        shown = wp.array(views, dtype=kernels.View, device=self._device)
+        dim = images["depth"].shape
+        seen = [images[k] for k in SEEN]
+        wp.launch(kernels.look, dim, inputs=[scene, shown, int(rgb), *seen], device=self._device)
         if rgb:
-            self._camera.update(
-                self._state,
-                transforms,
-                self._bundle(fov, SAMPLES),
-                color_image=self._images["color"],
-                clear_data=self._clear,
-            )
+            edges = [images["edge"], images["is_edge"]]
+            k, count = instant
+            inputs = [scene, shown, samples, *seen, *edges]
+            wp.launch(kernels.refine, dim, inputs=inputs, device=self._device)
+            light = [int(k == 0), 1.0 / count, images["radiance"], images["packed"]]
+            inputs = [scene, *seen, *edges, *light]
+            wp.launch(kernels.develop, dim, inputs=inputs, device=self._device)
 
     def read(self, *, rgb: bool = True) -> Views:
         """The pictures of the last `draw`, as copies."""
-        shape = self._images["shape"].numpy()
-        shape = np.minimum(shape, len(self._owner) - 1).astype(np.int64)
+        images = self._images[self._last]
+        owner = images["mover"].numpy()
         color = None
         if rgb:
-            packed = self._images["color"].numpy()
+            packed = images["packed"].numpy()
             color = np.stack([packed & 255, packed >> 8 & 255, packed >> 16 & 255], -1)
             color = color.astype(np.uint8)
         return Views(
             rgb=color,
-            depth=self._images["depth"].numpy().copy(),
-            normal=self._images["normal"].numpy().reshape(*shape.shape, 3).copy(),
-            body=self._owner[shape],
-            mover=self._mover[shape],
+            depth=images["depth"].numpy().copy(),
+            normal=images["normal"].numpy().reshape(*owner.shape, 3).copy(),
+            body=self._body[owner],
+            mover=self._mover[owner],
         )
 
-    def _bundle(self, fov: float, samples: int) -> Any:
-        from newton.sensors import SensorCamera
-
-        if (fov, samples) not in self._rays:
-            self._rays[fov, samples] = SensorCamera.compute_camera_rays_pinhole(
-                *self.size, camera_fov=fov, device=self._device, sample_count=samples
-            )
-        return self._rays[fov, samples]
+    def _allocated(self, size: tuple[int, int]) -> dict[str, Any]:
+        """Pictures of a size, made once."""
+        self._last = size
+        if size not in self._images:
+            wp = self._stage.tools[0]
+            types = dict.fromkeys((*SEEN, "edge", "radiance"), wp.vec3) | {
+                "depth": wp.float32,
+                "mover": wp.int32,
+                "is_edge": wp.int32,
+                "packed": wp.uint32,
+            }
+            shape = (self.worlds, size[1], size[0])
+            self._images[size] = {
+                name: wp.zeros(shape, dtype=kind, device=self._device)
+                for name, kind in types.items()
+            }
+        return self._images[size]

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 import pytest
 import trimesh
 
+from esg.assets.appearance import USUAL
 from esg.view import parts as module
 
 
@@ -32,7 +33,9 @@ def test_decals_lie_within_millimetres_of_the_ground(monkeypatch: pytest.MonkeyP
         return trimesh.Scene(box)
 
     meshes = {b.name: mesh(tuple(2 * h for h in b.half_extents)) for b in bodies}
-    monkeypatch.setattr("esg.assets.build_mesh", lambda name: meshes[name])
+    monkeypatch.setattr("esg.assets.build_mesh", lambda name, look: meshes[name])
+    usual = dict.fromkeys(meshes, USUAL)
+    monkeypatch.setattr("esg.assets.appearances.appearances", lambda doc: usual)
     doc = SimpleNamespace(
         scene_definition=SimpleNamespace(scene_parameters=SimpleNamespace(scene_type="indoor")),
         spatial_relation_graph=SimpleNamespace(

@@ -10,8 +10,12 @@ import pytest
 import trimesh
 
 from esg.view.camera import Camera
-from esg.view.render import SKY, Part, Renderer, merged
+from esg.view.maps import encoded
+from esg.view.pieces import Movers, Part
+from esg.view.render import Renderer
 from esg.view.sheet import CAPTION_PX, GAP, Panel, panel_boxes, write_sheet
+from esg.view.surroundings import Sky
+from esg.view.tracer.stage import bundles
 
 BOX = trimesh.creation.box((1.0, 1.0, 1.0))
 RED, GREEN = (0.9, 0.05, 0.05), (0.05, 0.9, 0.05)
@@ -39,7 +43,7 @@ def test_bodies_follow_their_poses(renderer: Renderer) -> None:
     (x0, y0), (x1, y1) = pixels.round().astype(int)
     assert dominant(image[y0, x0]) == 0
     assert dominant(image[y1, x1]) == 1
-    assert tuple(image[2, 48]) == SKY
+    assert tuple(image[2, 48]) == tuple(encoded(Sky().zenith))
     renderer.pose(np.array([[1.5, 0, 0], [-1.5, 0, 0]]), upright)
     image = renderer.color(camera)
     assert dominant(image[y0, x0]) == 1
@@ -64,18 +68,19 @@ def test_sheet_has_room_for_all_panels(tmp_path: Path) -> None:
         assert sheet.height > 2 * (40 + CAPTION_PX)
 
 
-def test_merged_parts_give_the_same_picture() -> None:
-    """Pieces of one body and colour are one mesh; other bodies and colours stay apart."""
+def test_parts_of_a_body_are_one_mesh() -> None:
+    """Pieces of one body are one mesh whose faces count their looks; other bodies stay apart."""
     vertices, faces = np.asarray(BOX.vertices), np.asarray(BOX.faces)
     pieces = [
         Part(0, vertices + np.array([dx, 0, 0]), faces, color)
         for dx, color in ((-2.0, RED), (0.0, GREEN), (2.0, RED))
     ]
-    one = merged(pieces)
-    assert [(p.body, p.color, len(p.faces)) for p in one] == [(0, RED, 24), (0, GREEN, 12)]
-    assert np.allclose(one[0].vertices[12 - 4 :], vertices + np.array([2.0, 0, 0]))
-    assert one[0].faces[12:].min() == 8
-    assert len(merged([*pieces, Part(1, vertices, faces, RED)])) == 3
+    made, looks = bundles([*pieces, Part(1, vertices, faces, RED)], Movers(pieces, 2))
+    assert [(b.mover, b.clear, len(b.faces)) for b in made] == [(0, False, 36), (1, False, 12)]
+    assert [look.color for look in looks] == [RED, GREEN]
+    assert made[0].materials.tolist() == [0] * 12 + [1] * 12 + [0] * 12
+    assert np.allclose(made[0].vertices[16:], vertices + np.array([2.0, 0, 0]))
+    assert made[0].faces[24:].min() == 16
 
 
 def test_the_sun_stands_behind_the_viewer() -> None:

@@ -15,13 +15,15 @@ from PIL import Image
 import pytest
 import trimesh
 
+from esg.assets.looks import Look
 from esg.outcomes import UserError
 from esg.view import capture as capturing
 from esg.view import png16, truth
 from esg.view.camera import Camera
 from esg.view.capture import Settings, capture, decode_flow, parse_channels, parse_size
 from esg.view.containers import read_capture
-from esg.view.render import Part
+from esg.view.pieces import Part
+from esg.view.surroundings import Sky, Surroundings
 from esg.view.truth import Pinhole
 from esg.view.truth_sheet import truth_sheet
 from esg.view.worlds import GROUND, NOTHING, WorldRenderer
@@ -225,9 +227,10 @@ def staged(monkeypatch: pytest.MonkeyPatch) -> Any:
     parts = [
         Part(0, np.asarray(ball.vertices), np.asarray(ball.faces), (0.9, 0.1, 0.1)),
         Part(1, np.asarray(BOX.vertices) * [1, 1, 0.5], np.asarray(BOX.faces), (0.2, 0.3, 0.9)),
-        PARTS[1],
     ]
-    monkeypatch.setattr("esg.view.parts.scene_parts", lambda *_: parts)
+    around = Surroundings(Sky(), Look("", (0.4, 0.4, 0.4)))
+    monkeypatch.setattr("esg.view.scenery.body_parts", lambda *_: parts)
+    monkeypatch.setattr("esg.view.scenery.surroundings_of", lambda *_: around)
     definition = SimpleNamespace(original_description="A ball falls.")
     return SimpleNamespace(scene_definition=definition)
 
@@ -256,6 +259,8 @@ def test_both_containers_hold_the_same(tmp_path: Path, staged: Any) -> None:
     manifest = json.loads((tmp_path / "png" / "manifest.json").read_bytes())
     assert manifest["time_s"][:3] == [0.0, 0.125, 0.25]
     assert len(manifest["cameras"]) == 2
+    drawn = manifest["renderer"]
+    assert (drawn["name"], drawn["samples"], drawn["shutter_open_s"]) == ("raster", 4, 0.0)
     assert [b["id"] for b in manifest["bodies"]] == [2, 3]
     first, last = found[0][0], found[0][8]
     assert set(np.unique(first["segmentation"])) == {0, 1, 2, 3}

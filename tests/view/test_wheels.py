@@ -17,7 +17,9 @@ from esg.units import quat_rotate
 from esg.view import parts as module
 from esg.view import truth
 from esg.view.camera import Camera
-from esg.view.render import Movers, Part, Renderer, Turning, merged
+from esg.view.pieces import Movers, Part, Turning
+from esg.view.render import Renderer
+from esg.view.tracer.stage import bundles
 from esg.view.truth import Pinhole
 from esg.view.worlds import WorldRenderer
 from tests.assets.worlds import EMPTY, requirement
@@ -102,7 +104,8 @@ def test_wheels_ride_with_their_body() -> None:
 
 def test_merging_keeps_wheels_apart() -> None:
     other = part(box((0.0, 0.0, 0.0), (0.1, 0.1, 0.1)), RED, None)
-    assert [p.wheel for p in merged([HAND, other, HAND])] == [WHEEL, None]
+    made, _ = bundles([HAND, other, HAND], Movers([HAND, other], 1))
+    assert [(b.mover, len(b.faces)) for b in made] == [(0, 12), (1, 24)]
 
 
 def test_parts_of_a_scene_know_their_wheels() -> None:

@@ -98,7 +98,7 @@ def shift(s: Sketch, dx: float = 0.0, dy: float = 0.0, dz: float = 0.0) -> None:
 def wheel(s: Sketch, x: float, y: float, r: float, width: float, hub: Color = CHROME) -> None:
     """A wheel about Y whose middle is at `y`."""
     s.rod(r, (x, y - width / 2, r), (x, y + width / 2, r), RUBBER, rough=0.9, sections=32)
-    s.rod(r * 0.58, (x, y - width * 0.55, r), (x, y + width * 0.55, r), hub, rough=0.4, metal=0.4)
+    s.rod(r * 0.58, (x, y - width * 0.55, r), (x, y + width * 0.55, r), hub, rough=0.4)
     holes(s, (x, y, r), r * 0.58, width * 1.16)
     s.wheel((x, y, r), r, parts=3)
 
@@ -119,7 +119,7 @@ def holes(s: Sketch, at: Vec3, rim: float, width: float) -> None:
 def spokes(s: Sketch, x: float, y: float, r: float, c: Color = CHROME) -> None:
     """A spoked wheel about Y."""
     s.torus(r - 0.06 * r, 0.06 * r, (x, y, r), RUBBER, axis="y", rough=0.9)
-    s.rod(0.1 * r, (x, y - 0.1 * r, r), (x, y + 0.1 * r, r), STEEL, metal=0.6, sections=14)
+    s.rod(0.1 * r, (x, y - 0.1 * r, r), (x, y + 0.1 * r, r), STEEL, sections=14)
     for k in range(6):
         a = math.pi * k / 6
         d = (0.9 * r * math.cos(a), 0.9 * r * math.sin(a))

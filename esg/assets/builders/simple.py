@@ -7,8 +7,8 @@ import math
 from esg.assets.builders import builder
 from esg.assets.builders.common import edge, shade
 from esg.assets.geometry.rotations import ALONG
-from esg.assets.geometry.sketch import Color, Sketch
-from esg.assets.lazy import shapes
+from esg.assets.geometry.sketch import BRASS, DARK, Color, Sketch
+from esg.assets.lazy import forms, shapes
 from esg.graph.models import ProxyKind
 
 
@@ -62,23 +62,76 @@ def brick(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("top", H, (L / 2, W / 2))
 
 
+PIPS = {
+    1: ((0, 0),),
+    2: ((-1, 1), (1, -1)),
+    3: ((-1, -1), (1, 1), (0, 0)),
+    4: ((-1, -1), (-1, 1), (1, -1), (1, 1)),
+    5: ((-1, -1), (-1, 1), (1, -1), (1, 1), (0, 0)),
+    6: ((-1, -1), (-1, 0), (-1, 1), (1, -1), (1, 0), (1, 1)),
+}
+_UPRIGHT = ((0, 0, 1, 0), (0, 1, 0, 0), (-1, 0, 0, 0), (0, 0, 0, 1))
+
+
 @builder("domino", "free")
 def domino(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """A standing domino tile: thin along the front axis, pips on both faces."""
-    s.box((L, W, H), (0, 0, H / 2), c, solid=1, rough=0.3)
+    s.add(
+        lambda: (
+            forms.cushion((H, W, L), (0, 0, 0), plan=16, side=0.16, sections=36, levels=7)
+            .apply_transform(_UPRIGHT)
+            .apply_translation((0, 0, H / 2))
+        ),
+        c,
+        of="ceramic",
+        name="tile",
+    )
+    s.proxy_box((L / 2, W / 2, H / 2), (0, 0, H / 2), 1)
     ink = (0.95, 0.95, 0.92) if sum(c) < 1.5 else (0.1, 0.1, 0.1)
-    s.slab((-L / 2 - 0.02, L / 2 + 0.02), (-W * 0.42, W * 0.42), (H * 0.495, H * 0.505), ink)
-    r = min(W, H / 2) * 0.08
-    for z, spots in ((H * 0.25, ((-1, -1), (1, 1), (0, 0))), (H * 0.75, ((-1, 1), (1, -1)))):
-        for y, up in spots:
-            at = z + up * H * 0.13
-            s.rod(
-                r,
-                (-L / 2 - 0.02, y * W * 0.25, at),
-                (L / 2 + 0.02, y * W * 0.25, at),
-                ink,
-                sections=16,
-            )
+    d = 0.012 * min(W, H)
+    s.slab(
+        (-L / 2 - d, L / 2 + d),
+        (-W * 0.42, W * 0.42),
+        (H * 0.495, H * 0.505),
+        ink,
+        of="paint",
+        name="line",
+    )
+    r = min(W, H / 2) * 0.085
+    halves = (
+        1 + s.appearance.pick("low", 6) if s.appearance.seed is not None else 3,
+        1 + s.appearance.pick("high", 6) if s.appearance.seed is not None else 2,
+    )
+    for z, count, word in ((H * 0.25, halves[0], "low"), (H * 0.75, halves[1], "high")):
+        spots = [(y * W * 0.25, z + up * H * 0.13) for y, up in PIPS[count]]
+        s.add(
+            lambda spots=spots: forms.gather(
+                [
+                    forms.turned(
+                        [
+                            (0.6 * r, -L / 2 - d),
+                            (r, -L / 2 - 0.4 * d),
+                            (r, L / 2 + 0.4 * d),
+                            (0.6 * r, L / 2 + d),
+                        ],
+                        (0, y, at),
+                        18,
+                        "x",
+                    )
+                    for y, at in spots
+                ]
+            ),
+            ink,
+            of="paint",
+            name=f"pips_{word}",
+        )
+    s.add(
+        lambda: forms.turned(
+            [(0.5 * r, -L / 2 - 1.4 * d), (0.5 * r, L / 2 + 1.4 * d)], (0, 0, H / 2), 14, "x"
+        ),
+        BRASS,
+        name="pin",
+    )
     s.surface("top", H, (L / 2, W / 2))
 
 
@@ -133,7 +186,7 @@ def roller(s: Sketch, L: float, W: float, H: float, c: Color, hollow: bool = Fal
     if hollow:
         q = r * 0.88
         profile = [(q, -L / 2), (r, -L / 2), (r, L / 2), (q, L / 2), (q, -L / 2)]
-        s.lathe(profile, c, center=(0, 0, r), axis="x", rough=0.4, metal=0.5)
+        s.lathe(profile, c, center=(0, 0, r), axis="x", rough=0.4)
     else:
         s.rod(r, (-L / 2 + 0.3, 0, r), (L / 2 - 0.3, 0, r), c, rough=0.95, sections=36)
         for x in (-1, 1):
@@ -150,13 +203,48 @@ def ladder(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         for sign in (-1, 1):
             foot, top = sign * L / 2, sign * t * 0.8
             points = [(foot, 0), (foot - sign * t, 0), (top - sign * t, H), (top, H)]
-            s.extrude(points, (y - t / 2, y + t / 2), c, metal=0.5)
+            s.extrude(points, (y - t / 2, y + t / 2), c, name="rail")
+            inner = min(foot, foot - sign * 1.1 * t), max(foot, foot - sign * 1.1 * t)
+            s.slab(
+                inner,
+                (y - 0.6 * t, y + 0.6 * t),
+                (0, min(0.025 * H, 1.4 * t)),
+                DARK,
+                of="rubber",
+                name="foot",
+            )
             s.proxy_hull([(x, q, z) for x, z in points for q in (y - t / 2, y + t / 2)])
     n = max(2, round(H / 28))
     for k in range(1, n):
         z = H * k / n
         x = L / 2 + (t * 0.8 - L / 2) * k / n
-        s.slab((x - 9 if x > 10 else x - 5, x), (-W / 2 + t, W / 2 - t), (z - 1.5, z + 1.5), c)
+        deep = 9 if x > 10 else 5
+        s.slab(
+            (x - deep, x),
+            (-W / 2 + 0.6 * t, W / 2 - 0.6 * t),
+            (z - 1.5, z + 1.5),
+            c,
+            name=f"step_{k}",
+        )
+        s.slab(
+            (x - deep, x),
+            (-W / 2 + t, W / 2 - t),
+            (z + 1.5, z + 1.9),
+            DARK,
+            of="rubber",
+            name=f"tread_{k}",
+        )
         s.proxy_slab((x - 5, x), (-W / 2 + t, W / 2 - t), (z - 1.5, z + 1.5))
-    s.slab((-L * 0.12, L * 0.12), (-W / 2, W / 2), (H - 3, H), c, solid=1.0)
+    for y in (-W / 2 + t / 2, W / 2 - t / 2):
+        z, reach = 0.42 * H, L / 2 - (L / 2 - 0.8 * t) * 0.42
+        s.rod(
+            0.12 * t,
+            (-reach + 0.5 * t, y, z),
+            (reach - 0.5 * t, y, z),
+            DARK,
+            of="steel",
+            sections=8,
+            name="spreader",
+        )
+    s.slab((-L * 0.12, L * 0.12), (-W / 2, W / 2), (H - 3, H), c, solid=1.0, name="platform")
     s.surface("top", H, (L * 0.12, W / 2))

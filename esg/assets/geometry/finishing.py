@@ -7,11 +7,12 @@ they count tiles, and grain runs along the part's length.
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 import trimesh
+from trimesh.visual import TextureVisuals
 
 from esg.assets.geometry.bevels import bevelled
 
@@ -58,17 +59,54 @@ def finished(
     vertices, faces, soft = bevelled(mesh, smallest_cm)
     corner_normals = split_normals(vertices, faces, _BEVEL_CREASE_DEG if soft else CREASE_DEG)
     uvs, chart = _projected(mesh, vertices, faces, tile_cm, grain)
-    # Corners of a vertex that agree in normal and chart stay one vertex.
-    steps = np.rint(511.0 * corner_normals).astype(np.int64) + 512
+    return _merged(vertices, faces, corner_normals, uvs, chart)
+
+
+def _merged(vertices: Floats, faces: Ints, normals: Floats, uvs: Floats, chart: Ints) -> Surface:
+    """Corners as vertices; those of a vertex that agree in normal and chart stay one."""
+    steps = np.rint(511.0 * normals).astype(np.int64) + 512
     key = faces.reshape(-1)
     for direction in range(3):
         key = key * 1024 + steps[:, direction]
     _, first, index = np.unique(key * 16 + chart, return_index=True, return_inverse=True)
-    return Surface(
-        vertices[faces.reshape(-1)[first]],
-        index.reshape(-1, 3),
-        corner_normals[first],
-        uvs[first],
+    corners = faces.reshape(-1)[first]
+    return Surface(vertices[corners], index.reshape(-1, 3), normals[first], uvs[first])
+
+
+def completed(mesh: trimesh.Trimesh, tile_cm: float) -> trimesh.Trimesh:
+    """A foreign mesh with the normals and texture coordinates it lacks.
+
+    The same one if it lacks none, or has a colour for every vertex.
+
+    Args:
+        mesh: Its visual keeps its material, and its texture coordinates if it has any.
+        tile_cm: Edge of one tile of the coordinates that are made.
+    """
+    visual: Any = mesh.visual
+    uv = getattr(visual, "uv", None)
+    has_normals = "vertex_normals" in mesh._cache
+    if (has_normals and uv is not None) or visual.kind == "vertex":
+        return mesh
+    vertices, faces = np.asarray(mesh.vertices, float), np.asarray(mesh.faces, np.int64)
+    corners = faces.reshape(-1)
+    if has_normals:
+        normals = np.asarray(mesh.vertex_normals)[corners]
+    else:
+        normals = split_normals(vertices, faces, CREASE_DEG)
+    if uv is None:
+        uvs, chart = _projected(mesh, vertices, faces, tile_cm, False)
+    else:
+        uvs, chart = np.asarray(uv)[corners], np.zeros(len(corners), np.int64)
+    surface = _merged(vertices, faces, normals, uvs, chart)
+    if isinstance(visual, TextureVisuals):
+        visual = TextureVisuals(uv=surface.uvs, material=visual.material)
+    return trimesh.Trimesh(
+        surface.vertices,
+        surface.faces,
+        vertex_normals=surface.normals,
+        visual=visual,
+        metadata=mesh.metadata,
+        process=False,
     )
 
 

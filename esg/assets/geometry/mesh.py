@@ -14,9 +14,11 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.assets.appearance import USUAL, Appearance
+from esg.assets.appearances import appearances, first_of_asset
 from esg.assets.colors import color_word
-from esg.assets.configuration import parametric_entry
-from esg.assets.geometry.finishing import Surface, finished, joined
+from esg.assets.configuration import node_mesh_path, parametric_entry
+from esg.assets.geometry.finishing import Surface, completed, finished, joined
 from esg.assets.geometry.rolling import drawn_size, is_rolling_form, rolling
 from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
 from esg.assets.geometry.sketch import Sketch
@@ -57,8 +59,11 @@ class Model:
 _BEVELLED = 0.03
 """Boxes and rods longer than this share of their asset's longest extent are bevelled."""
 
+_FOREIGN_TILE_CM = 100.0
+"""Edge of one tile of the coordinates that an imported mesh without any is given."""
 
-def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
+
+def build_mesh(config: AssetConfiguration, appearance: Appearance = USUAL) -> trimesh.Scene:
     """The asset's geometry [cm] in its local frame, one mesh a look, apart for every wheel.
 
     Each mesh has normals and texture coordinates (in tiles, v up); its `metadata` holds the `Look`
@@ -73,9 +78,9 @@ def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
 
     entry = parametric_entry(config)
     if entry is None:
-        return load_imported(config)
+        return _completed(load_imported(config))
     scene = trimesh.Scene()
-    models, wheels = _models(configured_sketch(entry, config))
+    models, wheels = _models(configured_sketch(entry, config, appearance))
     for wheel in wheels:
         scene.graph.update(frame_to=wheel.name, matrix=_moved(wheel.axle_cm))
     for model in models:
@@ -101,6 +106,13 @@ def build_mesh(config: AssetConfiguration) -> trimesh.Scene:
             geom_name=model.name,
             parent_node_name=None if model.wheel is None else wheels[model.wheel].name,
         )
+    return scene
+
+
+def _completed(scene: trimesh.Scene) -> trimesh.Scene:
+    """A foreign asset with the normals and texture coordinates it lacks."""
+    for name, geometry in list(scene.geometry.items()):
+        scene.geometry[name] = completed(geometry, _FOREIGN_TILE_CM)
     return scene
 
 
@@ -165,40 +177,33 @@ def _moved(by: Vec3 | NDArray[np.float64]) -> NDArray[np.float64]:
     return matrix
 
 
-def configured_sketch(entry: Entry, config: AssetConfiguration) -> Sketch:
+def configured_sketch(
+    entry: Entry, config: AssetConfiguration, appearance: Appearance = USUAL
+) -> Sketch:
     """What an entry draws for a configuration: lying, or on its rim."""
     if not is_rolling_form(entry, config.rolls):
-        return build_sketch(entry, config.dimensions_cm, config.color_rgb)
+        return build_sketch(entry, config.dimensions_cm, config.color_rgb, appearance)
     size = drawn_size(entry, config.dimensions_cm)
-    return rolling(entry, build_sketch(entry, size, config.color_rgb), size)
+    return rolling(entry, build_sketch(entry, size, config.color_rgb, appearance), size)
 
 
-def glb_bytes(config: AssetConfiguration) -> bytes:
+def glb_bytes(config: AssetConfiguration, appearance: Appearance = USUAL) -> bytes:
     """The asset as binary glTF (metres, Y up); the same configuration gives the same bytes."""
-    scene = build_mesh(config)
+    scene = build_mesh(config, appearance)
     if all("look" in geometry.metadata for geometry in scene.geometry.values()):
         return asset_glb(scene)
-    _to_gltf(scene)
-    data = scene.export(file_type="glb")
+    scene.apply_transform(GLTF_FROM_LOCAL)
+    data = scene.export(file_type="glb", include_normals=True)
     if not isinstance(data, bytes):
         raise UserError(f"{config.asset_name}: the mesh could not be exported as GLB", exit_code=1)
     return data
 
 
-def _to_gltf(scene: trimesh.Scene) -> None:
-    """Leads a scene into glTF's frame; nodes of wheels keep no more than their place, to turn."""
-    graph = scene.graph
-    scene.apply_transform(GLTF_FROM_LOCAL)
-    for wheel in set(graph.nodes) - set(graph.nodes_geometry) - {graph.base_frame}:
-        place = _moved(graph[wheel][0][:3, 3])
-        graph.update(frame_to=wheel, matrix=place)
-        for part in graph.transforms.children[wheel]:
-            matrix = GLTF_FROM_LOCAL.copy()
-            graph.update(frame_from=wheel, frame_to=part, matrix=matrix)
-
-
 def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:
     """Writes the GLB of every configuration at its `mesh_path` below `folder`.
+
+    Nodes that look unlike the first with the same asset get a file of their own beside it
+    (`node_mesh_path`).
 
     Returns:
         SHA-256 of each file by asset id.
@@ -207,22 +212,30 @@ def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:
         UserError: If a file cannot be written.
     """
     doc = effective(doc)
+    looks = appearances(doc)
+    firsts = first_of_asset(doc, looks)
     hashes: dict[str, str] = {}
     for key, config in doc.asset_configurations.items():
-        path = Path(folder) / config.mesh_path
-        data = glb_bytes(config)
-        try:
-            path.parent.mkdir(parents=True, exist_ok=True)
-            partial = path.with_suffix(".part")
-            partial.write_bytes(data)
-            partial.replace(path)
-        except OSError as error:
-            raise UserError(
-                f"cannot write {path}: {error.strerror}; choose another folder"
-            ) from None
+        data = glb_bytes(config, firsts.get(key, USUAL))
+        _write(Path(folder) / config.mesh_path, data)
         hashes[key] = hashlib.sha256(data).hexdigest()
+    for name, node in doc.spatial_relation_graph.nodes.items():
+        config = doc.asset_configurations.get(node.asset_id)
+        if config is not None and looks[name] != firsts[node.asset_id]:
+            path = node_mesh_path(config.mesh_path, name)
+            _write(Path(folder) / path, glb_bytes(config, looks[name]))
     _write_attribution(doc, Path(folder))
     return hashes
+
+
+def _write(path: Path, data: bytes) -> None:
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        partial = path.with_suffix(".part")
+        partial.write_bytes(data)
+        partial.replace(path)
+    except OSError as error:
+        raise UserError(f"cannot write {path}: {error.strerror}; choose another folder") from None
 
 
 def _write_attribution(doc: EsgDocument, folder: Path) -> None:

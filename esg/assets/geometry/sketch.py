@@ -15,6 +15,7 @@ from dataclasses import dataclass, field, replace
 import itertools
 from typing import TYPE_CHECKING, Any, TypedDict, Unpack
 
+from esg.assets.appearance import USUAL, Appearance
 from esg.assets.geometry.collider import Collider
 from esg.assets.geometry.rotations import IDENTITY, direction
 from esg.assets.lazy import shapes
@@ -24,9 +25,6 @@ from esg.graph.models import ProxyKind, Quat, Vec3
 
 if TYPE_CHECKING:
     import trimesh
-
-_METAL = 0.3
-"""Metalness from which on something is a metal."""
 
 
 class Finish(tuple[float, float, float]):
@@ -98,14 +96,12 @@ class Part:
 class Style(TypedDict, total=False):
     """What else a builder may say of a part.
 
-    `of` names its material, `name` says what it is; `rough` and `alpha` replace the material's
-    own, and a part that is `metal` is of steel where its material is none.
+    `of` names its material, `name` says what it is; `rough` and `alpha` replace the material's own.
     """
 
     of: str
     name: str
     rough: float
-    metal: float
     alpha: float
 
 
@@ -115,26 +111,26 @@ class Sketch(Collider):
 
     Args:
         material: Of what is drawn in a colour that names none.
+        appearance: What the builder chooses details by.
     """
 
     parts: list[Part] = field(default_factory=list)
     axles: list[Axle] = field(default_factory=list)
     material: str = "plastic_hard"
+    appearance: Appearance = USUAL
 
     def add(
         self,
         make: Callable[[], Any],
         color: Color,
-        rough: float | None = None,
-        metal: float = 0.0,
-        alpha: float | None = None,
+        *,
         of: str = "",
         name: str = "",
+        rough: float | None = None,
+        alpha: float | None = None,
     ) -> None:
         """Records a closed mesh made by `make`."""
         material = of or (color.material if isinstance(color, Finish) else self.material)
-        if metal >= _METAL and MATERIALS[material].metalness < _METAL:
-            material = "steel"
         self.parts.append(Part(name or material, make, color, material, rough, alpha))
 
     def wheel(self, point: Vec3, radius: float, parts: int = 1) -> None:

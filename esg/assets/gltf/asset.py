@@ -18,8 +18,9 @@ def asset_glb(scene: Any) -> bytes:
     """Binary glTF (metres, Y up) of a scene that was built; the same scene gives the same bytes.
 
     Args:
-        scene: A `trimesh.Scene` in the asset's frame [cm], every geometry with its `look` in
-            `metadata`. Nodes without a geometry hold wheels: what is in them turns about them.
+        scene: A `trimesh.Scene` in the asset's frame [cm], every geometry with its `look` and
+            `color` in `metadata`. Nodes without a geometry hold wheels: what is in them turns
+            about them.
     """
     document = Document({"asset": {"version": "2.0", "generator": "esg-scenes"}, "scene": 0})
     graph = scene.graph
@@ -36,8 +37,9 @@ def asset_glb(scene: Any) -> bytes:
                 roots.append(wheels[holder])
             transform = np.linalg.inv(graph[holder][0]) @ transform
         mesh = scene.geometry[geometry]
-        material = document.material(surface_of(mesh.metadata["look"]))
-        corners = _corners(mesh, transform, textured=mesh.metadata["look"].texture is not None)
+        look, color = mesh.metadata["look"], mesh.metadata["color"]
+        material = document.material(surface_of(look, color))
+        corners = _corners(mesh, transform, textured=look.texture is not None)
         number = document.append(
             "nodes", {"name": name, "mesh": document.mesh(name, [(corners, material)])}
         )

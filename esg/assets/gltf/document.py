@@ -183,6 +183,11 @@ class Document:
         ):
             if picture is not None:
                 holder[key] = {"index": self._texture(picture)}
+        if surface.normal is not None and surface.normal_scale != 1.0:
+            item["normalTexture"]["scale"] = _six(surface.normal_scale)
+        if surface.average is not None:
+            # For readers without pictures: sRGB of the surface on average.
+            item["extras"] = {"color": [round(c, 4) for c in surface.average]}
         if surface.alpha < 1.0:
             item["alphaMode"] = "BLEND"
         if surface.two_sided:
@@ -215,6 +220,10 @@ class Document:
             if uvs is not None:
                 flipped = np.asarray(uvs, float) * (1.0, -1.0) + (0.0, 1.0)
                 attributes["TEXCOORD_0"] = self.values(flipped, use=_VERTICES)
+            bumpy = "normalTexture" in self.data["materials"][material]
+            if bumpy and normals is not None and uvs is not None:
+                tangents = _tangents(vertices, faces, normals, uvs)
+                attributes["TANGENT"] = self.values(tangents, use=_VERTICES)
             kind = _SHORT if len(vertices) < 65535 else _INT
             indices = self.values(np.ravel(faces), kind, use=_INDICES)
             primitives.append({"attributes": attributes, "indices": indices, "material": material})
@@ -277,6 +286,35 @@ def _units(values: Any) -> NDArray[Any]:
     single = np.asarray(values).astype(np.float32)
     length = np.linalg.norm(single, axis=-1, keepdims=True)
     return single / np.where(length > 0.0, length, 1.0)
+
+
+def _tangents(vertices: Floats, faces: NDArray[np.int64], normals: Floats, uvs: Floats) -> Floats:
+    """Along +u in the surface, and the side of +v as +-1, at every vertex, shape [n, 4]."""
+    a, b, c = (np.asarray(vertices, float)[faces[:, k]] for k in range(3))
+    p, q, r = (np.asarray(uvs, float)[faces[:, k]] for k in range(3))
+    one, two, s, t = b - a, c - a, q - p, r - p
+    area = s[:, 0] * t[:, 1] - s[:, 1] * t[:, 0]
+    sign = np.where(area < 0.0, -1.0, 1.0)[:, None]
+    along = sign * (one * t[:, 1:] - two * s[:, 1:])
+    up = sign * (two * s[:, :1] - one * t[:, :1])
+    count = len(vertices)
+    index = np.ravel(faces)
+
+    def gathered(values: Floats) -> Floats:
+        each = np.repeat(values, 3, axis=0)
+        sums = [np.bincount(index, column, count).astype(float) for column in each.T]
+        return np.stack(sums, axis=1)
+
+    along, up = gathered(along), gathered(up)
+    normals = np.asarray(_units(normals), float)
+    along = along - normals * np.einsum("ij,ij->i", normals, along)[:, None]
+    # Where coordinates do not tell, any direction across the normal.
+    other = np.eye(3)[np.abs(normals).argmin(axis=1)]
+    other = np.cross(normals, other)
+    lost = np.linalg.norm(along, axis=1, keepdims=True) < 1e-12
+    along = _units(np.where(lost, other, along))
+    side = np.einsum("ij,ij->i", np.cross(normals, along), up)
+    return np.concatenate([along, np.where(side < 0.0, -1.0, 1.0)[:, None]], axis=1)
 
 
 def _six(value: float) -> float:

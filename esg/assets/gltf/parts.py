@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.gltf.surfaces import Picture, Surface
+from esg.assets.looks import Color
 from esg.strangers.gltf import read_glb
 from esg.units import quat_rotate
 
@@ -193,9 +194,22 @@ def _surface(document: dict[str, Any], binary: bytes, material: dict[str, Any]) 
         alpha=1.0 if opaque else float(alpha),
         base=seen(pbr, "baseColorTexture"),
         normal=seen(material, "normalTexture"),
+        normal_scale=float(material.get("normalTexture", {}).get("scale", 1.0)),
         rough_metal=seen(pbr, "metallicRoughnessTexture"),
         two_sided=bool(material.get("doubleSided", False)),
+        average=_average(material.get("extras")),
     )
+
+
+def _average(extras: Any) -> Color | None:
+    """What our own files tell of a surface's colour on average."""
+    told = extras.get("color") if isinstance(extras, dict) else None
+    if not isinstance(told, list) or len(told) != 3:
+        return None
+    if not all(isinstance(c, (int, float)) and 0.0 <= c <= 1.0 for c in told):
+        return None
+    red, green, blue = (float(c) for c in told)
+    return red, green, blue
 
 
 def _picture(document: dict[str, Any], binary: bytes, texture: int | None) -> Picture | None:

@@ -17,8 +17,10 @@ from numpy.typing import NDArray
 from esg.assets.looks import Color, Look
 from esg.assets.textures import linear, maps, srgb
 
-PICTURE_PX = 512
+PICTURE_PX = 256
 """Edge of a picture in an exported file."""
+QUALITY = {"color": 86, "normal": 90, "rough": 80}
+"""Of JPEG, by what a picture shows."""
 _SIGNATURES = {b"\x89PNG\r\n\x1a\n": "png", b"\xff\xd8\xff": "jpg"}
 
 
@@ -55,8 +57,10 @@ class Surface:
         roughness, metalness, alpha: In [0, 1].
         base: Base colour, sRGB.
         normal: Normals in tangent space, +Y up.
+        normal_scale: What their slopes are multiplied with.
         rough_metal: Roughness in its green channel, metalness in its blue one, linear.
         two_sided: Whether both sides of a face are seen.
+        average: sRGB of the surface on average, pictures included; None if nobody told.
     """
 
     name: str = ""
@@ -66,40 +70,61 @@ class Surface:
     alpha: float = 1.0
     base: Picture | None = None
     normal: Picture | None = None
+    normal_scale: float = 1.0
     rough_metal: Picture | None = None
     two_sided: bool = False
+    average: Color | None = None
 
     @property
     def shown(self) -> Color:
-        """Its colour as a screen shows it: sRGB in [0, 1]."""
+        """Its colour on average as a screen shows it: sRGB in [0, 1]."""
+        if self.average is not None:
+            return self.average
         red, green, blue = (float(v) for v in srgb(np.array(self.color)))
         return red, green, blue
 
 
-def surface_of(look: Look) -> Surface:
-    """What a look is in a file."""
+def surface_of(look: Look, average: Color | None = None) -> Surface:
+    """What a look is in a file.
+
+    Args:
+        look: The look.
+        average: sRGB of the surface on average, if it is known.
+    """
     red, green, blue = (float(v) for v in linear(look.color))
     base, normal, rough_metal = _pictures(look.texture) if look.texture else (None, None, None)
     return Surface(
-        name=look.material or "plain",
+        name=_name(look),
         color=(red, green, blue),
         roughness=look.roughness,
         metalness=look.metalness,
         alpha=look.alpha,
         base=base,
         normal=normal,
+        normal_scale=look.normal_strength,
         rough_metal=rough_metal,
+        average=average,
     )
 
 
+def _name(look: Look) -> str:
+    """Of its material; one that is coloured has its colour in it."""
+    color = "".join(f"{round(255 * c):02x}" for c in look.color)
+    material = look.material or "plain"
+    return material if color == "ffffff" else f"{material}_{color}"
+
+
 @cache
-def _pictures(texture: str) -> tuple[Picture, Picture, Picture]:
-    """The three pictures of a set of maps."""
+def _pictures(texture: str) -> tuple[Picture, Picture, Picture | None]:
+    """Pictures of a set of maps: colour, normals, and roughness unless it is the same all over."""
     found = maps(texture, PICTURE_PX)
+    rough = None
+    if found.roughness.min() < 255:
+        rough = picture(rough_metal(found.roughness), f"{texture}_rough", QUALITY["rough"])
     return (
-        picture(found.base_color, f"{texture}_color"),
-        picture(found.normal, f"{texture}_normal"),
-        picture(rough_metal(found.roughness), f"{texture}_rough"),
+        picture(found.base_color, f"{texture}_color", QUALITY["color"]),
+        picture(found.normal, f"{texture}_normal", QUALITY["normal"]),
+        rough,
     )
 
 
@@ -113,12 +138,18 @@ def rough_metal(roughness: NDArray[np.uint8]) -> NDArray[np.uint8]:
     return np.stack([full, roughness, full], axis=-1)
 
 
-def picture(pixels: NDArray[np.uint8], name: str = "") -> Picture:
-    """Encodes a picture, shape [height, width, 3]; the same pixels give the same bytes."""
+def picture(pixels: NDArray[np.uint8], name: str = "", quality: int = 90) -> Picture:
+    """A picture as a JPEG file; the same pixels give the same bytes.
+
+    Args:
+        pixels: Shape [height, width, 3].
+        name: What it shows.
+        quality: Of JPEG, up to 95.
+    """
     from PIL import Image
 
     out = io.BytesIO()
-    Image.fromarray(pixels).save(out, "JPEG", quality=90, subsampling=0)
+    Image.fromarray(pixels).save(out, "JPEG", quality=quality, subsampling=0)
     return Picture(out.getvalue(), name)
 
 

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
-from functools import lru_cache
+import csv
+from dataclasses import dataclass, replace
+from functools import cache, lru_cache
+from pathlib import Path
 import re
 from typing import Any
 
+from esg.assets.appearance import USUAL, Appearance
 from esg.assets.geometry.sketch import Sketch
 from esg.assets.geometry.stretch import scaled, sound, stretched
+from esg.assets.materials import MATERIALS
 from esg.graph.models import Vec3
 from esg.lexicon import Kind, kinds, singular
 
@@ -59,6 +63,11 @@ class Entry:
         return not self.flags & {"fixed", "decal"}
 
     @property
+    def finish(self) -> str:
+        """Material that parts in its main colour are seen as, where their builder names none."""
+        return finishes().get(self.name, self.material)
+
+    @property
     def text(self) -> str:
         """What the embedder reads."""
         name = self.name.replace("_", " ")
@@ -67,6 +76,13 @@ class Entry:
             if self.synonyms
             else f"{name}: {self.description}"
         )
+
+
+@cache
+def finishes() -> dict[str, str]:
+    """What kinds are seen as where that is not the material they slide as, by name."""
+    with (Path(__file__).parent / "finishes.csv").open(encoding="utf-8", newline="") as file:
+        return {row["kind"]: row["material"] for row in csv.DictReader(file)}
 
 
 def parse_hex(text: str) -> tuple[float, float, float]:
@@ -137,7 +153,12 @@ def lexicon() -> dict[str, str]:
     return table
 
 
-def build_sketch(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, float]) -> Sketch:
+def build_sketch(
+    entry: Entry,
+    dimensions_cm: Vec3,
+    color: tuple[float, float, float],
+    appearance: Appearance = USUAL,
+) -> Sketch:
     """Draws an entry of the parametric library at the given extents.
 
     Builders that keep their proportions are drawn at the usual size and scaled by the height ratio
@@ -146,18 +167,24 @@ def build_sketch(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, f
     from esg.assets.builders import BUILDERS, DRAWN, load_builders
 
     load_builders()
-    sketch = Sketch(material=entry.material)
+    color = appearance.color or color
+    sketch = Sketch(material=entry.finish, appearance=appearance)
     if policy(entry) == "free":
-        return _free(entry, dimensions_cm, color)
+        return worn(_free(entry, dimensions_cm, color, appearance), appearance)
     params = dict(entry.params)
     size = entries_by_name()[params.pop("like")].dimensions_cm if "like" in params else None
     size = size or entry.dimensions_cm
     BUILDERS[entry.builder](sketch, *size, color, **params)
     drawn = DRAWN.get(entry.builder, size)
-    return scaled(sketch, uniform_factor(drawn, dimensions_cm))
+    return worn(scaled(sketch, uniform_factor(drawn, dimensions_cm)), appearance)
 
 
-def _free(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, float]) -> Sketch:
+def _free(
+    entry: Entry,
+    dimensions_cm: Vec3,
+    color: tuple[float, float, float],
+    appearance: Appearance,
+) -> Sketch:
     """At any extents: built there, else at the usual volume and scaled, else stretched."""
     from esg.assets.builders import BUILDERS
 
@@ -165,17 +192,32 @@ def _free(entry: Entry, dimensions_cm: Vec3, color: tuple[float, float, float]) 
     factor = uniform_factor(usual, dimensions_cm)
     middling: Vec3 = tuple(d / factor for d in dimensions_cm)  # type: ignore[assignment]
     for size in (dimensions_cm, middling):
-        sketch = Sketch(material=entry.material)
+        sketch = Sketch(material=entry.finish, appearance=appearance)
         try:
             BUILDERS[entry.builder](sketch, *size, color, **dict(entry.params))
             if sound(sketch):
                 return sketch if size is dimensions_cm else scaled(sketch, factor)
         except (ArithmeticError, ValueError):
             continue
-    sketch = Sketch(material=entry.material)
+    sketch = Sketch(material=entry.finish, appearance=appearance)
     BUILDERS[entry.builder](sketch, *usual, color, **dict(entry.params))
     l, w, h = (b / a for a, b in zip(usual, dimensions_cm, strict=True))  # noqa: E741
     return stretched(sketch, (l, w, h))
+
+
+def worn(sketch: Sketch, appearance: Appearance) -> Sketch:
+    """The sketch as it looks after some use: a little duller and darker, or as good as new."""
+    if appearance.seed is None:
+        return sketch
+    wear = appearance.share("wear")
+    tone, rough = 1.04 - 0.1 * wear, 0.9 + 0.4 * wear
+    for k, part in enumerate(sketch.parts):
+        red, green, blue = (min(1.0, tone * v) for v in part.color)
+        own = MATERIALS[part.material].roughness if part.roughness is None else part.roughness
+        sketch.parts[k] = replace(
+            part, color=(red, green, blue), roughness=min(1.0, round(rough * own, 3))
+        )
+    return sketch
 
 
 def uniform_factor(usual: Vec3, wanted: Vec3) -> float:

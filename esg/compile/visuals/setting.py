@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.gltf.document import Corners
+from esg.assets.gltf.surfaces import Surface, surface_of
 from esg.assets.looks import Color, Look
 
 if TYPE_CHECKING:
@@ -21,8 +22,12 @@ Floats = NDArray[np.float64]
 CELLS = 16
 """Of the drawn ground along each side."""
 SUNK, SUNK_M = 2e-5, 0.01
-"""The drawn ground lies so much below the plane, by its side and at most [m]: whoever draws by
-depth cannot tell it from what lies on it otherwise."""
+"""The drawn ground lies so much below what lies on it, by its side and at most [m]: whoever draws
+by depth cannot tell them apart otherwise."""
+MARKINGS = "ground/"
+"""How the names of parts begin that lie on the ground."""
+SPREAD = 4.0
+"""So many times as far do markings of a ground lie apart from each other."""
 
 
 @dataclass(frozen=True)
@@ -100,7 +105,8 @@ def ground_mesh(setting: Setting) -> tuple[Floats, NDArray[np.int64], Floats, Fl
     line = np.sign(line) * line**2 * setting.side / 2
     y, x = np.meshgrid(line, line, indexing="ij")
     corners = np.stack([x.ravel(), y.ravel()], axis=1) + np.asarray(setting.middle)
-    height = np.full((len(corners), 1), -min(SUNK_M, SUNK * setting.side))
+    lowest = min([0.0, *(float(p.vertices[:, 2].min()) for p in spread(setting.parts))])
+    height = np.full((len(corners), 1), lowest - min(SUNK_M, SUNK * setting.side))
     first = (np.arange(CELLS) + (CELLS + 1) * np.arange(CELLS)[:, None]).reshape(-1, 1)
     right, above = 1, CELLS + 1
     corner = np.array([0, right, right + above, 0, right + above, above])
@@ -126,28 +132,44 @@ def facing(direction: tuple[float, float, float]) -> Floats:
     return turn / np.linalg.norm(turn)
 
 
+def spread(parts: Iterable[Part]) -> list[Part]:
+    """The parts, with the markings of the ground farther apart below the highest of them."""
+    parts = list(parts)
+    flat = [p for p in parts if p.name.startswith(MARKINGS)]
+    top = max((float(p.vertices[:, 2].max()) for p in flat), default=0.0)
+
+    def lowered(part: Part) -> Part:
+        z = part.vertices[:, 2:]
+        lower = np.concatenate([part.vertices[:, :2], top + SPREAD * (z - top)], axis=1)
+        return replace(part, vertices=lower)
+
+    return [lowered(p) if p.name.startswith(MARKINGS) else p for p in parts]
+
+
 def by_thing(parts: Iterable[Part]) -> dict[str, list[Part]]:
     """Parts of one thing together, in their order, by the name of the thing."""
     groups: dict[str, list[Part]] = {}
     for part in parts:
-        groups.setdefault(part.name.partition("/")[0] or "part", []).append(part)
+        thing = part.name.partition("/")[0] or "part"
+        groups.setdefault("markings" if part.name.startswith(MARKINGS) else thing, []).append(part)
     return groups
 
 
-def by_look(parts: Iterable[Part]) -> list[tuple[Look, Corners]]:
+def by_surface(parts: Iterable[Part]) -> list[tuple[Surface, Corners]]:
     """Parts of one surface together: vertices [m], faces, normals and texture coordinates."""
-    groups: dict[tuple[Look, bool, bool], list[Part]] = {}
+    groups: dict[tuple[Surface, bool, bool], list[Part]] = {}
     for part in parts:
-        look = part.look or Look("", part.color)
-        groups.setdefault((look, part.normals is None, part.uvs is None), []).append(part)
-    out: list[tuple[Look, Corners]] = []
-    for (look, flat, plain), members in groups.items():
+        surface = surface_of(part.look or Look("", part.color), part.color)
+        plain = part.uvs is None or surface.base is None
+        groups.setdefault((surface, part.normals is None, plain), []).append(part)
+    out: list[tuple[Surface, Corners]] = []
+    for (surface, flat, plain), members in groups.items():
         starts = np.cumsum([0, *(len(m.vertices) for m in members[:-1])])
         faces = [m.faces + start for m, start in zip(members, starts, strict=True)]
         normals = None if flat else np.concatenate([_known(m.normals) for m in members])
         uvs = None if plain else np.concatenate([_known(m.uvs) for m in members])
         vertices = np.concatenate([m.vertices for m in members])
-        out.append((look, (vertices, np.concatenate(faces), normals, uvs)))
+        out.append((surface, (vertices, np.concatenate(faces), normals, uvs)))
     return out
 
 

@@ -4,6 +4,8 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import partial
+import os
 from pathlib import Path
 import tempfile
 from typing import Any, Literal
@@ -11,6 +13,8 @@ from typing import Any, Literal
 UsdForm = Literal["usda", "usdc", "usdz"]
 LOOKS_FILE = "scene_looks.usdc"
 PACKAGE = "scene.usdz"
+EPOCH_S = 315619200
+"""The second day of 1980: packages know no time before the first."""
 _PHYSICAL = ("physics:", "physx", "esg:")
 """How properties begin that a viewer has no use for."""
 _SHOWN = {"Xform", "Scope", "Mesh", "Material", "Shader", "Camera"}
@@ -61,15 +65,24 @@ def write_package(scene: UsdScene, out: Path) -> list[Path]:
         work = Path(place)
         write_layers(scene, work, "usdc")
         played = Usd.Stage.Open(str(work / "scene_animation.usdc"))
-        flat = played.Flatten()
+        flat = played.Flatten(addSourceFileComment=False)
         del played
         _strip(flat)
         _turn_y_up(flat)
+        # Flattening has made the pictures' paths absolute.
+        UsdUtils.ModifyAssetPaths(flat, partial(_beside, work))
         flat.Export(str(work / "seen.usdc"))
+        for file in work.rglob("*"):
+            os.utime(file, (EPOCH_S, EPOCH_S))  # a package tells the times of its files
         path = out / PACKAGE
         done = UsdUtils.CreateNewUsdzPackage(str(work / "seen.usdc"), str(path), "scene.usdc")
         assert done, path
     return [path]
+
+
+def _beside(folder: Path, file: str) -> str:
+    """The path of a file as layers in `folder` tell it."""
+    return f"./{Path(file).relative_to(folder).as_posix()}"
 
 
 def _strip(layer: Any) -> None:

@@ -22,18 +22,20 @@ from esg.compile.visuals.ropes import LOOKS, rope_mesh
 from esg.compile.visuals.setting import (
     Setting,
     View,
-    by_look,
+    by_surface,
     by_thing,
     facing,
     ground_mesh,
     seen_at,
+    spread,
     strength,
 )
 from esg.engines.scene import Body
 
 TEXTURES = "textures"
 """Folder of the pictures beside the layers."""
-SURROUNDINGS = "/Surroundings"
+ROOT = "/Seen"
+SURROUNDINGS = f"{ROOT}/Surroundings"
 RESERVED = ("looks", "ground", "sun", "sky")
 """Names of prims that no part gets, in lower case."""
 SENSOR_MM = 36.0
@@ -59,6 +61,7 @@ class UsdLooks:
         self._stage = Usd.Stage.Open(layer)
         UsdGeom.SetStageUpAxis(self._stage, UsdGeom.Tokens.z)
         UsdGeom.SetStageMetersPerUnit(self._stage, 1.0)
+        self._stage.SetDefaultPrim(UsdGeom.Xform.Define(self._stage, ROOT).GetPrim())
         self._materials: dict[tuple[str, Surface], Any] = {}
         self._names: dict[str, set[str]] = {}
 
@@ -66,9 +69,7 @@ class UsdLooks:
         """Writes the mesh of a body below `root`, its wheels in prims of their own."""
         from pxr import UsdGeom
 
-        form = UsdGeom.Xform.Define(self._stage, root)
-        if not self._stage.HasDefaultPrim():
-            self._stage.SetDefaultPrim(form.GetPrim())
+        UsdGeom.Xform.Define(self._stage, root)
         wheels = _wheel_prims(self._stage, root, body)
         for part in parts:
             path, axle = wheels.get(part.holder, (root, np.zeros(3)))
@@ -82,19 +83,16 @@ class UsdLooks:
         UsdGeom.Xform.Define(self._stage, SURROUNDINGS)
         ground = surface_of(setting.ground)
         self._mesh(f"{SURROUNDINGS}/Ground", ground_mesh(setting), ground, SURROUNDINGS)
-        for name, parts in by_thing(setting.parts).items():
+        for name, parts in by_thing(spread(setting.parts)).items():
             path = self._free(SURROUNDINGS, name)
-            looks = by_look(parts)
-            if len(looks) > 1:
-                UsdGeom.Xform.Define(self._stage, path)
-            for look, corners in looks:
-                place = self._free(path, look.material) if len(looks) > 1 else path
-                self._mesh(place, corners, surface_of(look), SURROUNDINGS)
+            UsdGeom.Xform.Define(self._stage, path)
+            for surface, corners in by_surface(parts):
+                self._mesh(self._free(path, surface.name), corners, surface, SURROUNDINGS)
         _lights(self._stage, setting)
 
     def rope(self, kind: str) -> str:
         """Writes the mesh of ropes or springs unless it is there; returns its path."""
-        path = f"/{kind.capitalize()}"
+        path = f"{ROOT}/{kind.capitalize()}"
         if not self._stage.GetPrimAtPath(path):
             from pxr import UsdGeom
 
@@ -146,6 +144,7 @@ class UsdLooks:
         """The material of a surface below `root`."""
         from pxr import UsdGeom, UsdShade
 
+        surface = replace(surface, average=None)
         key = root, surface
         if key not in self._materials:
             scope = f"{root}/Looks"
@@ -157,7 +156,7 @@ class UsdLooks:
         return self._materials[key]
 
     def _shade(self, material: Any, path: str, surface: Surface) -> None:
-        from pxr import Gf, Sdf, UsdShade
+        from pxr import Gf, Sdf, Tf, UsdShade
 
         types = Sdf.ValueTypeNames
         shader = UsdShade.Shader.Define(self._stage, f"{path}/Surface")
@@ -184,8 +183,8 @@ class UsdLooks:
         reader.CreateOutput("result", types.Float2)
 
         def texture(name: str, kind: str, picture: Picture, space: str) -> Any:
-            stem = path.rsplit("/", 1)[1]
-            file = f"{TEXTURES}/{stem}_{kind}_{picture.digest}.{picture.suffix}"
+            stem = Tf.MakeValidIdentifier(picture.name or kind)
+            file = f"{TEXTURES}/{stem}_{picture.digest}.{picture.suffix}"
             self.pictures[file] = picture
             made = UsdShade.Shader.Define(self._stage, f"{path}/{name}")
             made.CreateIdAttr("UsdUVTexture")

@@ -40,6 +40,8 @@ class Scene:
     marked: dict[str, str] = field(default_factory=dict[str, str])
     """The road or lane that a node is said to be on."""
     heights: dict[str, Quantity] = field(default_factory=dict[str, Quantity])
+    kicked: set[str] = field(default_factory=set[str])
+    """What a foot sets in motion: it starts from the ground."""
     facing: dict[str, str] = field(default_factory=dict[str, str])
     travel: dict[str, Amount] = field(default_factory=dict[str, Amount])
     """Stated distance of a motion, by actor."""

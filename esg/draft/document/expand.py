@@ -13,11 +13,14 @@ from esg.draft.discourse.decks import is_driven, lay_decks
 from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.scene import Scene
+from esg.draft.discourse.windows import START
 from esg.draft.document.joining import join_parts
-from esg.graph.models import ForceDirection, NodeEvent, TimelineEdge
+from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, TimelineEdge
 
 RAISED_CM = 25.0
 """Height from which on what stands on a support is out of reach of what rolls on the ground."""
+_AT_THE_FOOT_CM = (0.0, 6.0)
+"""Height of the lowest point of what is kicked off the ground."""
 CROSSING_DEG = 60.0
 """Smallest turn of a vehicle that needs a crossing road."""
 
@@ -38,6 +41,7 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     _set_up_billiards(scene, reasons)
     lay_decks(scene)
     _throw_what_rolls_too_low(scene, prompt)
+    _kick_from_the_ground(scene)
     _lay_slope(scene, prompt, reasons)
     if not restricted:
         _add_context(scene, reasons)
@@ -92,6 +96,17 @@ def _throw_what_rolls_too_low(scene: Scene, prompt: str) -> None:
             params = edge.params.model_copy(update={"spin": "none", "elevation_deg": (-10.0, 60.0)})
             timeline.edges[k] = edge.model_copy(update={"params": params})
             timeline.tracks[edge.actor].direction = ForceDirection.ANY_3D
+
+
+def _kick_from_the_ground(scene: Scene) -> None:
+    """ "Kicks a ball at a punching bag": it flies up from the foot, not out of a hand."""
+    for edge in scene.timeline.edges:
+        flies = edge.params.elevation_deg is not None and edge.from_ == START
+        high = edge.actor in scene.supported_by or edge.actor in scene.heights
+        if flies and edge.actor in scene.kicked and not high:
+            scene.timeline.start_constraints.append(
+                EventConstraint(quantity="height", object=edge.actor, value=_AT_THE_FOOT_CM)
+            )
 
 
 def _is_raised(scene: Scene, edge: TimelineEdge, told: bool) -> bool:

@@ -31,6 +31,7 @@ _OPENINGS = (
     (("cup", "glass"), (), "", ""),
     (("cabinet", "crib", "well"), ("box", "bottle", "rock"), "open_box",
      "{}: open box without a lid"),
+    (tuple(lex.word_set("open vessels")), (), "open_box", "{}: open box without a lid"),
     ((), ("hole",), "tunnel", "{}: small low tunnel that a ball rolls into"),
 )  # fmt: skip
 """Names and kinds of things, the category and the description of what others enter instead."""
@@ -92,7 +93,8 @@ def opened(e: Entity, required: AssetRequirement, golf: bool) -> AssetRequiremen
     rolls gets over no rim.
     """
     for names, kinds, category, text in _OPENINGS:
-        if e.noun.name not in names and e.noun.kind not in kinds:
+        named = {e.noun.name, e.head.rpartition(" ")[2]} & {*names}
+        if not named and e.noun.kind not in kinds:
             continue
         if not category:
             break

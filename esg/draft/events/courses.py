@@ -6,13 +6,13 @@ from dataclasses import dataclass
 from typing import Any
 
 from esg.draft.discourse.core import kind_of, movable
-from esg.draft.discourse.proposition import Clause
+from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.tracks import Motion
 from esg.draft.discourse.windows import START
 from esg.draft.events.motions import paced
 from esg.draft.events.stated import said
-from esg.draft.events.told import size_of
+from esg.draft.events.told import size_of, things
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import EdgeEvent, ForceDirection, NodeEvent, Predicate, TimelineEdge
 from esg.graph.rules_segments import LEAST_SPEED_CM_S
@@ -22,7 +22,7 @@ _TRANSITIVE = frozenset(
     {"launch", "knock", "drop", "carry", "roll", "slide", "bounce", "tow", "own", "pass", "posture"}
 )
 """Senses whose object, where there is one, is what moves as the clause says."""
-AT_ITS_OWN_PACE = ("brake", "stop", "slow", "fall", "drop", "topple", "turn")
+_AT_ITS_OWN_PACE = ("brake", "stop", "slow", "fall", "drop", "topple", "turn")
 """Senses whose adverbs of pace are not about a speed that one could choose."""
 TURNING = ("turn", "swerve", "face", "topple")
 """Senses whose sides are not ways of moving."""
@@ -32,6 +32,7 @@ _ABOUT_S = 2.5
 """How long what moves about on something shall need for half of its length [s]."""
 HARD_BRAKE_CM_S2, GENTLE_BRAKE_CM_S2 = 100.0 * HARD_BRAKING_MPS2, 100.0 * GENTLE_BRAKING_MPS2
 HARDEST_BRAKE_CM_S2 = 100.0 * 9.81 * BRAKING_DRY_G
+_ON_ROADS = frozenset({"vehicle", "toyvehicle", "cart"})
 _DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.TOWARD, EdgeEvent.ACCELERATED_MOTION)
 
 
@@ -93,6 +94,12 @@ def follow(d: Discourse, f: Frame, was: Before, subject: list[str], objects: lis
     return clause
 
 
+def chosen_pace(f: Frame, s: Said) -> bool:
+    """Whether a word of pace is about a speed that one could choose ("then gallops": gained)."""
+    gained = f.verb.sense == "accelerate" and s.row.part == "verb"
+    return f.verb.sense not in _AT_ITS_OWN_PACE and not gained
+
+
 def _carry_over(d: Discourse, clause: Clause, mover: str, was: Before) -> None:
     """Gives the motions of a clause the course and the pace that its words state."""
     earlier = any(e.actor == mover for e in d.timeline.edges[: was.edges])
@@ -104,7 +111,10 @@ def _carry_over(d: Discourse, clause: Clause, mover: str, was: Before) -> None:
         if s.row.part == "braking":
             _brake_so(d, mover, was, s.row.pace)
             continue
-        if s.row.pace and clause.frame.verb.sense in AT_ITS_OWN_PACE:
+        if (other := queues_behind(d, s, mover)) is not None:
+            _comes_up_to(d, mover, other)
+            continue
+        if s.row.pace and not chosen_pace(clause.frame, s):
             continue
         if s.row.states is Predicate.MOVES and turned:
             continue
@@ -119,6 +129,27 @@ def _carry_over(d: Discourse, clause: Clause, mover: str, was: Before) -> None:
             track = d.timeline.tracks[mover]
             if track.direction is ForceDirection.ALONG_FORWARD_ONLY:
                 track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD
+
+
+def queues_behind(d: Discourse, s: Said, mover: str) -> str | None:
+    """ "Brakes behind a parked bus": along their way, whoever looks on; None if no vehicles do.
+
+    Of two vehicles on a road one is behind the other by where that one is headed.
+    """
+    if s.row.part != "goal" or s.row.states is not Predicate.BEHIND or s.phrase is None:
+        return None
+    others = [i for i in things(s.phrase) if i in d.world.entities and i != mover][:1]
+    both = [kind_of(d, i) in _ON_ROADS for i in (mover, *others)]
+    return others[0] if others and all(both) else None
+
+
+def _comes_up_to(d: Discourse, mover: str, other: str) -> None:
+    motion = d.timeline.tracks[mover].motion
+    if motion is not None and motion.target is None:
+        motion.target = other
+    for k, e in enumerate(d.timeline.edges):
+        if e.actor == mover and e.target is None:
+            d.timeline.edges[k] = e.model_copy(update={"target": other})
 
 
 def _brake_so(d: Discourse, mover: str, was: Before, pace: str) -> None:

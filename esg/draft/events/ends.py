@@ -71,6 +71,7 @@ def _carrier_named(d: Discourse, actor: str, back: bool) -> str:
 _OPEN_CARTS = lex.word_set("open carts")
 _TOUCHES = lex.word_set("touches")
 _LIDDED = lex.word_set("lidded")
+_VESSELS = lex.word_set("open vessels")
 
 
 def heads_for(d: Discourse, f: Frame, actor: str, other: str, time: Time | None) -> None:
@@ -106,7 +107,8 @@ def takes_up_from_above(d: Discourse, host: str, prep: str) -> bool:
     """Whether what falls "into" it is inside then: open carts and trays, and unknown things."""
     noun = entity_of(d, host).noun
     open_ = noun.kind == "generic" or (noun.kind == "cart" and noun.name in _OPEN_CARTS)
-    open_ = open_ or noun.name in ("tray", "container", "barrel")
+    head = entity_of(d, host).head.rpartition(" ")[2]
+    open_ = open_ or noun.name in ("tray", "container", "barrel") or head in _VESSELS
     open_ = open_ or (prep == "in" and noun.name in _LIDDED)  # what it lands in stood open
     return prep in ("into", "in", "through") and (holds(d, host) or open_)
 

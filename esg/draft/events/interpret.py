@@ -11,7 +11,14 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.antecedents import STATES
 from esg.draft.discourse.concurrence import one_time_each
-from esg.draft.discourse.core import aimable, amounts_of, entity_of, facts_of, kind_of, mark_used
+from esg.draft.discourse.core import (
+    aimable,
+    amounts_of,
+    entity_of,
+    facts_of,
+    kind_of,
+    mark_used,
+)
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.jointed import loosen
@@ -30,10 +37,19 @@ from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
 from esg.draft.events.senses.state import attachment, mass_of_load
 from esg.draft.events.timing import hand_on, precedes, settle, time_of
-from esg.draft.events.told import constrain, ignore, last_event, mates_of, moves, traits_of, unread
+from esg.draft.events.told import (
+    constrain,
+    ignore,
+    last_event,
+    mates_of,
+    moves,
+    traits_of,
+    unread,
+)
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Role
+from esg.lexicon.senses import no_things
 
 _THINGS_DO = lex.word_set("things do")
 _THINGS_DO_TO = lex.word_set("things do to")
@@ -51,6 +67,7 @@ _HANDLED = {
     **dict.fromkeys((("carry", v) for v in lex.word_set("picks up")), "pick"),
     **dict.fromkeys((("own", v) for v in lex.word_set("jumps")), "jump"),
     ("carry", "lower"): "put",
+    ("noop", "take"): "pick",
 }
 """Verbs of states and motions that may tell of a hand, or of a leap, by sense and lemma."""
 _NAMED_EVENTS = {
@@ -62,6 +79,10 @@ _NAMED_EVENTS = {
 }
 """Nouns for events, and the point events they name."""
 _ANIMAL_VERBS = lex.word_set("animal verbs")
+_SENT = frozenset({"launch", "drop", "scatter", "pocket"})
+"""Senses of which only the object moves."""
+_STUFF, _REFLEXIVE = lex.word_set("substances"), lex.word_set("reflexive")
+_SLOWER_GAITS, _FASTER_GAITS = lex.word_set("gaits, slow"), lex.word_set("gaits, fast")
 
 _PERSON_VERBS = lex.word_set("person verbs")
 _VEHICLE_VERBS = lex.word_set("vehicle verbs")
@@ -289,6 +310,29 @@ def _ridden_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
+def _nothing_to_move(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "A farmer throws hay": what is thrown is no body, and the farmer does not fly instead."""
+    m = f.object
+    if f.verb.sense not in _SENT or f.verb.passive or m is None or parts.objects:
+        return False
+    stuff = no_things().get(m.head) == "substance" or m.head in _STUFF
+    if m.amounts or m.count == 0 or m.pronoun in _REFLEXIVE or (m.attribute and not stuff):
+        return False
+    ignore(d, f, "nothing of the kind happens in the scene")
+    return True
+
+
+def _runs_now(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "Is walking, then suddenly starts running": it gains speed."""
+    if f.verb.lemma not in _FASTER_GAITS or f.verb.sense != "own" or f.verb.passive or f.object:
+        return False
+    slower = {i for c in d.scene.clauses if c.frame.verb.lemma in _SLOWER_GAITS for i in c.movers}
+    afoot = parts.subject and {*parts.subject} <= slower
+    if afoot and all(moves(d, i) for i in parts.subject) and not f.phrases:
+        f.verb.sense = "accelerate"
+    return False
+
+
 STEPS: tuple[Step, ...] = (
     _mount_instead,
     _no_ground,
@@ -298,6 +342,8 @@ STEPS: tuple[Step, ...] = (
     _thrown_instead,
     _ridden_instead,
     _abreast,
+    _nothing_to_move,
+    _runs_now,
 )
 """What is found out about who a clause is about before its verb is read, in this order."""
 
@@ -309,6 +355,8 @@ def _sense_here(d: Discourse, f: Frame, parts: Parts) -> str:
         f.verb.sense = on_joint
     sense, lemma = f.verb.sense, f.verb.lemma
     handled = _HANDLED.get((sense, lemma))
+    if sense == "noop" and not any(_in_reach(d, i) for i in parts.objects):
+        handled = None
     if handled is not None:
         return handled
     if lemma in ("end", "wind", "finish") and sense in ("noop", "reach"):
@@ -317,6 +365,12 @@ def _sense_here(d: Discourse, f: Frame, parts: Parts) -> str:
     if sense == "noop" and lemma in _BREAKING and against and parts.subject:
         return "hit"
     return sense
+
+
+def _in_reach(d: Discourse, body: str) -> bool:
+    """Whether hands can take a thing ("takes a book from the shelf", not "takes a bus")."""
+    loose = body in d.world.entities and entity_of(d, body).noun.kind not in SELF_POWERED
+    return loose and "fixed" not in traits_of(d, body)
 
 
 def _what_the_thrower_misses(d: Discourse, f: Frame, parts: Parts) -> None:

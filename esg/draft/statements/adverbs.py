@@ -30,7 +30,7 @@ def adverbs(a: Account) -> Iterator[Gap]:
         if over & _BACK_AND_FORTH:
             yield Gap(w.start, w.end, NOTHING)
         shown = SHOWN_BY.get(w.low)
-        if shown is not None:
+        if shown is not None and not _stated(a, w):
             told = (about_of(a.d, f) for f in a.frames if w.low in f.adverbs)
             if not all(shown(a.d, about) for about in told if len(about) > 1):
                 yield Gap(w.start, w.end, NOTHING)
@@ -43,7 +43,7 @@ def adverbs(a: Account) -> Iterator[Gap]:
             or _says_how(a, w)
         ):
             continue
-        if not any(s.start < w.end and w.start < s.end for s in a.said):
+        if not _stated(a, w):
             yield Gap(w.start, w.end, NO_MANNER if w.low.endswith("ly") else NOTHING)
 
 
@@ -70,3 +70,7 @@ def _says_how(a: Account, w: Word) -> bool:
         for n in a.d.timeline.nodes
         if about & {*n.participants}
     )
+
+
+def _stated(a: Account, w: Word) -> bool:
+    return any(s.start < w.end and w.start < s.end for s in a.said)

@@ -10,8 +10,11 @@ from esg.graph.models import Predicate
 
 _EACH = frozenset(
     {"own", "fly", "fall", "roll", "slide", "launch", "drop", "bounce", "coast", "topple"}
+    | {"carry", "pick"}
 )
 """Senses of which each of several things needs a motion of its own."""
+_SENT = frozenset({"launch", "drop", "carry", "pick", "phrase"})
+"""Senses of which what the clause acts on moves."""
 _STATES = frozenset(
     {"be", "posture", "have", "weigh", "contain", "measure", "unknown", "lead", "noop", "park"}
 )
@@ -28,7 +31,7 @@ def arguments(a: Account) -> Iterator[Gap]:
     taking |= {i for e in d.timeline.edges for i in (e.actor, e.target) if i}
     taking |= {i for r in scene.relations for i in (r.source, r.target, r.text)}
     for at in (scene.supported_by, scene.inside_of, scene.attached, scene.marked, scene.facing):
-        taking |= {*at, *at.values()}
+        taking |= {i for pair in at.items() if not structural(d, pair[1]) for i in pair}
     taking |= {i for s in a.said for i in (*s.object, *s.target)} | {*d.moves.still}
     taking |= {j.parent for j in scene.joints if j.child in taking and j.parent}
     for f in a.frames:
@@ -72,7 +75,8 @@ def idle(a: Account) -> Iterator[Gap]:
         if not any(f.verb is kept.verb for kept in a.frames) or f.verb.passive:
             continue
         told = c.movers and f.verb.sense in _EACH and f.verb.auxiliary != "have"
-        group = nodes_of(a.d, f.subject) if told else []
+        sent = f.object if f.verb.sense in _SENT and f.object and f.object.plural else f.subject
+        group = nodes_of(a.d, sent) if told else []
         idle = [i for i in group if i not in moving and entity_of(a.d, i).pattern not in CHAINS]
         if 0 < len(idle) < len(group):
             yield Gap(f.verb.start, f.verb.end, "only one of them does", tuple(idle))

@@ -43,6 +43,8 @@ SHOWN_BY: dict[str, Callable[[Discourse, set[str]], bool]] = {
     "in a row": in_line,
     "in a line": in_line,
     "in rows": in_line,
+    "from left to right": in_line,
+    "from right to left": in_line,
     "side by side": _abreast,
 }
 """What adverbs of several things ask of the scene."""

@@ -18,6 +18,7 @@ from esg.draft.discourse.scene import GROUND
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.courses import measurable
 from esg.draft.events.stated import start_of
+from esg.draft.events.told import traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.account import PASSED_OVER, Account, Gap, about_of, held, nodes_of, turns
 from esg.draft.statements.arranged import FILES, in_line
@@ -41,6 +42,10 @@ _SIDES = {
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
 _OWN = frozenset({"own", "fly", "reverse"})
 _COMPANIONS = frozenset({"person", "animal", "robot"})
+_INNER = frozenset({"in", "into", "inside", "within", "inside of"})
+_CLOSED = frozenset({"appliance", "electronics", "building", "vehicle"})
+"""Kinds of things that have an inside, which nothing is put into."""
+_FLAT = frozenset({"support", "structural"})
 _ENTERED = frozenset({"building", "structure"})
 _ENDS = frozenset({"ends_on", "ends_in", "ends_near", "above", "under"})
 _HITS = frozenset({"impact", "contact", "collision", "crash"})
@@ -187,7 +192,7 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
         (by.holds and held(d, about, others))
         or _related(d, about, others, by)
         or any(_tells(s, about, others, p.prep, by) for s in a.kept)
-        or any(_happens(n, about, others, by, own) for n in d.timeline.nodes)
+        or any(_happens(d, n, about, others, p.prep, by, own) for n in d.timeline.nodes)
         or any(_aims(e, about, others, by.aims) for e in d.timeline.edges)
     )
 
@@ -228,16 +233,27 @@ def _related(d: Discourse, about: set[str], others: set[str], by: Carriers) -> b
 def _tells(s: Statement, about: set[str], others: set[str], prep: str, by: Carriers) -> bool:
     ends = {*s.object, *s.target}
     fits = not by.states or s.predicate.value in by.states
-    way = s.predicate is Predicate.MOVES and s.direction == prep  # "up the stairs": up
-    return fits and bool(ends & about) and (way or bool(ends & others))
+    return fits and bool(ends & about) and bool(ends & others)
 
 
-def _happens(n: Draft, about: set[str], others: set[str], by: Carriers, own: set[str]) -> bool:
+def _happens(
+    d: Discourse,
+    n: Draft,
+    about: set[str],
+    others: set[str],
+    prep: str,
+    by: Carriers,
+    own: set[str],
+) -> bool:
     """Whether an event tells of both, or one of the clause's own is told by its place."""
     also = {*n.participants, str(n.extra.get("region", "")).split("/")[0]}
     if not measurable(n.event) or not about & also:
         return False
     if n.id in own and any(c.to in others for c in n.constraints):
         return True  # "stops 1 m in front of a gate"
+    inner = prep in _INNER and n.event is NodeEvent.PLACED
+    closed = (kind_of(d, i) in _CLOSED or not _FLAT & traits_of(d, i) for i in others)
+    if inner and any(closed):
+        return False  # "puts a cake into the oven": it stands on it
     fits = not by.events or n.event.value in by.events
     return fits and bool(others & also)

@@ -13,11 +13,12 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, SELF_POWERED, SPEEDS
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import (
-    AT_ITS_OWN_PACE,
     GENTLE_BRAKE_CM_S2,
     HARD_BRAKE_CM_S2,
     TURNING,
+    chosen_pace,
     measurable,
+    queues_behind,
 )
 from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.events.stated import adverbs_of, place_of, start_of
@@ -56,6 +57,8 @@ _POSTURES = {
 """What verbs of posture say of what holds something."""
 _ON_THE_WAY = ("along", "across", "through")
 """Directions that roads, fields and floors have, too."""
+_ON_NO_WHEELS = frozenset({"baby", "boy", "child", "girl", "kid", "man", "toddler", "woman"})
+"""Persons of whom "rolls" says that they turn over and over, which a skateboarder does not."""
 _CORNERED = ("box", "compound")
 """Shapes that do not roll, whatever a text says."""
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
@@ -105,6 +108,9 @@ def state(
             _motion(book, clause)
         else:
             _posture(book, clause)
+            for s in clause.said:
+                if s.row.states is Predicate.CARRIED_BY:
+                    _carried(book, clause, s, "")
     said = {(s.start, s.end) for s in book.items}
     for f in frames:
         why = "" if _span(f) in said else dropped(d, f)
@@ -165,9 +171,29 @@ def _motion(book: _Book, clause: Clause) -> None:
             _said(book, clause, s, mover)
     for p in clause.frame.phrases:
         _support(book, clause, p)
+        if clause.frame.verb.sense == "land":
+            _landed(book, clause, p)
     if clause.frame.verb.sense == "accelerate":
         for mover in clause.movers:
             _gains(book, clause, mover)
+
+
+def _landed(book: _Book, clause: Clause, p: Phrase) -> None:
+    """ "A bird lands on a branch": it comes down by itself, and there it stays."""
+    d = book.d
+    if p.mention is None or p.prep not in ("on", "onto", "upon", "atop", "on top of"):
+        return
+    hosts = [i for i in things(p) if i in d.world.entities and not structural(d, i)][:1]
+    for mover in clause.movers if hosts else []:
+        edges = list(_of(d, mover))
+        kinds = {n.id: n.event for n in d.timeline.nodes}
+        over = bool(edges) and measurable(kinds.get(edges[-1].to, NodeEvent.TRIGGER))
+        if not flies_itself(d, mover) or not over or mover in hosts:
+            continue
+        words = (start_of(p, d.text), p.mention.end)
+        book.add(Predicate.MOVES, *_span(clause.frame), object=(mover,), direction="down",
+                 when=_when(d, clause, mover))  # fmt: skip
+        book.add(Predicate.ENDS_ON, *words, object=(mover,), target=tuple(hosts), when="end")
 
 
 def _gains(book: _Book, clause: Clause, mover: str) -> None:
@@ -200,7 +226,7 @@ def _paced(book: _Book, clause: Clause, s: Said, mover: str) -> None:
         book.add(s.row.states, s.start, s.end, object=(mover,), quantity="deceleration",
                  value=round(rate, 2))  # fmt: skip
         return
-    if clause.frame.verb.sense in AT_ITS_OWN_PACE:
+    if not chosen_pace(clause.frame, s):
         return
     value = _pace(book.d, clause, mover, s.row.states)
     if value is not None:
@@ -223,6 +249,10 @@ def _rolled(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     d = book.d
     noun = entity_of(d, mover).noun
     if "round" not in noun.traits and noun.kind in SELF_POWERED:
+        bodily = noun.kind == "animal" or entity_of(d, mover).head in _ON_NO_WHEELS
+        if bodily and clause.frame.verb.lemma == "roll":
+            note = f"{entity_of(d, mover).head} does not turn over: it moves"
+            book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=(mover,), note=note)
         return
     if noun.shape in _CORNERED and not can_roll(d, mover) and "wheeled" not in noun.traits:
         note = f"{entity_of(d, mover).head} is not round: it slides"
@@ -293,6 +323,12 @@ def _goal(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     d = book.d
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
     if not targets or structural(d, targets[0]) or _met(d, mover, targets):
+        return
+    if queues_behind(d, s, mover) is not None:
+        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(targets),
+                 direction="toward", when=_when(d, clause, mover))  # fmt: skip
+        book.add(Predicate.ENDS_NEAR, s.start, s.end, object=(mover,), target=tuple(targets),
+                 when="end")  # fmt: skip
         return
     also = {i for c in d.scene.clauses for i in c.movers}
     own = any(e.to and e.actor == mover for e in d.timeline.edges)

@@ -8,19 +8,21 @@ preposition, and the word set "passed over (unclaimed)" what shows nothing of it
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, movable, structural
 from esg.draft.discourse.record import Discourse
-from esg.draft.statements.account import NOTHING, PASSED_OVER, Account, Gap, nodes_of
+from esg.draft.statements.account import NOTHING, PASSED_OVER, Account, Gap, nodes_of, turns
 from esg.draft.statements.adverbs import adverbs
 from esg.draft.statements.arguments import arguments, idle, left_behind
 from esg.draft.statements.phrases import phrases
 from esg.draft.text.elements import ONE_OF_THESE
 from esg.draft.verbphrases import verb_readings
+from esg.graph.models import NodeEvent
 
 _QUALITIES = lex.word_set("unseen qualities")
-_MOTIONS = frozenset({"own", "fly", "fall", "roll", "accelerate"})
+_MOTIONS = frozenset({"own", "fly", "fall", "roll", "accelerate", "spin"})
 _SMALL = (
     lex.DETERMINERS | lex.PREPOSITIONS | lex.PRONOUNS | lex.MODALS | lex.word_set("be")
     | frozenset({"and", "or", "but", "to", "not", "who", "which"})
@@ -47,7 +49,8 @@ def _qualities(a: Account) -> Iterator[Gap]:
                 continue
             going = t.low.endswith("ing") and _motion(t.low) and movable(a.d, ids[0])
             named = t.low in entity_of(a.d, ids[0]).noun.name
-            if t.low in _QUALITIES or (going and not named and not {*ids} & moving):
+            shown = turns(a.d, {*ids}) if _spins(t.low) else bool({*ids} & moving)
+            if t.low in _QUALITIES or (going and not named and not shown):
                 yield Gap(t.start, t.end, NOTHING, tuple(ids))
 
 
@@ -55,6 +58,10 @@ def _in_order(d: Discourse, who: str) -> bool:
     """Whether what is ahead of another one, or behind it, is gone for by it, or goes for it."""
     movers = {e.actor for e in d.timeline.edges}
     return any(who in {e.actor, e.target} <= movers for e in d.timeline.edges)
+
+
+def _spins(word: str) -> bool:
+    return any(r.form == "ing" and r.sense == "spin" for r in verb_readings(word))
 
 
 def _motion(word: str) -> bool:
@@ -71,12 +78,44 @@ def _left_out(a: Account) -> Iterator[Gap]:
             yield Gap(t.start, t.end, NOTHING)
 
 
+_PARTICLES: dict[str, tuple[frozenset[str], frozenset[NodeEvent]]] = {
+    "out": (frozenset({"away_from"}), frozenset({NodeEvent.ENTER_REGION, NodeEvent.FALL})),
+    "in": (frozenset({"toward"}), frozenset({NodeEvent.ENTER_REGION, NodeEvent.REACH})),
+}
+"""Particles of verbs of motion, and the directions and events that show them."""
+
+
+def _particles(a: Account) -> Iterator[Gap]:
+    """ "The doors open and a man walks out": of what, if nothing shows it."""
+    for c in a.d.scene.clauses:
+        f = c.frame
+        if f.verb.sense not in _MOTIONS or not c.movers or not any(f is g for g in a.frames):
+            continue
+        words = [*re.finditer(r"\S+", a.d.text[f.verb.start : f.verb.end])]
+        last = words[-1][0].lower() if words else ""
+        if len(words) < 2 or last not in _PARTICLES or f.phrases:
+            continue
+        (ways, events), about = _PARTICLES[last], {*c.movers}
+        shown = any(w.direction in ways and about & {*w.object} for w in a.kept)
+        told = (n for n in a.d.timeline.nodes if n.event in events)
+        if not shown and not any(about & {*n.participants} for n in told) and _enclosed(a, about):
+            at = f.verb.start + words[-1].start()
+            yield Gap(at, f.verb.end, NOTHING, tuple(about))
+
+
+def _enclosed(a: Account, about: set[str]) -> bool:
+    """Whether the scene has something that who moves could go into or come out of."""
+    nouns = (entity_of(a.d, i).noun for i in {*a.d.world.entities} - about)
+    return any(n.kind == "building" or "door" in n.name or "container" in n.traits for n in nouns)
+
+
 _FINDERS: tuple[Callable[[Account], Iterator[Gap]], ...] = (
     phrases,
     arguments,
     left_behind,
     idle,
     adverbs,
+    _particles,
     _qualities,
     _left_out,
 )

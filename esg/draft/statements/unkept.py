@@ -10,12 +10,15 @@ from dataclasses import dataclass
 from functools import cache
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import kind_of
+from esg.draft.discourse.core import kind_of, movable
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.courses import measurable
+from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import adverbs_of
+from esg.draft.events.told import last_of
 from esg.draft.grammar.clauses.frames import Frame
+from esg.graph.models import NodeEvent
 
 _NO_PICTURE = lex.word_set("no picture (statements)")
 _MANNERS = frozenset({"gently", "carefully", "slowly", "softly", "quickly", "then", "suddenly"})
@@ -27,6 +30,8 @@ _STATES = frozenset(
      "start"}
 )  # fmt: skip
 """Senses that may add nothing to a scene: states, and what other clauses tell."""
+_SETS_IN_MOTION = frozenset({"drop", "launch", "roll", "slide", "knock", "scatter", "pocket"})
+"""Senses of which the object moves."""
 NOTHING_MOVES = "nothing of the kind happens in the scene"
 
 
@@ -65,7 +70,17 @@ def missing(d: Discourse, clause: Clause) -> str:
     note = d.scene.used.get((f.verb.start, f.verb.end), "")
     again = any(n.id == note for n in d.timeline.nodes)
     told = clause.told or again or bool(clause.movers)
+    if told and not clause.movers and not again and _moves_nothing(d, f):
+        return NOTHING_MOVES
     return "" if told or f.verb.sense in _STATES else NOTHING_MOVES
+
+
+def _moves_nothing(d: Discourse, f: Frame) -> bool:
+    """ "A truck dumps gravel": what would move is no body of the scene."""
+    if f.verb.sense not in _SETS_IN_MOTION or f.verb.passive or f.object is None:
+        return False
+    bodies = [i for i in f.object.entities if i in d.world.entities]
+    return not any(movable(d, i) for i in bodies)
 
 
 def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
@@ -81,6 +96,11 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
             return False
         if condition == "gently" and not (f.verb.passive and _MANNERS & {*adverbs_of(d.text, f)}):
             return False
+        if condition == "bumped" and not (f.verb.form == "ing" and _bumped(d, f)):
+            return False
+        words = d.text[f.verb.start : f.verb.end + 5].lower().split()
+        if condition == "down" and condition not in words:
+            return False
         if condition == "unmet" and _leads_to_an_event(d, clause):
             return False
         if condition.startswith("without:") and _leads_to_an_event(d, clause, condition[8:]):
@@ -89,11 +109,20 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
             return False
         if condition == "later" and not _acted_before(d, clause, doers):
             return False
+        winged = [flies_itself(d, i) for i in clause.movers]
+        if condition == "!flyer" and winged and all(winged):
+            return False
         if condition.startswith("!") and condition[1:] in kinds:
             return False
         if condition.startswith("of:") and condition[3:] not in kinds:
             return False
     return True
+
+
+def _bumped(d: Discourse, f: Frame) -> bool:
+    """Whether the last that happens to what a clause acts on is that it is touched."""
+    told = [last_of(d, i) for i in (f.object.entities[:1] if f.object is not None else [])]
+    return any(n is not None and n.event is NodeEvent.COLLISION for n in told)
 
 
 def _leads_to_an_event(d: Discourse, clause: Clause, kind: str = "") -> bool:

@@ -52,6 +52,8 @@ def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
             continue
         head = lex.singular(m.head)[0]
         why = _CLASSES.get("nothing" if head in _MOODS else no_things().get(head, ""), "")
+        done = m.attribute and not m.after_prep and m.head not in lex.ATTRIBUTES
+        why = why or (_CLASSES["nothing"] if done and head not in no_things() else "")
         said = any(m.start <= at < m.end for at in told)
         if why and not said and m.head not in _UNDERSTOOD:
             yield m.start, m.end, why

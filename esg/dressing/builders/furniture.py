@@ -118,7 +118,7 @@ def grandstand(draw: Drawing, wish: Wish) -> None:
         draw.box("plastic", low, high, seat)
         back = (front - 0.75 * tread, -half, top + 0.4), (front - 0.68 * tread, half, top + 0.75)
         draw.box("plastic", *back, seat)
-    draw.box("concrete", (-x - 0.2, -half, 0), (-x, half, wish.height + 1.0), None)
+    draw.box("concrete", (-x, -half, 0), (-x + 0.15, half, wish.height + 1.0), None)
 
 
 @builder("notice_board")

@@ -31,7 +31,7 @@ def flood_mast(draw: Drawing, wish: Wish) -> None:
             y = wish.width * ((k + 0.5) / 4 - 0.5)
             z = h - 0.45 + 0.5 * i
             lamp = (0.1, y - 0.12, z - 0.15), (0.16, y + 0.12, z + 0.15)
-            draw.box("pane", *lamp, (0.97, 0.96, 0.9), ALL_SIDES - {"-x"})
+            draw.box("glow", *lamp, None, ALL_SIDES - {"-x"})
 
 
 @builder("quay_wall")

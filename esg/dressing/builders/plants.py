@@ -28,14 +28,15 @@ def broadleaf(draw: Drawing, wish: Wish) -> None:
     stem = 0.028 * h
     draw.tube("bark", (0, 0, 0), (1.25 * stem, 0.75 * stem), bare + 0.25 * h)
     crown = h - bare
-    draw.clump("leaves", (0, 0, bare + 0.55 * crown), (0.72 * r, 0.72 * r, 0.46 * crown), color)
+    middle, size = (0, 0, bare + 0.55 * crown), (0.72 * r, 0.72 * r, 0.46 * crown)
+    draw.clump("leaves", middle, size, color, rough=0.16)
     turn = draw.rng.uniform(0, 2 * math.pi)
     for k in range(5):
         a = turn + 2 * math.pi * k / 5
         reach, size = 0.5 * r, draw.rng.uniform(0.4, 0.5) * r
         z = bare + crown * draw.rng.uniform(0.28, 0.56)
         at = (reach * math.cos(a), reach * math.sin(a), z)
-        draw.clump("leaves", at, (size, size, 0.24 * crown), color)
+        draw.clump("leaves", at, (size, size, 0.26 * crown), color, rough=0.16)
 
 
 @builder("conifer", "tree")
@@ -47,7 +48,7 @@ def conifer(draw: Drawing, wish: Wish) -> None:
     skirts, foot = 5, 0.1 * h
     step = (h - foot) / (skirts + 0.9)
     for k in range(skirts):
-        wide = r * (1.0 - 0.82 * k / skirts) * draw.rng.uniform(0.93, 1.07)
+        wide = r * (1.0 - 0.82 * k / skirts) * draw.rng.uniform(0.88, 1.0)
         top = 0.12 * wide if k < skirts - 1 else 0.0
         draw.tube("leaves", (0, 0, foot + k * step), (wide, top), 1.9 * step, color, sides=14)
 
@@ -58,8 +59,8 @@ def shrub(draw: Drawing, wish: Wish) -> None:
     color = _tone(draw, wish.color or LEAVES)
     x, y, h = 0.5 * wish.depth, 0.5 * wish.width, wish.height
     for k in range(3):
-        at = (0.35 * x * draw.rng.uniform(-1, 1), 0.45 * y * (k - 1), 0.42 * h)
-        draw.clump("leaves", at, (0.6 * x, 0.55 * y, 0.56 * h), color)
+        at = (0.3 * x * draw.rng.uniform(-1, 1), 0.44 * y * (k - 1), 0.44 * h)
+        draw.clump("leaves", at, (0.7 * x, 0.56 * y, 0.56 * h), color, rough=0.16)
 
 
 @builder("hedge", "bush")
@@ -77,13 +78,15 @@ def hedge(draw: Drawing, wish: Wish) -> None:
 @builder("treeline")
 def treeline(draw: Drawing, wish: Wish) -> None:
     """The edge of a wood, from afar."""
-    count = max(3, round(wish.width / (0.55 * wish.height)))
+    count = max(4, round(wish.width / (0.4 * wish.height)))
     for k in range(count):
-        y = wish.width * ((k + 0.5) / count - 0.5)
-        h = wish.height * draw.rng.uniform(0.75, 1.0)
-        reach = 0.62 * wish.width / count
-        color = _tone(draw, wish.color or LEAVES)
-        draw.clump("leaves", (0, y, 0.5 * h), (0.5 * wish.depth, reach, 0.52 * h), color, level=1)
+        x = 0.5 * wish.depth * draw.rng.uniform(-0.3, 0.3)
+        h = wish.height * draw.rng.uniform(0.6, 1.0)
+        reach = wish.width / count * draw.rng.uniform(0.6, 0.85)
+        y = (wish.width - 2 * reach) * ((k + draw.rng.uniform(0.2, 0.8)) / count - 0.5)
+        color = _tone(draw, wish.color or LEAVES, 0.2)
+        size = (0.36 * wish.depth, reach, 0.55 * h)
+        draw.clump("leaves", (x, y, 0.42 * h), size, color, rough=0.3, level=1)
 
 
 @builder("hill")

@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+
+import numpy as np
 
 from esg.assets.looks import Color
 from esg.dressing.builders.table import Wish, builder
@@ -16,6 +18,9 @@ OUTSIDE_DAY: Color = (0.82, 0.9, 0.97)
 OUTSIDE_NIGHT: Color = (0.05, 0.07, 0.13)
 DOOR_AT = 0.3
 """Of a room's door along its wall, in widths from the middle."""
+CORNICE_M = 0.22
+Row = tuple[float, float, list[tuple[float, "Openings"]]]
+"""A storey of a wall: from and to a height [m], openings by their middles along it."""
 FRONT_AND_ENDS = frozenset({"+x", "+y", "-y", "+z"})
 
 
@@ -48,7 +53,7 @@ def _pierced(
     draw: Drawing,
     wish: Wish,
     front: float,
-    rows: list[tuple[float, float, list[tuple[float, Openings]]]],
+    rows: list[Row],
     surface: str,
 ) -> None:
     """The front plane x = `front` of a wall, in storeys from `low` to `high` with openings."""
@@ -110,7 +115,8 @@ def _opening(
             ALL_SIDES,
         )
         return
-    draw.sheet("pane", (back, ya, za), (0, wide, 0), (0, 0, tall), _pane(draw, o.kind))
+    pane, tint = _pane(draw, o.kind)
+    draw.sheet(pane, (back, ya, za), (0, wide, 0), (0, 0, tall), tint)
     bar = 0.05 if o.kind != "shop" else 0.07
     edges = [
         (ya, ya + bar, za, zb),
@@ -130,14 +136,14 @@ def _opening(
         draw.box("concrete", (back, ya - 0.05, za - 0.05), sill, WHITE, ALL_SIDES - {"-x"})
 
 
-def _pane(draw: Drawing, kind: str) -> Color:
+def _pane(draw: Drawing, kind: str) -> tuple[str, Color]:
     """What one sees in a pane: from a room the sky, from a street a reflection or a lamp."""
     if kind in ("room", "strip"):
-        return OUTSIDE_NIGHT if draw.night else OUTSIDE_DAY
+        return ("pane", OUTSIDE_NIGHT) if draw.night else ("glow", OUTSIDE_DAY)
     if not draw.night:
-        return DAY_PANE
+        return "pane", DAY_PANE
     lit = draw.rng.random() < (0.9 if kind == "shop" else 0.4)
-    return LIT_PANE if lit else NIGHT_PANE
+    return ("glow", LIT_PANE) if lit else ("pane", NIGHT_PANE)
 
 
 def _row(openings: Openings, width: float) -> list[tuple[float, Openings]]:
@@ -207,40 +213,50 @@ def hall_wall_gate(draw: Drawing, wish: Wish) -> None:
 
 
 def _facade(draw: Drawing, wish: Wish, ground: Openings, above: Openings, storey: float) -> None:
-    x = 0.5 * wish.depth
-    storeys = max(1, round(wish.height / storey))
-    each = wish.height / storeys
-    rows: list[tuple[float, float, list[tuple[float, Openings]]]] = []
-    for k in range(storeys):
-        o = ground if k == 0 else above
-        placed = Openings(
-            k * each + o.low, k * each + min(o.high, each - 0.25), o.wide, o.every, o.kind, o.frame
-        )
-        row = _row(placed, wish.width)
-        if k == 0 and o.kind == "window" and row:
-            at = int(draw.rng.integers(len(row)))
-            row[at] = (
-                row[at][0],
-                Openings(0.0, 2.15, min(1.05, o.wide), o.every, "door", (0.35, 0.22, 0.16)),
-            )
-        rows.append((k * each, (k + 1) * each, row))
+    """A house of several storeys with windows to the front and to the back."""
+    x, half, h = 0.5 * wish.depth - CORNICE_M, 0.5 * wish.width, wish.height
+    storeys = max(1, round(h / storey))
+    each = h / storeys
     surface = wish.surface or "plaster"
-    _pierced(draw, wish, x, rows, surface)
-    half, h = 0.5 * wish.width, wish.height
+    for behind in (False, True):
+        rows: list[Row] = []
+        for k in range(storeys):
+            below = ground if k == 0 and not behind else above
+            row = _row(_raised(below, k * each, each), wish.width)
+            if k == 0 and not behind and ground.kind == "window":
+                row = _with_door(draw, row, (0.35, 0.22, 0.16))
+            rows.append((k * each, (k + 1) * each, row))
+        draw.about = behind
+        _pierced(draw, wish, x, rows, surface)
+    draw.about = False
     low, high = (-x, -half, 0.0), (x, half, h)
-    draw.box(surface, low, high, wish.color, frozenset({"+y", "-y", "-x"}))
+    draw.box(surface, low, high, wish.color, frozenset({"+y", "-y"}))
     draw.box("concrete", low, high, (0.45, 0.44, 0.43), frozenset({"+z"}))
-    draw.box(
-        "concrete",
-        (x - 0.3, -half, h - 0.12),
-        (x + 0.22, half, h + 0.18),
-        (0.8, 0.78, 0.74),
-        ALL_SIDES,
-    )
+    edge = (x - 0.3, -half, h - 0.12), (x + CORNICE_M, half, h + 0.18)
+    draw.box("concrete", *edge, (0.8, 0.78, 0.74), ALL_SIDES)
     if ground.kind == "shop":
         z = each - 0.2
         tint = SIGNS[int(draw.rng.integers(len(SIGNS)))]
         draw.box("painted", (x, -half + 0.3, z - 0.5), (x + 0.1, half - 0.3, z), tint, ALL_SIDES)
+
+
+def _with_door(
+    draw: Drawing, row: list[tuple[float, Openings]], color: Color
+) -> list[tuple[float, Openings]]:
+    """One window of a row becomes a door."""
+    if not row:
+        return row
+    at = int(draw.rng.integers(len(row)))
+    middle, window = row[at]
+    door = Openings(
+        0.0, min(2.15, window.high), min(1.05, window.wide), window.every, "door", color
+    )
+    return [*row[:at], (middle, door), *row[at + 1 :]]
+
+
+def _raised(o: Openings, floor: float, storey: float) -> Openings:
+    """Openings of a storey that begins at a height [m]."""
+    return replace(o, low=floor + o.low, high=floor + min(o.high, storey - 0.25))
 
 
 SIGNS: tuple[Color, ...] = (
@@ -290,49 +306,21 @@ def facade_works(draw: Drawing, wish: Wish) -> None:
 @builder("cottage", "house")
 def cottage(draw: Drawing, wish: Wish) -> None:
     """A small house with a gable roof."""
-    eaves = 0.58 * wish.height
+    eaves, over, top = 0.58 * wish.height, 0.4, wish.height
     body = Wish(wish.depth, wish.width, eaves, wish.surface or "plaster", wish.color)
-    x, half = 0.5 * wish.depth, 0.5 * wish.width
+    x, half = 0.5 * wish.depth - over, 0.5 * wish.width - over
     window = Openings(0.85, min(2.1, eaves - 0.3), 1.1, 2.3)
-    row = _row(window, wish.width)
-    if row:
-        at = int(draw.rng.integers(len(row)))
-        row[at] = (
-            row[at][0],
-            Openings(0.0, min(2.1, eaves - 0.2), 1.0, 2.3, "door", (0.3, 0.24, 0.2)),
-        )
-    _pierced(draw, body, x, [(0.0, eaves, row)], body.surface)
-    draw.box(
-        body.surface, (-x, -half, 0), (x, half, eaves), wish.color, frozenset({"-x", "+y", "-y"})
-    )
-    over, top = 0.4, wish.height
+    row = _with_door(draw, _row(window, wish.width - 2 * over), (0.3, 0.24, 0.2))
+    front = replace(body, width=2 * half)
+    _pierced(draw, front, x, [(0.0, eaves, row)], body.surface)
+    sides = frozenset({"-x", "+y", "-y"})
+    draw.box(body.surface, (-x, -half, 0), (x, half, eaves), wish.color, sides)
     for sign in (1.0, -1.0):
         edge = (sign * (x + over), -sign * (half + over), eaves - 0.15)
         rise = (-sign * (x + over), 0.0, top - eaves + 0.15)
         draw.sheet("roof_tiles", edge, (0, sign * 2 * (half + over), 0), rise)
-    for sign in (1.0, -1.0):
-        # A gable is half of a sheet: two slim ones that meet under the ridge would show a seam.
-        _gable(draw, body.surface, sign, (x, half), (eaves, top), wish.color)
-
-
-def _gable(
-    draw: Drawing,
-    surface: str,
-    sign: float,
-    half: tuple[float, float],
-    heights: tuple[float, float],
-    color: Color | None,
-) -> None:
-    x, y = half
-    low, high = heights
-    steps = 6
-    for k in range(steps):
-        reach = x * (1.0 - k / steps)
-        z0 = low + (high - low) * k / steps
-        along = (-sign * 2 * reach, 0.0, 0.0)
-        draw.sheet(
-            surface, (sign * reach, sign * y, z0), along, (0, 0, (high - low) / steps), color
-        )
+        gable = [(sign * x, sign * half, eaves), (-sign * x, sign * half, eaves)]
+        draw.polygon(body.surface, np.array([*gable, (0.0, sign * half, top)]), wish.color)
 
 
 @builder("garden_wall", "wall")

@@ -31,6 +31,7 @@ from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.slopes import descend, goes_down
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
 from esg.dynamics.choreography.throws import (
+    asked_height,
     hand_height,
     is_lobbed,
     level_height,
@@ -55,6 +56,8 @@ from esg.graph.models import EdgeEvent, NodeEvent
 from esg.units import GRAVITY_MPS2
 
 MAX_APPROACH_M = 45.0
+AT_THE_FOOT_M = 0.1
+"""What starts no higher than this is kicked, whatever a hand reaches."""
 SHORTEST_S = 0.15
 GAPPED = (NodeEvent.MISS, NodeEvent.REACH)
 LOB_M = 1.0
@@ -424,6 +427,9 @@ def _arrive(stage: Stage, e: Encounter, demand: Demand, run: Run) -> None:
 def _release_height(stage: Stage, e: Encounter, demand: Demand, lasts: float) -> float:
     """Height [m] of the bottom of what is thrown, where it is let go."""
     pa, pb = stage.prop(e.a), stage.prop(e.b)
+    asked = asked_height(stage, e.node, e.a)
+    if asked is not None and asked <= AT_THE_FOOT_M:
+        return asked  # kicked
     stands = support_of(stage.doc, stage.member(e.b)) is None
     if demand.topples and speed_is_fixed(e.coming) and stands:
         return level_height(pb, pa, lasts)

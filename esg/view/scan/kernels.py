@@ -9,7 +9,8 @@ Camera space has x right, y up and z ahead [m]. A pixel's ray is (x, y, 1) at de
 # pyright: reportIndexIssue=false, reportAssignmentType=false
 
 # Warp looks at both sides of `and` and `or`, whatever the first one says.
-# ruff: noqa: RUF046, UP018, SIM102, SIM114  (Warp needs plain statements and int())
+
+# ruff: noqa: RUF046, UP018, SIM114  (Warp needs plain statements and int())
 from __future__ import annotations
 
 import warp as wp

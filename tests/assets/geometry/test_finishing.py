@@ -5,11 +5,13 @@ from __future__ import annotations
 import numpy as np
 import pytest
 import trimesh
+from trimesh.visual import TextureVisuals
+from trimesh.visual.material import PBRMaterial
 
 from esg.assets import build_mesh
 from esg.assets.geometry import shapes
 from esg.assets.geometry.bevels import bevelled
-from esg.assets.geometry.finishing import finished, split_normals
+from esg.assets.geometry.finishing import completed, finished, split_normals
 from esg.assets.geometry.mesh import closed_mesh
 from esg.assets.library.catalogue import entries_by_name
 from esg.assets.stage import configure
@@ -109,6 +111,17 @@ def test_the_seam_of_a_rod_is_not_smeared() -> None:
     """No face is drawn across the whole texture where the angle jumps."""
     surface = finished(shapes.rod(40, (0, 0, 0), (0, 0, 30), 36), 20.0)
     assert np.ptp(surface.uvs[surface.faces][:, :, 0], axis=1).max() < 4.5
+
+
+def test_what_a_foreign_mesh_lacks_is_added_and_the_rest_kept() -> None:
+    material = PBRMaterial(baseColorFactor=[200, 10, 10, 255])
+    bare = trimesh.creation.box((300, 200, 100))
+    bare.visual = TextureVisuals(material=material)
+    done = completed(bare, 100.0)
+    assert np.ptp(done.visual.uv, axis=0).max() == pytest.approx(3.0)
+    assert done.visual.material is material
+    np.testing.assert_allclose(np.abs(done.vertex_normals).max(axis=1), 1.0)
+    assert completed(done, 100.0) is done
 
 
 @pytest.mark.parametrize("name", ["car", "table", "bicycle", "bottle"])

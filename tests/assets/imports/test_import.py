@@ -67,6 +67,18 @@ def test_model_is_turned_scaled_and_grounded(folder: Path) -> None:
     assert lowest == pytest.approx(0, abs=1e-3)
 
 
+def test_a_model_without_normals_gets_them(folder: Path) -> None:
+    """A wedge has sharp edges: every corner of a face has the face's own normal."""
+    import_folder(folder, library="mine")
+    config = configure("a", show_requirement("cheese wedge sculpture", (300, 200, 100), 12))
+    (mesh,) = build_mesh(config).geometry.values()
+    np.testing.assert_allclose(
+        mesh.vertex_normals[mesh.faces],
+        np.repeat(mesh.face_normals[:, None], 3, axis=1),
+        atol=1e-6,
+    )
+
+
 def show_requirement(name: str, size: tuple[float, float, float], mass: float) -> AssetRequirement:
     return AssetRequirement(
         asset_category=name,

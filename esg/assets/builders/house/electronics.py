@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import math
+from typing import Any
+
 from esg.assets.builders import builder
 from esg.assets.builders.common import shade
 from esg.assets.geometry.sketch import (
@@ -12,28 +15,88 @@ from esg.assets.geometry.sketch import (
     Sketch,
     rgb,
 )
+from esg.assets.lazy import forms, shapes
 
 PAPER = rgb(240, 236, 224)
+
+
+_A = math.radians(20.0)
+_LID = (
+    (-math.sin(_A), 0, math.cos(_A), -8.0 - 10.95 * math.sin(_A) - 0.5 * math.cos(_A)),
+    (0, 1, 0, 0),
+    (math.cos(_A), 0, math.sin(_A), 1.5 + 10.95 * math.cos(_A) - 0.5 * math.sin(_A)),
+    (0, 0, 0, 1),
+)
+"""Where an emblem lies on the back of a laptop's lid."""
 
 
 @builder("laptop")
 def laptop(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Open laptop, screen facing +X, drawn at 32 x 33 x 22."""
-    s.slab((-8, 16), (-16.5, 16.5), (0, 1.6), c, solid=3, metal=0.5, rough=0.4)
-    s.slab((-6, 5), (-15, 15), (1.6, 1.75), DARK)
-    for i in range(4):
-        for j in range(11):
-            x, y = -5.4 + i * 2.6, -14.3 + j * 2.6
-            s.slab((x, x + 2.1), (y, y + 2.2), (1.75, 1.9), rgb(60, 60, 64))
-    s.slab((7, 14), (-5, 5), (1.6, 1.68), shade(c, 0.85))
-    s.extrude(
-        [(-8, 1.0), (-7, 1.6), (-14.8, 22), (-15.9, 21.6)], (-16.5, 16.5), c, metal=0.5, rough=0.4
+    s.add(
+        lambda: forms.cushion(
+            (24, 33, 1.6), (4, 0, 0.8), plan=24, side=0.35, sections=48, levels=9
+        ),
+        c,
+        of="aluminium",
+        name="base",
     )
-    s.extrude(
-        [(-7.2, 2.6), (-7.1, 2.6), (-14.4, 21.2), (-14.5, 21.2)],
-        (-15.7, 15.7),
-        (0.05, 0.1, 0.2),
-        rough=0.05,
+    s.proxy_slab((-8, 16), (-16.5, 16.5), (0, 1.6), 3)
+    s.slab(
+        (-6.6, 4.9), (-15, 15), (1.54, 1.66), shade(c, 0.55), of="aluminium", name="keyboard_well"
+    )
+
+    def keys() -> Any:
+        out = []
+        for i, row in enumerate((14, 14, 13, 12, 9)):
+            x = -5.5 + i * 2.25
+            wide = 29.4 / row
+            for j in range(row):
+                out.append(
+                    shapes.box((1.9, 0.86 * wide, 0.26), (x, -14.7 + (j + 0.5) * wide, 1.74))
+                )
+        return forms.gather(out)
+
+    s.add(keys, DARK, of="plastic", name="keys")
+    s.slab((6.2, 14.2), (-5.6, 5.6), (1.56, 1.64), shade(c, 0.9), of="aluminium", name="touchpad")
+    s.add(
+        lambda: forms.gather([forms.turned([(0.55, -13), (0.55, 13)], (-8.0, 0, 1.5), 14, "y")]),
+        DARK,
+        of="plastic",
+        name="hinge",
+    )
+
+    def lid(inset: float, near: float, far: float, corner: float) -> Any:
+        import numpy as np
+
+        mesh = forms.cushion(
+            (21.9 - 2 * inset, 33 - 2 * inset, far - near),
+            (10.95, 0, (near + far) / 2),
+            plan=corner,
+            side=0.3,
+            sections=48,
+            levels=7,
+        )
+        v = np.asarray(mesh.vertices)
+        lean = math.radians(110.0)
+        along, out = v[:, 0], v[:, 2]
+        mesh.vertices = np.c_[
+            -8.0 + along * math.cos(lean) + out * math.sin(lean),
+            -v[:, 1],
+            1.5 + along * math.sin(lean) - out * math.cos(lean),
+        ]
+        return mesh
+
+    s.add(lambda: lid(0.0, -0.45, 0.35, 24.0), c, of="aluminium", name="lid")
+    s.add(lambda: lid(0.5, 0.2, 0.5, 24.0), DARK, of="plastic_hard", name="bezel")
+    s.add(lambda: lid(1.3, 0.4, 0.56, 60.0), (0.16, 0.3, 0.5), of="screen", name="display")
+    s.add(
+        lambda: forms.cushion(
+            (3.6, 3.6, 0.2), (0, 0, 0), plan=3, side=0.5, sections=20, levels=5
+        ).apply_transform(_LID),
+        shade(c, 1.25),
+        of="mirror",
+        name="emblem",
     )
     points = [
         (x, y * 16.5, z)

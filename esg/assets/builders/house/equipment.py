@@ -27,8 +27,8 @@ def pressure_cylinder(s: Sketch, L: float, W: float, H: float, c: Color, kind: s
         (r * math.cos(math.radians(a)), top - 0.0 + (H * 0.9 - top) * math.sin(math.radians(a)))
         for a in range(0, 91, 15)
     ]
-    s.lathe([(0, 0), (r * 0.94, 0), (r, H * 0.02), *dome], c, rough=0.35, metal=0.2)
-    s.rod(r * 0.2, (0, 0, H * 0.88), (0, 0, H * 0.95), BRASS, sections=20, metal=0.7)
+    s.lathe([(0, 0), (r * 0.94, 0), (r, H * 0.02), *dome], c, rough=0.35)
+    s.rod(r * 0.2, (0, 0, H * 0.88), (0, 0, H * 0.95), BRASS, sections=20)
     if kind == "gas":
         wall = [
             (r * 0.66, 0),
@@ -73,10 +73,8 @@ def longcase_clock(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.slab(x, (-W / 2, W / 2), (0, H * 0.24), c)
     s.slab((-L / 2, L * 0.42), (-W * 0.38, W * 0.38), (H * 0.24, H * 0.68), shade(c, 0.9))
     s.slab((L * 0.42, L * 0.45), (-W * 0.24, W * 0.24), (H * 0.28, H * 0.64), DARK, rough=0.1)
-    s.rod(
-        W * 0.015, (L * 0.46, 0, H * 0.38), (L * 0.46, 0, H * 0.63), BRASS, sections=10, metal=0.8
-    )
-    s.rod(W * 0.1, (L * 0.45, 0, H * 0.36), (L * 0.48, 0, H * 0.36), BRASS, metal=0.8)
+    s.rod(W * 0.015, (L * 0.46, 0, H * 0.38), (L * 0.46, 0, H * 0.63), BRASS, sections=10)
+    s.rod(W * 0.1, (L * 0.45, 0, H * 0.36), (L * 0.48, 0, H * 0.36), BRASS)
     s.slab(x, (-W * 0.46, W * 0.46), (H * 0.68, H * 0.94), c)
     s.slab((-L / 2, L / 2), (-W / 2, W / 2), (H * 0.66, H * 0.69), shade(c, 0.75))
     s.slab((-L / 2, L / 2), (-W / 2, W / 2), (H * 0.93, H * 0.955), shade(c, 0.75))
@@ -86,7 +84,7 @@ def longcase_clock(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     z = H * 0.81
     radius = min(W * 0.34, H * 0.1)
     s.rod(radius, (L * 0.48, 0, z), (L * 0.505, 0, z), WHITE, sections=40)
-    s.torus(radius, radius * 0.07, (L * 0.5, 0, z), BRASS, axis="x", metal=0.8)
+    s.torus(radius, radius * 0.07, (L * 0.5, 0, z), BRASS, axis="x")
     s.rod(
         radius * 0.04,
         (L * 0.51, 0, z),
@@ -166,12 +164,12 @@ def jerry_can(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("coffee_machine", "free")
 def coffee_machine(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Espresso machine with a portafilter, a cup and a drip tray; faces +X."""
-    s.slab((-L / 2, 0), (-W / 2, W / 2), (0, H), c, rough=0.3, metal=0.5)
-    s.slab((0, L / 2), (-W / 2, W / 2), (H * 0.66, H), shade(c, 0.92), rough=0.3, metal=0.5)
+    s.slab((-L / 2, 0), (-W / 2, W / 2), (0, H), c, rough=0.3)
+    s.slab((0, L / 2), (-W / 2, W / 2), (H * 0.66, H), shade(c, 0.92), rough=0.3)
     s.slab((0, L / 2), (-W / 2, W / 2), (0, H * 0.1), DARK, rough=0.5)
     s.slab((0, L * 0.001 + L * 0.01), (-W * 0.46, W * 0.46), (H * 0.1, H * 0.66), DARK)
     s.slab((L * 0.485, L * 0.505), (-W * 0.3, W * 0.3), (H * 0.76, H * 0.92), DARK, rough=0.1)
-    s.rod(W * 0.1, (L * 0.2, 0, H * 0.54), (L * 0.2, 0, H * 0.66), CHROME, metal=0.8, sections=24)
+    s.rod(W * 0.1, (L * 0.2, 0, H * 0.54), (L * 0.2, 0, H * 0.66), CHROME, sections=24)
     s.rod(W * 0.03, (L * 0.2, 0, H * 0.57), (L * 0.48, 0, H * 0.55), DARK, sections=14)
     s.lathe(
         [(0, 0), (W * 0.06, 0), (W * 0.09, H * 0.16), (W * 0.075, H * 0.16), (0, H * 0.03)],
@@ -210,10 +208,9 @@ def coffin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 (L * (x + 0.07), side * W * (y + 0.03), H * 0.45),
                 BRASS,
                 sections=10,
-                metal=0.8,
             )
-    s.slab((L * 0.0, L * 0.24), (-W * 0.025, W * 0.025), (H, H * 1.005), BRASS, metal=0.8)
-    s.slab((L * 0.14, L * 0.17), (-W * 0.1, W * 0.1), (H, H * 1.005), BRASS, metal=0.8)
+    s.slab((L * 0.0, L * 0.24), (-W * 0.025, W * 0.025), (H, H * 1.005), BRASS)
+    s.slab((L * 0.14, L * 0.17), (-W * 0.1, W * 0.1), (H, H * 1.005), BRASS)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H * 0.86), 1.0)
     s.proxy_slab((-L * 0.46, L * 0.46), (-W * 0.33, W * 0.33), (H * 0.86, H), 0.6)
     s.surface("top", H, (L * 0.4, W * 0.25))
@@ -246,7 +243,7 @@ def radiator(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def trolley_bed(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Patient's trolley along Y: mattress, frame, side rails, four castors."""
     deck = H * 0.78
-    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (deck, H * 0.84), STEEL, metal=0.5)
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (deck, H * 0.84), STEEL)
     s.slab((-L * 0.46, L * 0.46), (-W * 0.49, W * 0.49), (H * 0.84, H * 0.96), c, rough=0.9)
     s.slab((-L * 0.36, L * 0.36), (W * 0.3, W * 0.46), (H * 0.96, H), WHITE, rough=0.95)
     for side in (-1, 1):
@@ -256,7 +253,6 @@ def trolley_bed(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 (side * L * 0.4, W * y, H * 0.1),
                 (side * L * 0.36, W * y, deck),
                 STEEL,
-                metal=0.6,
             )
             s.rod(
                 H * 0.06,
@@ -269,14 +265,12 @@ def trolley_bed(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             (side * L * 0.38, -W * 0.38, H * 0.25),
             (side * L * 0.38, W * 0.38, H * 0.25),
             STEEL,
-            metal=0.6,
         )
         s.rod(
             L * 0.015,
             (side * L * 0.47, -W * 0.2, H * 0.985),
             (side * L * 0.47, W * 0.24, H * 0.985),
             CHROME,
-            metal=0.8,
         )
         for y in (-0.18, 0.22):
             s.rod(
@@ -284,7 +278,6 @@ def trolley_bed(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 (side * L * 0.47, W * y, H * 0.84),
                 (side * L * 0.47, W * y, H * 0.985),
                 CHROME,
-                metal=0.8,
             )
     for y in (-0.38, 0.38):
         s.proxy_slab((-L * 0.44, L * 0.44), (W * (y - 0.06), W * (y + 0.06)), (0, deck), 0.5)

@@ -83,7 +83,7 @@ def girder(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         ((-web / 2, web / 2), (flange, H - flange)),
         ((-W / 2, W / 2), (H - flange, H)),
     ):
-        s.slab((-L / 2, L / 2), y, z, c, metal=0.4, rough=0.6)
+        s.slab((-L / 2, L / 2), y, z, c, rough=0.6)
         s.proxy_slab((-L / 2, L / 2), y, z)
     s.surface("top", H, (L / 2, W / 2))
 
@@ -111,7 +111,7 @@ def rocking_horse(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("toaster", "free")
 def toaster(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Two slots along X, a lever at the front."""
-    s.slab((-0.46 * L, 0.46 * L), (-W / 2, W / 2), (0.04 * H, H), c, metal=0.6, rough=0.25)
+    s.slab((-0.46 * L, 0.46 * L), (-W / 2, W / 2), (0.04 * H, H), c, rough=0.25)
     s.slab((-0.47 * L, 0.44 * L), (-0.48 * W, 0.48 * W), (0, 0.1 * H), DARK)
     for y in (-0.2 * W, 0.2 * W):
         s.slab((-0.36 * L, 0.36 * L), (y - 0.08 * W, y + 0.08 * W), (0.9 * H, 1.002 * H), DARK)

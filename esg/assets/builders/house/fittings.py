@@ -29,18 +29,17 @@ def appliance(s: Sketch, L: float, W: float, H: float, c: Color, style: str = "f
                 (W / 2 - 7, W / 2 - 5),
                 (z[0] + 6, min(z[1] - 4, z[0] + 50)),
                 CHROME,
-                metal=0.8,
             )
     elif style == "washer":
         s.slab(f, (-W / 2 + 0.5, W / 2 - 0.5), (3, H - 0.5), shade(c, 0.97), rough=0.25)
-        s.rod(W * 0.3, (L / 2 - 3, 0, H * 0.46), (L / 2 - 0.3, 0, H * 0.46), STEEL, metal=0.6)
+        s.rod(W * 0.3, (L / 2 - 3, 0, H * 0.46), (L / 2 - 0.3, 0, H * 0.46), STEEL)
         s.rod(
             W * 0.23, (L / 2 - 3, 0, H * 0.46), (L / 2, 0, H * 0.46), (0.12, 0.15, 0.2), rough=0.1
         )
         s.rod(W * 0.05, (L / 2 - 3, W * 0.3, H * 0.9), (L / 2, W * 0.3, H * 0.9), STEEL)
     elif style == "stove":
         s.slab(f, (-W / 2 + 0.5, W / 2 - 0.5), (H * 0.12, H * 0.8), DARK, rough=0.1)
-        s.rod(1, (L / 2 - 1, -W * 0.4, H * 0.76), (L / 2 - 1, W * 0.4, H * 0.76), CHROME, metal=0.8)
+        s.rod(1, (L / 2 - 1, -W * 0.4, H * 0.76), (L / 2 - 1, W * 0.4, H * 0.76), CHROME)
         for x in (-L * 0.2, L * 0.18):
             for y in (-W * 0.22, W * 0.22):
                 s.rod(W * 0.14, (x, y, H - 1), (x, y, H + 0.01), DARK)
@@ -50,7 +49,7 @@ def appliance(s: Sketch, L: float, W: float, H: float, c: Color, style: str = "f
     elif style == "microwave":
         s.slab(f, (-W / 2 + 0.5, W * 0.26), (2.5, H - 0.5), DARK, rough=0.1)
         s.slab(f, (W * 0.27, W / 2 - 0.5), (2.5, H - 0.5), shade(c, 0.8))
-        s.slab((L / 2 - 0.6, L / 2), (W * 0.22, W * 0.25), (H * 0.2, H * 0.85), CHROME, metal=0.8)
+        s.slab((L / 2 - 0.6, L / 2), (W * 0.22, W * 0.25), (H * 0.2, H * 0.85), CHROME)
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
     s.surface("top", H, (L / 2, W / 2))
 
@@ -60,7 +59,7 @@ def television(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Flat screen on a foot, facing +X."""
     foot = H * 0.1
     t = min(6.0, L * 0.3)
-    s.slab((-L / 2, L / 2), (-W * 0.22, W * 0.22), (0, 1.5), c, solid=6, metal=0.3)
+    s.slab((-L / 2, L / 2), (-W * 0.22, W * 0.22), (0, 1.5), c, solid=6)
     s.slab((-t / 2, t / 2), (-W * 0.06, W * 0.06), (1.5, foot + 3), c, solid=1)
     s.slab((-t / 2, t / 2), (-W / 2, W / 2), (foot, H), c, solid=1, rough=0.3)
     s.slab(
@@ -117,9 +116,9 @@ def bathtub(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             ],
         ),
         c,
-        0.1,
+        rough=0.1,
     )
-    s.rod(1.5, (-L / 2 + 4, 0, H - 2), (-L / 2 + 4, 0, H), CHROME, metal=0.9)
+    s.rod(1.5, (-L / 2 + 4, 0, H - 2), (-L / 2 + 4, 0, H), CHROME)
     s.walls((-L / 2, L / 2), (-W / 2, W / 2), (0, H), 7)
     s.region("inside", (-L / 2 + 8, L / 2 - 8), (-W / 2 + 8, W / 2 - 8), (10, H))
     s.surface("floor", 7, (L / 2 - 16, W / 2 - 14))
@@ -135,7 +134,7 @@ def sink(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             [shapes.ball(1.0, (L * 0.06, 0, H * 0.96), (L * 0.34, W * 0.38, H * 0.16))],
         ),
         c,
-        0.1,
+        rough=0.1,
     )
     s.lathe(
         [(0, 0), (W * 0.2, 0), (W * 0.13, H * 0.2), (W * 0.16, H * 0.77), (0, H * 0.77)],
@@ -146,7 +145,6 @@ def sink(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         1.2,
         [(-L * 0.4, 0, H * 0.95), (-L * 0.4, 0, H - 1.2), (-L * 0.1, 0, H - 1.2)],
         CHROME,
-        metal=0.9,
     )
     s.proxy_cylinder(min(W * 0.2, L * 0.4), (0, H * 0.76))
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (H * 0.76, H * 0.96))

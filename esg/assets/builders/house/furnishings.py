@@ -5,18 +5,19 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import bone, mirrored, prism
-from esg.assets.geometry.sketch import CHROME, DARK, STEEL, WHITE, Color, Sketch, rgb
+from esg.assets.builders.common import bone, mirrored, prism, shade
+from esg.assets.geometry.sketch import BRASS, CHROME, DARK, STEEL, WHITE, Color, Sketch, rgb
+from esg.assets.lazy import forms
 
 
 @builder("fan")
 def fan(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Pedestal fan blowing towards +X, 118 cm."""
     s.rod(19, (0, 0, 0), (0, 0, 3), c)
-    s.rod(1.6, (0, 0, 3), (0, 0, 92), STEEL, metal=0.6, sections=16)
+    s.rod(1.6, (0, 0, 3), (0, 0, 92), STEEL, sections=16)
     s.rod(5.5, (-11, 0, 96), (3, 0, 96), c)
     for x, r in ((2, 21), (8, 22), (14, 20)):
-        s.torus(r, 0.5, (x, 0, 96), CHROME, axis="x", metal=0.8)
+        s.torus(r, 0.5, (x, 0, 96), CHROME, axis="x")
     for k in range(16):
         a = 2 * math.pi * k / 16
         u = (math.cos(a), math.sin(a))
@@ -72,7 +73,6 @@ def mirror(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         rgb(176, 204, 214),
         plane="yz",
         rough=0.03,
-        metal=0.6,
     )
     for side in (-1, 1):
         s.proxy_slab((-22, 22), (side * 27 - 2, side * 27 + 2), (0, 4), 2.0)
@@ -105,7 +105,6 @@ def chandelier(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "c
         [(0, 0), (9, 0), (12, 4), (4, 10), (3, 30), (6, 36), (2, 42), (2, 56), (0, 58)],
         c,
         smooth=40,
-        metal=0.8,
         rough=0.3,
     )
     for k in range(8):
@@ -182,3 +181,84 @@ def crib(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_slab((-31, 31), (-61, 61), (31, 43), 0.4)
     s.surface("mattress", 43, (29, 58))
     s.region("inside", (-31, 31), (-61, 61), (43, 93))
+
+
+@builder("floor_lamp")
+def floor_lamp(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Standard lamp, drawn at 40 x 40 x 155."""
+    foot = [(14.2, 0), (15, 0.5), (15, 1.6), (13.4, 2.4), (3.4, 3.6), (1.9, 4.6), (1.3, 6)]
+    s.add(lambda: forms.turned(foot, sections=44), DARK, of="cast_iron", name="foot")
+    s.add(
+        lambda: forms.turned(
+            [(1.2, 5), (1.2, 66), (1.9, 66.6), (1.9, 68.4), (1.1, 69), (1.1, 126)], sections=20
+        ),
+        BRASS,
+        name="pole",
+    )
+    s.add(
+        lambda: forms.turned([(2.0, 124), (2.3, 125), (2.3, 130), (1.7, 131)], sections=20),
+        DARK,
+        of="plastic_hard",
+        name="socket",
+    )
+    shade_ = [
+        (19.7, 122),
+        (20, 122.3),
+        (12, 154.8),
+        (11.8, 155),
+        (11.6, 154.7),
+        (19.4, 122.3),
+        (19.7, 122),
+    ]
+    s.add(lambda: forms.turned(shade_, sections=56), c, of="linen", name="shade")
+    for k, (r, z) in enumerate(((20.1, 122.6), (12.1, 154.4))):
+        s.add(
+            lambda r=r, z=z: forms.turned(
+                [
+                    (r - 0.7, z - 0.7),
+                    (r + 0.1, z - 0.7),
+                    (r, z + 0.7),
+                    (r - 0.8, z + 0.7),
+                    (r - 0.7, z - 0.7),
+                ],
+                sections=56,
+            ),
+            shade(c, 0.7),
+            of="textile",
+            name=f"trim_{k + 1}",
+        )
+    s.add(
+        lambda: forms.turned(
+            [(1.4, 130.6), (1.8, 132), (3.2, 135), (3.3, 137), (2.6, 139.4), (1.2, 140.4)],
+            sections=24,
+        ),
+        (1.0, 0.95, 0.8),
+        of="lamp",
+        name="bulb",
+    )
+    s.add(
+        lambda: forms.gather(
+            [
+                forms.tube(
+                    [(0, 0, 152.5), (11.9 * math.cos(a), 11.9 * math.sin(a), 152.5)], 0.22, 6
+                )
+                for a in (0.3, 2.4, 4.5)
+            ]
+            + [forms.tube([(0, 0, 130), (0, 0, 153)], 0.3, 8)]
+        ),
+        BRASS,
+        name="harp",
+    )
+    s.add(
+        lambda: forms.gather(
+            [
+                forms.tube([(3, 0, 129), (5, 0, 128), (5.2, 0, 114)], 0.12, 6),
+                forms.turned([(0.3, 112.4), (0.7, 113), (0.5, 114.2)], (5.2, 0, 0), 12),
+            ]
+        ),
+        BRASS,
+        name="pull_chain",
+    )
+    s.proxy_cylinder(15, (0, 4), 16.0)
+    s.proxy_cylinder(1.5, (4, 122), 2.0)
+    s.proxy_cylinder(18, (122, 155), 0.05)

@@ -173,11 +173,11 @@ def standing_flag(s: Sketch, L: float, W: float, H: float, c: Color, kind: str =
     """Flag on a pole with a foot, tripod, or coat stand."""
     if kind == "flag":
         s.rod(20, (0, 0, 0), (0, 0, 4), DARK)
-        s.rod(1.6, (0, 0, 4), (0, 0, 220), STEEL, metal=0.5, sections=14)
+        s.rod(1.6, (0, 0, 4), (0, 0, 220), STEEL, sections=14)
         s.ball(3.2, (0, 0, 222), YELLOW)
         wave: list[tuple[float, float]] = [(y, 2.6 * math.sin(0.12 * y)) for y in range(0, 91, 6)]
-        s.add(lambda: _cloth(wave, 152.0, 214.0), c, 0.9)
-        s.add(lambda: _cloth(wave, 172.0, 194.0, 0.7), WHITE, 0.9)
+        s.add(lambda: _cloth(wave, 152.0, 214.0), c)
+        s.add(lambda: _cloth(wave, 172.0, 194.0, 0.7), WHITE, of="linen")
         s.proxy_cylinder(20, (0, 4), 8.0)
         s.proxy_cylinder(2, (4, 222), 0.6)
         s.proxy_slab((-2, 2), (-88, -2), (152, 214), 0.02)

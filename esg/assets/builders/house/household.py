@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import edge, shade
@@ -51,15 +52,90 @@ def candle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_cylinder(r, (0, H * 0.92))
 
 
+def _spine(L: float, W: float, H: float, t: float) -> Any:
+    """The rounded back of a book whose covers are `t` thick."""
+    turn = [math.radians(a) for a in range(-90, 91, 15)]
+    bow = min(0.05 * W, 0.5 * H)
+    outer = [(-W / 2 + bow - bow * math.cos(a), H / 2 + H / 2 * math.sin(a)) for a in turn]
+    inner = [(y + 0.9 * t, H / 2 + (z - H / 2) * (1 - 1.6 * t / H)) for y, z in outer]
+    return shapes.extrude([*outer, *reversed(inner)], (-L / 2, L / 2), "yz")
+
+
 @builder("book", "free")
 def book(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Closed hardback lying flat, spine at -Y."""
     t = H * 0.08
-    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, t), c)
-    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (H - t, H), c)
-    s.slab((-L / 2, L / 2), (-W / 2, -W / 2 + t), (t, H - t), c)
-    s.slab((-L / 2 + 0.4, L / 2 - 0.4), (-W / 2 + t, W / 2 - 0.4), (t, H - t), PAPER, rough=0.95)
-    s.slab((-L * 0.2, L * 0.25), (-W * 0.3, W * 0.3), (H, H + 0.01), shade(c, 1.5))
+    cover = s.appearance.pick("cover", 3)
+    for z, word in ((0.0, "back"), (H - t, "front")):
+        s.slab(
+            (-L / 2, L / 2),
+            (-W / 2 + 0.5 * t, W / 2),
+            (z, z + t),
+            c,
+            of="linen",
+            name=f"cover_{word}",
+        )
+
+    s.add(lambda: _spine(L, W, H, t), shade(c, 0.9), of="linen", name="spine")
+    gap = 0.012 * min(L, W)
+
+    def pages() -> Any:
+        bow = min(0.02 * W, 0.3 * H)
+        turn = [math.radians(a) for a in range(-90, 91, 15)]
+        edge_ = [
+            (W / 2 - 2 * gap - bow * math.cos(a), H / 2 + (H / 2 - t) * math.sin(a)) for a in turn
+        ]
+        return shapes.extrude(
+            [(-W / 2 + 1.4 * t, t), *edge_, (-W / 2 + 1.4 * t, H - t)],
+            (-L / 2 + gap, L / 2 - gap),
+            "yz",
+        )
+
+    s.add(pages, PAPER, of="paper", name="pages")
+    thin = 0.004 * min(L, W)
+    tone = shade(c, 1.5) if max(c) < 0.6 else shade(c, 0.5)
+    s.slab(
+        (-L / 2, L / 2),
+        (-W * 0.43, -W * 0.415),
+        (H, H + 0.4 * thin),
+        shade(c, 0.5),
+        of="paint",
+        name="hinge",
+    )
+    if cover == 1:
+        s.slab(
+            (-L * 0.3, L * 0.3),
+            (-W * 0.3, W * 0.36),
+            (H, H + thin),
+            tone,
+            of="paper",
+            name="picture",
+        )
+    else:
+        s.slab(
+            (-L * 0.3, -L * 0.22),
+            (-W * 0.28, W * 0.34),
+            (H, H + thin),
+            tone,
+            of="paint",
+            name="title",
+        )
+        s.slab(
+            (-L * 0.17, -L * 0.13),
+            (-W * 0.16, W * 0.22),
+            (H, H + thin),
+            tone,
+            of="paint",
+            name="subtitle",
+        )
+        s.slab(
+            (L * 0.34, L * 0.37),
+            (-W * 0.14, W * 0.2),
+            (H, H + thin),
+            tone,
+            of="paint",
+            name="author",
+        )
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
     s.surface("top", H, (L / 2, W / 2))
 
@@ -133,7 +209,7 @@ def teddy(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def cushion(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Pillow."""
 
-    s.add(lambda: shapes.pillow((L, W, H)), c, 1.0)
+    s.add(lambda: shapes.pillow((L, W, H)), c)
     s.proxy_slab((-L * 0.45, L * 0.45), (-W * 0.45, W * 0.45), (0, H * 0.95))
 
 

@@ -67,7 +67,7 @@ def music_drum(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "d
     def shell(x: float, y: float, z: float, r: float, h: float) -> None:
         s.rod(r, (x, y, z), (x, y, z + h), c, rough=0.3, sections=40)
         for e in (z, z + h - 1.4):
-            s.rod(r * 1.03, (x, y, e), (x, y, e + 1.4), CHROME, metal=0.8, sections=40)
+            s.rod(r * 1.03, (x, y, e), (x, y, e + 1.4), CHROME, sections=40)
         s.rod(r * 0.96, (x, y, z + h), (x, y, z + h + 0.3), WHITE, sections=40)
 
     if kind == "drum":
@@ -89,7 +89,7 @@ def music_drum(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "d
     s.rod(28, (-4, 0, 28), (38, 0, 28), c, sections=44)
     s.rod(26, (38, 0, 28), (38.4, 0, 28), WHITE, sections=44)
     for e in (-4, 36):
-        s.rod(28.6, (e, 0, 28), (e + 2, 0, 28), CHROME, metal=0.8, sections=44)
+        s.rod(28.6, (e, 0, 28), (e + 2, 0, 28), CHROME, sections=44)
     shell(-36, 38, 34, 20, 22)
     shell(-40, -36, 46, 17, 14)
     shell(8, 18, 60, 14, 18)
@@ -109,7 +109,6 @@ def music_drum(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "d
             [(0, 0), (20, -2), (20, -1.6), (4, 1), (3, 3), (0, 3)],
             BRASS,
             center=(x, y, z),
-            metal=0.8,
             rough=0.25,
         )
         s.rod(1.1, (x, y, 0), (x, y, z), STEEL, sections=10)

@@ -21,7 +21,6 @@ def long_tool(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "sh
             c,
             plane="xy",
             soft=1,
-            metal=0.5,
         )
         s.pipe(1.4, [(-half, -5, z), (-half - 2, -5, z), (-half - 2, 5, z), (-half, 5, z)], DARK)
         s.rod(1.4, (-half, -5, z), (-half, 5, z), DARK)
@@ -64,11 +63,11 @@ def long_tool(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "sh
 def fork(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Table fork, tines to +X."""
     for x, half, low in (((-10, 4), 0.6, 0.2), ((-10, -2), 0.9, 0.1), ((3.6, 6), 1.2, 0.2)):
-        s.slab(x, (-half, half), (low, 0.6), c, metal=0.8)
+        s.slab(x, (-half, half), (low, 0.6), c)
     for y in (-1.0, -0.33, 0.33, 1.0):
         root = [(5.8, y + d, z) for z in (0.2, 0.6) for d in (-0.2, 0.2)]
         tip = [(10, y + d, z) for z in (1.0, 1.2) for d in (-0.1, 0.1)]
-        prism(s, root + tip, c, metal=0.8)
+        prism(s, root + tip, c)
     s.proxy_slab((-10, 10), (-1, 1), (0, 0.9))
     shift(s, 0, 0, -0.1)
     _raise_proxies(s, 0.1)

@@ -30,9 +30,9 @@ def door_leaf(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             s.slab(x, (-W * 0.38, W * 0.38), (H * z0, H * z1), shade(c, 0.9))
     at, z = W * 0.42, H * 0.5
     for x in (-1, 1):
-        s.rod(0.018 * W, (x * t, at, z), (x * 0.47 * L, at, z), CHROME, metal=0.8)
+        s.rod(0.018 * W, (x * t, at, z), (x * 0.47 * L, at, z), CHROME)
         lever = ((x * 0.46 * L, at + 1, z), (x * 0.46 * L, at - W * 0.14, z))
-        s.rod(0.04 * L, *lever, CHROME, metal=0.8, sections=12)
+        s.rod(0.04 * L, *lever, CHROME, sections=12)
     s.mount("hinge", (-t, -W / 2, 0.0))
 
 
@@ -72,7 +72,7 @@ def gate_posts(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.slab((-L / 2, L / 2), y, (cap, H), shade(c, 0.8))
     for z in (0.2, 0.8):
         ends = ((0, inner[0], H * z), (0, inner[0] + air, H * z))
-        s.rod(0.1 * L, *ends, STEEL, metal=0.6, sections=12)
+        s.rod(0.1 * L, *ends, STEEL, sections=12)
     s.region("inside", (-L / 2, L / 2), inner, (0, H), "area")
     s.mount("hinge", (0.0, inner[0] + air, _LIFT * H))
 
@@ -90,7 +90,7 @@ def sliding_drawer(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for y in ((-side, -side + t), (side - t, side)):
         s.slab((back, front[0]), y, (2 * t, 0.8 * H), box, solid=1)
     s.slab((back, back + t), (-side + t, side - t), (2 * t, 0.8 * H), box, solid=1)
-    s.rod(t, (front[1], 0, H / 2), (L / 2, 0, H / 2), CHROME, metal=0.8)
+    s.rod(t, (front[1], 0, H / 2), (L / 2, 0, H / 2), CHROME)
     s.region("inside", (back + t, front[0]), (-side + t, side - t), (2 * t, 0.8 * H))
     s.mount("runner", (front[1], 0.0, 0.0), (1.0, 0.0, 0.0))
 
@@ -139,9 +139,9 @@ def cupboard_door(s: Sketch, L: float, W: float, H: float, c: Color, hung: str =
     else:
         pull = ((0.44 * L, -0.4 * W, 0.92 * H), (0.44 * L, 0.4 * W, 0.92 * H))
         s.mount("bottom", (-L / 2, 0.0, 0.0), (0.0, 1.0, 0.0))
-    s.rod(0.05 * L, *pull, CHROME, metal=0.8, sections=12)
+    s.rod(0.05 * L, *pull, CHROME, sections=12)
     for x, y, z in pull:
-        s.rod(0.04 * L, (t, y, z), (x, y, z), CHROME, metal=0.8, sections=10)
+        s.rod(0.04 * L, (t, y, z), (x, y, z), CHROME, sections=10)
 
 
 @builder("chest_body", "free")
@@ -156,7 +156,7 @@ def chest_body(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
         s.slab((-L / 2 + t, L / 2 - t), y, (t, H), c)
     for y in (-0.3 * W, 0.3 * W):
-        s.slab((L / 2, L / 2 + 0.01 * L), (y - t, y + t), (0, H), DARK, metal=0.5)
+        s.slab((L / 2, L / 2 + 0.01 * L), (y - t, y + t), (0, H), DARK)
     s.surface("lid", 1.302 * H, (L / 2, W / 2))
     s.region("inside", (-L / 2 + t, L / 2 - t), inner, (t, H))
     s.mount("hinge", (-L / 2, 0.0, 1.002 * H), (0.0, -1.0, 0.0))
@@ -168,7 +168,7 @@ def chest_lid(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H), shade(c, 0.95), solid=1)
     for y in (-0.3 * W, 0.3 * W):
         s.slab((-L / 2, L / 2 + 0.01 * L), (y - 0.05 * L, y + 0.05 * L), (0, 1.01 * H), DARK)
-    s.slab((L / 2, L / 2 + 0.02 * L), (-0.06 * W, 0.06 * W), (0, 0.6 * H), CHROME, metal=0.8)
+    s.slab((L / 2, L / 2 + 0.02 * L), (-0.06 * W, 0.06 * W), (0, 0.6 * H), CHROME)
     s.mount("hinge", (-L / 2, 0.0, 0.0), (0.0, -1.0, 0.0))
 
 

@@ -35,21 +35,21 @@ def seesaw_stand(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Fulcrum of a seesaw: two cheeks on a foot, drawn at 56 x 44 x 60."""
     profile = ((-28.0, 0.0), (28.0, 0.0), (6.0, 60.0), (-6.0, 60.0))
     for y in ((-22.0, -18.0), (18.0, 22.0)):
-        s.extrude(profile, y, c, metal=0.4)
+        s.extrude(profile, y, c)
         s.proxy_hull([(x, v, z) for x, z in profile for v in y])
-    s.slab((-28, 28), (-18, 18), (0, 4), c, solid=1, metal=0.4)
-    s.rod(2, (0, -22, 56.5), (0, 22, 56.5), STEEL, metal=0.6, sections=16)
+    s.slab((-28, 28), (-18, 18), (0, 4), c, solid=1)
+    s.rod(2, (0, -22, 56.5), (0, 22, 56.5), STEEL, sections=16)
     s.mount("pivot", (0.0, 0.0, 56.5), (0.0, 1.0, 0.0))
 
 
 @builder("turnstile_rotor")
 def turnstile_rotor(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Four arms on a hub that turns about the vertical, drawn at 130 x 130 x 20."""
-    s.rod(9, (0, 0, 0), (0, 0, 20), c, solid=1, metal=0.5)
+    s.rod(9, (0, 0, 0), (0, 0, 20), c, solid=1)
     for k in range(4):
         a = math.pi * (k + 0.5) / 2
         x, y = math.cos(a), math.sin(a)
-        s.rod(2.5, (8 * x, 8 * y, 10), (90 * x, 90 * y, 10), CHROME, metal=0.8, sections=16)
+        s.rod(2.5, (8 * x, 8 * y, 10), (90 * x, 90 * y, 10), CHROME, sections=16)
         mid = (49 * x, 49 * y, 10)
         s.proxy_box((41, 2.5, 2.5), mid, 0.3, turn("z", 90.0 * (k + 0.5)))
     s.mount("spindle", (0.0, 0.0, 0.0))
@@ -59,7 +59,7 @@ def turnstile_rotor(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def turnstile_post(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Post that a turnstile turns on, drawn at 40 x 40 x 82."""
     s.rod(20, (0, 0, 0), (0, 0, 3), DARK, solid=1)
-    s.rod(8, (0, 0, 3), (0, 0, 82), c, solid=1, metal=0.5)
+    s.rod(8, (0, 0, 3), (0, 0, 82), c, solid=1)
     s.mount("spindle", (0.0, 0.0, 82.2))
 
 
@@ -67,12 +67,12 @@ def turnstile_post(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def roundabout_deck(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Deck of a playground merry-go-round with six hoops, drawn at 240 x 240 x 85."""
     s.rod(120, (0, 0, 0), (0, 0, 8), c, solid=1, rough=0.5, sections=48)
-    s.rod(6, (0, 0, 8), (0, 0, 60), STEEL, solid=1, metal=0.6)
+    s.rod(6, (0, 0, 8), (0, 0, 60), STEEL, solid=1)
     for k in range(6):
         a = math.pi * k / 3
         x, y = 105 * math.cos(a), 105 * math.sin(a)
-        s.rod(2, (x, y, 8), (x, y, 85), STEEL, metal=0.6, solid=0.4, sections=12)
-        s.rod(1.6, (x, y, 80), (6 * math.cos(a), 6 * math.sin(a), 58), STEEL, metal=0.6)
+        s.rod(2, (x, y, 8), (x, y, 85), STEEL, solid=0.4, sections=12)
+        s.rod(1.6, (x, y, 80), (6 * math.cos(a), 6 * math.sin(a), 58), STEEL)
     s.surface("deck", 8, (70, 70))
     s.mount("spindle", (0.0, 0.0, 0.0))
 
@@ -81,7 +81,7 @@ def roundabout_deck(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def roundabout_foot(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Foot that a merry-go-round turns on, drawn at 80 x 80 x 14."""
     s.rod(40, (0, 0, 0), (0, 0, 4), c, solid=1)
-    s.rod(20, (0, 0, 4), (0, 0, 14), c, solid=1, metal=0.4)
+    s.rod(20, (0, 0, 4), (0, 0, 14), c, solid=1)
     s.mount("spindle", (0.0, 0.0, 14.2))
 
 
@@ -130,7 +130,7 @@ def boom_arm(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def boom_post(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Cabinet of a boom gate, drawn at 36 x 40 x 110."""
     s.slab((-18, 16), (-20, 20), (0, 110), c, solid=1, rough=0.4)
-    s.rod(4, (16, 0, 95), (18, 0, 95), STEEL, metal=0.7)
+    s.rod(4, (16, 0, 95), (18, 0, 95), STEEL)
     s.mount("pivot", (18.5, 0.0, 95.0), (1.0, 0.0, 0.0))
 
 
@@ -157,22 +157,22 @@ def catapult_frame(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.rod(3, (-10, y * 30, 12), (54, y * 30, 62), c)
     for x in (-95, 90):
         s.slab((x, x + 8), (-25, 25), (0, 10), c, solid=1)
-    s.rod(3, (56, -35, 40), (56, 35, 40), STEEL, metal=0.6)
+    s.rod(3, (56, -35, 40), (56, 35, 40), STEEL)
     s.mount("axle", (56.0, 0.0, 40.0), (0.0, 1.0, 0.0))
 
 
 @builder("revolving_leaves")
 def revolving_leaves(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Four glazed leaves about a spindle, drawn at 190 x 190 x 210."""
-    s.rod(4, (0, 0, 0), (0, 0, 210), STEEL, metal=0.7, solid=1)
+    s.rod(4, (0, 0, 0), (0, 0, 210), STEEL, solid=1)
     for x, y in (
         ((4, 95), (-2, 2)),
         ((-95, -4), (-2, 2)),
         ((-2, 2), (4, 95)),
         ((-2, 2), (-95, -4)),
     ):
-        s.slab(x, y, (0, 12), c, metal=0.4)
-        s.slab(x, y, (200, 210), c, metal=0.4)
+        s.slab(x, y, (0, 12), c)
+        s.slab(x, y, (200, 210), c)
         s.slab(x, y, (12, 200), GLASS, alpha=0.4)
         s.proxy_slab(x, y, (0, 210))
     s.mount("spindle", (0.0, 0.0, 0.0))
@@ -181,7 +181,7 @@ def revolving_leaves(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("revolving_drum")
 def revolving_drum(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Canopy and two curved walls around a revolving door, drawn at 216 x 216 x 240."""
-    s.rod(108, (0, 0, 216), (0, 0, 240), c, solid=0.3, metal=0.4, sections=48)
+    s.rod(108, (0, 0, 216), (0, 0, 240), c, solid=0.3, sections=48)
     for k in range(-2, 3):
         for side in (90.0, 270.0):
             a = math.radians(side + 20.0 * k)

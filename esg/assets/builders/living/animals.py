@@ -6,62 +6,155 @@ surface "back", so that something can ride on it.
 
 from __future__ import annotations
 
+from typing import Any
+
 from esg.assets.builders import builder
-from esg.assets.builders.common import bone, mirrored, shade, shift
+from esg.assets.builders.common import mirrored, shade, shift
 from esg.assets.builders.living.beasts import BEASTS, Beast
 from esg.assets.builders.living.marks import HAIR, MARKS
 from esg.assets.geometry.sketch import DARK, Color, Sketch, rgb
+from esg.assets.lazy import forms
 
 
 def _legs(s: Sketch, b: Beast, c: Color) -> None:
     rear, front, across, top, foot = b.legs
-    for x, z in ((rear, b.trunk[0]), (front, b.trunk[1])):
-        for side in (-1, 1):
+    for row, x, z, hock in (("rear", rear, b.trunk[0], 1.0), ("front", front, b.trunk[1], -0.45)):
+        for side, word in ((-1, "right"), (1, "left")):
             y = side * across
-            hip = (x, y * 0.8, z - 0.25 * b.trunk[2])
+            name = f"{row}_{word}"
+            low = 0.5 * (top + foot)
             if "sprawl" in b.marks:
-                bone(s, (x, y * 0.5, z * 0.8), top, (x + 4, y, foot), foot, c)
+                path = [(x, y * 0.5, z * 0.8), (x + 2, y * 0.95, z * 0.62), (x + 4, y, foot)]
+                radii = [top, 0.8 * top, foot]
             else:
-                knee = (x + (0.5 if x > 0 else -0.5) * top, y, z * 0.45)
-                low = 0.5 * (top + foot)
-                bone(s, hip, top, knee, low * 0.8, c)
-                bone(s, knee, low * 0.8, (x, y, foot), foot, c)
-            if "hooves" in b.marks or "socks" in b.marks:
-                tone = DARK if "hooves" in b.marks else shade(c, 0.35)
-                s.rod(foot * 1.12, (x, y, 0), (x, y, foot * 1.7), tone, sections=16)
+                # Hind legs go forward at the knee and back at the hock, fore legs the other way.
+                path = [
+                    (x, y * 0.72, z - 0.1 * b.trunk[2]),
+                    (x + 0.35 * top * hock, y * 0.9, z * 0.66),
+                    (x + 0.2 * top * hock, y, z * 0.46),
+                    (x - 0.55 * foot * hock, y, z * 0.26),
+                    (x - 0.2 * foot, y, 1.6 * foot),
+                ]
+                thigh = 1.18 if row == "rear" else 1.0
+                radii = [
+                    1.05 * top * thigh,
+                    0.98 * top * thigh,
+                    0.72 * low,
+                    0.86 * foot,
+                    0.82 * foot,
+                ]
+            s.add(
+                lambda p=path, r=radii: _curved(p, r, 12, 12, 0.8),
+                c,
+                of=_coat(b),
+                name=f"leg_{name}",
+            )
+            if "hooves" in b.marks:
+                hoof = [(1.25 * foot, 0.0), (1.05 * foot, 1.5 * foot), (0.8 * foot, 1.7 * foot)]
+                s.add(
+                    lambda h=hoof, x=x, y=y: forms.turned(h, (x, y, 0), 18),
+                    DARK,
+                    of="horn",
+                    name=f"hoof_{name}",
+                )
+            else:
+                tone = shade(c, 0.35) if "socks" in b.marks else c
+                s.add(lambda x=x, y=y: _paw(x, y, foot), tone, of=_coat(b), name=f"paw_{name}")
+
+
+def _coat(b: Beast) -> str:
+    return "skin" if b.bare else "fur"
+
+
+def _curved(path: Any, radii: Any, count: int, sections: int, flat: float = 1.0) -> Any:
+    """A tube along a smooth curve through points, its radius changing smoothly."""
+    import numpy as np
+
+    share = np.linspace(0, 1, len(radii))
+    fine = forms.profile(np.c_[share, radii])(np.linspace(0, 1, count))
+    return forms.tube(forms.smooth_path(path, count), fine, sections, flat=flat)
+
+
+def _paw(x: float, y: float, foot: float) -> Any:
+    size = (2.7 * foot, 2.3 * foot, 1.9 * foot)
+    toes = [
+        forms.cushion(
+            (1.5 * foot, 0.72 * foot, 1.0 * foot),
+            (x + 1.15 * foot, y + k * 0.62 * foot, 0.5 * foot),
+            plan=2,
+            side=0.8,
+            sections=8,
+            levels=5,
+        )
+        for k in (-1, 0, 1)
+    ]
+    return forms.gather(
+        [
+            forms.cushion(
+                size, (x + 0.2 * foot, y, 0.95 * foot), plan=2.4, side=0.7, sections=14, levels=7
+            ),
+            *toes,
+        ]
+    )
 
 
 def _ears(s: Sketch, b: Beast, c: Color) -> None:
     kind, length = b.ears
     x, z = b.neck[:2]
     r = b.head[0]
-    for side in (-1, 1):
-        root = (x - 0.35 * r, side * 0.62 * r, z + 0.72 * r)
-        if kind == "point":
-            tip = (x - 0.5 * r, side * 0.85 * r, z + 0.6 * r + length)
-            bone(s, root, length * 0.26, tip, length * 0.05, shade(c, 0.85))
-        elif kind == "long":
-            tip = (x - 0.8 * r, side * 0.75 * r, z + 0.8 * r + length)
-            bone(s, root, length * 0.13, tip, length * 0.1, shade(c, 0.92))
-        elif kind == "flop":
-            tip = (x - 0.3 * r, side * 1.2 * r, z + 0.6 * r - 0.75 * length)
-            bone(s, root, length * 0.22, tip, length * 0.24, shade(c, 0.7))
-        elif kind == "fan":
-            s.ball(
-                1,
-                (x - 0.7 * r, side * (0.75 * r + 0.3 * length), z + 0.1 * r),
-                shade(c, 0.9),
-                scale=(0.12 * length, 0.5 * length, 0.62 * length),
+    if kind == "none":
+        return
+    for side, word in ((-1, "right"), (1, "left")):
+        root = (x - 0.35 * r, side * 0.58 * r, z + 0.66 * r)
+
+        def ear(side: int = side, root: Any = root) -> Any:
+            if kind == "point":
+                tip = (x - 0.5 * r, side * 0.85 * r, z + 0.6 * r + length)
+                return _leaf(root, tip, 0.34 * length, 0.13 * length, (0.16, 0.3, 0.24, 0.05), side)
+            if kind == "long":
+                tip = (x - 0.8 * r, side * 0.75 * r, z + 0.8 * r + length)
+                return _leaf(root, tip, 0.17 * length, 0.08 * length, (0.5, 1.0, 1.0, 0.5), side)
+            if kind == "flop":
+                tip = (x - 0.25 * r, side * 0.98 * r, z + 0.45 * r - 0.7 * length)
+                bulge = (x - 0.35 * r, side * 1.1 * r, z + 0.62 * r)
+                return _curved(
+                    [root, bulge, tip], [0.16 * length, 0.26 * length, 0.12 * length], 12, 14, 0.5
+                )
+            if kind == "fan":
+                size = (0.24 * length, length, 1.24 * length)
+                at = (x - 0.7 * r, side * (0.75 * r + 0.3 * length), z + 0.1 * r)
+                return forms.cushion(size, at, plan=2.2, side=0.9, sections=24, levels=15)
+            size = {"disc": (0.5, 1.2, 1.4), "round": (1.0, 1.5, 1.9)}[kind]
+            up = 0.4 * length if kind == "disc" else 0.0
+            at = (root[0], root[1] * 1.2, root[2] + up)
+            return forms.cushion(
+                [length * v for v in size], at, plan=2, side=0.9, sections=18, levels=11
             )
-        elif kind == "disc":
-            s.ball(
-                1,
-                (root[0], root[1] * 1.2, root[2] + 0.4 * length),
-                shade(c, 1.2),
-                scale=(0.25 * length, 0.6 * length, 0.7 * length),
-            )
-        elif kind == "round":
-            s.ball(length, root, shade(c, 0.85), detail=2)
+
+        tone = {"disc": 1.2, "flop": 0.72, "long": 0.92}.get(kind, 0.86)
+        s.add(ear, shade(c, tone), of=_coat(b), name=f"ear_{word}")
+
+
+def _leaf(root: Any, tip: Any, wide: float, thick: float, widths: Any, side: int) -> Any:
+    """A flat ear that tapers from root to tip, turned a little outwards."""
+    import numpy as np
+
+    a, b = np.asarray(root, float), np.asarray(tip, float)
+    t = np.linspace(0, 1, 11)
+    q = forms.profile(np.c_[np.linspace(0, 1, len(widths)), widths])(t) / max(widths)
+    across = np.array([0.5, side * 0.86, 0.0])
+    deep = np.array([0.86, -side * 0.5, 0.1])
+    ring = forms.superellipse(14, 2.0)
+    bend = np.sin(t * np.pi)[:, None] * across * 0.12 * wide
+    rings = [
+        a
+        + (b - a) * v
+        + o
+        + ring[:, :1] * across * wide * w
+        + ring[:, 1:] * deep * thick * (0.4 + 0.6 * w)
+        for v, w, o in zip(t, q, bend, strict=True)
+    ]
+    return forms.loft(np.array(rings))
 
 
 def _tail(s: Sketch, b: Beast, c: Color) -> None:
@@ -71,29 +164,120 @@ def _tail(s: Sketch, b: Beast, c: Color) -> None:
     end = (start[0] - length * level - 2, 0.0, start[2] - length * droop)
     if end[2] < tip:
         end = (end[0], 0.0, tip)
-    bone(s, start, root, end, tip, c)
+    sag = 0.16 * length * (1 if droop >= 0 else -1)
+    inside = (start[0] + 0.5 * b.trunk[2], 0.0, start[2] - 0.1 * b.trunk[2])
+    middle = (
+        0.55 * start[0] + 0.45 * end[0] - 0.3 * abs(sag),
+        0.0,
+        0.5 * (start[2] + end[2]) - 0.5 * sag,
+    )
+    path, radii = [inside, start, middle, end], [root, root, 0.55 * (root + tip), tip]
+    s.add(lambda: _curved(path, radii, 18, 12), c, of=_coat(b), name="tail")
     if b.marks & {"tip", "tuft"}:
         tone = rgb(240, 236, 228) if "tip" in b.marks else rgb(96, 58, 28)
-        s.ball(1.3 * tip, end, tone, detail=2)
+        s.ball(1.3 * tip, end, tone, detail=3, of="fur", name="tail_tip")
+
+
+def _trunk(b: Beast) -> Any:
+    """Haunches, belly and chest as one skin, deeper than wide, drawn in at the waist."""
+    import numpy as np
+
+    rear, front = b.legs[:2]
+    zr, zf, rr, rf = b.trunk
+    u = np.sin(np.radians(np.linspace(-84, 86, 22)))
+    t = 0.5 + 0.5 * u
+    x = (rear - 0.86 * rr) + t * ((front + 0.9 * rf) - (rear - 0.86 * rr))
+    girth = forms.profile(
+        [
+            (0, 0.34 * rr),
+            (0.05, 0.7 * rr),
+            (0.17, rr),
+            (0.44, (1 - b.waist) * 0.5 * (rr + rf)),
+            (0.72, rf),
+            (0.9, 0.86 * rf),
+            (1, 0.3 * rf),
+        ]
+    )(t)
+    back = forms.profile([(0, zr + 0.1 * rr), (0.3, zr), (0.7, zf), (1, zf + 0.12 * rf)])(t)
+    # A waist is drawn in from below: the back stays straight.
+    lift = forms.profile(
+        [(0, 0), (0.2, 0), (0.44, 0.5 * b.waist * (rr + rf) * 0.5), (0.7, 0), (1, 0)]
+    )(t)
+    ring = forms.superellipse(24, 2.2)
+    y = girth[:, None] * ring[:, 0]
+    z = (back + lift)[:, None] + girth[:, None] * ring[:, 1]
+    return forms.loft(np.stack([np.broadcast_to(x[:, None], y.shape), y, z], -1))
 
 
 def _body(s: Sketch, b: Beast, c: Color) -> None:
-    rear, front = b.legs[:2]
-    zr, zf, rr, rf = b.trunk
+    front, (zf, rf) = b.legs[1], (b.trunk[1], b.trunk[3])
     x, z, thick, thin = b.neck
     r, reach, drop, muzzle = b.head
-    bone(s, (rear, 0, zr), rr, (front, 0, zf), rf, c, detail=3)
-    bone(s, (front, 0, zf + 0.3 * (rf - thick)), thick, (x - 0.3 * r, 0, z), thin, c)
-    bone(s, (x, 0, z), r, (x + reach, 0, z + drop), muzzle, c, detail=3)
-    s.ball(
-        1,
-        (x + reach + 0.75 * muzzle, 0, z + drop + 0.3 * muzzle),
-        DARK,
-        scale=(0.34 * muzzle, 0.5 * muzzle, 0.34 * muzzle),
-        detail=2,
+    coat = _coat(b)
+    s.add(lambda: _trunk(b), c, of=coat, name="body")
+    nape = [
+        (front - 0.25 * rf, 0, zf + 0.1 * (rf - thick)),
+        (front + 0.45 * (x - front) * 0.6, 0, zf + 0.5 * (rf - thick) + 0.34 * (z - zf)),
+        (x - 0.35 * r, 0, z - 0.05 * r),
+    ]
+    s.add(
+        lambda: _curved(nape, [thick, 0.5 * (thick + thin), thin], 10, 16, 0.86),
+        c,
+        of=coat,
+        name="neck",
     )
-    for side in (-1, 1):
-        s.ball(0.13 * r, (x + 0.5 * r, side * 0.78 * r, z + 0.42 * r), DARK, rough=0.15, detail=2)
+    s.add(lambda: _skull(b), c, of=coat, name="head")
+    tip = (x + reach + 0.98 * muzzle, 0.0, z + drop + 0.36 * muzzle)
+    s.add(
+        lambda: forms.cushion(
+            (0.68 * muzzle, 1.0 * muzzle, 0.68 * muzzle),
+            tip,
+            plan=2.4,
+            side=0.8,
+            sections=14,
+            levels=9,
+        ),
+        DARK,
+        of="leather",
+        name="nose",
+    )
+    gape = [
+        (x + reach - 0.1 * muzzle, 0.82 * muzzle, z + drop - 0.4 * muzzle),
+        (x + reach + 0.5 * muzzle, 0.62 * muzzle, z + drop - 0.36 * muzzle),
+        (x + reach + 1.2 * muzzle, 0.0, z + drop - 0.2 * muzzle),
+    ]
+    mouth = [*gape, *((p, -q, v) for p, q, v in reversed(gape[:-1]))]
+    s.add(
+        lambda: _curved(mouth, [0.07 * muzzle] * 5, 17, 6), shade(c, 0.3), of="skin", name="mouth"
+    )
+    for side, word in ((-1, "right"), (1, "left")):
+        at = (x + 0.58 * r, side * 0.53 * r, z + 0.34 * r)
+        s.ball(0.16 * r, at, DARK, of="glass_dark", alpha=1.0, detail=2, name=f"eye_{word}")
+        lid = (at[0] - 0.03 * r, at[1] - side * 0.02 * r, at[2] + 0.14 * r)
+        s.add(
+            lambda lid=lid: forms.cushion(
+                (0.4 * r, 0.3 * r, 0.16 * r), lid, plan=2, side=0.8, sections=12, levels=7
+            ),
+            shade(c, 0.82),
+            of=coat,
+            name=f"lid_{word}",
+        )
+
+
+def _skull(b: Beast) -> Any:
+    """Brow, cheeks and muzzle; the brow stands above the muzzle by a step."""
+    x, z = b.neck[:2]
+    r, reach, drop, muzzle = b.head
+    path = [
+        (x - 0.62 * r, 0, z - 0.04 * r),
+        (x - 0.1 * r, 0, z + 0.02 * r),
+        (x + 0.5 * r, 0, z - 0.08 * r),
+        (x + 0.55 * (reach + 0.5 * r), 0, z + 0.72 * drop),
+        (x + reach, 0, z + drop),
+        (x + reach + 0.45 * muzzle, 0, z + drop),
+    ]
+    middle = max(muzzle * 1.02, 0.5 * (0.8 * r + muzzle))
+    return _curved(path, [0.78 * r, r, 0.84 * r, middle, muzzle, 0.8 * muzzle], 18, 18, 0.88)
 
 
 def _proxies(s: Sketch, b: Beast) -> None:
@@ -135,7 +319,7 @@ def _proxies(s: Sketch, b: Beast) -> None:
 def quadruped(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "dog") -> None:
     """A four-legged animal facing +X, drawn in the proportions of its kind."""
     b = BEASTS[kind]
-    limb = rgb(58, 50, 46) if kind == "sheep" else c
+    limb = rgb(58, 50, 46) if "wool" in b.marks else c
     _legs(s, b, limb)
     _tail(s, b, HAIR if kind == "horse" else c)
     _body(s, b, c)

@@ -18,6 +18,8 @@ class Beast:
         tail: Length, droop (1 = straight down, 0 = level, -1 = up), thickness at root and tip.
         move: Offset that centres the drawing on the origin.
         marks: What else is drawn.
+        waist: Share by which the belly is drawn in before the haunches.
+        bare: Skin instead of fur.
     """
 
     legs: tuple[float, float, float, float, float]
@@ -28,10 +30,12 @@ class Beast:
     tail: tuple[float, float, float, float]
     move: float = 0.0
     marks: frozenset[str] = frozenset()
+    waist: float = 0.04
+    bare: bool = False
 
 
-def _kind(*values: object, marks: str = "") -> Beast:
-    return Beast(*values, marks=frozenset(marks.split()))  # type: ignore[arg-type]
+def _kind(*values: object, marks: str = "", waist: float = 0.04, bare: bool = False) -> Beast:
+    return Beast(*values, marks=frozenset(marks.split()), waist=waist, bare=bare)  # type: ignore[arg-type]
 
 
 BEASTS: dict[str, Beast] = {
@@ -44,6 +48,7 @@ BEASTS: dict[str, Beast] = {
         (30, -0.5, 3, 1.2),
         -1.6,
         marks="collar",
+        waist=0.24,
     ),
     "cat": _kind(
         (-13, 12, 4.4, 3.1, 1.7),
@@ -54,6 +59,7 @@ BEASTS: dict[str, Beast] = {
         (26, -0.8, 1.7, 1.1),
         -1.1,
         marks="whiskers",
+        waist=0.1,
     ),
     "horse": _kind(
         (-62, 56, 18, 15, 6.5),
@@ -64,6 +70,7 @@ BEASTS: dict[str, Beast] = {
         (62, 0.95, 7, 9),
         -16,
         marks="mane hooves forelock",
+        waist=0.08,
     ),
     "zebra": _kind(
         (-56, 50, 17, 13, 6),
@@ -74,6 +81,7 @@ BEASTS: dict[str, Beast] = {
         (50, 0.95, 5, 7),
         -15,
         marks="mane hooves stripes",
+        waist=0.08,
     ),
     "cow": _kind(
         (-66, 60, 21, 14, 7),
@@ -104,6 +112,7 @@ BEASTS: dict[str, Beast] = {
         (13, -0.3, 2, 1),
         -11,
         marks="snout",
+        bare=True,
     ),
     "deer": _kind(
         (-42, 38, 11, 9, 3.2),
@@ -114,6 +123,7 @@ BEASTS: dict[str, Beast] = {
         (13, 0.4, 5, 3),
         -8,
         marks="antlers",
+        waist=0.16,
     ),
     "elephant": _kind(
         (-105, 92, 48, 40, 30),
@@ -124,6 +134,7 @@ BEASTS: dict[str, Beast] = {
         (110, 0.97, 8, 4),
         -47.8,
         marks="trunk",
+        bare=True,
     ),
     "rabbit": _kind(
         (-9, 9, 4.6, 4.4, 2),
@@ -133,6 +144,7 @@ BEASTS: dict[str, Beast] = {
         ("long", 8),
         (2, 0, 3, 3),
         1,
+        waist=0.0,
     ),
     "bear": _kind(
         (-58, 52, 24, 20, 13),
@@ -152,6 +164,7 @@ BEASTS: dict[str, Beast] = {
         (36, 0.25, 4, 6.5),
         9,
         marks="socks tip",
+        waist=0.2,
     ),
     "wolf": _kind(
         (-32, 28, 8, 5.5, 3),
@@ -161,6 +174,7 @@ BEASTS: dict[str, Beast] = {
         ("point", 10),
         (42, 0.7, 4, 4.5),
         -4,
+        waist=0.22,
     ),
     "lion": _kind(
         (-66, 58, 18, 13, 8),
@@ -171,6 +185,7 @@ BEASTS: dict[str, Beast] = {
         (80, 0.75, 4, 3),
         -6,
         marks="ruff tuft",
+        waist=0.2,
     ),
     "tiger": _kind(
         (-66, 58, 18, 13, 8),
@@ -181,6 +196,7 @@ BEASTS: dict[str, Beast] = {
         (84, 0.35, 4, 3.5),
         11.6,
         marks="bands",
+        waist=0.18,
     ),
     "giraffe": _kind(
         (-62, 52, 24, 17, 8),
@@ -191,6 +207,7 @@ BEASTS: dict[str, Beast] = {
         (80, 0.97, 5, 4),
         -36,
         marks="spots ossicones hooves",
+        waist=0.1,
     ),
     "camel": _kind(
         (-70, 58, 20, 16, 9),
@@ -220,6 +237,7 @@ BEASTS: dict[str, Beast] = {
         (150, 0.08, 15, 2.5),
         32.7,
         marks="scutes sprawl",
+        bare=True,
     ),
     "rhino": _kind(
         (-100, 86, 34, 28, 18),
@@ -230,5 +248,6 @@ BEASTS: dict[str, Beast] = {
         (60, 0.95, 5, 3),
         -20,
         marks="nose_horn",
+        bare=True,
     ),
 }

@@ -5,7 +5,8 @@ from __future__ import annotations
 import math
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import blob, bone, shade, shift
+from esg.assets.builders.common import bone, shade, shift
+from esg.assets.builders.living.people import DRESSES, draw_person
 from esg.assets.geometry.sketch import (
     CHROME,
     DARK,
@@ -19,24 +20,11 @@ from esg.assets.geometry.sketch import (
     rgb,
 )
 
-_SKIN = rgb(222, 180, 148)
-
 
 @builder("child_figure")
 def child_figure(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Standing child, drawn 118 cm tall on a thin base plate."""
-    s.slab((-13, 15), (-15, 15), (0, 1.5), DARK)
-    for side in (-1, 1):
-        bone(s, (0, side * 6.5, 52), 6.4, (0, side * 6.8, 8), 4.2, rgb(52, 74, 120))
-        s.ball(1, (4, side * 6.8, 4.6), rgb(230, 230, 226), scale=(9, 4.4, 3.6))
-        bone(s, (0, side * 13, 84), 4.2, (3, side * 18, 58), 3.2, c)
-        s.ball(3.2, (4, side * 18.4, 54), _SKIN)
-    blob(s, [((0, 0, 54), 10), ((0, 0, 82), 10.5)], c)
-    s.rod(4, (0, 0, 90), (0, 0, 98), _SKIN)
-    s.ball(1, (0, 0, 106), _SKIN, scale=(10.5, 10, 11.5))
-    s.ball(1, (-2, 0, 109), rgb(88, 58, 34), scale=(10.4, 10.6, 9.4))
-    for side in (-1, 1):
-        s.ball(1.1, (9.6, side * 3.6, 106), DARK, detail=2)
+    """Child, drawn 118 cm tall."""
+    draw_person(s, DRESSES["child"], c, s.appearance.pose or "play", 0.645, 1.32)
     s.proxy_slab((-13, 15), (-15, 15), (0, 1.5), 4)
     s.proxy_slab((-8, 12), (-12, 12), (1.5, 50), 0.8)
     s.proxy_slab((-10, 10), (-20, 20), (50, 94), 0.9)

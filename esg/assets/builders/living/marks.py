@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Callable
 import itertools
+from typing import Any
 
 from esg.assets.builders.common import bone, shade
 from esg.assets.builders.living.beasts import Beast
 from esg.assets.geometry.sketch import Color, Sketch, rgb
+from esg.assets.lazy import forms
 from esg.graph.models import Vec3
 
 HAIR = rgb(42, 32, 28)
@@ -74,14 +76,27 @@ def _collar(s: Sketch, b: Beast, c: Color) -> None:
     t = 0.45
     p = (front + t * (x - front), 0.0, zf + t * (z - zf) + 1)
     q = (p[0] + 2.2, 0.0, p[2] + 1.6)
-    s.rod(0.99 * b.neck[2], p, q, rgb(178, 34, 40), sections=24)
+    s.rod(0.99 * b.neck[2], p, q, rgb(178, 34, 40), sections=28, of="leather", name="collar")
 
 
 def _whiskers(s: Sketch, b: Beast, c: Color) -> None:
-    x, z = b.neck[:2]
-    for side in (-1, 1):
-        start, end = (x + 6, side * 1.5, z - 2), (x + 6, side * 7, z - 1)
-        s.rod(0.12, start, end, rgb(240, 240, 235), sections=6)
+    x, _, z = _muzzle(b)
+    muzzle = b.head[3]
+
+    def make() -> Any:
+        out = []
+        for side in (-1, 1):
+            for k in (-1, 0, 1):
+                start = (x + 0.3 * muzzle, side * 0.6 * muzzle, z + (0.06 * k - 0.1) * muzzle)
+                end = (
+                    x + (0.1 + 0.5 * k) * muzzle,
+                    side * 2.68 * muzzle,
+                    z + (0.35 * k + 0.1) * muzzle,
+                )
+                out.append(forms.tube([start, end], [0.05, 0.02], 5, round_ends=False))
+        return forms.gather(out)
+
+    s.add(make, rgb(240, 240, 235), of="hair", name="whiskers")
 
 
 def _patches(s: Sketch, b: Beast, c: Color) -> None:
@@ -99,11 +114,19 @@ def _udder(s: Sketch, b: Beast, c: Color) -> None:
 def _wool(s: Sketch, b: Beast, c: Color) -> None:
     rear, front = b.legs[:2]
     z, r = b.trunk[0], b.trunk[2]
-    for k in range(5):
-        for side in (-0.55, 0.55):
-            x = rear + (front - rear) * (k / 4)
-            s.ball(0.7 * r, (x, side * r, z + 0.3 * r), c, rough=1.0, detail=2)
-            s.ball(0.62 * r, (x, side * 1.3 * r, z - 0.3 * r), c, rough=1.0, detail=2)
+
+    def make() -> Any:
+        out = []
+        for k in range(5):
+            for side in (-0.55, 0.55):
+                x = rear + (front - rear) * (k / 4)
+                for q, y, up in ((0.7, side * r, 0.3), (0.62, side * 1.3 * r, -0.3)):
+                    size = (2 * q * r, 2 * q * r, 2 * q * r)
+                    at = (x, y, z + up * r)
+                    out.append(forms.cushion(size, at, plan=2, side=1, sections=14, levels=9))
+        return forms.gather(out)
+
+    s.add(make, c, of="fur", name="fleece")
 
 
 def _snout(s: Sketch, b: Beast, c: Color) -> None:

@@ -116,7 +116,7 @@ def castle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("silo")
 def silo(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Steel silo with a ladder."""
-    s.rod(150, (0, 0, 0), (0, 0, 700), c, rough=0.4, metal=0.4, sections=40)
+    s.rod(150, (0, 0, 0), (0, 0, 700), c, rough=0.4, sections=40)
     for z in range(60, 700, 70):
         s.torus(150, 4, (0, 0, z), shade(c, 0.8))
     s.lathe([(0, 700), (152, 700), (110, 790), (40, 830), (0, 835)], shade(c, 0.9), smooth=30)

@@ -76,8 +76,8 @@ def artillery(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "ca
             mesh.apply_translation([14, 0, 76])
             return mesh
 
-        s.add(aimed, c, 0.4, 0.7)
-        s.ball(6, (-48, 0, 67), c, metal=0.7)
+        s.add(aimed, c)
+        s.ball(6, (-48, 0, 67), c)
         s.proxy_slab((-38, 58), (-50, 50), (0, 60), 0.3)
         s.proxy_slab((-104, -38), (-27, 27), (0, 40), 0.4)
         s.proxy_slab((-46, 104), (-16, 16), (60, 94), 2.0)
@@ -175,7 +175,6 @@ def small_round(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "
             c,
             center=(0, 0, 0.5),
             axis="x",
-            metal=0.9,
         )
         s.lathe(
             [(0, 0.3), (0.46, 0.3), (0.3, 1.1), (0, 1.5)],
@@ -183,7 +182,6 @@ def small_round(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "
             center=(0, 0, 0.5),
             axis="x",
             smooth=20,
-            metal=0.8,
         )
         s.proxy_slab((-1.4, 1.2), (-0.36, 0.36), (0, 0.94))
     else:

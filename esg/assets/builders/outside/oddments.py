@@ -27,18 +27,18 @@ def unicycle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Unicycle in its floor stand, drawn at 52 x 36 x 98."""
     r = 25.0
     s.torus(r - 2.2, 2.2, (0, 0, r + 1), RUBBER, axis="y", rough=0.9)
-    s.torus(r - 4.8, 0.8, (0, 0, r + 1), CHROME, axis="y", metal=0.8)
+    s.torus(r - 4.8, 0.8, (0, 0, r + 1), CHROME, axis="y")
     for k in range(8):
         a = math.radians(22.5 * k)
         d = ((r - 5) * math.cos(a), 0.0, (r - 5) * math.sin(a))
         s.rod(0.3, (-d[0], 0, r + 1 - d[2]), (d[0], 0, r + 1 + d[2]), STEEL, sections=6)
-    s.rod(2.4, (0, -5, r + 1), (0, 5, r + 1), CHROME, metal=0.8)
+    s.rod(2.4, (0, -5, r + 1), (0, 5, r + 1), CHROME)
     s.wheel((0, 0, r + 1), r, parts=11)
     for y, k in ((-7, 1), (7, -1)):
-        s.pipe(1.1, [(0, y * 0.7, r + 1), (11 * k, y, r - 8)], STEEL, metal=0.6)
+        s.pipe(1.1, [(0, y * 0.7, r + 1), (11 * k, y, r - 8)], STEEL)
         s.box((9, 9, 2.2), (11 * k, y * 1.7, r - 8), DARK)
         s.pipe(1.5, [(0, y * 0.75, r + 1), (0, y * 0.75, 50), (0, y * 0.3, 56)], c)
-    s.rod(1.7, (0, 0, 54), (0, 0, 90), CHROME, metal=0.8)
+    s.rod(1.7, (0, 0, 54), (0, 0, 90), CHROME)
     blob(s, [((-11, 0, 94), 4), ((11, 0, 94), 3.2), ((-8, 5, 93), 3.4), ((-8, -5, 93), 3.4)], DARK)
     for y in (-16, 16):
         s.pipe(0.9, [(-20, y, 1), (20, y, 1)], c)
@@ -143,7 +143,7 @@ def pine_cone(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("snack_bag", "free")
 def snack_bag(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Puffed bag lying on its back, with crimped ends along X and a printed front."""
-    s.add(lambda: shapes.pillow((L * 0.9, W, H)), c, 0.25, 0.1)
+    s.add(lambda: shapes.pillow((L * 0.9, W, H)), c, rough=0.25)
     for side in (-1, 1):
         for k in range(5):
             x = side * L * (0.42 + 0.016 * k)
@@ -152,7 +152,6 @@ def snack_bag(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 (-W * 0.47, W * 0.47),
                 (H * (0.44 if k % 2 else 0.4), H * (0.56 if k % 2 else 0.52)),
                 shade(c, 0.8 if k % 2 else 1.25),
-                metal=0.4,
             )
     s.ball(1, (L * 0.04, 0, H * 0.82), WHITE, scale=(L * 0.24, W * 0.3, H * 0.2), rough=0.3)
     s.ball(1, (L * 0.02, 0, H * 0.86), rgb(240, 196, 60), scale=(L * 0.13, W * 0.2, H * 0.19))

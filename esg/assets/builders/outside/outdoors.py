@@ -61,7 +61,7 @@ def rock(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     p[:, 2] = np.clip(p[:, 2], 0, 40)
     points = [tuple(float(c) for c in v) for v in p]
 
-    s.add(lambda: shapes.hull(points), c, 0.95)
+    s.add(lambda: shapes.hull(points), c)
     s.proxy_hull([tuple(v) for v in shapes.hull(points).vertices])  # type: ignore[misc]
 
 
@@ -75,7 +75,7 @@ def dumpster(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     inner = [
         (x * 84, y * w, z) for z, w in ((6, 124), (141, 174)) for x in (-1, 1) for y in (-1, 1)
     ]
-    s.add(lambda: shapes.cut(shapes.hull(outer), [shapes.hull(inner)]), c, 0.7)
+    s.add(lambda: shapes.cut(shapes.hull(outer), [shapes.hull(inner)]), c)
     for y in (-110, -40, 40, 110):
         for x in (-1, 1):
             s.slab((88, 92) if x > 0 else (-92, -88), (y - 5, y + 5), (10, 134), shade(c, 0.8))

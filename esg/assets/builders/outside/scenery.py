@@ -70,15 +70,15 @@ def cliff(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def hanging(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "lantern") -> None:
     """A lantern or a pendulum bob on the arm of a stand, drawn at 50 x 30 x 120."""
     s.slab((-25, 5), (-15, 15), (0, 4), DARK_WOOD, solid=6.0)
-    s.rod(1.6, (-18, 0, 4), (-18, 0, 119), c, metal=0.3)
-    s.rod(1.2, (-18, 0, 118.8), (16, 0, 118.8), c, metal=0.3, sections=18)
-    s.rod(1.0, (-18, 0, 100), (-4, 0, 118), c, metal=0.3, sections=14)
+    s.rod(1.6, (-18, 0, 4), (-18, 0, 119), c)
+    s.rod(1.2, (-18, 0, 118.8), (16, 0, 118.8), c, sections=18)
+    s.rod(1.0, (-18, 0, 100), (-4, 0, 118), c, sections=14)
     s.proxy_slab((-19.6, -16.4), (-1.6, 1.6), (4, 120), 1.0)
     s.proxy_slab((-16.4, 16), (-1.2, 1.2), (117.6, 120), 1.0)
     if kind == "pendulum":
         s.rod(0.25, (14, 0, 54), (14, 0, 118), STEEL, sections=8)
-        s.ball(7, (14, 0, 48), BRASS, metal=0.8, rough=0.2, solid=0.5, detail=3)
-        s.torus(1.2, 0.4, (14, 0, 55.2), STEEL, axis="y", metal=0.8)
+        s.ball(7, (14, 0, 48), BRASS, rough=0.2, solid=0.5, detail=3)
+        s.torus(1.2, 0.4, (14, 0, 55.2), STEEL, axis="y")
         s.box((22, 0.6, 1.2), (14, 0, 30), WHITE)
         s.rod(0.8, (-18, 0, 30), (3, 0, 30), c, sections=10)
         s.slab((24.4, 25), (-0.3, 0.3), (29, 31), DARK)
@@ -121,8 +121,8 @@ def bean_bag(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def shield(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Round wooden shield with a steel rim and boss lying on its back, drawn at 80 x 80 x 9."""
     s.lathe([(0, 0), (38.5, 0), (38.5, 2.2), (20, 4.2), (0, 4.6)], c, rough=0.7)
-    s.lathe([(37.5, 0), (40, 0), (40, 3), (37.5, 3), (37.5, 0)], STEEL, metal=0.7, rough=0.3)
-    s.lathe([(0, 3), (11, 3), (10, 5.4), (6, 8.2), (0, 9)], STEEL, metal=0.7, rough=0.3)
+    s.lathe([(37.5, 0), (40, 0), (40, 3), (37.5, 3), (37.5, 0)], STEEL, rough=0.3)
+    s.lathe([(0, 3), (11, 3), (10, 5.4), (6, 8.2), (0, 9)], STEEL, rough=0.3)
     for k in range(12):
         a = math.pi * k / 6
         s.rod(
@@ -130,7 +130,6 @@ def shield(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             (38.7 * math.cos(a), 38.7 * math.sin(a), 2.6),
             (38.7 * math.cos(a), 38.7 * math.sin(a), 3.4),
             BRASS,
-            metal=0.7,
             sections=10,
         )
     for k in range(4):
@@ -166,7 +165,7 @@ def harp(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         foot = 12 + max(0.0, (-8 - x) / 28 * 138)
         top = min(158.0, 150 + 0.2 * abs(x))
         if top - foot > 8:
-            s.rod(0.18, (x, 0, foot), (x, 0, top), BRASS, metal=0.8, sections=6)
+            s.rod(0.18, (x, 0, foot), (x, 0, top), BRASS, sections=6)
     s.proxy_slab((-30, 50), (-22, 22), (0, 12), 1.5)
     s.proxy_slab((37, 45), (-4, 4), (12, 180))
     s.proxy_hull([(x, y, z) for x, z in board for y in (-11, 11)], 0.6)

@@ -7,6 +7,8 @@ goes down.
 from __future__ import annotations
 
 import itertools
+import math
+from typing import Any
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import shade
@@ -22,6 +24,7 @@ from esg.assets.geometry.sketch import (
     Sketch,
     rgb,
 )
+from esg.assets.lazy import forms, shapes
 
 
 def _decal(s: Sketch, L: float, W: float, H: float) -> None:
@@ -246,21 +249,53 @@ def wall(s: Sketch, L: float, W: float, H: float, c: Color, bricks: bool = False
 def fence(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Picket fence across Y."""
     n = max(3, round(W / 14))
-    for k in range(n):
-        y = -W / 2 + W * (k + 0.5) / n
-        p = W / n * 0.34
-        s.extrude(
-            [(y - p, 0), (y + p, 0), (y + p, H - p), (y, H), (y - p, H - p)],
-            (-L * 0.2, L * 0.2),
-            c,
-            plane="yz",
-        )
-    for z in (H * 0.25, H * 0.75):
-        s.slab((-L / 2, -L * 0.2), (-W / 2, W / 2), (z - 4, z + 4), c)
     m = max(2, round(W / 120) + 1)
+    p = W / n * 0.34
+
+    def pickets() -> Any:
+        out = []
+        for k in range(n):
+            y = -W / 2 + W * (k + 0.5) / n
+            top = [
+                (y + p * math.cos(a), H - 1.15 * p + 1.15 * p * math.sin(a) ** 0.8)
+                for a in (math.pi * j / 8 for j in range(9))
+            ]
+            out.append(
+                shapes.extrude(
+                    [(y - p, 0.04 * H), (y + p, 0.04 * H), *top], (-L * 0.04, L * 0.2), "yz"
+                )
+            )
+        return forms.gather(out)
+
+    s.add(pickets, c, of="paint" if s.material == "wood" else s.material, name="pickets")
+    for z, word in ((H * 0.25, "low"), (H * 0.75, "high")):
+        s.slab(
+            (-L * 0.3, -L * 0.04),
+            (-W / 2, W / 2),
+            (z - 0.034 * H, z + 0.034 * H),
+            shade(c, 0.94),
+            name=f"rail_{word}",
+        )
     for k in range(m):
         y = -W / 2 + 4 + (W - 8) * k / (m - 1)
-        s.slab((-L / 2, L / 2), (y - 4, y + 4), (0, H * 0.95), c)
+        s.slab(
+            (-L / 2, L * 0.1), (y - 4, y + 4), (0, H * 0.95), shade(c, 0.94), name=f"post_{k + 1}"
+        )
+        s.slab((-L / 2, L / 2), (y - 4.2, y + 4.2), (H * 0.95, H * 0.975), c, name=f"cap_{k + 1}")
+
+    def nails() -> Any:
+        heads = []
+        for k in range(n):
+            y = -W / 2 + W * (k + 0.5) / n
+            for z in (H * 0.235, H * 0.265, H * 0.735, H * 0.765):
+                heads.append(
+                    forms.turned(
+                        [(0.08 * p, L * 0.19), (0.08 * p, L * 0.2 + 0.02 * p)], (0, y, z), 6, "x"
+                    )
+                )
+        return forms.gather(heads)
+
+    s.add(nails, STEEL, name="nails")
     s.proxy_slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H))
 
 
@@ -277,7 +312,7 @@ def gate(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         n = max(3, round((leaf[1] - leaf[0]) / 12))
         for k in range(n + 1):
             at = leaf[0] + 1.5 + (leaf[1] - leaf[0] - 3) * k / n
-            s.rod(1.3, (0, at, 6), (0, at, H * 0.93), c, sections=10, metal=0.4)
+            s.rod(1.3, (0, at, 6), (0, at, H * 0.93), c, sections=10)
         s.proxy_slab((-2, 2), leaf, (5, H * 0.93), 0.3)
 
 
@@ -314,7 +349,6 @@ def door(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         (L * 0.25, W / 2 - f - 9, H * 0.48),
         (L * 0.49, W / 2 - f - 9, H * 0.48),
         STEEL,
-        metal=0.8,
     )
 
 

@@ -69,7 +69,6 @@ def arrow(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "arrow"
             (half * 0.9 + tip * 2, 0, z),
         ],
         STEEL,
-        metal=0.7,
     )
     if kind == "arrow":
         for a in (90, 210, 330):

@@ -129,7 +129,7 @@ def pommel_horse(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for x in (-22, 22):
         s.pipe(2, [(x, -11, 108), (x, -10, 121), (x, 10, 121), (x, 11, 108)], WOOD)
     for x in (-40, 40):
-        s.rod(4.5, (x, 0, 4), (x, 0, 90), STEEL, metal=0.5)
+        s.rod(4.5, (x, 0, 4), (x, 0, 90), STEEL)
         s.slab((x - 6, x + 6), (-38, 38), (0, 5), DARK)
         s.proxy_slab((x - 6, x + 6), (-38, 38), (0, 5), 3.0)
         s.proxy_slab((x - 4, x + 4), (-4, 4), (5, 86), 1.0)

@@ -65,12 +65,12 @@ def swing_frame(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Swing set with a seat at rest, drawn at 160 x 240 x 220."""
     for y in (-1, 1):
         for x in (-1, 1):
-            s.rod(3.5, (x * 76.5, y * 112, 0.5), (0, y * 104, 214), c, metal=0.4)
+            s.rod(3.5, (x * 76.5, y * 112, 0.5), (0, y * 104, 214), c)
             s.proxy_slab((x * 70 - 5, x * 70 + 5), (y * 112 - 5, y * 112 + 5), (0, 30))
         s.proxy_slab((-10, 10), (y * 105 - 4, y * 105 + 4), (150, 216), 0.5)
-    s.rod(4, (0, -118, 215), (0, 118, 215), c, solid=0.6, metal=0.4)
+    s.rod(4, (0, -118, 215), (0, 118, 215), c, solid=0.6)
     for y in (-20, 20):
-        s.rod(0.5, (0, y, 45), (0, y, 212), STEEL, sections=8, metal=0.7)
+        s.rod(0.5, (0, y, 45), (0, y, 212), STEEL, sections=8)
     s.slab((-8, 8), (-23, 23), (43, 46), DARK, solid=0.4)
     s.surface("seat", 46, (8, 20))
 

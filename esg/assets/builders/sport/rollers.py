@@ -53,14 +53,14 @@ def tyre(s: Sketch, L: float, W: float, H: float, c: Color, hub: bool = False) -
     if not hub:
         _ring(s, 32, 20.5, 20)
         return
-    s.lathe([(18.5, 3), (20.8, 3), (20.8, 17), (18.5, 17), (18.5, 3)], CHROME, metal=0.7)
+    s.lathe([(18.5, 3), (20.8, 3), (20.8, 17), (18.5, 17), (18.5, 3)], CHROME)
     for z in (2.0, 16.0):
-        s.lathe([(18, z), (21.5, z), (21.5, z + 2), (18, z + 2), (18, z)], CHROME, metal=0.7)
-    s.rod(5, (0, 0, 6), (0, 0, 17), STEEL, metal=0.6)
+        s.lathe([(18, z), (21.5, z), (21.5, z + 2), (18, z + 2), (18, z)], CHROME)
+    s.rod(5, (0, 0, 6), (0, 0, 17), STEEL)
     for k in range(5):
         a = 2 * math.pi * k / 5
         x, y = math.cos(a), math.sin(a)
-        s.rod(2.4, (4 * x, 4 * y, 14.5), (19 * x, 19 * y, 14.5), CHROME, metal=0.7, sections=14)
+        s.rod(2.4, (4 * x, 4 * y, 14.5), (19 * x, 19 * y, 14.5), CHROME, sections=14)
     s.proxy_cylinder(32, (0, 20))
 
 
@@ -82,11 +82,11 @@ def hula_hoop(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("coin", drawn=(2.4, 2.4, 0.2))
 def coin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Coin with a raised rim and a head in relief, drawn at 2.4 x 2.4 x 0.2."""
-    s.rod(1.14, (0, 0, 0.02), (0, 0, 0.18), c, metal=0.8, rough=0.3, sections=64)
-    s.lathe([(1.08, 0), (1.2, 0), (1.2, 0.2), (1.08, 0.2), (1.08, 0)], shade(c, 0.9), metal=0.8)
+    s.rod(1.14, (0, 0, 0.02), (0, 0, 0.18), c, rough=0.3, sections=64)
+    s.lathe([(1.08, 0), (1.2, 0), (1.2, 0.2), (1.08, 0.2), (1.08, 0)], shade(c, 0.9))
     for z in (0.01, 0.17):
-        s.rod(0.42, (0.12, 0, z), (0.12, 0, z + 0.02), shade(c, 1.15), metal=0.8, sections=32)
-        s.box((0.5, 0.3, 0.02), (-0.4, 0, z + 0.01), shade(c, 1.15), metal=0.8)
+        s.rod(0.42, (0.12, 0, z), (0.12, 0, z + 0.02), shade(c, 1.15), sections=32)
+        s.box((0.5, 0.3, 0.02), (-0.4, 0, z + 0.01), shade(c, 1.15))
     s.proxy_cylinder(1.2, (0, 0.2))
 
 

@@ -48,10 +48,14 @@ PIN = [
 def bowling_pin(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Regulation pin, drawn at 12.1 x 12.1 x 38.1; it stands on its flat 5.2 cm base."""
     profile = [(d * 1.27, h * 2.54) for h, d in PIN]
-    s.lathe([(0, 0), *profile], c, smooth=90, sections=56, rough=0.25)
-    for z in (24.2, 26.6):
+    s.lathe([(0, 0), *profile], c, smooth=60, sections=40, rough=0.25, name="pin")
+    for k, z in enumerate((24.2, 26.6)):
         r = 2.36 if z < 25 else 2.33
-        s.lathe([(r - 0.3, z), (r, z), (r + 0.05, z + 1.1), (r - 0.3, z + 1.1), (r - 0.3, z)], RED)
+        s.lathe(
+            [(r - 0.3, z), (r, z), (r + 0.05, z + 1.1), (r - 0.3, z + 1.1), (r - 0.3, z)],
+            RED,
+            name=f"stripe_{k + 1}",
+        )
     s.proxy_cylinder(2.58, (0, 5.0))
     s.proxy_cylinder(5.7, (5.0, 18.0))
     s.proxy_cylinder(2.75, (18.0, 38.1))
@@ -106,14 +110,14 @@ def hoop(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Free-standing basketball hoop, drawn at 260 x 180 x 395; rim at 305, the court is at +X."""
     rim_x, rim_z, rim_r = 107.0, 305.0, 22.5
     s.slab((-130, -20), (-55, 55), (0, 22), c, solid=3.0)
-    s.rod(8, (-75, 0, 22), (-75, 0, 300), STEEL, solid=1, metal=0.5)
-    s.pipe(6, [(-75, 0, 296), (20, 0, 340), (66, 0, 340)], STEEL, metal=0.5)
+    s.rod(8, (-75, 0, 22), (-75, 0, 300), STEEL, solid=1)
+    s.pipe(6, [(-75, 0, 296), (20, 0, 340), (66, 0, 340)], STEEL)
     s.slab((66, 70), (-90, 90), (290, 395), WHITE, solid=0.6, rough=0.2)
     for z in (320, 365):
         s.slab((70, 70.4), (-30, 30), (z - 2.5, z + 2.5), RED)
     for y in (-30, 30):
         s.slab((70, 70.4), (y - 2.5, y + 2.5), (320, 365), RED)
-    s.torus(rim_r, 1.0, (rim_x, 0, rim_z), ORANGE, metal=0.3)
+    s.torus(rim_r, 1.0, (rim_x, 0, rim_z), ORANGE)
     s.slab((70, rim_x - rim_r), (-6, 6), (rim_z - 4, rim_z), ORANGE)
     for k in range(12):
         a, b = 2 * math.pi * k / 12, 2 * math.pi * (k + 0.5) / 12
@@ -237,19 +241,19 @@ def dumbbell(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for x in (-16, 6):
         s.extrude(hexagon, (x, x + 10), c, plane="yz", rough=0.7)
         s.proxy_hull([(q, *p) for q in (x, x + 10) for p in hexagon])
-    s.rod(1.6, (-6, 0, z), (6, 0, z), CHROME, solid=1, metal=0.8)
+    s.rod(1.6, (-6, 0, z), (6, 0, z), CHROME, solid=1)
 
 
 @builder("trampoline")
 def trampoline(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Round trampoline, drawn at 244 x 244 x 60."""
-    s.torus(116, 4, (0, 0, 56), STEEL, metal=0.6)
+    s.torus(116, 4, (0, 0, 56), STEEL)
     s.lathe([(0, 54), (104, 54), (104, 55), (0, 55)], DARK)
     s.lathe([(100, 56), (121, 56), (121, 59), (100, 59), (100, 56)], BLUE if sum(c) < 0.6 else c)
     for k in range(6):
         a = math.radians(60 * k)
         x, y = 112 * math.cos(a), 112 * math.sin(a)
-        s.rod(3, (x, y, 0), (x, y, 55), STEEL, solid=1, metal=0.6)
+        s.rod(3, (x, y, 0), (x, y, 55), STEEL, solid=1)
     s.proxy_cylinder(121, (54, 59), 0.3)
     s.surface("mat", 59, (75, 75))
 

@@ -275,7 +275,7 @@ def rocket(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             RED,
         )
     s.rod(7, (19, 0, 104), (20.8, 0, 104), GLASS, rough=0.1)
-    s.torus(7.4, 1.2, (20.2, 0, 104), STEEL, axis="x", metal=0.6)
+    s.torus(7.4, 1.2, (20.2, 0, 104), STEEL, axis="x")
     s.proxy_slab((-26, 26), (-26, 26), (0, 22), 1.0)
     s.proxy_cylinder(20, (22, 138), 1.0)
     s.proxy_cylinder(12, (138, 188), 0.6)
@@ -323,7 +323,6 @@ def ufo(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         [(0, 110), (120, 112), (390, 170), (400, 180), (390, 190), (160, 240), (0, 250)],
         c,
         rough=0.25,
-        metal=0.6,
     )
     s.ball(1, (0, 0, 236), rgb(120, 200, 190), scale=(135, 135, 110), rough=0.05)
     for k in range(12):
@@ -372,7 +371,7 @@ def hot_air_balloon(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for x in (-70, 70):
         for y in (-55, 55):
             s.rod(3, (x, y, 110), (x * 1.2, y * 1.4, 580), DARK, sections=8)
-    s.rod(16, (0, 0, 250), (0, 0, 310), STEEL, metal=0.7)
+    s.rod(16, (0, 0, 250), (0, 0, 310), STEEL)
     s.proxy_slab((-80, 80), (-65, 65), (0, 116), 3.0)
     s.proxy_cylinder(70, (116, 560), 0.002)
     s.proxy(ProxyKind.SPHERE, (600, 600, 600), (0, 0, 1200), 0.001)

@@ -47,7 +47,7 @@ def _hull(
         )
         return shapes.cut(shapes.hull(outer), [shapes.hull(inner)])
 
-    s.add(make, c, 0.45)
+    s.add(make, c, rough=0.45)
 
 
 def _hull_proxies(s: Sketch, half: float, beam: float, depth: float, wall: float) -> None:
@@ -186,7 +186,7 @@ def buoy(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("anchor")
 def anchor(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Ship's anchor lying flat, crown to +X; 90 cm."""
-    s.rod(4, (-38, 0, 4), (40, 0, 4), c, sections=16, metal=0.5)
+    s.rod(4, (-38, 0, 4), (40, 0, 4), c, sections=16)
     path = [
         (40 - 30 * (1 - math.cos(math.radians(a))), 36 * math.sin(math.radians(a)), 4)
         for a in range(-85, 86, 17)
@@ -206,8 +206,8 @@ def anchor(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             ],
             c,
         )
-    s.rod(3, (-28, -26, 4), (-28, 26, 4), c, sections=14, metal=0.5)
-    s.torus(6, 1.6, (-43, 0, 4), c, metal=0.6)
+    s.rod(3, (-28, -26, 4), (-28, 26, 4), c, sections=14)
+    s.torus(6, 1.6, (-43, 0, 4), c)
     s.proxy_slab((-48, 42), (-4, 4), (0, 8), 1.0)
     s.proxy_slab((-31, -25), (-26, 26), (1, 7), 1.0)
     s.proxy_slab((4, 40), (-36, 36), (0.5, 7.5), 0.35)

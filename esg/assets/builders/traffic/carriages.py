@@ -48,7 +48,7 @@ def wheelbarrow(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         ]
         return shapes.cut(shapes.hull(outer), [shapes.hull(inner)])
 
-    s.add(tray, c, 0.5, 0.2)
+    s.add(tray, c)
     s.proxy_slab((-24, 34), (-20, 20), (26, 30), 1.0)
     for side in (-1, 1):
         s.proxy_slab((-40, 58), mirrored(side, 29, 32), (30, 64), 0.6)

@@ -2,13 +2,214 @@
 
 from __future__ import annotations
 
+from functools import lru_cache
 import math
+from typing import Any
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import bone, holes, mirrored, prism, shade, shift, wheel
-from esg.assets.geometry.sketch import CHROME, DARK, GLASS, RED, STEEL, YELLOW, Color, Sketch
+from esg.assets.builders.traffic.coachwork import hull
+from esg.assets.geometry.sketch import (
+    CHROME,
+    DARK,
+    GLASS,
+    RED,
+    STEEL,
+    YELLOW,
+    Color,
+    Sketch,
+    rgb,
+)
+from esg.assets.lazy import forms, shapes
 
 _LAMP = (0.98, 0.96, 0.86)
+
+
+def _coach_body(
+    s: Sketch, c: Color, size: tuple[float, float, float], floor: float, nose: float, tram: bool
+) -> None:
+    """Body of a locomotive or tram with two cabs: half length, half width and height in `size`."""
+    half, w, top = size
+    key = (half, w, top, floor, nose, tram)
+    for name, tone, of in (
+        ("body", c, "car_body"),
+        ("stripe", rgb(236, 232, 220), "paint"),
+        ("roof", shade(c, 0.55), "paint"),
+        ("side_windows", GLASS, "glass_dark"),
+        ("windscreens", GLASS, "glass_dark"),
+        ("doors", shade(c, 0.72), "paint"),
+        ("headlights", _LAMP, "lamp"),
+        ("grilles", DARK, "plastic"),
+    ):
+        s.add(lambda name=name: _coach_meshes(*key)[name].copy(), tone, alpha=1.0, of=of, name=name)
+    for end, word in ((-1, "rear"), (1, "front")):
+        s.add(
+            lambda end=end: _buffers(end * half, w, floor, tram),
+            DARK,
+            of="steel",
+            name=f"buffers_{word}",
+        )
+
+    def fittings() -> Any:
+        out = [
+            forms.cushion(
+                (190, 1.1 * w, 16), (x, 0, top - 6), plan=10, side=0.3, sections=28, levels=7
+            )
+            for x in (-0.4 * half, 0.1 * half, 0.45 * half)
+        ]
+        return forms.gather(out)
+
+    s.add(fittings, shade(c, 0.42), of="steel", name="roof_equipment")
+
+
+@lru_cache(maxsize=4)
+def _coach_meshes(
+    half: float, w: float, top: float, floor: float, nose: float, tram: bool
+) -> dict[str, Any]:
+    from shapely.geometry import box
+
+    crown = top - 8
+    line = [
+        (half, floor + 84),
+        (half - 0.3 * nose, floor + 116),
+        (half - nose, crown - 18),
+        (half - 1.5 * nose, crown - 2),
+        (0.4 * half, crown),
+    ]
+    bottom = (
+        (half, floor + 14),
+        (half - 24, floor),
+        (0.5 * half, floor - 2),
+        (-0.5 * half, floor - 2),
+        (-half + 24, floor),
+        (-half, floor + 14),
+    )
+    body = hull(2 * w, bottom, tuple(line + [(-x, z) for x, z in reversed(line)]), 30.0, 9.0, 0.0)
+    glass, proud = forms.fattened(body, 1.2), forms.fattened(body, 0.9)
+    count = 9 if tram else 6
+    step = (2 * half - 2 * nose - 240) / count
+    start = -half + nose + 120
+    wide = (-2 * w, 2 * w)
+
+    def soft(x0: float, x1: float, z0: float, z1: float, by: float) -> Any:
+        return box(x0, z0, x1, z1).buffer(-by).buffer(by, quad_segs=3)
+
+    panes = [
+        m
+        for k in range(count)
+        for m in forms.prism(
+            soft(start + k * step, start + (k + 0.8) * step, floor + 112, floor + 204, 9), wide
+        )
+    ]
+    doors = [
+        m
+        for x in (half - nose - 62, -half + nose + 20)
+        for m in forms.prism(soft(x, x + 42, floor + 8, floor + 212, 5), wide)
+    ]
+    screens = []
+    for x in ((half - 1.5 * nose, half + 60), (-half - 60, -half + 1.5 * nose)):
+        for y0, y1 in ((-0.78 * w, -0.04 * w), (0.04 * w, 0.78 * w)):
+            screens += forms.prism(soft(y0, y1, floor + 122, crown - 52, 8), x, "yz")
+    lamps = [
+        m
+        for x in ((half - 60, half + 20), (-half - 20, -half + 60))
+        for y in (-0.62 * w, 0.62 * w)
+        for m in forms.prism(soft(y - 15, y + 15, floor + 44, floor + 64, 8), x, "yz")
+    ]
+    vents = [
+        m
+        for k in range(5)
+        for m in forms.prism(
+            soft(-0.08 * half + 30 * k, -0.08 * half + 30 * k + 22, floor + 14, floor + 50, 2), wide
+        )
+    ]
+    return {
+        "body": body,
+        "stripe": forms.inlay(
+            proud, forms.prism(box(-half - 20, floor + 66, half + 20, floor + 84), wide)
+        ),
+        "roof": forms.inlay(
+            proud,
+            forms.prism(box(-half + 1.3 * nose, crown - 34, half - 1.3 * nose, crown + 20), wide),
+        ),
+        "side_windows": forms.inlay(glass, panes),
+        "windscreens": forms.inlay(glass, screens),
+        "doors": forms.inlay(proud, doors),
+        "headlights": forms.inlay(glass, lamps),
+        "grilles": forms.inlay(proud, vents),
+    }
+
+
+def _bogie(x: float, w: float, r: float, floor: float) -> Any:
+    out = [
+        forms.cushion(
+            (300, 14, 26), (x, y * (w * 0.72 - 9), r + 4), plan=12, side=0.3, sections=24, levels=7
+        )
+        for y in (-1, 1)
+    ]
+    out.append(
+        forms.cushion(
+            (90, 1.3 * w, max(floor - r * 0.7, 12)),
+            (x, 0, (floor + r * 0.7) / 2),
+            plan=10,
+            side=0.25,
+            sections=24,
+            levels=7,
+        )
+    )
+    for dx in (-95, 95):
+        out.append(forms.turned([(7, -0.8 * w), (7, 0.8 * w)], (x + dx, 0, r), 14, "y"))
+        out += [
+            forms.turned([(8, r + 12), (8, r + 34)], (x + dx * 0.72, y * (w * 0.72 - 9), 0), 12)
+            for y in (-1, 1)
+        ]
+    return forms.gather(out)
+
+
+def _rail_wheel(at: tuple[float, float, float], r: float, side: int) -> Any:
+    """A disc wheel with a flange inside and five holes' rims, so that one sees it turn."""
+    x, y, z = at
+    h = 6.0
+    tread = [
+        (0.3 * r, -h * 0.5),
+        (0.8 * r, -h * 0.4),
+        (0.86 * r, -h),
+        (r, -h),
+        (r, -0.6 * h),
+        (0.95 * r, -0.3 * h),
+        (0.93 * r, h),
+        (0.84 * r, h),
+        (0.8 * r, 0.4 * h),
+        (0.34 * r, 0.5 * h),
+        (0.3 * r, h),
+        (0.1 * r, h),
+    ]
+    out = [forms.turned([(q, side * v) for q, v in tread], at, 26, "y")]
+    for k in range(5):
+        a = 2 * math.pi * k / 5
+        p = (x + 0.57 * r * math.cos(a), z + 0.57 * r * math.sin(a))
+        out.append(shapes.rod(0.11 * r, (p[0], y - 0.62 * h, p[1]), (p[0], y + 0.62 * h, p[1]), 8))
+    return forms.gather(out)
+
+
+def _buffers(x: float, w: float, floor: float, tram: bool) -> Any:
+    end = 1 if x > 0 else -1
+    out = [
+        forms.tube(
+            [(x - end * 24, 0, floor + 14), (x - end * 1.0, 0, floor + 12)], 7, 12, round_ends=False
+        )
+    ]
+    if not tram:
+        for y in (-0.6 * w, 0.6 * w):
+            head = [
+                (8, x - end * 30),
+                (8, x - end * 6),
+                (19, x - end * 4),
+                (17, x),
+                (8, x + end * 0.2),
+            ]
+            out.append(forms.turned(head, (0, y, floor + 10), 20, "x"))
+    return forms.gather(out)
 
 
 @builder("train")
@@ -18,67 +219,33 @@ def train(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "engine
     half, w, top = (750.0, 120.0, 330.0) if tram else (900.0, 140.0, 390.0)
     floor = 35.0 if tram else 110.0
     nose = 60.0 if tram else 110.0
-    s.extrude(
-        [
-            (-half + nose * 0.5, floor),
-            (half - 8, floor),
-            (half, floor + 70),
-            (half - nose, top - 20),
-            (half - nose - 30, top - 12),
-            (-half + nose, top - 12),
-            (-half, floor + 70),
-            (-half + 8, floor),
-        ],
-        (-w, w),
-        c,
-        soft=6,
-        rough=0.3,
-    )
-    s.slab((-half + nose, half - nose - 30), (-w * 0.8, w * 0.8), (top - 12, top), shade(c, 0.6))
-    s.slab((-half + 12, half - 12), (-w - 1, w + 1), (floor + 62, floor + 82), (0.92, 0.9, 0.84))
-    band = (floor + 110, floor + 205)
-    for side in (-1, 1):
-        y = mirrored(side, w - 2, w + 1.5)
-        count = 9 if tram else 6
-        step = (2 * half - 2 * nose - 140) / count
-        for k in range(count):
-            x = -half + nose + 90 + k * step
-            s.slab((x, x + step * 0.78), y, band, GLASS, rough=0.1)
-        s.slab((half - nose - 56, half - nose - 26), y, (floor + 8, floor + 205), shade(c, 0.7))
-    for end in (-1, 1):
-        lo, hi = half - 4 - nose * 0.36, half - nose * 0.94
-        prism(
-            s,
-            [(end * (lo + d), y, floor + 118) for d in (0, 5) for y in (-w * 0.8, w * 0.8)]
-            + [(end * (hi + d), y, top - 48) for d in (0, 7) for y in (-w * 0.72, w * 0.72)],
-            GLASS,
-            rough=0.1,
-        )
-        for side in (-1, 1):
-            s.rod(
-                11,
-                (end * (half - 12), side * w * 0.62, floor + 52),
-                (end * (half - 2), side * w * 0.62, floor + 52),
-                _LAMP,
-            )
+    _coach_body(s, c, (half, w, top), floor, nose, tram)
     r = 30.0 if tram else 46.0
-    for bogie in (-0.62, 0.62):
-        s.slab(
-            (bogie * half - 150, bogie * half + 150),
-            (-w * 0.72, w * 0.72),
-            (r * 0.6, floor + 4),
-            DARK,
+    for bogie, place in ((-0.62, "rear"), (0.62, "front")):
+        s.add(
+            lambda b=bogie: _bogie(b * half, w, r, floor), DARK, of="steel", name=f"bogie_{place}"
         )
         for dx in (-95, 95):
             for side in (-1, 1):
                 x = bogie * half + dx
-                s.rod(
-                    r, (x, side * (w * 0.72), r), (x, side * (w * 0.72 + 12), r), STEEL, metal=0.6
+                at = (x, side * (w * 0.72 + 6), r)
+                s.add(
+                    lambda at=at, side=side: _rail_wheel(at, r, side), STEEL, name=f"wheel_{place}"
                 )
-                holes(s, (x, side * (w * 0.72 + 6), r), r * 0.7, 12.6)
-                s.wheel((x, side * (w * 0.72 + 6), r), r, parts=2)
-    s.slab(
-        (-0.3 * half, 0.3 * half), (-w * 0.7, w * 0.7), (30 if not tram else 20, floor + 4), DARK
+                s.wheel(at, r)
+    low = 20.0 if tram else 30.0
+    s.add(
+        lambda: forms.cushion(
+            (0.6 * half, 1.4 * w, floor + 4 - low),
+            (0, 0, (floor + 4 + low) / 2),
+            plan=12,
+            side=0.25,
+            sections=32,
+            levels=7,
+        ),
+        DARK,
+        of="steel",
+        name="equipment",
     )
     s.proxy_slab((-half, half), (-w, w), (0, floor + 110), 1.0)
     s.proxy_slab((-half + nose * 0.7, half - nose * 0.7), (-w, w), (floor + 110, top), 0.3)
@@ -143,7 +310,7 @@ def forklift(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     for side in (-1, 1):
         wheel(s, 62, side * 46, 32, 24)
         wheel(s, -74, side * 42, 26, 20)
-        s.slab((96, 214), mirrored(side, 16, 30), (6, 11), STEEL, metal=0.7)
+        s.slab((96, 214), mirrored(side, 16, 30), (6, 11), STEEL)
         s.slab((90, 102), mirrored(side, 24, 34), (4, 205), DARK)
         for x in (-70, 56):
             s.rod(4, (x, side * 48, 100), (x * 0.86, side * 46, 206), DARK, sections=12)
@@ -187,7 +354,7 @@ def _track(s: Sketch, x: tuple[float, float], y: float, r: float, width: float) 
     n = 5
     for k in range(n):
         px = lo + (hi - lo) * k / (n - 1)
-        s.rod(r * 0.62, (px, y - width * 0.54, r), (px, y + width * 0.54, r), STEEL, metal=0.4)
+        s.rod(r * 0.62, (px, y - width * 0.54, r), (px, y + width * 0.54, r), STEEL)
         holes(s, (px, y, r), r * 0.62, width * 1.09)
         s.wheel((px, y, r), r * 0.62, parts=2)
 
@@ -250,7 +417,7 @@ def tracked(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "tank
     bone(s, (60, -30, 160), 22, (230, -30, 370), 20, c)
     bone(s, (230, -30, 370), 20, elbow, 15, c)
     bone(s, elbow, 15, wrist, 12, c)
-    s.rod(6, (90, -30, 150), (210, -30, 300), CHROME, sections=14, metal=0.8)
+    s.rod(6, (90, -30, 150), (210, -30, 300), CHROME, sections=14)
     s.extrude(
         [(424, 158), (438, 96), (400, 50), (356, 44), (372, 80), (398, 100), (404, 150)],
         (-76, 16),

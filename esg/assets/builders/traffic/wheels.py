@@ -3,58 +3,19 @@
 from __future__ import annotations
 
 import math
+from typing import Any
 
 from esg.assets.builders import builder
-from esg.assets.builders.common import holes
-from esg.assets.geometry.sketch import CHROME, DARK, RED, RUBBER, STEEL, Color, Sketch
-
-
-def _spoked(s: Sketch, x: float, r: float, tyre: float) -> None:
-    s.torus(r - tyre, tyre, (x, 0, r), RUBBER, axis="y", rough=0.9)
-    s.torus(r - 2.2 * tyre, tyre * 0.35, (x, 0, r), CHROME, axis="y", rough=0.3, metal=0.8)
-    s.rod(2.2, (x, -4, r), (x, 4, r), STEEL, metal=0.7, sections=14)
-    for k in range(8):
-        a = math.pi * k / 8
-        d = (r - 2.2 * tyre) * math.cos(a), (r - 2.2 * tyre) * math.sin(a)
-        s.rod(0.25, (x - d[0], 0, r - d[1]), (x + d[0], 0, r + d[1]), CHROME, sections=6, metal=0.8)
-    s.wheel((x, 0, r), r, parts=11)
+from esg.assets.builders.common import shade
+from esg.assets.builders.traffic.cycles import draw_bicycle, draw_motorcycle, draw_scooter
+from esg.assets.geometry.sketch import CHROME, RUBBER, STEEL, Color, Sketch
+from esg.assets.lazy import forms, shapes
 
 
 @builder("bicycle")
 def bicycle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """City bicycle on its kickstand, drawn at 175 x 58 x 106."""
-    r, xf, xr = 34.0, 53.5, -53.5
-    for x in (xf, xr):
-        _spoked(s, x, r, 2.0)
-    bb, seat, head, low_head = (
-        (-8.0, 0.0, 28.0),
-        (-25.0, 0.0, 76.0),
-        (33.0, 0.0, 84.0),
-        (36.0, 0.0, 70.0),
-    )
-    for a, b in ((bb, seat), (seat, head), (bb, low_head), (head, low_head)):
-        s.rod(1.8, a, b, c, rough=0.3, sections=14)
-    for y in (-5.0, 5.0):
-        s.rod(0.9, (bb[0], y * 0.6, bb[2]), (xr, y, r), c, sections=10)
-        s.rod(0.8, (seat[0], y * 0.4, seat[2] - 6), (xr, y, r), c, sections=10)
-        s.rod(1.0, (37, y * 0.8, 68), (xf, y, r), c, sections=10)
-    s.pipe(1.3, [(33, 0, 83), (30, 0, 99), (36, 0, 103)], CHROME, metal=0.8)
-    s.pipe(1.2, [(24, -28, 101), (36, -14, 103), (36, 14, 103), (24, 28, 101)], CHROME, metal=0.8)
-    for y in (-28.5, 28.5):
-        s.rod(1.8, (27, y * 0.93, 101.5), (16, y, 100.5), DARK, sections=12)
-    s.rod(1.4, (seat[0], 0, 74), (-28, 0, 93), CHROME, sections=12, metal=0.8)
-    s.extrude(
-        [(-14, 0), (-18, 4), (-34, 9), (-42, 8), (-42, -8), (-34, -9), (-18, -4)],
-        (92, 97),
-        DARK,
-        plane="xy",
-        soft=1.0,
-    )
-    s.rod(9, (bb[0], 5.2, 28), (bb[0], 6, 28), STEEL, metal=0.6)
-    for y, k in ((-10, 1), (10, -1)):
-        s.pipe(1.0, [(bb[0], 0, 28), (bb[0], y * 0.8, 28), (bb[0] + 12 * k, y, 28 - 11 * k)], STEEL)
-        s.box((9, 8, 2), (bb[0] + 12 * k, y * 1.35, 28 - 11 * k), DARK)
-    s.rod(0.9, (-20, 3, 22), (-22, 13, 0.9), STEEL, sections=10, metal=0.6)
+    draw_bicycle(s, c)
     s.proxy_slab((-87.5, 87.5), (-4, 4), (12, 66), 1.0)
     s.proxy_slab((-42, 40), (-4, 4), (66, 97), 0.7)
     s.proxy_slab((16, 38), (-29, 29), (97, 104), 0.5)
@@ -65,32 +26,7 @@ def bicycle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("motorcycle")
 def motorcycle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Naked motorcycle on its stand, drawn at 210 x 80 x 112."""
-    r, xf, xr = 32.0, 73.0, -70.0
-    for x, t in ((xf, 6.0), (xr, 7.5)):
-        s.torus(r - t, t, (x, 0, r), RUBBER, axis="y", rough=0.9)
-        s.rod(r - 1.6 * t, (x, -2.5, r), (x, 2.5, r), STEEL, metal=0.6)
-        s.rod(9, (x, -4.5, r), (x, 4.5, r), CHROME, metal=0.8)
-        holes(s, (x, 0, r), r - 1.6 * t, 6)
-        s.wheel((x, 0, r), r, parts=4)
-    for y in (-9.0, 9.0):
-        s.rod(2.4, (xf, y, r), (46, y, 88), CHROME, metal=0.8, sections=14)
-        s.rod(2.8, (xr, y, r), (-20, y, 36), DARK, sections=12)
-        s.rod(1.8, (xr + 8, y * 0.9, r + 4), (-44, y * 0.9, 66), RED, sections=12)
-    s.box((56, 26, 34), (4, 0, 42), STEEL, rough=0.4, metal=0.6)
-    s.rod(13, (6, -17, 45), (6, 17, 45), DARK, metal=0.4)
-    s.extrude([(44, 62), (48, 82), (30, 92), (-8, 84), (-12, 64)], (-15, 15), c, soft=4, rough=0.2)
-    s.extrude(
-        [(-8, 66), (-8, 78), (-60, 82), (-88, 90), (-92, 82), (-60, 68)], (-13, 13), DARK, soft=2
-    )
-    s.pipe(
-        1.6, [(26, -38, 102), (44, -18, 104), (46, 0, 100), (44, 18, 104), (26, 38, 102)], CHROME
-    )
-    for y in (-36, 36):
-        s.rod(2.4, (32, y * 0.94, 102.6), (20, y * 1.06, 101.4), DARK, sections=12)
-        s.rod(4.5, (38, y * 0.75, 111), (40, y * 0.75, 111), DARK, sections=16)
-    s.rod(9, (52, 0, 88), (64, 0, 88), CHROME, rough=0.1, metal=0.8)
-    s.pipe(4, [(18, 16, 32), (-20, 18, 24), (-84, 19, 34)], CHROME, metal=0.8)
-    s.rod(1.4, (-8, 12, 24), (-10, 26, 1.4), STEEL, sections=10)
+    draw_motorcycle(s, c)
     s.proxy_slab((-104, 104), (-9, 9), (14, 64), 1.0)
     s.proxy_slab((-92, 50), (-14, 14), (64, 92), 0.8)
     s.proxy_slab((20, 48), (-39, 39), (92, 106), 0.2)
@@ -98,67 +34,192 @@ def motorcycle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("seat", 92, (22, 10), (-34, 0))
 
 
+def _truck(x: float) -> Any:
+    out = [forms.cushion((8.6, 5.6, 1.0), (x, 0, 7.7), plan=6, side=0.3, sections=16, levels=5)]
+    out.append(forms.tube([(x - 2.4, 0, 7.4), (x, 0, 4.4)], [2.0, 1.5], 12))
+    out.append(forms.tube([(x, -5.2, 3.2), (x, 0, 3.8), (x, 5.2, 3.2)], [1.0, 1.6, 1.0], 12))
+    out.append(forms.tube([(x, -9, 3), (x, 9, 3)], 0.5, 10))
+    return forms.gather(out)
+
+
+def _bearing(at: tuple[float, float, float]) -> Any:
+    """A hub with five balls, so that one sees it turn."""
+    x, y, z = at
+    out = [forms.turned([(0.9, -1.95), (0.9, 1.95)], at, 16, "y")]
+    for k in range(5):
+        a = 2 * math.pi * k / 5
+        p = (x + 1.7 * math.cos(a), z + 1.7 * math.sin(a))
+        out.append(shapes.rod(0.42, (p[0], y - 1.86, p[1]), (p[0], y + 1.86, p[1]), 8))
+    return forms.gather(out)
+
+
 @builder("skateboard")
 def skateboard(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Skateboard, drawn at 80 x 20 x 12."""
-    profile = [
-        (-40, 10.8),
-        (-30, 8.2),
-        (30, 8.2),
-        (40, 10.8),
-        (39.4, 12),
-        (29.6, 9.6),
-        (-29.6, 9.6),
-        (-39.4, 12),
-    ]
-    s.extrude(profile, (-10, 10), c, rough=0.9)
-    for x in (-21, 21):
-        s.box((7, 6, 3), (x, 0, 6.8), STEEL, metal=0.6)
-        s.rod(0.9, (x, -8, 3), (x, 8, 3), STEEL, metal=0.6)
-        for y in (-9.4, 5.8):
-            s.rod(3, (x, y, 3), (x, y + 3.6, 3), (0.93, 0.9, 0.8), sections=24)
-            holes(s, (x, y + 1.8, 3), 3, 3.8)
-            s.wheel((x, y + 1.8, 3), 3, parts=2)
+
+    def board(low: float, high: float, inset: float) -> Any:
+        """The deck between two heights above its underside, nose and tail turned up."""
+        import numpy as np
+
+        x = np.linspace(-1, 1, 41)
+        half = (10 - inset) * (1 - np.abs(x) ** 9) ** (1 / 3)
+        half = np.maximum(half, 1.6)
+        rise = 9.0 + 2.6 * np.clip((np.abs(x) - 0.66) / 0.34, 0, 1) ** 1.6
+        across = np.linspace(-1, 1, 9)
+        rings = []
+        for u, w, z in zip(x * (40 - inset), half, rise, strict=True):
+            dish = z + 0.35 * across**2
+            under = np.c_[np.full(9, u), across * w, dish + low]
+            rings.append(np.concatenate([under, np.c_[under[:, :2], dish + high][::-1]]))
+        return forms.loft(np.array(rings))
+
+    s.add(lambda: board(-1.0, 0.0, 0), c, of="plywood", name="deck")
+    s.add(lambda: board(-0.1, 0.12, 0.4), shade(c, 0.72), of="rubber_floor", name="grip_tape")
+    for x, row in ((-21, "rear"), (21, "front")):
+        s.add(lambda x=x: _truck(x), STEEL, of="aluminium", name=f"truck_{row}")
+        for y, side in ((-9.4, "right"), (5.8, "left")):
+            at = (x, y + 1.8, 3.0)
+            tread = [(1.0, -1.6), (2.6, -1.8), (3, -1.2), (3, 1.2), (2.6, 1.8), (1.0, 1.6)]
+            s.add(
+                lambda at=at, tread=tread: forms.turned(tread, at, 26, "y"),
+                (0.93, 0.9, 0.8),
+                of="rubber_hard",
+                name=f"wheel_{row}_{side}",
+            )
+            s.add(lambda at=at: _bearing(at), STEEL, name=f"bearing_{row}_{side}")
+            s.wheel(at, 3, parts=2)
     s.proxy_slab((-40, 40), (-10, 10), (7, 10))
     for x in (-21, 21):
         s.proxy_slab((x - 3, x + 3), (-9.4, 9.4), (0, 7))
     s.surface("deck", 10, (28, 9))
 
 
+def _fork(at: tuple[float, float, float]) -> Any:
+    x, y, z = at
+    out = [
+        forms.cushion(
+            (3.4, 0.5, 10), (x + 0.4, y + q * 2.0, z + 3.2), plan=3, side=0.5, sections=10, levels=5
+        )
+        for q in (-1, 1)
+    ]
+    out.append(
+        forms.turned([(1.3, z + 7.6), (2.4, z + 8.2), (2.4, z + 9.2), (1.3, z + 11)], (x, y, 0), 14)
+    )
+    return forms.gather(out)
+
+
+def _wires() -> Any:
+    """The mesh of a trolley's basket: wider and longer at its rim."""
+    z0, z1 = 42.0, 84.0
+    out = []
+
+    def corner(t: float, x: int, y: int) -> tuple[float, float, float]:
+        front, back, half = 38 + 7 * t, -34 - 7 * t, 19 + 6 * t
+        return (front if x > 0 else back, half * y, z0 + (z1 - z0) * t)
+
+    for t, radius in (
+        (0.0, 0.6),
+        (0.17, 0.3),
+        (0.34, 0.3),
+        (0.5, 0.3),
+        (0.67, 0.3),
+        (0.84, 0.3),
+        (1.0, 0.8),
+    ):
+        loop = [corner(t, x, y) for x, y in ((1, -1), (1, 1), (-1, 1), (-1, -1))]
+        for a, b in zip(loop, loop[1:] + loop[:1], strict=True):
+            out.append(forms.tube([a, b], radius, 6))
+    for k in range(1, 15):
+        u = k / 15
+        for y in (-1, 1):
+            low, high = (
+                [p + (q - p) * u for p, q in zip(corner(t, 1, y), corner(t, -1, y), strict=True)]
+                for t in (0.0, 1.0)
+            )
+            out.append(forms.tube([low, high], 0.26, 5, round_ends=False))
+        low = [p + (q - p) * u for p, q in zip(corner(0, 1, -1), corner(0, -1, -1), strict=True)]
+        out.append(forms.tube([low, (low[0], -low[1], low[2])], 0.26, 5, round_ends=False))
+    for k in range(1, 9):
+        u = k / 9
+        for x in (-1, 1):
+            low, high = (
+                [p + (q - p) * u for p, q in zip(corner(t, x, -1), corner(t, x, 1), strict=True)]
+                for t in (0.0, 1.0)
+            )
+            out.append(forms.tube([low, high], 0.26, 5, round_ends=False))
+        a, b = (
+            [p + (q - p) * u for p, q in zip(corner(0, x, -1), corner(0, x, 1), strict=True)]
+            for x in (-1, 1)
+        )
+        out.append(forms.tube([a, b], 0.26, 5, round_ends=False))
+    return forms.gather(out)
+
+
 @builder("shopping_cart")
 def shopping_cart(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Wire trolley with an open basket, drawn at 95 x 58 x 102."""
-    for x, w in ((36, 14), (-38, 26)):
-        for y in (-w, w):
-            s.rod(6, (x, y - 1.5, 6), (x, y + 1.5, 6), RUBBER, sections=24)
-            s.wheel((x, y, 6), 6)
-            s.rod(1.2, (x, y, 9), (x, y, 18), STEEL, metal=0.7, sections=10)
-    for y in (-1, 1):
-        s.pipe(
-            1.3,
-            [(40, 14 * y, 18), (-40, 26 * y, 18), (-40, 26 * y, 60), (-47, 26 * y, 100)],
+    for x, w, row in ((36, 14, "front"), (-38, 26, "rear")):
+        for y, side in ((-w, "right"), (w, "left")):
+            at = (x, y, 6.0)
+            tread = [(1.2, -1.4), (5.2, -1.5), (6, -0.9), (6, 0.9), (5.2, 1.5), (1.2, 1.4)]
+            s.add(
+                lambda at=at, tread=tread: forms.turned(tread, at, 26, "y"),
+                RUBBER,
+                name=f"castor_{row}_{side}",
+            )
+            s.wheel(at, 6)
+            s.add(lambda at=at: _fork(at), STEEL, name=f"castor_fork_{row}_{side}")
+    for y, side in ((-1, "right"), (1, "left")):
+        rail = [
+            (42, 14 * y, 17),
+            (36, 15 * y, 16.4),
+            (-34, 25.6 * y, 16.4),
+            (-39, 26 * y, 20),
+            (-40, 26 * y, 60),
+            (-44, 26 * y, 92),
+            (-47, 26 * y, 99),
+        ]
+        s.add(
+            lambda rail=rail: forms.tube(forms.smooth_path(rail, 40), 1.25, 12),
             CHROME,
-            metal=0.8,
+            name=f"frame_{side}",
         )
-    s.rod(1.8, (-46, -28, 100), (-46, 28, 100), c)
+    s.add(
+        lambda: forms.tube([(-46.5, -28, 99.6), (-46.5, 28, 99.6)], 1.9, 16),
+        c,
+        of="plastic_hard",
+        name="handle",
+    )
+    s.add(
+        lambda: forms.gather(
+            [forms.tube([(x, -w, 16.6), (x, w, 16.6)], 0.9, 10) for x, w in ((30, 16), (-30, 25))]
+        ),
+        CHROME,
+        name="cross_bars",
+    )
+    s.add(_wires, CHROME, name="basket")
+    s.add(
+        lambda: forms.cushion(
+            (1.4, 40, 17), (-39.4, 0, 74), plan=6, side=0.3, sections=20, levels=5
+        ),
+        c,
+        of="plastic_hard",
+        name="child_seat",
+    )
     z0, z1 = 42.0, 84.0
-    rails = {z0: (38, -34, 19), (z0 + z1) / 2: (41, -37, 22), z1: (45, -41, 25)}
-    for z, (f, b, w) in rails.items():
-        s.pipe(0.9, [(f, -w, z), (f, w, z), (b, w, z), (b, -w, z), (f, -w, z)], CHROME, metal=0.8)
-    for k in range(9):
-        t = k / 8
-        x0, x1 = 38 - 72 * t, 45 - 86 * t
-        for y in (-1, 1):
-            s.rod(0.4, (x0, 19 * y, z0), (x1, 25 * y, z1), CHROME, metal=0.8, sections=6)
-        s.rod(0.4, (x0, -19, z0), (x0, 19, z0), CHROME, metal=0.8, sections=6)
-    for k in range(7):
-        t = -1 + 2 * k / 6
-        s.rod(0.4, (38, 19 * t, z0), (45, 25 * t, z1), CHROME, metal=0.8, sections=6)
-        s.rod(0.4, (-34, 19 * t, z0), (-41, 25 * t, z1), CHROME, metal=0.8, sections=6)
-        s.rod(0.4, (38, 19 * t, z0), (-34, 19 * t, z0), CHROME, metal=0.8, sections=6)
     s.walls((-42, 46), (-26, 26), (z0 - 1, z1), 2.0, 1.0)
     s.proxy_slab((-46, 44), (-28, 28), (0, 18), 1.4)
     s.proxy_slab((-40, 38), (-6, 6), (18, z0 - 1), 0.3)
     s.proxy_slab((-48, -44), (-28, 28), (96, 102), 0.5)
     s.surface("basket floor", z0 + 1, (30, 17))
     s.region("inside", (-40, 44), (-24, 24), (z0 + 1, z1))
+
+
+@builder("scooter")
+def scooter(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Kick scooter, drawn at 100 x 45 x 100."""
+    draw_scooter(s, c)
+    s.proxy_slab((-48, 50), (-11, 11), (0, 12), 1.0)
+    s.proxy_slab((24, 40), (-3, 3), (12, 95), 0.4)
+    s.proxy_slab((23, 29), (-22, 22), (95, 100), 0.4)
+    s.surface("deck", 12, (20, 7), (-8, 0))

@@ -21,6 +21,8 @@ _TO_PIECES = lex.word_set("to pieces")
 _PICTURE, _THE_PICTURE = ("frame", "screen"), ("", "the")
 _ACROSS = ("across", "of", "off", "on")
 _OWN = ("his", "her", "its", "their")
+_ACTING_PARTS = lex.word_set("acting parts")
+_UNSEEN = lex.word_set("unseen light and weather") | lex.word_set("unseen fluids")
 
 
 def names_nothing(world: World, m: Mention, subject: bool) -> bool:
@@ -52,7 +54,8 @@ def _scene(world: World, m: Mention, subject: bool) -> bool:
 def _with_a_part(world: World, m: Mention, subject: bool) -> bool:
     """ "with one hand", "in its mouth", "wags its tail": a part of who acts."""
     part = m.head in lex.BODY_PARTS or (m.noun is None and no_things().get(m.head) == "body")
-    own = m.after_prep in _WITH or (m.determiner in _OWN and not subject)
+    bare = m.plural and not m.determiner and m.count is None  # "shake hands"
+    own = m.after_prep in _WITH or ((m.determiner in _OWN or bare) and not subject)
     return part and own and m.possessor is None
 
 
@@ -93,8 +96,23 @@ def _date(world: World, m: Mention, subject: bool) -> bool:
     return year or m.head in _MONTHS or season
 
 
+def _of_a_machine(world: World, m: Mention, subject: bool) -> bool:
+    """ "Raises its forks": what who acts has, and is no thing of its own."""
+    return m.head in _ACTING_PARTS and m.determiner == "its" and not subject and not m.after_prep
+
+
+def _unseen(world: World, m: Mention, subject: bool) -> bool:
+    """ "Clouds move", "rides a wave": light, weather and water, which are no bodies."""
+    return m.noun is None and {m.head, m.head + "s"} <= _UNSEEN
+
+
 def _place_name(world: World, m: Mention, subject: bool) -> bool:
-    """ "at cambodia": a bare noun that nobody knows, where something is."""
+    """ "at cambodia", "in Los Angeles": nouns that nobody knows, where something is."""
+    words = m.text.split()
+    named = m.noun is None or (m.noun.name == "person" and m.head != "person")
+    capital = named and not m.determiner and all(w[:1].isupper() for w in words)
+    if capital and words and m.after_prep in ("in", "at"):
+        return True
     bare = not (m.determiner or m.plural or m.adjectives or m.count or m.letters or m.amounts)
     named = bare and m.noun is None and m.head not in hypernyms()
     return named and m.after_prep in ("in", "at") and m.possessor is None
@@ -109,5 +127,7 @@ _TESTS: tuple[Callable[[World, Mention, bool], bool], ...] = (
     _pieces,
     _running_water,
     _date,
+    _of_a_machine,
+    _unseen,
     _place_name,
 )

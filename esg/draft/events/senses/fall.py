@@ -22,7 +22,13 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.events.acts import add_event, add_hit, goes_in
 from esg.draft.events.consequences import landing_of, struck_before
 from esg.draft.events.ends import off_the_edge
-from esg.draft.events.motions import motion, natural, on_what_was_hit, start_motion
+from esg.draft.events.motions import (
+    flies_itself,
+    motion,
+    natural,
+    on_what_was_hit,
+    start_motion,
+)
 from esg.draft.events.senses.launch import heights, motion_of_things
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import (
@@ -344,7 +350,10 @@ def read_land(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     flat = any(map(partial(structural, d), things(f.phrase("on", "onto", "in", "upon"))))
     for actor in s:
         struck_before(d, f, actor)
-        if actor not in d.timeline.tracks:
+        if actor not in d.timeline.tracks and flies_itself(d, actor):
+            d.moves.flying.add(actor)
+            start_motion(d, f, [actor], "own")  # a bird lands, it does not drop
+        elif actor not in d.timeline.tracks:
             start_motion(d, f, [actor], "drop")
             if flat and kind_of(d, actor) not in ("flyer", "animal", "person"):
                 add_event(d, NodeEvent.FALL, (actor,), f, time_of(d, f))

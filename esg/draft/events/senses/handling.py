@@ -13,10 +13,11 @@ from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.scene import GROUND, SELF_POWERED, SPEEDS
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event
+from esg.draft.events.ends import takes_up_from_above
 from esg.draft.events.hanging import turning
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.table import read_as, sense
-from esg.draft.events.timing import enter, moved_by_others, time_of
+from esg.draft.events.timing import enter, enterable, moved_by_others, time_of
 from esg.draft.events.told import amount, at_rest, ignore, recent, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.numerals import parse_number
@@ -40,9 +41,12 @@ def _from_where(d: Discourse, f: Frame, bodies: list[str]) -> None:
     ahead = f.phrase(*_PUT_ON, *_PUT_IN)
     if ahead is not None and ahead.mention is not None and ahead.mention.start < f.verb.start:
         place(d, [i for i in bodies if i not in d.scene.supported_by], things(ahead), ahead.prep)
+    of_it = [p for m, p in d.attached if m is f.object]
     for preps, prep in ((("from", "off"), "on"), (("out of",), "in")):
-        host = [i for i in things(f.phrase(*preps)) if not structural(d, i)]
+        told = (f.phrase(*preps), *(p for p in of_it if p.prep in preps))
+        host = [i for p in told for i in things(p) if not structural(d, i)]
         if host:
+            prep = "in" if holds(d, host[0]) else prep
             place(d, [i for i in bodies if i not in d.scene.supported_by], host[:1], prep)
 
 
@@ -88,14 +92,21 @@ def read_put(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 def _in_hand(d: Discourse) -> list[str]:
     """What has been picked up last, if nothing happened since."""
-    last = next((n for n in reversed(d.timeline.nodes) if n.participants), None)
-    return [last.participants[0]] if last and last.event is NodeEvent.PICKED_UP else []
+    held: list[str] = []
+    for n in reversed([n for n in d.timeline.nodes if n.participants]):
+        if n.event is not NodeEvent.PICKED_UP:
+            break
+        held.insert(0, n.participants[0])
+    return held
 
 
 def _named_it(d: Discourse, f: Frame) -> list[str]:
     """What "it" is that is put somewhere: what is in hand."""
     m = f.subject if f.verb.passive else f.object
-    return _in_hand(d) if m is not None and m.pronoun in ("it", "them") else []
+    held = _in_hand(d)
+    if m is None or m.pronoun not in ("it", "them"):
+        return []
+    return held if m.pronoun == "them" else held[-1:]
 
 
 def _told_as_act(d: Discourse, f: Frame) -> bool:
@@ -126,7 +137,8 @@ def _put(d: Discourse, f: Frame, moved: list[str], goal: tuple[str, str]) -> Non
                 continue
             _lay_aside(d, body, target)
         d.timeline.move(body, Motion("guide", target=target), ForceDirection.ANY_3D)
-        if prep in _PUT_IN and holds(d, target):
+        inner = holds(d, target) or enterable(d, target) or takes_up_from_above(d, target, "in")
+        if prep in _PUT_IN and inner:
             enter(d, f, body, target, time_of(d, f))
         else:
             add_event(d, NodeEvent.PLACED, (body, target), f, time_of(d, f))

@@ -20,6 +20,7 @@ from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.events.acts import add_event, add_hit, go_into, kinematics, outcomes
 from esg.draft.events.consequences import already_hit, consequence, knock_on
+from esg.draft.events.hanging import hanging
 from esg.draft.events.lengths import distance
 from esg.draft.events.motions import each_passed, motion, start_motion, target_of
 from esg.draft.events.roles import doer_and_done
@@ -35,6 +36,7 @@ from esg.draft.events.told import amount, ignore, moves, recent, size_of, things
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 
+_KICKING = frozenset({"kick", "punt", "boot", "sidefoot"})
 _BY_HAND = lex.word_set("by hand")
 _THROWN = lex.word_set("thrown")
 _GUNS = lex.word_set("guns")
@@ -146,8 +148,16 @@ def launch_by(d: Discourse, f: Frame, agents: list[str], sent: list[str]) -> Non
         motion(d, f, agents, None)
         return
     mode = f.verb.note or "roll"
+    hung = hanging(d, sent)
+    if hung and agents and kind_of(d, agents[0]) in SELF_POWERED:
+        add_hit(d, f, agents[:1], hung[:1], time_of(d, f))  # "kicks a punching bag"
+        note = add_event(d, NodeEvent.SWING, (hung[0],), f, None)
+        mark_used(d, f, note)
+        return
     if f.verb.lemma == "blow":
         agents = []  # the air that a fan moves touches it, not the fan
+    if f.verb.lemma in _KICKING:
+        d.scene.kicked.update(sent)
     bodily = [a for a in agents if kind_of(d, a) != "person"]
     flung = f.verb.lemma == "kick" and "up" in f.adverbs  # "a pebble kicked up by a lorry"
     bumps = f.verb.sense == "launch" and mode in ("slide", "roll") and not flung

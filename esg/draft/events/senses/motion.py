@@ -56,6 +56,9 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         launch_by(d, f, s, o)
         return
     actors = [a for a in _driven(d, f, s, o) if movable(d, a)]
+    if f.verb.lemma == "take" and actors and all(flies_itself(d, a) for a in actors):
+        f.verb.lemma = "ascend"  # "a bird takes off"
+        d.moves.flying.update(actors)
     kind = kind_of(d, actors[0]) if actors else ""
     sides = [x for x in f.adverbs if x in ("left", "right")]
     if sides and kind in SELF_POWERED and f.verb.lemma in _TURNING:
@@ -193,6 +196,10 @@ def read_roll(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("slide")
 def read_slide(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    if f.verb.lemma == "glide" and s and kind_of(d, s[0]) == "projectile":
+        f.verb.sense = "fly"  # "a paper plane glides"
+        read_fly(d, f, s, o)
+        return
     if _pushes(d, f, s, o):
         return
     actors = o if o and (not s or kind_of(d, s[0]) == "person") else s
@@ -214,7 +221,10 @@ def _sent_off(d: Discourse, f: Frame, actors: list[str]) -> bool:
 
 @sense("fly")
 def read_fly(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if s and flies_itself(d, s[0]):
+    if s and o and not f.verb.passive and kind_of(d, s[0]) in _DRIVERS:
+        place(d, s, o, "near")  # "a boy flies a kite": the kite does
+        _hovers(d, f, o)
+    elif s and flies_itself(d, s[0]):
         motion(d, f, s, "own")
     elif quantity_of(d, f, "angle") is not None and s and not moved_by_others(d, s[0]):
         motion_of_things(d, f, s, "throw")  # "flies off at an angle of 40 degrees"

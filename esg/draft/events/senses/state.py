@@ -44,6 +44,8 @@ _PATTERN_VERBS = {
 """Arrangement of a plural by the verb that says how it stands."""
 _LEANT_ON_CM = 60.0
 _LEANING = frozenset({"lean", "prop"})
+_CARRIES, _WALKERS = ("carry", "haul", "lug"), ("person", "animal", "robot")
+_ABREAST = frozenset({"in a row", "from left to right", "from right to left"})
 _HANGING = lex.word_set("hanging")
 _HUNG_BY = lex.word_set("hung by")
 _BESIDE = ("on", "against", "at", "by")
@@ -79,6 +81,8 @@ def _beside_others(d: Discourse, owners: list[str], p: Phrase, m: Mention) -> No
     if p.prep == "of":
         if owners and holds(d, owners[0]):  # "a cart of laundry"
             place(d, [o for o in loose if movable(d, o)], owners[:1], "in")
+        elif owners and ("support" in traits_of(d, owners[0]) or kind_of(d, owners[0]) == "cart"):
+            place(d, [o for o in loose if movable(d, o)], owners[:1], "on")
     elif p.prep == "with":
         # "a table with bottles on it": the on-phrase places them; else they rest on a support
         attachment_with(d, owners, loose)
@@ -262,7 +266,7 @@ def read_surround(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 def places(d: Discourse, f: Frame, bodies: list[str]) -> None:
     """Where a clause says that things are, how far from others, and in what arrangement."""
     gap = next((a for p in ("", "at", "about") if (a := amount(d, f, "length", p))), None)
-    pattern = "row" if "in a row" in f.adverbs else _PATTERN_VERBS.get(f.verb.lemma)
+    pattern = "row" if _ABREAST & {*f.adverbs} else _PATTERN_VERBS.get(f.verb.lemma)
     for t in bodies:
         _pattern_of(d, t, pattern)
     for p in f.phrases:
@@ -345,6 +349,10 @@ def read_carry(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         motion(d, f, o, "slide")  # "a conveyor carries a box past a guard"
     elif s and (quantity_of(d, f, "speed") or any(p.prep in _CARRIED_ALONG for p in f.phrases)):
         motion(d, f, s, None)
+    elif s and o and not f.reduced and not f.verb.passive and f.verb.lemma in _CARRIES:
+        walkers = [i for i in s if kind_of(d, i) in _WALKERS]
+        if walkers:
+            motion(d, f, walkers, None)  # carrying is going
     mark_used(d, f, "carrying")
 
 

@@ -81,7 +81,11 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
         m.possessor = s.relative  # "a ball whose mass is 300 g"
     if _says_nothing(c, s, m, i):
         return
-    if s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
+    if listed and _other_end(c, s, m, i):
+        assert s.last is not None
+        s.last.coordinated.append(m)
+        s.boundary = False
+    elif s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
         _subject_of_relative(s, m)
     elif m.after_prep:
         _part_of_a_phrase(c, s, m, i)
@@ -97,6 +101,15 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
     else:
         _object(s.frame, m)
         s.last, s.last_after_prep = m, False
+
+
+def _other_end(c: Clauses, s: State, m: Mention, i: int) -> bool:
+    """ "Between the plate and the cup": one thing has nothing between it."""
+    first = element_at(c.elements, i - 2)
+    one = isinstance(first, Mention) and first is s.last and not first.plural
+    joined = getattr(element_at(c.elements, i - 1), "low", "") == "and"
+    between = isinstance(first, Mention) and first.after_prep == "between"
+    return one and joined and between and not m.after_prep and not first.coordinated
 
 
 def _coordinated(c: Clauses, s: State, i: int) -> bool:

@@ -50,7 +50,7 @@ from esg.draft.grammar.phrases.reader import (
     unknown_noun,
 )
 from esg.draft.grammar.phrases.rows import inner_phrase, member_of_row, the_rest
-from esg.draft.text.elements import ONE_OF_THESE, Mention
+from esg.draft.text.elements import ONE_OF_THESE, Mention, Verb
 from esg.draft.verbphrases import verb_readings
 
 _RUNNING_GEAR = lex.word_set("running gear")
@@ -62,6 +62,9 @@ _THEM = ("it", "him", "her", "them")
 _STACKS = ("stack", "pile", "tower", "heap")
 _OWN = ("his", "her", "its", "their")
 _HANDS = frozenset({"left", "left-hand", "right", "right-hand"})
+_DOING = frozenset({"do", "does", "did", "perform", "execute", "attempt"})
+_NOT_ONE = frozenset({"light", "dark", "cold"})
+"""Adjectives that are nouns, too: "the light" is no light one."""
 _NO_NOUNS = lex.ADVERBS | lex.PREPOSITIONS | lex.DETERMINERS | lex.SUBORDINATORS
 
 
@@ -478,6 +481,11 @@ def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
         m.head, m.plural = lex.singular(last)
         m.known = False
         return Head(p.at)
+    acted_on = bool(c.elements) and isinstance(c.elements[-1], Verb) and m.determiner == "the"
+    if last in _NOT_ONE and acted_on and len(m.adjectives) == 1:
+        m.attribute, m.head = True, last  # "turns off the light": no light one
+        m.adjectives.clear()
+        return Head(p.at)
     m.pronoun = "ones" if m.count and m.count > 1 else "one"
     found = _owner(c, p.at + 1) if low_at(c, p.at) == "of" and m.pronoun == "one" else None
     if found is None:
@@ -511,12 +519,18 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
     titled = k == j and k + 1 < len(tokens) and tokens[k + 1].text == ":"
     bare = not m.determiner and m.count is None
     titled = titled and m.head in lex.ATTRIBUTES
-    nothing = m.head in lex.ATTRIBUTES or names_no_thing(low_at(c, k), bare=bare)
+    nothing = m.head in lex.ATTRIBUTES or names_no_thing(low_at(c, k), bare=bare) or _done(c)
     m.noun = m.noun or packed(c, m.head, m)
     nothing = nothing and m.noun is None and not _weighs(c, p.first, k, m)
     m.attribute = nothing and not titled  # "Night has fallen."
     m.known = m.attribute or m.noun is not None
     return Head(k + 1)
+
+
+def _done(c: Chunks) -> bool:
+    """ "Does a backflip", "performs a cartwheel": an act that is done is no thing."""
+    verb = c.elements[-1] if c.elements else None
+    return isinstance(verb, Verb) and bool({verb.lemma, verb.auxiliary} & _DOING)
 
 
 def _weighs(c: Chunks, first: int, last: int, m: Mention) -> bool:

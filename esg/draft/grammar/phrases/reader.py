@@ -14,6 +14,9 @@ from esg.draft.verbphrases import PHRASES, verb_readings
 
 _NOUNS_FIRST = lex.word_set("nouns first")
 _ALSO_NOUNS = lex.word_set("also nouns")
+_ARTICLES = frozenset({"a", "an", "the", "its", "his", "her", "their", "another"})
+_OBJECTS = frozenset({"it", "him", "them"})
+_SMALL = lex.PREPOSITIONS | lex.ADVERBS | lex.MODALS | lex.DETERMINERS | lex.PRONOUNS
 _BE = frozenset({"is", "are", "was", "were", "be", "been", "being", "'s", "gets", "get"})
 _HAVE = frozenset({"has", "have", "had", "having"})
 _CANNOT = frozenset({"cannot", "can't", "couldn't"})
@@ -320,6 +323,8 @@ def looks_like_verb(c: Chunks, j: int, m: Mention) -> bool:
 def unknown_verb(c: Chunks, i: int) -> bool:
     """ "The bag rips, and", ", rounds a shelf": an unknown word in -s in place of a verb."""
     previous, nxt = element_before(c), token_at(c, i + 1)
+    if _acted_on(c, i, previous):
+        return True
     if not _unknown_in_s(c, i, previous):
         return False
     object_ = nxt is not None and nxt.low in lex.DETERMINERS | lex.PRONOUNS
@@ -330,6 +335,25 @@ def unknown_verb(c: Chunks, i: int) -> bool:
     told = any(isinstance(e, Verb) for e in c.elements)
     listed = isinstance(previous, Word) and (previous.kind == "conj" or previous.low == ",")
     return listed and told and c.tokens[i].tag == "VERB" and (object_ or way)
+
+
+def _acted_on(c: Chunks, i: int, previous: Element | None) -> bool:
+    """ "Store the block in a box", "lifts a bin and empties it": a bare noun has no object.
+
+    Two noun phrases stand side by side only where the first has its own article.
+    """
+    low, nxt = low_at(c, i), low_at(c, i + 1)
+    noun = match_noun(c, i) or (None, 1, low.endswith("s") and not low.endswith("ss"))
+    if noun[1] != 1 or verb_readings(low) or not low.isalpha() or low in _SMALL:
+        return False
+    told = any(isinstance(e, Verb) for e in c.elements)
+    joined = isinstance(previous, Word) and previous.kind in ("conj", "adv") and told
+    opens = previous is None or (isinstance(previous, Word) and previous.low in ".;!?\n")
+    if noun[2]:
+        one = isinstance(previous, Mention) and not previous.plural and previous.determiner
+        return bool(one or joined) and nxt in _ARTICLES | _OBJECTS
+    known = match_noun(c, i) is not None
+    return known and (opens or joined) and (nxt in _ARTICLES or (opens and nxt in _OBJECTS))
 
 
 def _unknown_in_s(c: Chunks, i: int, previous: Element | None) -> bool:

@@ -9,6 +9,7 @@ from esg.draft.grammar.phrases.chunks import Chunks
 from esg.draft.grammar.phrases.nouns import low_at, match_noun
 from esg.draft.grammar.phrases.reader import is_adjective, noun_soon, participle
 from esg.draft.text.elements import Verb
+from esg.draft.text.multiwords import MULTIWORDS
 from esg.draft.verbphrases import PHRASES, verb_readings
 
 _BE = lex.word_set("be")
@@ -52,9 +53,17 @@ def _read_auxiliary(c: Chunks, j: int, aux: _Auxiliaries) -> bool:
     elif low in _IS_NOT:
         aux.be, aux.word, aux.negated = True, low, True
     else:
-        adverb = low in lex.ADVERBS and low not in _AFTER_VERBS
+        adverb = low in lex.ADVERBS and low not in _AFTER_VERBS and not _opens_a_phrase(c, j)
         return some and (adverb or (low.endswith("ly") and not match_noun(c, j)))
     return True
+
+
+def _opens_a_phrase(c: Chunks, j: int) -> bool:
+    """ "Is next to a box": the preposition's first word is no adverb of the verb."""
+    return any(
+        kind == "prep" and c.lows[j : j + len(words)] == words
+        for words, kind, _ in MULTIWORDS.get(low_at(c, j), ())
+    )
 
 
 def verb_group(c: Chunks, i: int) -> int | None:
@@ -125,6 +134,8 @@ def _phrase(c: Chunks, verb: Verb, k: int) -> int:
         path = verb.passive and notes.get("transitive") and sense == "topple"
         if path and _determiner_at(c, m.end()):
             continue  # "is dragged over the sand"
+        if notes.get("active") and verb.passive and verb.auxiliary in _BE:
+            continue  # "is stuck in a tree": a state
         if notes.get("only_passive"):
             if verb.passive:
                 break  # a path, no particle

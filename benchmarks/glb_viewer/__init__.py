@@ -1,1 +1,0 @@
-"""Pictures of an exported scene in a browser: `python -m benchmarks.glb_viewer`."""

@@ -1,0 +1,241 @@
+"""What the things of a scene look like where its prompt leaves it open: poses, liveries, colours.
+
+Chosen at drawing time from the document and its seed, and from nothing else: the same scene of the
+same seed always looks the same, two things of one kind differ, and what the prompt says stays as it
+says. Nothing of it is stored, so that documents, physics and verdicts keep their bytes.
+"""
+
+from __future__ import annotations
+
+import csv
+from dataclasses import dataclass, replace
+from functools import cache
+import hashlib
+from pathlib import Path
+import re
+
+from esg.assets.appearance import USUAL, Appearance
+from esg.assets.colors import find_color
+from esg.assets.configuration import parametric_entry
+from esg.assets.library.catalogue import Entry, parse_hex
+from esg.assets.looks import Color
+from esg.graph.casting import effective
+from esg.graph.models import CoverageItem, EsgDocument, Predicate
+
+_DATA = Path(__file__).parent / "data"
+_PEOPLE = frozenset({"figure", "child_figure"})
+_INDIVIDUALS = _PEOPLE | {"tree", "billiard_ball"}
+_NEAR = 0.28
+"""Largest difference in a channel at which two colours pass for one."""
+_LIVERIES: dict[str, Color] = {
+    "police_car": parse_hex("#f0f0ee"),
+    "taxi": parse_hex("#ecb51e"),
+    "ambulance": parse_hex("#f4f4f0"),
+    "fire_truck": parse_hex("#c01c1c"),
+}
+"""What a vehicle serves as, by category, and its usual colour."""
+_NODE = re.compile(r"/spatial_relation_graph/nodes/([^/]+)")
+
+
+@dataclass(frozen=True)
+class _Postures:
+    on: dict[str, str]
+    does: dict[str, str]
+
+
+@cache
+def _postures() -> _Postures:
+    tables: dict[str, dict[str, str]] = {"on": {}, "does": {}}
+    with (_DATA / "postures.csv").open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            tables[row["says"]] |= dict.fromkeys(row["words"].split(";"), row["pose"])
+    return _Postures(tables["on"], tables["does"])
+
+
+@cache
+def _palettes() -> dict[str, tuple[Color, ...]]:
+    out: dict[str, tuple[Color, ...]] = {}
+    with (_DATA / "palettes.csv").open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            colors = tuple(parse_hex(c) for c in row["colors"].split(";"))
+            out |= dict.fromkeys(row["kinds"].split(";"), colors)
+    return out
+
+
+def appearances(doc: EsgDocument) -> dict[str, Appearance]:
+    """How every node of a resolved document looks, by its id."""
+    doc = effective(doc)
+    seed = next((p.seed for p in doc.provenance if p.stage == "resolve"), 0)
+    prompt = doc.scene_definition.original_description
+    poses = _poses(doc)
+    taken = _stated_colors(doc)
+    out: dict[str, Appearance] = {}
+    for name, node in doc.spatial_relation_graph.nodes.items():
+        config = doc.asset_configurations.get(node.asset_id)
+        entry = None if config is None else parametric_entry(config)
+        if config is None or entry is None:
+            out[name] = USUAL
+            continue
+        which = name if _differs(entry) else node.asset_id
+        digest = hashlib.sha256(f"{seed}/{prompt}/{which}".encode()).digest()
+        own = Appearance(
+            pose=poses.get(name, ""),
+            livery=config.category if config.category in _LIVERIES else "",
+            seed=int.from_bytes(digest[:6], "big"),
+        )
+        if own.livery and not _colored(doc, node.asset_id, entry):
+            out[name] = replace(own, color=_LIVERIES[own.livery])
+            continue
+        color = None if own.livery else _free_color(doc, node.asset_id, entry, own, taken)
+        if color is not None:
+            own = replace(own, color=color)
+            taken = (*taken, color)
+        out[name] = own
+    return out
+
+
+def _palette(entry: Entry) -> tuple[Color, ...] | None:
+    kind = dict(entry.params).get("kind")
+    return _palettes().get(f"{entry.builder}:{kind}") or _palettes().get(entry.builder)
+
+
+def _differs(entry: Entry) -> bool:
+    """Whether two nodes with one asset of a kind look different: cars do, bowling pins do not."""
+    return entry.builder in _INDIVIDUALS or _palette(entry) is not None
+
+
+def _stated_colors(doc: EsgDocument) -> tuple[Color, ...]:
+    """Colours that the prompt gives to something: no other thing is to be taken for it."""
+    found = (find_color(r.color) for r in doc.asset_requirement.values())
+    return tuple(c for c in found if c is not None)
+
+
+def _free_color(
+    doc: EsgDocument, asset: str, entry: Entry, own: Appearance, taken: tuple[Color, ...]
+) -> Color | None:
+    """A colour of the kind's palette that nothing else has; None where the prompt states one."""
+    palette = _palette(entry)
+    if (
+        palette is None
+        or _colored(doc, asset, entry)
+        or dict(entry.params).get("dress", "plain") != "plain"
+    ):
+        return None
+    free = [c for c in palette if not any(_alike(c, other) for other in taken)] or list(palette)
+    return free[own.pick("color", len(free))]
+
+
+def _colored(doc: EsgDocument, asset: str, entry: Entry) -> bool:
+    """Whether the prompt states a colour, or a material that has one."""
+    asked = doc.asset_requirement.get(asset)
+    stated = asked is not None and bool(asked.color)
+    return stated or entry.color_rgb != doc.asset_configurations[asset].color_rgb
+
+
+def _alike(a: Color, b: Color) -> bool:
+    return max(abs(p - q) for p, q in zip(a, b, strict=True)) < _NEAR
+
+
+def first_of_asset(doc: EsgDocument, looks: dict[str, Appearance]) -> dict[str, Appearance]:
+    """The appearance of every asset: that of its first node."""
+    out: dict[str, Appearance] = {}
+    for name, node in doc.spatial_relation_graph.nodes.items():
+        out.setdefault(node.asset_id, looks.get(name, USUAL))
+    return out
+
+
+def _poses(doc: EsgDocument) -> dict[str, str]:
+    """Poses of the people of a document, by node."""
+    nodes = doc.spatial_relation_graph.nodes
+    kinds: dict[str, str] = {}
+    people: set[str] = set()
+    for name, node in nodes.items():
+        config = doc.asset_configurations.get(node.asset_id)
+        entry = None if config is None else parametric_entry(config)
+        if entry is not None:
+            kinds[name] = entry.name
+            if entry.builder in _PEOPLE:
+                people.add(name)
+    if not people:
+        return {}
+    found = _moving(doc, people) | _doing(doc, people) | _loaded(doc, people)
+    regions = doc.spatial_relation_graph.semantic_regions
+    for name in sorted(people):
+        region = regions.get(nodes[name].semantic_region or "")
+        below = None if region is None else kinds.get(region.parent_object)
+        if below in _postures().on:
+            found[name] = _postures().on[below]
+    return found
+
+
+def _moving(doc: EsgDocument, people: set[str]) -> dict[str, str]:
+    """Those who go somewhere by themselves walk."""
+    if doc.timeline_system is None:
+        return {}
+    edges = doc.timeline_system.sequence_graph.edges
+    gone = {e.actor for e in edges if e.event.value in ("UniformMotion", "Accelerate", "Toward")}
+    return dict.fromkeys(sorted(gone & people), "walk")
+
+
+def _loaded(doc: EsgDocument, people: set[str]) -> dict[str, str]:
+    """Those on whom something lies carry it on their heads."""
+    nodes, regions = doc.spatial_relation_graph.nodes, doc.spatial_relation_graph.semantic_regions
+    under = {
+        regions[n.semantic_region].parent_object
+        for n in nodes.values()
+        if n.semantic_region in regions
+    }
+    borne = (s for s in doc.statements or () if s.predicate is Predicate.CARRIED_BY)
+    told = {i for s in borne for i in s.target}
+    return dict.fromkeys(sorted(under & people & (told | under)), "bear")
+
+
+def _doing(doc: EsgDocument, people: set[str]) -> dict[str, str]:
+    """What the prompt says that somebody does: the pose of the last such verb of his."""
+    prompt = doc.scene_definition.original_description
+    items = sorted(doc.coverage.items, key=lambda item: item.start)
+    out: dict[str, str] = {}
+    for k, item in enumerate(items):
+        if item.kind != "event":
+            continue
+        pose = next((p for w in item.text.lower().split() if (p := pose_of(w))), None)
+        before = next((i for i in reversed(items[:k]) if i.kind == "object"), None)
+        after = next((i for i in items[k + 1 :] if i.kind == "object"), None)
+        passive = after is not None and re.search(r"\bby\b", prompt[item.end : after.start])
+        for name in _named(doc, after if passive else before):
+            if pose is not None and name in people:
+                out[name] = pose
+    return out
+
+
+def _named(doc: EsgDocument, item: CoverageItem | None) -> list[str]:
+    """The node that an item of the prompt became, and those of its group."""
+    found = None if item is None else _NODE.match(item.pointer)
+    nodes = doc.spatial_relation_graph.nodes
+    if found is None or found[1] not in nodes:
+        return []
+    group = nodes[found[1]].group
+    return [n for n in nodes if n == found[1] or (group is not None and nodes[n].group == group)]
+
+
+@cache
+def pose_of(word: str) -> str | None:
+    """The pose that a form of a verb asks for: "throws", "throwing", "threw"; None if none does."""
+    table = _postures().does
+    irregular = {
+        "threw": "throw",
+        "thrown": "throw",
+        "ran": "run",
+        "held": "hold",
+        "shot": "shoot",
+        "swung": "swing",
+        "flung": "fling",
+        "fled": "flee",
+    }
+    word = irregular.get(word, word)
+    stems = [word]
+    for ending in ("s", "es", "d", "ed", "ing"):
+        if word.endswith(ending):
+            stem = word[: -len(ending)]
+            stems += [stem, stem + "e", stem[:-1] if stem[-2:-1] == stem[-1:] else stem]
+    return next((table[s] for s in stems if s in table), None)

@@ -1,0 +1,88 @@
+"""Poses, liveries and colours are chosen from what the document says, and from its seed."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from esg.assets import resolve, write_meshes
+from esg.assets.appearance import Appearance
+from esg.assets.appearances import appearances, pose_of
+from esg.assets.configuration import node_mesh_path
+from esg.compile.assets import mesh_file
+from esg.draft import draft
+
+
+def looks(prompt: str, seed: int = 0) -> dict[str, Appearance]:
+    return appearances(resolve(draft(prompt), seed=seed))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "node", "pose"),
+    [
+        ("A man kicks a soccer ball into the goal.", "man_1", "kick"),
+        ("A ball is kicked by a girl.", "girl_1", "kick"),
+        ("A boy throws a ball at three bottles.", "boy_1", "throw"),
+        ("A worker pushes a cart.", "worker_1", "push"),
+        ("A man carries a box to the table.", "man_1", "bear"),
+        ("A woman sits on a bench.", "woman_1", "sit"),
+        ("Three people walk across the road.", "person_3", "walk"),
+        ("A man stands next to a car.", "man_1", ""),
+    ],
+)
+def test_a_person_is_posed_by_what_he_does(prompt: str, node: str, pose: str) -> None:
+    assert looks(prompt)[node].pose == pose
+
+
+@pytest.mark.parametrize(
+    ("word", "pose"),
+    [
+        ("kicks", "kick"),
+        ("threw", "throw"),
+        ("running", "run"),
+        ("pushed", "push"),
+        ("batting", "swing"),
+        ("falls", None),
+        ("bowling", "throw"),
+    ],
+)
+def test_forms_of_verbs(word: str, pose: str | None) -> None:
+    assert pose_of(word) == pose
+
+
+def test_things_of_a_kind_differ_and_stated_colours_stay() -> None:
+    found = looks("A red car passes three people and a motorcycle.")
+    people = [found[f"person_{k}"].color for k in (1, 2, 3)]
+    assert None not in people and len(set(people)) == 3
+    assert found["red_car_1"].color is None
+    red, green, blue = found["motorcycle_1"].color or (1, 0, 0)
+    assert not (red > 0.5 and max(green, blue) < 0.3)
+
+
+def test_the_same_seed_looks_the_same_and_another_does_not() -> None:
+    prompt = "A truck hits a van next to a tree."
+    assert looks(prompt, 1) == looks(prompt, 1)
+    assert looks(prompt, 1) != looks(prompt, 2)
+
+
+def test_pins_of_one_asset_are_alike() -> None:
+    found = looks("A bowling ball hits six bowling pins.")
+    assert len({found[f"bowling_pin_{k}"] for k in range(1, 7)}) == 1
+
+
+def test_police_cars_and_taxis_are_told_apart() -> None:
+    found = looks("A police car chases a taxi.")
+    assert (found["police_car_1"].livery, found["taxi_1"].livery) == ("police_car", "taxi")
+    assert found["police_car_1"].color != found["taxi_1"].color
+
+
+def test_nodes_that_differ_have_files_of_their_own(tmp_path: Path) -> None:
+    doc = resolve(draft("Three people walk across the road."), seed=1)
+    write_meshes(doc, tmp_path)
+    mesh = doc.asset_configurations["person_01"].mesh_path
+    first, second = (mesh_file(tmp_path, mesh, f"person_{k}") for k in (1, 2))
+    assert first == tmp_path / mesh
+    assert second == tmp_path / node_mesh_path(mesh, "person_2")
+    assert first is not None and second is not None
+    assert first.read_bytes() != second.read_bytes()

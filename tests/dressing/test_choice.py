@@ -1,0 +1,143 @@
+"""Which place a scene is in: what its words say, what its environment is, what is at home where."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from esg.dressing.choice import Choice, choose
+from tests.dressing.worlds import body, document, ground, road, scene_of
+
+BALL, CAR = ("ball", (0.2, 0.2, 0.2)), ("car", (4.5, 1.8, 1.5))
+
+
+def chosen(
+    prompt: str,
+    *things: tuple[str, tuple[float, float, float]],
+    setting: str = "outdoor",
+    environment: str = "generic",
+    extent: float = 4.0,
+    streets: bool = False,
+    seed: int = 0,
+) -> Choice:
+    bodies = [body(name, size, name=f"{name}_{k}") for k, (name, size) in enumerate(things)]
+    scene = scene_of(ground(), *([road()] if streets else []), *bodies)
+    doc = document(scene, prompt, setting=setting, environment=environment)
+    return choose(doc, scene, extent, np.random.default_rng(seed))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "setting", "environment", "place"),
+    [
+        ("A ball rolls through the park.", "outdoor", "park", "park"),
+        ("A cup falls off the table in the kitchen.", "indoor", "kitchen", "kitchen"),
+        ("A box slides across the warehouse floor.", "indoor", "warehouse", "warehouse"),
+        ("In the workshop a hammer falls.", "indoor", "workshop", "workshop"),
+        ("A ball rolls across the living room.", "indoor", "living_room", "living_room"),
+        ("A crate falls off a truck at the harbour.", "outdoor", "street", "harbour"),
+        ("A puck slides over the ice rink.", "outdoor", "ice_rink", "ice_rink"),
+        ("Children play on the playground.", "outdoor", "playground", "playground"),
+        ("A ball rolls along the beach.", "outdoor", "beach", "beach"),
+        ("A plane taxis to the runway.", "outdoor", "street", "airfield"),
+        ("A medicine ball is thrown in the gym.", "indoor", "gym", "gym"),
+        ("A car reverses in the car park.", "outdoor", "street", "car_park"),
+    ],
+)
+def test_words_say_where_it_is(prompt: str, setting: str, environment: str, place: str) -> None:
+    for seed in range(8):
+        found = chosen(prompt, BALL, setting=setting, environment=environment, seed=seed)
+        assert found.place.name == place, found.reasons
+
+
+def test_a_things_name_is_hardly_a_place() -> None:
+    """A garden chair may stand anywhere; who says that it is in the park is believed."""
+    chair = ("box", (1.0, 1.0, 1.0))
+    somewhere = {chosen("It hits a garden chair.", chair, seed=s).place.name for s in range(20)}
+    assert len(somewhere) > 2
+    for seed in range(8):
+        there = chosen("In the park it hits a garden chair.", chair, seed=seed)
+        assert there.place.name == "park"
+
+
+def test_a_car_park_is_no_park() -> None:
+    for seed in range(8):
+        assert chosen("A ball rolls in the car park.", BALL, seed=seed).place.name == "car_park"
+        assert chosen("A ball rolls in the park.", BALL, seed=seed).place.name == "park"
+
+
+@pytest.mark.parametrize(
+    ("things", "place"),
+    [
+        ((("hockey_puck", (0.1, 0.1, 0.03)),), "ice_rink"),
+        ((("stove", (0.6, 0.6, 0.9)), ("frying_pan", (0.4, 0.3, 0.1))), "kitchen"),
+        ((("boat", (4, 1.5, 1)), ("buoy", (1, 1, 1.5))), "water"),
+        ((("excavator", (6, 2, 3)),), "site"),
+        ((("tent", (2, 2, 1)), ("campfire", (1, 1, 0.5)), ("log", (2, 0.3, 0.3))), "forest"),
+    ],
+)
+def test_things_are_at_home_somewhere(
+    things: tuple[tuple[str, tuple[float, float, float]], ...], place: str
+) -> None:
+    for seed in range(8):
+        assert chosen("They move.", *things, seed=seed).place.name == place
+
+
+def test_no_street_without_a_road() -> None:
+    for seed in range(20):
+        without = chosen("A car hits a bin.", CAR, environment="street", extent=20.0, seed=seed)
+        assert without.place.name not in ("street", "highway", "country_road")
+    with_one = chosen("A car hits a bin.", CAR, environment="street", streets=True)
+    assert with_one.place.name == "street"
+
+
+def test_a_yard_that_is_called_a_road_is_no_street() -> None:
+    """Drafts lay one of 60 by 50 m under a forklift that turns."""
+    yard = body("road", (60.0, 50.0, 0.01), flat=True)
+    scene = scene_of(ground(), yard, body(*CAR))
+    doc = document(scene, "A car turns.", environment="street")
+    names = {choose(doc, scene, 20.0, np.random.default_rng(s)).place.name for s in range(20)}
+    assert names.isdisjoint({"street", "highway", "country_road"})
+
+
+def test_a_small_room_is_not_built_around_a_long_way() -> None:
+    marble = ("marble", (0.02, 0.02, 0.02)), ("domino", (0.05, 0.02, 0.1))
+    near = {
+        chosen("A marble hits a domino.", *marble, extent=3.0, seed=s).place.name for s in range(8)
+    }
+    far = {
+        chosen("A marble hits a domino.", *marble, extent=40.0, seed=s).place.name for s in range(8)
+    }
+    assert near == {"living_room"}
+    assert "living_room" not in far
+
+
+@pytest.mark.parametrize(
+    ("prompt", "sky"),
+    [
+        ("At night a car hits a bin.", "night"),
+        ("A car stops at dusk.", "dusk"),
+        ("In the morning a dog runs.", "morning"),
+        ("A ball bounces in the rain.", "overcast"),
+        ("A snowy day, a sled slides.", "overcast"),
+        ("On a sunny day a ball rolls.", "clear"),
+    ],
+)
+def test_words_say_what_light_there_is(prompt: str, sky: str) -> None:
+    assert chosen(prompt, BALL).sky.name == sky
+
+
+def test_a_knight_brings_no_night() -> None:
+    skies = {chosen("A knight hits a dummy.", BALL, seed=s).sky.name for s in range(20)}
+    assert "clear" in skies and skies <= {"clear", "cloudy", "morning"}
+
+
+def test_the_ground_is_what_words_say() -> None:
+    assert chosen("On a snowy day a sled slides.", ("sled", (1, 0.5, 0.3))).ground == "snow"
+    assert chosen("A ball rolls over the sand.", BALL).ground == "sand"
+    assert chosen("A box slides over ice.", BALL, environment="ice").ground == "ice"
+    assert chosen("A ball rolls through the park.", BALL, environment="park").ground == "grass"
+
+
+def test_a_room_keeps_its_floor_although_sand_is_spoken_of() -> None:
+    found = chosen("A bag falls on the sand in the gym.", BALL, setting="indoor", environment="gym")
+    assert found.ground == "lane_wood"
