@@ -20,7 +20,7 @@ from esg.metrics.models import EventVerdict, LayoutVerdict, SceneVerdict
 from esg.view.director.acting import Action
 from esg.view.director.review import Viewfinder
 from esg.view.film.shooting import viewfinder
-from esg.view.render import Part
+from esg.view.pieces import Part
 
 Way = Callable[[float], tuple[float, float, float]]
 HZ = 120

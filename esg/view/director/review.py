@@ -14,7 +14,7 @@ from esg.view.camera import Camera
 from esg.view.director.acting import Action, Beat
 from esg.view.director.lens import FILL_LEAST, FILL_MOST, extent
 from esg.view.director.takes import Take
-from esg.view.render import Part
+from esg.view.pieces import Part
 from esg.view.scan.drawer import Scan
 from esg.view.surroundings import in_the_way
 

@@ -18,7 +18,7 @@ from esg.view.director.takes import Take
 from esg.view.film.cutting import Cut, cuts_of, told
 from esg.view.film.encoding import check_encoder, write_film
 from esg.view.lettering import font
-from esg.view.render import Part
+from esg.view.pieces import Part
 from esg.view.ropes import ropes_at
 from esg.view.scan.drawer import Scan
 from esg.view.sheet import draw_ropes

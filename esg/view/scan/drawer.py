@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.view.camera import Camera
-from esg.view.render import Movers, Part
+from esg.view.pieces import Movers, Part
 from esg.view.surroundings import Sky, thing_of
 
 SHADOW_PX = 768
