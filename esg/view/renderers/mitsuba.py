@@ -15,8 +15,8 @@ from numpy.typing import NDArray
 from esg.assets.looks import Look
 from esg.outcomes import UserError
 from esg.view.camera import Camera
+from esg.view.ground import TILE_RAISE_M
 from esg.view.maps import linear, mean_color
-from esg.view.parts import TILE_RAISE_M
 from esg.view.renderers.groups import Group
 from esg.view.skies import AIRS, lighting_map
 from esg.view.surroundings import Sky
