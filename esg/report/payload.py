@@ -130,7 +130,7 @@ def scene_chunk(
             chunk.head["around"] = around
         chunk.head["bodies"] = _bodies(replays[0].scene, scene.folder, meshes, told)
         chunk.head["regions"] = _regions(replays[0].scene)
-        ropes = _ropes(replays[0].scene)
+        ropes = ropes_of(replays[0].scene)
         if ropes:
             chunk.head["ropes"] = ropes
     for number, replay in enumerate(replays):
@@ -173,7 +173,7 @@ def _regions(sim: SimScene) -> list[dict[str, Any]]:
     ]
 
 
-def _ropes(sim: SimScene) -> list[dict[str, Any]]:
+def ropes_of(sim: SimScene) -> list[dict[str, Any]]:
     """Ropes and springs: the bodies they hold (-1 for the world), where, and how long they are [m].
 
     One that is longer than that is gone.
