@@ -22,6 +22,7 @@ def render(
     size: str = "256x256",
     fps: float = 24.0,
     cameras: int = 1,
+    camera: str = "around",
     format: Literal["png", "parquet"] = "png",
     device: str = "cpu",
     seed: int = 0,
@@ -38,7 +39,9 @@ def render(
         channels: Of rgb, depth, normal, segmentation, flow, boxes2d, boxes3d, tracks; or all.
         size: Width x height in pixels.
         fps: Frames a second.
-        cameras: How many stand around the action, 1 to 8.
+        cameras: How many, 1 to 8.
+        camera: around (they stand around the whole action), or a director's that stay close: auto,
+            static, tracking, dolly, orbit or dash (from a vehicle).
         format: png writes files, parquet shards of rows.
         device: cpu or cuda:N.
         seed: Of the points that tracks follow, of noise and of clouds.
@@ -53,9 +56,10 @@ def render(
     from esg.commands.console import emit
     from esg.scenefolder import check_writable
 
-    chosen, (renderer, samples), device, seed, folder, _ = checked(
+    chosen, (renderer, samples), camera, device, seed, folder, _ = checked(
         lambda: settings(channels, size, fps, cameras, format),
         lambda: drawn_by(renderer, samples),
+        lambda: directed_by(camera),
         lambda: check_device(device),
         lambda: check_seed(seed),
         lambda: find_scene(scene),
@@ -63,6 +67,7 @@ def render(
     )
     chosen = replace(
         chosen,
+        camera=camera,
         device=device,
         seed=seed,
         renderer=renderer,
@@ -95,6 +100,21 @@ def settings(
         lambda: in_range("--cameras", cameras, 1, MAX_CAMERAS),
     )
     return Settings(names, pixels, fps, cameras, format)
+
+
+def directed_by(camera: str) -> str:
+    """A checked kind of camera.
+
+    Raises:
+        UserError: Naming those there are.
+    """
+    from esg.outcomes import UserError
+    from esg.view.director.paths import KINDS
+
+    known = ("around", "auto", *KINDS)
+    if camera not in known:
+        raise UserError(f"--camera {camera!r}: choose from {', '.join(known)}")
+    return camera
 
 
 def drawn_by(renderer: str, samples: int | None) -> tuple[str, int | None]:

@@ -113,7 +113,7 @@ def page(
     notices = (STATIC / "LICENSES.txt").read_text(encoding="utf-8")
     policy = (
         f"default-src 'none'; script-src '{_digest(script)}'; style-src 'unsafe-inline'; "
-        "img-src blob: data:; base-uri 'none'; form-action 'none'"
+        "img-src blob: data:; media-src blob:; base-uri 'none'; form-action 'none'"
     )
     yield (
         '<!doctype html>\n<html lang="en">\n<head>\n<meta charset="utf-8">\n'
@@ -160,6 +160,9 @@ def _chunks(
         on_scene(number)
     for key, text in meshes.chunks.items():
         yield f"mesh-{key}", text
+    for key, text in meshes.pictures.items():
+        if text:
+            yield f"picture-{key}", text
 
 
 def _chunk(scene: SceneEntry, engines: Sequence[str], meshes: MeshLibrary, told: list[str]) -> str:

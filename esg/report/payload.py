@@ -11,6 +11,7 @@ from typing import Any
 
 import numpy as np
 
+from esg.assets.looks import Look
 from esg.engines.breaking import shown
 from esg.engines.scene import Rollout, SimScene
 from esg.engines.wheels import scene_angles
@@ -21,6 +22,7 @@ from esg.report.run import SceneEntry
 from esg.report.words import pieces
 from esg.scenereading import absent, collected, damaged
 from esg.strangers.gltf import MOST_PIXELS
+from esg.thresholds import PIECE_GAP_M
 
 FPS = 60.0
 """Frames a second that a page keeps of a replay."""
@@ -29,6 +31,7 @@ MIN_IMPULSE_NS = 0.01
 THUMB_PX = (320, 214)
 SHEET_PX = 1100
 PICTURES = ("PNG", "WEBP")
+MOST_FILM_BYTES = 2_000_000
 MOST_TEXT_CHARS = 4_000_000
 """Of a file that a page quotes."""
 _MOVED_M, _TURNED = 1e-4, 1e-4
@@ -102,7 +105,7 @@ def scene_chunk(
         meshes: Receives the meshes.
         problems: Receives what is wrong with a damaged contact sheet.
     """
-    sheet = scene.folder / "preview.png"
+    sheet, film = scene.folder / "preview.png", scene.folder / "preview.mp4"
     told = [] if problems is None else problems
     chunk = Chunk(
         {
@@ -117,13 +120,20 @@ def scene_chunk(
             "sheet": ""
             if scene.refused
             else collected(told, lambda: picture(sheet, SHEET_PX, quality=62), ""),
+            "film": "" if scene.refused else collected(told, lambda: film_of(film), ""),
             "bodies": [],
             "replays": [],
         }
     )
     if replays:
+        around = around_of(scene.document, replays[0], meshes)
+        if around is not None:
+            chunk.head["around"] = around
         chunk.head["bodies"] = _bodies(replays[0].scene, scene.folder, meshes, told)
         chunk.head["regions"] = _regions(replays[0].scene)
+        ropes = ropes_of(replays[0].scene)
+        if ropes:
+            chunk.head["ropes"] = ropes
     for number, replay in enumerate(replays):
         chunk.head["replays"].append(_replay(chunk, number, replay))
     return chunk.text()
@@ -161,6 +171,25 @@ def _regions(sim: SimScene) -> list[dict[str, Any]]:
         }
         for r in sim.regions
         if r.parent in names
+    ]
+
+
+def ropes_of(sim: SimScene) -> list[dict[str, Any]]:
+    """Ropes and springs: the bodies they hold (-1 for the world), where, and how long they are [m].
+
+    One that is longer than that is gone.
+    """
+    names = sim.names
+    return [
+        {
+            "a": names.index(j.parent) if j.parent in names else -1,
+            "b": names.index(j.child),
+            "from": list(j.parent_anchor),
+            "to": list(j.child_anchor),
+            "length": j.upper + PIECE_GAP_M if j.kind == "rope" and j.upper is not None else None,
+        }
+        for j in sim.joints
+        if j.flexible
     ]
 
 
@@ -248,7 +277,7 @@ def contacts_of(rollout: Rollout) -> list[list[float]]:
 
 
 _SHOWN = frozenset(
-    [".json", ".jsonl", ".h", ".cpp", ".usda", ".mcap", ".glb", ".png", ".webp", ".npz", ".txt"]
+    [".json", ".jsonl", ".h", ".cpp", ".usda", ".mcap", ".glb", ".png", ".mp4", ".npz", ".txt"]
 )
 
 
@@ -309,6 +338,70 @@ def picture(path: Path, width: int, *, quality: int) -> str:
         _bearable(image)
         height = max(1, round(image.height * min(1.0, width / image.width)))
         return _webp(image.convert("RGB"), (width, height), quality)
+
+
+def film_of(path: Path) -> str:
+    """A film as base64, empty if there is none.
+
+    Raises:
+        UserError: If it is none, or too large to travel in a page.
+    """
+    if absent(path):
+        return ""
+    try:
+        data = path.read_bytes() if path.stat().st_size <= MOST_FILM_BYTES else b""
+    except OSError as error:
+        raise damaged(path, error.strerror or str(error)) from None
+    if data[4:8] != b"ftyp":
+        raise damaged(path, f"no film of at most {MOST_FILM_BYTES} bytes")
+    return base64.b64encode(data).decode("ascii")
+
+
+def around_of(
+    document: dict[str, Any], replay: Replayed, meshes: MeshLibrary
+) -> dict[str, Any] | None:
+    """What surrounds a dressed scene: its light, its ground and what stands there.
+
+    Args:
+        document: The scene graph as JSON.
+        replay: Its bodies and their motion.
+        meshes: Receives the meshes.
+    """
+    from pydantic import ValidationError
+
+    from esg.assets.gltf.surfaces import surface_of
+    from esg.dressing.clearance import covered
+    from esg.graph.models import EsgDocument
+    from esg.lexicon.places import places
+    from esg.report.meshes import Piece
+    from esg.view.surroundings import surroundings_of, thing_of
+
+    if not document.get("dressing"):
+        return None
+    try:
+        doc = EsgDocument.model_validate(document)
+    except ValidationError:
+        return None  # the document's own reader tells what is wrong with it
+    around = surroundings_of(doc, replay.scene, replay.rollout)
+    sky = around.sky
+    plane = 200.0 * np.array([[-1, -1, 0], [1, -1, 0], [1, 1, 0], [-1, 1, 0]], float)
+    tiles = plane[:, :2] / around.ground.tile_m
+    faces = np.array([[0, 1, 2], [0, 2, 3]])
+    pieces = [Piece("plane", plane, faces, tiles, surface_of(around.ground))]
+    for part in around.parts:
+        look = part.look or Look("", part.color)
+        uvs = part.uvs if look.texture else None
+        pieces.append(Piece(thing_of(part), part.vertices, part.faces, uvs, surface_of(look)))
+    indoor = places()[doc.dressing.place].setting == "indoor" if doc.dressing else False
+    bodies = enumerate(replay.scene.bodies)
+    return {
+        "mesh": meshes.add_pieces(pieces),
+        "covered": [i for i, b in bodies if not b.collides and covered(b, indoor=indoor)],
+        "kind": sky.kind,
+        **{
+            k: list(getattr(sky, k)) for k in ("sun", "sun_rgb", "ambient_rgb", "zenith", "horizon")
+        },
+    }
 
 
 def _bearable(image: Any) -> None:

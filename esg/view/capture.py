@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import partial
 import json
 import math
 import os
@@ -25,8 +26,14 @@ from esg.files import explained, refused
 from esg.outcomes import UserError
 from esg.view import png16, truth
 from esg.view.camera import Camera
-from esg.view.cameras import action_cameras
+from esg.view.cameras import Takes, action_cameras, directed
 from esg.view.containers import PICTURES, FileSink, ParquetSink
+from esg.view.director.acting import Action
+from esg.view.director.review import PROBE_PX, Viewfinder
+from esg.view.director.staging import AUTO
+from esg.view.director.takes import standing
+from esg.view.film.shooting import viewfinder
+from esg.view.parts import scene_parts
 from esg.view.pieces import Movers
 from esg.view.renderers.kinds import kind_named
 from esg.view.renderers.records import Quality
@@ -71,6 +78,8 @@ class Settings:
         renderer: Of `esg.view.renderers.kinds`, for colours; the other channels are exact.
         samples: Rays a pixel; None for what the renderer takes by itself.
         motion_blur: Colours are those of all the time the shutter is open.
+        camera: `around` for cameras that stand around the whole action, or what the director may
+            choose from: `auto`, or one of `esg.view.director.paths.KINDS`.
     """
 
     channels: tuple[str, ...] = ("rgb", "depth", "segmentation")
@@ -83,6 +92,7 @@ class Settings:
     renderer: str = "raster"
     samples: int | None = None
     motion_blur: bool = False
+    camera: str = "around"
 
     @property
     def open_s(self) -> float:
@@ -157,11 +167,9 @@ def capture(
     except OSError as error:
         raise UserError(f"cannot write to {folder}: {explained(error, folder).strerror}") from None
     try:
-        views = list(cameras or ())
-        aspect = settings.size[0] / settings.size[1]
-        views = views or action_cameras(scene, rollout, verdict, doc, settings.cameras, aspect)
+        takes = _takes(scene, rollout, verdict, doc, settings, cameras)
         with refused(folder):
-            _write(scene, rollout, doc, views, work, settings, on_frames)
+            _write(scene, rollout, doc, takes, work, settings, on_frames)
             work.chmod(0o755)
             if folder.exists():
                 shutil.rmtree(folder)
@@ -189,11 +197,34 @@ def frame_indices(rollout: Rollout, fps: float) -> list[int]:
     return np.where(wanted - time[left] <= time[right] - wanted, left, right).tolist()
 
 
+def _takes(
+    scene: SimScene,
+    rollout: Rollout,
+    verdict: SceneVerdict | None,
+    doc: EsgDocument,
+    settings: Settings,
+    cameras: Sequence[Camera] | None,
+) -> Takes:
+    """Cameras at the times of all frames."""
+    times = np.asarray(rollout.time, float)[frame_indices(rollout, settings.fps)]
+    width, height = settings.size
+    if cameras or settings.camera == "around":
+        around = partial(action_cameras, scene, rollout, verdict, doc, settings.cameras)
+        return [standing(camera, times) for camera in cameras or around(width / height)]
+    action = Action(scene, rollout, verdict, doc)
+    finder = viewfinder(action, doc, scene_parts(scene, rollout, doc))
+    finder = Viewfinder(
+        action, finder.scan, (PROBE_PX[0], max(1, PROBE_PX[0] * height // width)), finder.around
+    )
+    kinds = AUTO if settings.camera == "auto" else (settings.camera,)
+    return [take.at(times) for take in directed(finder, kinds, settings.cameras, settings.seed)]
+
+
 def _write(
     scene: SimScene,
     rollout: Rollout,
     doc: EsgDocument,
-    cameras: list[Camera],
+    takes: Takes,
     folder: Path,
     settings: Settings,
     on_frames: Callable[[int], None],
@@ -202,7 +233,7 @@ def _write(
     rollout = shown(scene, rollout)
     frames = frame_indices(rollout, settings.fps)
     points, owner = _tracked(scenery.parts, len(scene.bodies), settings)
-    manifest = _manifest(scene, rollout, doc, cameras, frames, settings, points, owner)
+    manifest = _manifest(scene, rollout, doc, takes, frames, settings, points, owner)
     sink: Any = ParquetSink(folder) if settings.container == "parquet" else FileSink(folder)
     color = "rgb" in settings.channels
     # Without colours there is nothing for the other renderers to do better.
@@ -214,16 +245,18 @@ def _write(
     angles = scene_angles(scene, rollout)
     movers = Movers(scenery.parts, len(scene.bodies))
     moved = movers.poses(rollout.position[0], rollout.quaternion[0], angles)
-    for number, camera in enumerate(cameras):
-        pinhole = Pinhole.of(camera, settings.size)
-        drawer = kind.load(seen_from(scenery, [camera], scene, rollout), quality)
+    for number, take in enumerate(takes):
+        cameras = take.cameras
+        still = Pinhole.of(cameras[0], settings.size)
+        holes = [still if c == cameras[0] else Pinhole.of(c, settings.size) for c in cameras]
+        drawer = kind.load(seen_from(scenery, _some(cameras), scene, rollout), quality)
         for first in range(0, len(frames), kind.batch):
             drawn = frames[first : first + kind.batch]
             poses = poses_at(rollout, drawn, angles, settings.open_s)
-            views = drawer.draw(poses, [camera] * len(drawn))
+            views = drawer.draw(poses, cameras[first : first + len(drawn)])
             for k in range(len(drawn)):
                 row = _row(
-                    views, k, pinhole, scene, moved, frames, first + k, settings, points, owner
+                    views, k, holes, scene, moved, frames, first + k, settings, points, owner
                 )
                 sink.add(number, first + k, float(rollout.time[drawn[k]]), row)
             on_frames(len(drawn))
@@ -232,10 +265,15 @@ def _write(
     (folder / "manifest.json").write_text(text + "\n", encoding="utf-8")
 
 
+def _some(cameras: Sequence[Camera]) -> list[Camera]:
+    """At most eight of a take's cameras, the first one included."""
+    return list(dict.fromkeys(cameras[:: max(1, len(cameras) // 7)]))
+
+
 def _row(
     views: Views,
     k: int,
-    pinhole: Pinhole,
+    pinholes: Sequence[Pinhole],
     scene: SimScene,
     moved: tuple[Any, Any],
     frames: list[int],
@@ -245,7 +283,7 @@ def _row(
     owner: Any,
 ) -> dict[str, Any]:
     """Encoded channels of one picture; `moved` are the poses of bodies and wheels."""
-    wanted = settings.channels
+    wanted, pinhole = settings.channels, pinholes[at]
     depth, body = views.depth[k], views.body[k]
     f = frames[at]
     position, quaternion = (v[f].astype(float) for v in moved)
@@ -263,7 +301,8 @@ def _row(
         if at + 1 < len(frames):
             at_next, turn_next = (v[frames[at + 1]].astype(float) for v in moved)
             now, later = (position, quaternion), (at_next, turn_next)
-            shift = truth.flow(pinhole, depth, views.mover[k], now, later)
+            moves = pinholes[at + 1] if pinholes[at + 1] is not pinhole else None
+            shift = truth.flow(pinhole, depth, views.mover[k], now, later, moves)
         row["flow"] = png16.encode(encode_flow(shift, depth.shape))
     if "boxes2d" in wanted:
         row["boxes2d"] = [_identified(b) for b in truth.boxes_2d(body)]
@@ -339,7 +378,7 @@ def _manifest(
     scene: SimScene,
     rollout: Rollout,
     doc: EsgDocument,
-    cameras: list[Camera],
+    takes: Takes,
     frames: list[int],
     settings: Settings,
     points: Any,
@@ -383,16 +422,8 @@ def _manifest(
             for k, b in enumerate(scene.bodies)
         ],
     }
-    for number, camera in enumerate(cameras):
-        pinhole = Pinhole.of(camera, settings.size)
-        out["cameras"].append(
-            {
-                "name": f"camera_{number}",
-                "intrinsics_px": pinhole.matrix.tolist(),
-                "world_to_camera": pinhole.world_to_camera.tolist(),
-                "vertical_fov_deg": math.degrees(camera.fov),
-            }
-        )
+    for number, take in enumerate(takes):
+        out["cameras"].append({"name": f"camera_{number}", **take.record(settings.size)})
     if "tracks" in settings.channels:
         out["track_points"] = {
             "id": (owner + 2).tolist(),

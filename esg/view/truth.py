@@ -77,30 +77,38 @@ def flow(
     body: NDArray[Any],
     now: tuple[Floats, Floats],
     later: tuple[Floats, Floats],
+    camera_later: Pinhole | None = None,
 ) -> NDArray[np.float32]:
     """Where each pixel's surface will be in the next picture, as a shift [px], shape [H, L, 2].
 
     Args:
-        camera: Stands still.
+        camera: Of the first picture.
         depth: Of the first picture [m], shape [H, L].
         body: Bodies of the first picture, shape [H, L].
         now: Positions [m] and quaternions of all bodies, shapes [B, 3] and [B, 4].
         later: The same at the next picture.
+        camera_later: Of the next picture; None if the camera stands still.
 
     Returns:
-        Zero where nothing was hit and on the ground.
+        Zero where nothing was hit, and on the ground under a camera that stands still.
     """
     out = np.zeros((*depth.shape, 2), np.float32)
+    world = camera.unproject(depth)
+    if camera_later is not None:
+        fixed = (body < 0) & (depth > 0)
+        before, _ = camera.project(world[fixed])
+        after, ahead = camera_later.project(world[fixed])
+        out[fixed] = np.where(ahead[:, None] > 0, after - before, 0.0)
     mask = body >= 0
     if not mask.any():
         return out
     index = body[mask]
-    points = camera.unproject(depth)[mask]
+    points = world[mask]
     inverse = now[1][index] * np.array([-1.0, -1.0, -1.0, 1.0])
     local = quat_rotate(inverse, points - now[0][index])
     moved = quat_rotate(later[1][index], local) + later[0][index]
     before, _ = camera.project(points)
-    after, ahead = camera.project(moved)
+    after, ahead = (camera_later or camera).project(moved)
     out[mask] = np.where(ahead[:, None] > 0, after - before, 0.0)
     return out
 

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import json
 import math
+from pathlib import Path
 
 import numpy as np
 import pytest
 
+from esg.view import capture as captures
+from esg.view import scenery as sceneries
 from esg.view.camera import Camera
 from esg.view.cameras import Takes, directed
+from esg.view.capture import Settings, capture
+from esg.view.containers import read_capture
 from esg.view.director.acting import AFTER_S
 from esg.view.director.lens import FILL_LEAST, FILL_MOST, SAFE, extent, framed
 from esg.view.director.lens import View as LensView
@@ -25,7 +31,18 @@ from esg.view.director.review import IN_VIEW, UNOBSCURED
 from esg.view.director.staging import azimuth_of, direct
 from esg.view.director.takes import Take, standing
 from esg.view.film.shooting import shots_of
-from tests.view.plays import PLAYS, Play, action_of, finder_of
+from esg.view.truth import Pinhole, flow
+from tests.view.plays import (
+    PLAYS,
+    Play,
+    action_of,
+    document_of,
+    finder_of,
+    parts_of,
+    rollout_of,
+    scene_of,
+    verdict_of,
+)
 
 NAMED = {play.name: play for play in PLAYS}
 BOX = np.array([[x, y, z] for x in (-2, 2) for y in (-1, 1) for z in (0, 1.5)], float)
@@ -179,3 +196,42 @@ def test_several_cameras_stand_apart() -> None:
         assert all(s.good for s in finder.review(takes[a]))
         for b in range(a):
             assert math.cos(angles[a] - angles[b]) < math.cos(math.radians(20))
+
+
+def test_flow_of_a_camera_that_moves() -> None:
+    """A wall 5 m ahead shifts by focal length x way / depth, whether a body or the world."""
+    size = (64, 48)
+    first = Camera((0.0, -5.0, 0.0), (0.0, 0.0, 0.0), 0.8)
+    later = Camera((0.25, -5.0, 0.0), (0.25, 0.0, 0.0), 0.8)
+    one, two = Pinhole.of(first, size), Pinhole.of(later, size)
+    depth = np.full((48, 64), 5.0)
+    body = np.full((48, 64), -1)
+    body[:, :32] = 0
+    rest = (np.zeros((1, 3)), np.array([[0.0, 0.0, 0.0, 1.0]]))
+    shift = flow(one, depth, body, rest, rest, two)
+    assert shift[..., 0] == pytest.approx(
+        np.full((48, 64), -one.matrix[0, 0] * 0.25 / 5.0), abs=1e-4
+    )
+    assert shift[..., 1] == pytest.approx(np.zeros((48, 64)), abs=1e-4)
+    assert (flow(one, depth, body, rest, rest) == 0.0).all()
+
+
+def test_ground_truth_by_the_director(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Every camera has its kind, lens and extrinsics of every frame, and masks fit them."""
+    play = NAMED["ball_and_box"]
+    monkeypatch.setattr(captures, "scene_parts", lambda *_: parts_of(play))
+    monkeypatch.setattr(sceneries, "body_parts", lambda *_: parts_of(play)[1:])
+    settings = Settings(("segmentation",), (96, 54), 4.0, 2, camera="tracking")
+    world = (scene_of(play), rollout_of(play), verdict_of(play), document_of(play))
+    folder = capture(*world, tmp_path / "shots", settings)
+    manifest = json.loads((folder / "manifest.json").read_bytes())
+    action = action_of(play)
+    assert [c["kind"] for c in manifest["cameras"]] == ["tracking", "tracking"]
+    rows = {(r["camera"], r["frame"]): r for r in read_capture(folder)}
+    frame = manifest["time_s"].index(1.0)
+    for number, camera in enumerate(manifest["cameras"]):
+        assert len(camera["world_to_camera_by_frame"]) == manifest["frames"]
+        ball = action.corners(action.frame(1.0), (0,))[0].mean(axis=0)
+        local = np.array(camera["world_to_camera_by_frame"][frame]) @ (*ball, 1.0)
+        x, y, z = np.array(camera["intrinsics_px"]) @ local[:3]
+        assert rows[number, frame]["segmentation"][int(y / z), int(x / z)] == 2

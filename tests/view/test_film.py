@@ -43,7 +43,7 @@ def test_normal_speed_with_slow_motion_around_short_events() -> None:
     assert (step <= cut.speed[:-1] / FPS + 1e-9).all()
     # Only the frame before slow motion may be shorter.
     assert (np.abs(step - cut.speed[:-1] / FPS) > 1e-9).sum() <= 1
-    assert cut.time_s[0] == 1.1 and cut.time_s[-1] == pytest.approx(2.7, abs=1 / FPS)
+    assert cut.time_s[0] == 1.3 and cut.time_s[-1] == pytest.approx(2.6, abs=1 / FPS)
 
 
 def test_lasting_events_are_not_slowed() -> None:
@@ -142,7 +142,7 @@ def test_without_pyav_or_on_a_full_disk_there_is_a_reason(
     real = builtins.__import__
 
     def without(name: str, *more: Any, **options: Any) -> Any:
-        if name == "av":
+        if name.partition(".")[0] == "av":
             raise ImportError("no av here")
         return real(name, *more, **options)
 

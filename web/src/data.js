@@ -16,6 +16,15 @@ export function imageUrl(base64) {
   return URL.createObjectURL(new Blob([binary(base64)], { type: "image/webp" }));
 }
 
+export function filmUrl(base64) {
+  return URL.createObjectURL(new Blob([binary(base64)], { type: "video/mp4" }));
+}
+
+export function pictureUrl(key) {
+  const base64 = text(`picture-${key}`);
+  return base64 ? imageUrl(base64) : "";
+}
+
 export function thumbnail(n) {
   const base64 = text(`thumb-${n}`);
   return base64 ? imageUrl(base64) : "";

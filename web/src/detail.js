@@ -1,5 +1,5 @@
 // The page of one scene.
-import { imageUrl, index, scene as load } from "./data.js";
+import { filmUrl, imageUrl, index, scene as load } from "./data.js";
 import { badge, breakable, bytes, called, h, number, percent, words } from "./dom.js";
 import { spatialGraph, timelineGraph } from "./graph.js";
 import { Motion } from "./motion.js";
@@ -25,7 +25,7 @@ export async function detail(s) {
     s.problems.map((p) => h("p", { class: "warn" }, p)),
     s.reason && h("p", { class: s.outcome === "solved" ? "" : "warn", id: "reason" }, s.reason),
     s.outcome !== "solved" && s.advice && h("p", { class: "faint" }, s.advice),
-    h("div", { class: "two" }, h("div", {}, stage, controls?.element), h("div", {}, events(view, () => player), statements(data.statements, "Statements", "statements"), statements(data.asked, "Statements of the suite", "asked"), plausibility(data.metrics.plausibility), constraints(data), engines(view))),
+    h("div", { class: "two" }, h("div", {}, stage, controls?.element, film(data, urls)), h("div", {}, events(view, () => player), statements(data.statements, "Statements", "statements"), statements(data.asked, "Statements of the suite", "asked"), plausibility(data.metrics.plausibility), constraints(data), engines(view))),
     graphs?.element,
     section("Scene graph", graphTabs(data)),
     section("Optimizer", optimizer(data)),
@@ -405,6 +405,13 @@ function code(text) {
   }
   out.push(text.slice(at));
   return out;
+}
+
+function film(data, urls) {
+  if (!data.film) return null;
+  const url = filmUrl(data.film);
+  urls.push(url);
+  return h("video", { src: url, class: "film", controls: "", loop: "", muted: "", playsinline: "", preload: "metadata", "aria-label": "Film of the action, slowed down around short events" });
 }
 
 function sheet(data, urls) {

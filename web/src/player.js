@@ -1,6 +1,5 @@
 // The 3-D player: the scene's meshes, moved as the engines moved them.
 import {
-  AmbientLight,
   ArrowHelper,
   Box3,
   BoxGeometry,
@@ -8,11 +7,9 @@ import {
   BufferGeometry,
   CanvasTexture,
   Color,
-  DirectionalLight,
   EdgesGeometry,
   Fog,
   Group,
-  HemisphereLight,
   Line,
   LineBasicMaterial,
   LineSegments,
@@ -32,9 +29,9 @@ import {
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
-import { toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
 import { mesh as loadMesh } from "./data.js";
 import { h } from "./dom.js";
+import { setting, surfaces } from "./setting.js";
 
 const TINT = { physx: 0xd0342c, rapier: 0x2f7de1, newton: 0x1f9d55 };
 const GROUND_WIDE_M = 45;
@@ -73,8 +70,10 @@ export function createPlayer(stage, view) {
   const layers = motions.map((m, k) => layer(m, k));
   const cast = castOf(view);
   const span = extent();
-  lights();
-  ground();
+  const scenery = setting(world, renderer, data.around, () => (dirty = true));
+  if (!data.around) ground();
+  world.fog = new Fog(scenery.haze, 60, 190);
+  const ropes = ropeLines();
   const marks = contactMarks();
 
   let time = 0;
@@ -101,10 +100,10 @@ export function createPlayer(stage, view) {
       node.add(box);
       const wheels = (body.wheels ?? []).map(([name, ...axle]) => pivot(name, axle, body.offset));
       const wide = !body.collides && Math.max(body.half[0], body.half[1]) > GROUND_WIDE_M;
-      if (body.mesh && !wide && (k === 0 || motion.column.has(i))) {
+      if (body.mesh && !wide && !data.around?.covered.includes(i) && (k === 0 || motion.column.has(i))) {
         loadMesh(body.mesh).then((m) => {
           if (!alive || !m) return;
-          const solid = build(m, k === 0 ? null : TINT[motion.engine], wheels);
+          const solid = build(m, k === 0 ? null : TINT[motion.engine], wheels, () => (dirty = true));
           solid.position.set(...body.offset);
           if (!body.collides) solid.position.z += decalLift(i);
           solid.traverse((o) => {
@@ -159,21 +158,10 @@ export function createPlayer(stage, view) {
     return Math.max(2, box.getSize(new Vector3()).length());
   }
 
-  function lights() {
-    world.add(new HemisphereLight(0xf4f7ff, 0x6a665e, 1.5));
-    world.add(new AmbientLight(0xffffff, 0.35));
-    const sun = new DirectionalLight(0xfff4e4, 2.2);
-    sun.castShadow = true;
-    sun.shadow.mapSize.set(2048, 2048);
-    sun.shadow.normalBias = 0.02;
-    world.add(sun, sun.target);
-    layers.sun = sun;
-  }
-
   function moveSun(center, reach) {
-    const { sun } = layers;
+    const { sun, toward } = scenery;
     sun.target.position.copy(center);
-    sun.position.copy(center).add(new Vector3(0.45, 0.5, 0.9).multiplyScalar(2 * reach));
+    sun.position.copy(center).addScaledVector(toward, 2.5 * reach);
     const c = sun.shadow.camera;
     c.left = c.bottom = -1.3 * reach;
     c.right = c.top = 1.3 * reach;
@@ -207,7 +195,24 @@ export function createPlayer(stage, view) {
     plane.position.z = -0.004;
     plane.receiveShadow = true;
     world.add(plane);
-    world.fog = new Fog(world.background, 60, 190);
+  }
+
+  // Ropes and springs have no mesh: lines between what they hold.
+  function ropeLines() {
+    return (data.ropes ?? []).map((rope) => {
+      const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(new Float32Array(6), 3));
+      const line = new Line(geometry, new LineBasicMaterial({ color: 0x2e2822 }));
+      line.frustumCulled = false;
+      world.add(line);
+      return { ...rope, line };
+    });
+  }
+
+  function tip(body, point) {
+    const at = new Vector3(...point);
+    if (body < 0) return at;
+    const { node } = layers[0].bodies[body];
+    return at.applyQuaternion(node.quaternion).add(node.position);
   }
 
   function contactMarks() {
@@ -310,6 +315,13 @@ export function createPlayer(stage, view) {
       const [f] = motion.at(time);
       for (const line of trails.children) line.geometry.setDrawRange(0, f + 1);
     }
+    for (const { line, a, b, from, to, length } of ropes) {
+      const ends = [tip(a, from), tip(b, to)];
+      const place = line.geometry.getAttribute("position");
+      ends.forEach((p, k) => place.setXYZ(k, p.x, p.y, p.z));
+      place.needsUpdate = true;
+      line.visible = length === null || ends[0].distanceTo(ends[1]) <= length;
+    }
     for (const mark of marks) {
       const age = time - mark.userData.time;
       mark.visible = shown.contacts && age >= -1e-9 && age < LINGER_S;
@@ -352,6 +364,7 @@ export function createPlayer(stage, view) {
     if (orbit.update()) dirty = true;
     if (dirty) {
       dirty = false;
+      scenery.clear(camera.position, orbit.target);
       renderer.render(world, camera);
     }
   }
@@ -407,6 +420,7 @@ export function createPlayer(stage, view) {
     dispose() {
       alive = false;
       watcher.disconnect();
+      scenery.dispose();
       orbit.dispose();
       world.traverse((o) => {
         o.geometry?.dispose();
@@ -421,8 +435,6 @@ export function createPlayer(stage, view) {
   };
 }
 
-const CREASE = 0.6;
-
 // A group that turns about an axle along Y, given from the body's centre of mass.
 function pivot(name, axle, offset) {
   const wheel = new Group();
@@ -431,26 +443,13 @@ function pivot(name, axle, offset) {
   return wheel;
 }
 
-function build(m, tint, wheels) {
-  const geometry = new BufferGeometry();
-  geometry.setAttribute("position", new BufferAttribute(m.arrays.vertices, 3));
-  const index = m.arrays.index;
+function build(m, tint, wheels, changed) {
   const group = new Group();
-  let start = 0;
-  m.counts.forEach((count, k) => {
-    const part = new BufferGeometry();
-    part.setAttribute("position", geometry.getAttribute("position"));
-    part.setIndex(new BufferAttribute(index.slice(start, start + count), 1));
-    start += count;
-    const [r, g, b, a] = m.colors[k];
-    const color = tint === null ? new Color().setRGB(r, g, b, SRGBColorSpace) : new Color(tint);
-    const opacity = tint === null ? (a ?? 1) : 0.45;
-    const material = new MeshStandardMaterial({ color, roughness: 0.75, metalness: 0, transparent: opacity < 1, opacity, depthWrite: opacity >= 1 });
-    const mesh = new Mesh(toCreasedNormals(part, CREASE), material);
-    const wheel = wheels.find((w) => w.name && w.name === m.wheels?.[k]);
+  for (const { mesh, holder } of surfaces(m, m.wheels, tint, changed)) {
+    const wheel = wheels.find((w) => w.name && w.name === holder);
     if (wheel) mesh.position.copy(wheel.position).negate();
     (wheel ?? group).add(mesh);
-  });
+  }
   for (const wheel of wheels) group.add(wheel);
   return group;
 }

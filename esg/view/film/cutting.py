@@ -14,12 +14,12 @@ from esg.view.director.acting import Beat
 Floats = NDArray[np.float64]
 
 FPS = 24
-MAX_FRAMES = 76
-"""Of a film: some three seconds; more are dear and show no more."""
+MAX_FRAMES = 64
+"""Of a film: under three seconds; more are dear and show no more."""
 SLOW = 0.25
 """Speed around short events."""
 SLOW_BEFORE_S, SLOW_AFTER_S = 0.08, 0.12
-EASES = ((0.9, 0.7, 3), (0.7, 0.6, 3), (0.5, 0.5, 2), (0.35, 0.4, 1), (0.25, 0.3, 0))
+EASES = ((0.7, 0.6, 3), (0.6, 0.5, 3), (0.5, 0.5, 2), (0.35, 0.4, 1), (0.25, 0.3, 0))
 """What is shown before and after every event [s], and how many are slowed down: the first that
 fits."""
 JOIN_S = 0.4

@@ -12,7 +12,16 @@ from numpy.typing import NDArray
 from esg.view.film.cutting import FPS
 
 CODEC = "libx264"
-OPTIONS = {"preset": "veryfast", "crf": "25", "threads": "1", "g": "24", "bf": "2"}
+OPTIONS = {
+    "preset": "veryfast",
+    "crf": "25",
+    "threads": "1",
+    "g": "24",
+    "bf": "2",
+    # Decisions about bits that the encoder takes from memory it never wrote: films of the same
+    # pictures differed.
+    "x264-params": "mbtree=0:aq-mode=0:weightp=0",
+}
 """One thread, or frames would be split differently from machine to machine."""
 CONTAINER = {"movflags": "+faststart", "fflags": "+bitexact"}
 

@@ -27,7 +27,7 @@ from esg.view.surroundings import GROUND, surroundings_of, thing_of
 if TYPE_CHECKING:
     from esg.graph.models import EsgDocument
 
-SIZE_PX = (448, 256)
+SIZE_PX = (384, 216)
 TEXTURE_PX = 128
 SHORTEST_S = 0.2
 """Events closer together than this are not parted by a cut."""
