@@ -242,7 +242,9 @@ class NewtonModel(NewtonWorlds):
             [(j.position.astype(float), j.quaternion.astype(float)) for j in jobs]
         ))  # fmt: skip
         if self.shatter is not None:
-            self.shatter.load([(j.position, j.quaternion) for j in jobs])
+            self.shatter.load(
+                [(j.position.astype(float), j.quaternion.astype(float)) for j in jobs]
+            )
         self._load_batches(jobs)
         self._choose_pairs(jobs)
         if frames > self.frames:
