@@ -294,10 +294,11 @@ class Scene:
             return export_folder(self.folder, to, target, form=form)
 
     def show(self) -> Any:
-        """Its moving picture, for a notebook.
+        """Its film, for a notebook.
 
         Returns:
-            An `IPython.display.Image`; the path of the picture where there is no IPython.
+            An `IPython.display.Video`, or an `Image` of the contact sheet where there is no film;
+            the path of either where there is no IPython.
 
         Raises:
             UserError: If the scene has no pictures.
@@ -308,17 +309,19 @@ class Scene:
         try:
             from IPython.display import (  # pyright: ignore[reportMissingImports]  # a notebook's
                 Image,
+                Video,
             )
         except ImportError:
             return path
-        return Image(filename=str(path))
+        film = path.suffix == ".mp4"
+        return Video(str(path), embed=True) if film else Image(filename=str(path))
 
     def _picture(self) -> Path | None:
-        names = ("preview.webp", "preview.png")
+        names = ("preview.mp4", "preview.png")
         return next((self.folder / n for n in names if (self.folder / n).is_file()), None)
 
     def _repr_html_(self) -> str:
-        """Prompt, outcome and moving picture, as a notebook shows the last value of a cell."""
+        """Prompt, outcome and film, as a notebook shows the last value of a cell."""
         import base64
         import html
 
@@ -328,7 +331,9 @@ class Scene:
         if picture is None:
             return title
         data = base64.b64encode(picture.read_bytes()).decode()
-        return f'{title}<img src="data:image/{picture.suffix[1:]};base64,{data}">'
+        if picture.suffix == ".mp4":
+            return f'{title}<video controls loop muted src="data:video/mp4;base64,{data}"></video>'
+        return f'{title}<img src="data:image/png;base64,{data}">'
 
 
 def judge(scene: Scene | str | Path, suite: str | Path | None = None) -> SceneVerdict:

@@ -95,7 +95,7 @@ def test_an_export_lies_where_it_was_asked_for(scene: esg.Scene, tmp_path: Path)
 
 def test_a_notebook_shows_prompt_outcome_and_pictures(scene: esg.Scene) -> None:
     page = scene._repr_html_()
-    assert PROMPT in page and "solved" in page and "data:image/webp;base64," in page
+    assert PROMPT in page and "solved" in page and "data:video/mp4;base64," in page
 
 
 def test_many_are_made_in_order_and_the_same_as_one(

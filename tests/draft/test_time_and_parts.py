@@ -88,6 +88,7 @@ _LONG = {
     "A player shoots a puck toward the goalie, who stops it.": ["Collision puck_1 goalie_1"],
     "A car skids through a fence and hits a tree.": [
         "Collision car_1 fence_1",
+        "Break fence_1",
         "Collision car_1 tree_1",
     ],
     "The impact of the hammer on the jar knocks it over.": [

@@ -19,7 +19,7 @@ from tests.assets.worlds import requirement
 def flat(name: str, size: tuple[float, float, float], collides: bool = False) -> SimpleNamespace:
     """A body with its origin at the bottom centre; `size` is in metres."""
     return SimpleNamespace(
-        name=name, collides=collides, color=(0.5, 0.5, 0.5), origin_offset=(0.0, 0.0, 0.0),
+        name=name, category="", collides=collides, color=(0.5, 0.5, 0.5), origin_offset=(0.0, 0.0, 0.0),
         half_extents=tuple(0.5 * s for s in size), wheels=(),
     )  # fmt: skip
 

@@ -234,7 +234,7 @@ function show() {
   const base = `/scenes/${job.id}`;
   const link = (to, text) => h("a", { href: to, download: "" }, text);
   $("scene").replaceChildren(
-    h("div", { class: "downloads" }, "Take it along:", ["usd", "glb", "mjcf", "unreal"].map((to) => link(`${base}/export/${to}`, to)), link(`${base}/files/esg.json`, "scene graph"), link(`${base}/files/rollout.mcap`, "MCAP"), link(`${base}/files/preview.png`, "contact sheet"), h("a", { href: `${base}/`, target: "_blank" }, "open alone")),
+    h("div", { class: "downloads" }, "Take it along:", ["usd", "glb", "mjcf", "unreal"].map((to) => link(`${base}/export/${to}`, to)), link(`${base}/files/esg.json`, "scene graph"), link(`${base}/files/rollout.mcap`, "MCAP"), link(`${base}/files/preview.mp4`, "film"), link(`${base}/files/preview.png`, "contact sheet"), h("a", { href: `${base}/`, target: "_blank" }, "open alone")),
     h("iframe", { src: `${base}/`, title: `Player of: ${job.prompt.slice(0, 120)}` }),
   );
 }

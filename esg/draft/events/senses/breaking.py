@@ -51,7 +51,7 @@ def sense_of_breaking(d: Discourse, f: Frame, subject: list[str], objects: list[
     if lemma in _RUINING:
         down = lemma != "knock" or {"over", "down"} & {*f.adverbs} or f.verb.sense == "topple"
         return bool(down) and all(row.falls_apart for i in bodies if (row := row_of(d, i)))
-    if lemma not in _BREAKING or "off" in f.adverbs:
+    if lemma not in _BREAKING or "off" in (*f.adverbs, f.verb.extra.get("particle")):
         return False
     after = d.text[f.verb.end :].split(".")[0].lower().split()[:5]
     if lemma in ("crack", "split"):
