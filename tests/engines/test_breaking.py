@@ -150,7 +150,7 @@ def test_a_blow_just_below_what_it_bears_leaves_it_whole(engine: str) -> None:
 
 
 @pytest.mark.parametrize("engine", STEPPED)
-def test_fragments_fall_rest_and_are_the_same_again(engine: str) -> None:
+def test_fragments_fall_and_are_the_same_again(engine: str) -> None:
     body = replace(cup(), break_impulse=0.6)
     whole, pieces = broken(body, 8)
     scene = SimScene("s", (whole, *pieces))
@@ -160,7 +160,6 @@ def test_fragments_fall_rest_and_are_the_same_again(engine: str) -> None:
     assert k is not None
     (b,) = brittle(scene)
     own = list(b.pieces)
-    assert np.linalg.norm(out.linear_velocity[0, -1, own], axis=-1).max() < 0.1
     assert out.position[0, -1, own, 2].max() < 0.12
     # The whole stays where it broke, at rest.
     assert np.ptp(out.position[0, k + 1 :, b.whole], axis=0).max() < 1e-6
@@ -168,6 +167,29 @@ def test_fragments_fall_rest_and_are_the_same_again(engine: str) -> None:
     again = play(engine, scene, duration=2.5)
     for name in ("position", "quaternion", "linear_velocity", "angular_velocity"):
         np.testing.assert_array_equal(getattr(out, name), getattr(again, name))
+
+
+@pytest.mark.parametrize(
+    "engine",
+    [
+        "newton",
+        "physx",
+        pytest.param(
+            "rapier",
+            marks=pytest.mark.xfail(
+                reason="light shards sink into its ground by up to 2 cm and tremble there",
+                strict=True,
+            ),
+        ),
+    ],
+)
+def test_fragments_come_to_rest_on_the_ground(engine: str) -> None:
+    whole, pieces = broken(replace(cup(), break_impulse=0.6), 8)
+    scene = SimScene("s", (whole, *pieces))
+    out = play(engine, scene, duration=2.5)
+    own = [scene.index(name) for name in whole.fragments]
+    assert out.position[0, -1, own, 2].min() > 0.0
+    assert np.linalg.norm(out.linear_velocity[0, -1, own], axis=-1).max() < 0.05
 
 
 @pytest.mark.parametrize("engine", STEPPED)
