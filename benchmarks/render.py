@@ -19,7 +19,7 @@ from typing import Any
 import numpy as np
 
 from esg.view.camera import Camera
-from esg.view.render import Part
+from esg.view.pieces import Part
 from esg.view.worlds import WorldRenderer
 
 CASES = {

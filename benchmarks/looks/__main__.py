@@ -178,20 +178,16 @@ def ours(
     from PIL import Image
 
     from esg.engines.wheels import scene_angles
-    from esg.view.parts import body_parts
     from esg.view.renderers.kinds import kind_named
-    from esg.view.renderers.records import Poses, Quality, Scenery
-    from esg.view.surroundings import Surroundings
+    from esg.view.renderers.records import Poses, Quality
+    from esg.view.scenery import scenery_of, seen_from
 
-    around = Surroundings(setting.sky, setting.ground, setting.parts)
-    parts = body_parts(scene, load_document(folder / "esg.json"))
-    drawer = kind_named("raster").load(
-        Scenery(tuple(parts), len(scene.bodies), around), Quality(SIZE)
-    )
+    camera = camera_at(setting, float(rollout.time[frame]))
+    whole = scenery_of(scene, rollout, load_document(folder / "esg.json"))
+    drawer = kind_named("raster").load(seen_from(whole, [camera], scene, rollout), Quality(SIZE))
     angles = scene_angles(scene, rollout)[None, frame : frame + 1]
     now = slice(frame, frame + 1)
     poses = Poses(rollout.position[:1, now], rollout.quaternion[:1, now], angles)
-    camera = camera_at(setting, float(rollout.time[frame]))
     rgb = drawer.draw(poses, [camera]).rgb
     assert rgb is not None
     Image.fromarray(rgb[0]).save(out)

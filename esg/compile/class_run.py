@@ -8,6 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Callable
 import ctypes as C
+from dataclasses import replace
+import math
 from typing import Any
 
 import numpy as np
@@ -23,10 +25,12 @@ from esg.compile.records import (
     body_of,
     ground_for_wheels,
     grown,
+    moves,
     of_single,
     record_pose,
     shape_of,
 )
+from esg.engines.breaking.swap import brittle, settle
 from esg.engines.executor import play
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.engines.worlds import ContactRecorder, Frames, Principal, Values, rest_states, world_values
@@ -47,6 +51,7 @@ _CALLBACKS = {
     "set_material": C.CFUNCTYPE(None, C.c_int, C.c_double, C.c_double),
     "penetration": C.CFUNCTYPE(C.c_double, C.c_int, C.c_int, _D, _D, _D),
     "drive": C.CFUNCTYPE(None, C.c_int, C.c_int, C.c_double, C.c_double),
+    "present": C.CFUNCTYPE(None, C.c_int, C.c_int, _D, _D),
 }
 
 
@@ -82,6 +87,8 @@ class ClassRun:
         self._component_of: dict[int, int] = {}
         self._plane: dict[bool, int] = {}
         self._joint_of: dict[int, int] = {}
+        self._gone: dict[int, tuple[float, Any]] = {}
+        self._now = 0.0
         self._backend = _Backend()
         self._keep: list[Any] = []
         for name, kind in _CALLBACKS.items():
@@ -194,6 +201,17 @@ class ClassRun:
         motor = motor_of(self.scene.joints[k].kind, bool(acts), speed, limit)
         self._world.set_motor(k, motor)
 
+    def _present(self, component: int, there: int, location: Any, rotation: Any) -> None:
+        body = self._body_of[component]
+        if not there:
+            still = self.scene.bodies[body].static
+            self._gone[body] = self._now, None if still else self._world.read(body)[:2]
+            self._world.retire(body)
+            return
+        turn = frames.quaternion_to_unreal(rotation[0:4])
+        at = frames.vector_from_unreal(location[0:3]) - quat_rotate(turn, self._offset[component])
+        self._world.release(body, at, turn, np.zeros(3), np.zeros(3))
+
     # Life of the class -----------------------------------------------------------------------
 
     def _entry(self, name: str, restype: Any = C.c_int, *argtypes: Any) -> Any:
@@ -244,7 +262,7 @@ class ClassRun:
     def _load_shapes(self) -> None:
         for i, record in enumerate(self._records):
             asset = self._assets.get(record.asset.decode())
-            if asset is not None and record.collides:
+            if asset is not None and (record.collides or record.dormant):
                 self._shapes[i] = tuple(shape_of(p) for p in asset["collision"])
 
     def _described_scene(self) -> SimScene:
@@ -303,24 +321,28 @@ class ClassRun:
         out: Principal = {}
         for component, index in self._body_of.items():
             record = self._records[component]
-            if record.simulates:
+            if moves(record):
                 axes = frames.quaternion_to_unreal(record.mass_rotation[0:4])
                 out[index] = np.array(record.inertia[0:3]) / frames.CM2_PER_M2, axes
         return out
 
     def _describe_body(self, i: int, record: BodyRecord, entry: dict[str, Any]) -> Body:
         # Only moving bodies state a centre of mass; the others keep the point their poses follow.
-        followed = record.center_of_mass if record.simulates else entry["center_of_mass_cm"]
+        followed = record.center_of_mass if moves(record) else entry["center_of_mass_cm"]
         self._offset[i] = -frames.vector_from_unreal(followed[0:3])
         return body_of(record, entry["body"], self._shapes.get(i, ()), self._offset[i])
 
     def _simulate(self, engine: str, values: Values, grid: Frames, ground: bool) -> Rollout:
         states = rest_states(values, grid)
+        for component, body in self._body_of.items():
+            if self._records[component].dormant:
+                self._world.retire(body)
         self._entry("live", None)()
         recorder = ContactRecorder(0, grid)
         driver: Any = _Driver(self, states)
         valid = play(self._world, driver, grid, states, recorder, ground)
         self._check(0)
+        self._fill_in(states, grid)
         return Rollout(
             engine=engine,
             dt=grid.dt,
@@ -333,6 +355,26 @@ class ClassRun:
             valid=np.array([valid]),
             extra={"proof": "class", "log": list(self.log)},
         )
+
+    def _fill_in(self, states: tuple[Any, Any, Any, Any], grid: Frames) -> None:
+        """Writes where fragments are that have not come in yet, and what is broken."""
+        fragments = {
+            e["index"]: tuple(e["fragments"]) for e in self._components.values() if "fragments" in e
+        }
+        if not fragments:
+            return
+        bodies = [
+            replace(
+                b, fragments=fragments.get(i, ()), break_impulse=1.0 if i in fragments else None
+            )
+            for i, b in enumerate(self.scene.bodies)
+        ]
+        for b in brittle(self.scene.with_bodies(tuple(bodies))):
+            when, pose = self._gone.get(b.whole, (math.inf, None))
+            gone = grid.time > when + 0.5 * grid.dt
+            if gone.any() and pose is not None:
+                states[0][0, gone.argmax(), b.whole], states[1][0, gone.argmax(), b.whole] = pose
+            settle(b, states, gone[None])
 
     def close(self) -> None:
         """Destroys the actor and unloads the library: batches must not grow with every class."""
@@ -353,6 +395,7 @@ class _Driver:
 
     def before_step(self, t: float, dt: float, touched: Any, world: Any) -> None:
         """Reports the hits of the last step, then ticks (see `Executor.before_step`)."""
+        self._run._now = t
         if t > 0.0:
             self._report(world)
         self._run._check(self._tick(dt))

@@ -75,6 +75,7 @@ def imports_json(what: ScenePlan) -> str:
                 "body": b.source.name,
                 "index": b.index,
                 "center_of_mass_cm": b.center_of_mass.tolist(),
+                **({"fragments": list(b.source.fragments)} if b.source.fragments else {}),
             }
             for b in what.bodies
         },

@@ -32,16 +32,16 @@ from esg.compile.visuals.setting import (
     facing,
     ground_mesh,
     seen_at,
-    spread,
     strength,
 )
+from esg.engines.breaking import hidden
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.engines.wheels import about_axle, wheel_angles
 from esg.strangers.gltf import MOST_BYTES, read_glb
 from esg.units import quat_multiply, quat_rotate
 
 if TYPE_CHECKING:
-    from esg.view.render import Part
+    from esg.view.pieces import Part
 
 Floats = NDArray[np.float64]
 
@@ -89,6 +89,7 @@ def scene_glb(
     document.data["nodes"] = []
     lifts = {} if setting is None else drawn_lifts(scene, setting.covered)
     roots: list[int] = []
+    absent = hidden(scene, rollout.position[world], rollout.quaternion[world])
     for i, body in enumerate(scene.bodies):
         if setting is not None and body.name in setting.covered:
             continue
@@ -99,6 +100,7 @@ def scene_glb(
             library[key] = document.merge(data)
         poses = rollout.position[world, :, i], rollout.quaternion[world, :, i]
         roots.append(_body(document, body, library[key], poses, rollout.time, scene, lifts.get(i)))
+        document.show(roots[-1], ~absent[:, i], rollout.time)
     for rope in ropes_of(scene, rollout.position[world], rollout.quaternion[world]):
         roots.append(_rope(document, rope, rollout.time))
     if setting is not None:
@@ -202,7 +204,7 @@ def _surroundings(document: Document, setting: Setting) -> list[int]:
     nodes = [document.append("nodes", {"name": "ground", "mesh": mesh})]
     dressing = [
         document.append("nodes", {"name": name, "mesh": _dressing(document, name, parts)})
-        for name, parts in by_thing(spread(setting.parts)).items()
+        for name, parts in by_thing(setting.parts).items()
     ]
     if dressing:
         nodes.append(document.append("nodes", {"name": "dressing", "children": dressing}))

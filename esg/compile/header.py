@@ -178,6 +178,11 @@ TYRE_FIELDS = (
 )
 """Of bodies, in classes with tyres."""
 
+BREAK_FIELD = Field(
+    "double", "BreakImpulse", "0.0", "It breaks at more [kg cm/s]; 0: never.", "", "0"
+)
+"""Of bodies, in classes with what breaks."""
+
 PRIMITIVE_TEXT = {
     "SetVelocity": "Sets a velocity once.",
     "ApplyImpulse": "Applies an impulse once.",
@@ -226,6 +231,7 @@ def emit_header(plan: ScenePlan) -> str:
     name = plan.name
     body = (*BODY_FIELDS, ROUND_FIELD) if plan.brakes else BODY_FIELDS
     body = (*body, *TYRE_FIELDS) if plan.tyres else body
+    body = (*body, BREAK_FIELD) if plan.breaks else body
     parts = [_preamble(plan), _struct(f"F{name}Body", "Physical values of one body.", body)]
     if plan.wheels:
         parts.append(_struct(f"F{name}Wheel", "A wheel: a picture that turns.", WHEEL_FIELDS))
@@ -377,6 +383,40 @@ GROUNDED = """\
 """Of commands and bodies, in classes with brakes or tyres."""
 
 
+_BREAKING = """\
+	/** A body that breaks, and its fragments with where they lie in it. */
+	struct FBrittle
+	{
+		FBodyRef* Whole = nullptr;
+		TArray<FBodyRef*> Pieces;
+		TArray<FVector> Centers;
+		TArray<FQuat> Turns;
+		TArray<UPrimitiveComponent*> Touched;
+		TArray<double> Taken;
+		double Step = 0.0;
+		bool bBroken = false;
+	};
+
+	void CollectFragments();
+	void AddBrittle(int32 Whole, const TArray<int32>& Pieces);
+	void TakeBlow(const UPrimitiveComponent* Body, UPrimitiveComponent* Other, double Impulse);
+	void BreakBodies(double Step);
+	void Shatter(FBrittle& Brittle, double Share, double Step);
+	void TakeBack(FBodyRef& Body, double Share, double Step) const;
+	void RememberSpeeds();
+	static void PutAway(UStaticMeshComponent* Body, bool bSimulated);
+	TArray<FBrittle> Brittles;
+
+"""
+"""What classes with what breaks declare besides."""
+_REMEMBERED = """\
+		/** Velocities at the beginning of the last step. */
+		FVector LastVelocity = FVector::ZeroVector;
+		FVector LastSpin = FVector::ZeroVector;
+"""
+"""Of bodies, in classes with what breaks."""
+
+
 def _class(plan: ScenePlan) -> str:
     name = plan.name
     simulation = "\n".join(f.emit("ESG|Simulation") for f in simulation_fields(plan))
@@ -413,7 +453,7 @@ private:
 		UStaticMeshComponent* Component = nullptr;
 		const F{name}Body* Settings = nullptr;
 		int32 Shape = 0;
-{GROUNDED if grounded else ""}	}};
+{GROUNDED if grounded else ""}{_REMEMBERED if plan.breaks else ""}	}};
 
 {records}	UStaticMeshComponent* CreateMesh(const TCHAR* Name, const TCHAR* AssetPath);
 	void ConfigureGround(UStaticMeshComponent* Plane, bool bForWheels);
@@ -424,11 +464,15 @@ private:
 	void CollectEvents();
 	void PinSimulation();
 	void DispatchProgram(double Due);
-{_joining(plan)}{_runners(plan)}{_turning(plan)}{_WATCHING}"""
+{_joining(plan)}{_breaking(plan)}{_runners(plan)}{_turning(plan)}{_WATCHING}"""
 
 
 def _joining(plan: ScenePlan) -> str:
     return joints.DECLARATIONS.replace("@CLASS@", plan.name) if plan.joints else ""
+
+
+def _breaking(plan: ScenePlan) -> str:
+    return _BREAKING if plan.breaks else ""
 
 
 def _turning(plan: ScenePlan) -> str:

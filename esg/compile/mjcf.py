@@ -21,7 +21,7 @@ from esg.engines.joint_rules import BREAK_WINDOW_S, FARTHEST_RAD
 from esg.engines.joints import WORLD, Joint, start_position
 from esg.engines.manifest import Manifest
 from esg.engines.program import batch_programs
-from esg.engines.scene import Body, Shape, SimScene
+from esg.engines.scene import FRAGMENT, Body, Shape, SimScene
 from esg.engines.worlds import cylinder_vertices, principal_axes
 from esg.units import quat_inverse, quat_multiply, quat_rotate
 
@@ -39,6 +39,7 @@ TYRES_NOTE = (
     "Tyres: no part of MJCF; without them a wheeled body slides sideways as easily as it rolls. "
     "The conventions of manifest.json say what they do."
 )
+BREAKING_NOTE = "What breaks stays whole: MuJoCo swaps no bodies."
 JOINTS_NOTE = (
     "Joints: the limit of a ball joint is one of its whole turn; motors are velocity and position "
     "actuators; ropes and springs are tendons; what closes a ring is tied by equalities, a slider "
@@ -58,12 +59,14 @@ GROUND_SIZE_M = 100.0
 
 def scene_mjcf(manifest: Manifest) -> str:
     """The scene of a manifest as MJCF text; the same manifest gives the same text."""
-    scene = manifest.scene
+    whole = tuple(b for b in manifest.scene.bodies if b.category != FRAGMENT)
+    scene = manifest.scene.with_bodies(whole)
     idents = names.unique_identifiers(scene.names)
     root = ET.Element("mujoco", model=names.comment(scene.scene_id) or "scene")
     tyres = (TYRES_NOTE,) if any(b.tyre_friction > 0.0 for b in scene.bodies) else ()
     joints = (JOINTS_NOTE,) if scene.joints else ()
-    root.append(ET.Comment(" " + " ".join((*NOTES, *tyres, *joints)) + " "))
+    breaks = (BREAKING_NOTE,) if len(whole) < len(manifest.scene.bodies) else ()
+    root.append(ET.Comment(" " + " ".join((*NOTES, *tyres, *joints, *breaks)) + " "))
     ET.SubElement(root, "compiler", angle="radian", autolimits="true")
     # What drives a joint stiffly is stable only if it is solved for.
     more = {"integrator": "implicitfast"} if scene.joints else {}

@@ -218,6 +218,11 @@ class ScenePlan:
         return any(b.simulated and b.source.tyre_friction > 0.0 for b in self.bodies)
 
     @property
+    def breaks(self) -> bool:
+        """Whether something breaks; classes without it say nothing of it."""
+        return any(b.source.fragments for b in self.bodies)
+
+    @property
     def guides(self) -> bool:
         """Whether something else than motion under its own power lasts."""
         return bool({"GuideAlong", "HoldSpin"} & self.kinds)
@@ -254,6 +259,7 @@ def plan(
     events = _events(watch, idents)
     notified = {n for e in events for n in e.first}
     notified |= {p.body for p in primitives if p.until}
+    notified |= {b.member for b in bodies if b.source.fragments}
     unique_assets = tuple(dict.fromkeys(assets))
     return ScenePlan(
         name=name,

@@ -56,7 +56,13 @@ class BodyRecord(C.Structure):
         ("has_mass_frame", C.c_int),
         ("has_material", C.c_int),
         ("movable", C.c_int),
+        ("dormant", C.c_int),
     ]
+
+
+def moves(record: BodyRecord) -> bool:
+    """Whether a body moves, or will once it comes in."""
+    return bool(record.simulates or record.dormant)
 
 
 def snapped(values: Any) -> tuple[float, float, float]:
@@ -116,7 +122,7 @@ def record_pose(record: BodyRecord) -> tuple[np.ndarray, np.ndarray]:
 
 def inertia_of(record: BodyRecord) -> Any:
     """Inertia about the centre of mass in body axes [kg m^2]; of fixed bodies the identity."""
-    if not record.simulates:
+    if not moves(record):
         return ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
     axes = frames.quaternion_to_unreal(record.mass_rotation[0:4])
     columns = quat_rotate(np.tile(axes, (3, 1)), np.eye(3)).T
@@ -157,9 +163,9 @@ def on_wheels(record: BodyRecord, name: str) -> bool:
     Raises:
         ReplayError: For an object type or responses the replay cannot play.
     """
-    if not record.collides:
+    if not (record.collides or record.dormant):
         return False
-    expected = (_ECC_PHYSICS_BODY, _ECC_VEHICLE) if record.simulates else (_ECC_WORLD_STATIC,)
+    expected = (_ECC_PHYSICS_BODY, _ECC_VEHICLE) if moves(record) else (_ECC_WORLD_STATIC,)
     if record.object_type not in expected:
         raise ReplayError(f"{name} has collision object type {record.object_type}")
     deaf = [c for c in (_ECC_WORLD_STATIC, _ECC_PHYSICS_BODY, _ECC_VEHICLE)
@@ -186,12 +192,12 @@ def body_of(record: BodyRecord, name: str, shapes: tuple[Shape, ...], offset: An
         raise ReplayError(f"{name} is scaled, which its mass properties do not follow")
     if record.collides and not shapes:
         raise ReplayError(f"{name} should collide, but its asset has no collision shapes")
-    moves = bool(record.simulates)
+    movable = moves(record)
     x, y, z, w = (float(v) for v in quaternion)
     return Body(
         name=name,
-        static=not moves,
-        mass=of_single(record.mass) if moves else 0.0,
+        static=not movable,
+        mass=of_single(record.mass) if movable else 0.0,
         inertia=inertia_of(record),
         shapes=tuple(
             Shape(s.kind, s.size, snapped(np.array(s.position) + offset), s.quaternion, s.vertices)
@@ -201,8 +207,8 @@ def body_of(record: BodyRecord, name: str, shapes: tuple[Shape, ...], offset: An
         quaternion=(x, y, z, w),
         friction=of_single(record.friction),
         restitution=of_single(record.restitution),
-        linear_damping=of_single(record.linear_damping) if moves else 0.0,
-        angular_damping=of_single(record.angular_damping) if moves else 0.0,
+        linear_damping=of_single(record.linear_damping) if movable else 0.0,
+        angular_damping=of_single(record.angular_damping) if movable else 0.0,
         wheeled=on_wheels(record, name),
         origin_offset=snapped(offset),
     )

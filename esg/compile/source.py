@@ -10,6 +10,7 @@ from esg.compile import frames, joints, names
 from esg.compile.assets import MeshAsset, Probe, probes
 from esg.compile.header import PRIMITIVE_FIELDS
 from esg.compile.model import ScenePlan, UnrealBody, UnrealWheel
+from esg.engines.joint_rules import BREAK_WINDOW_S
 from esg.engines.program import GUIDE_RATE
 from esg.engines.scene import Body, SimScene
 from esg.engines.traction import (
@@ -163,6 +164,22 @@ WHEELS = f"""\
 """
 """Constants of classes with wheels."""
 
+BREAKING = f"""\
+	/** Over which what a body takes adds up [s]. */
+	constexpr double BreakWindow = {frames.literal(BREAK_WINDOW_S)};
+
+"""
+"""Constants of classes with what breaks."""
+GONE = """\
+	if (!First.Component->IsCollisionEnabled() || !Second.Component->IsCollisionEnabled())
+	{
+		return 0.0;
+	}
+"""
+"""What is away overlaps with nothing."""
+MOVES_HERE = "if (!Body.Settings->bSimulated || !Body.Component->IsSimulatingPhysics())"
+"""Of what is there, in place of the same without what breaks."""
+
 
 @cache
 def _template(name: str) -> str:
@@ -184,6 +201,7 @@ def emit_source(plan: ScenePlan) -> str:
         _fixed(plan),
         *([_template("Wheels"), _collect_wheels(plan)] if plan.wheels else []),
         *([_template("Joints"), joints.collect(plan.joints)] if plan.joints else []),
+        *([_template("Breaking"), _collect_fragments(plan)] if plan.breaks else []),
     ]
     text = "\n".join(part.strip("\n") + "\n" for part in parts)
     return text.replace("@CLASS@", plan.name)
@@ -203,7 +221,32 @@ def _fixed(plan: ScenePlan) -> str:
         ("\t\t\t@JOINED@\n", joints.JOINED),
     ):
         text = text.replace(mark, call if plan.joints else "")
+    for mark, call in (
+        ("\t@COLLECT_FRAGMENTS@\n", "\tCollectFragments();\n"),
+        ("\t@BREAK_BODIES@\n", "\tBreakBodies(Step);\n"),
+        ("\t@REMEMBER_SPEEDS@\n", "\tRememberSpeeds();\n"),
+        ("\t@TAKE_BLOW@\n", "\tTakeBlow(HitComponent, OtherComp, Touch.Impulse);\n"),
+        ("\t@GONE@\n", GONE),
+    ):
+        text = text.replace(mark, call if plan.breaks else "")
     return text
+
+
+def _collect_fragments(plan: ScenePlan) -> str:
+    """What gathers the fragments of a class and puts them away."""
+    number = {b.source.name: k for k, b in enumerate(plan.bodies)}
+    lines = "\n".join(
+        f"\tAddBrittle({k}, {{ {', '.join(str(number[n]) for n in b.source.fragments)} }});"
+        for k, b in enumerate(plan.bodies)
+        if b.source.fragments
+    )
+    return f"""
+void A@CLASS@::CollectFragments()
+{{
+	Brittles.Reset();
+{lines}
+}}
+"""
 
 
 def _collect_wheels(plan: ScenePlan) -> str:
@@ -231,6 +274,9 @@ def _run(plan: ScenePlan, kind: str) -> str:
     )
 
 
+MOVES = "if (!Body.Settings->bSimulated || !Body.Settings->bCollides)"
+
+
 def _traction(plan: ScenePlan) -> list[str]:
     """What plays brakes and tyres, in classes with them."""
     if not (plan.brakes or plan.tyres):
@@ -238,6 +284,7 @@ def _traction(plan: ScenePlan) -> list[str]:
     text = _template("ApplyTraction").replace("@ROLL@\n", ROLL if plan.brakes else "")
     text = text.replace("@ALONG@\n", ALONG if plan.tyres else "")
     text = text.replace("@BLOW@\n", BLOW if plan.tyres else "")
+    text = text.replace(MOVES, MOVES_HERE) if plan.breaks else text
     tyres = [_template("ApplyTyres")] if plan.tyres else []
     return [text.replace("@ACTS@\n", TYRES if plan.tyres else BRAKES), *tyres]
 
@@ -251,6 +298,8 @@ def _preamble(plan: ScenePlan) -> str:
     constants += UPRIGHT_COSINE if plan.tyres else ""
     constants += WHEELS if plan.wheels else ""
     constants += joints.CONSTANTS if plan.joints else ""
+    # Joints break within the same window.
+    constants += BREAKING if plan.breaks and not plan.joints else ""
     return f"""#include "@CLASS@.h"
 
 {includes}
@@ -354,6 +403,7 @@ def _body_defaults(plan: ScenePlan, body: UnrealBody) -> list[str]:
         ("bReportsHits", "true" if body.member in plan.notified else "false"),
         ("Friction", f(src.friction)),
         ("Restitution", f(src.restitution)),
+        *_bears(body),
     ]
     if body.simulated:
         values += [
@@ -372,6 +422,14 @@ def _body_defaults(plan: ScenePlan, body: UnrealBody) -> list[str]:
         *(f"\t{body.settings}.{field} = {value};" for field, value in values),
         *(line for wheel in body.wheels for line in _wheel_defaults(body, wheel)),
     ]
+
+
+def _bears(body: UnrealBody) -> list[tuple[str, str]]:
+    """What the settings of a body say of its breaking."""
+    impulse = body.source.break_impulse
+    if impulse is None:
+        return []
+    return [("BreakImpulse", frames.literal(impulse * frames.CM_PER_M))]
 
 
 def _wheel_defaults(body: UnrealBody, wheel: UnrealWheel) -> list[str]:

@@ -48,11 +48,12 @@ from esg.compile.visuals.usd_looks import (
     quatd,
     triangles,
 )
+from esg.engines.breaking import hidden
 from esg.engines.joint_rules import BREAK_WINDOW_S
 from esg.engines.joints import WORLD, Joint
 from esg.engines.manifest import Manifest
 from esg.engines.physx_engine import position_iterations
-from esg.engines.scene import Body, Rollout, Shape, SimScene
+from esg.engines.scene import FRAGMENT, Body, Rollout, Shape, SimScene
 from esg.engines.wheels import wheel_angles
 from esg.engines.worlds import principal_axes
 from esg.units import quat_rotate
@@ -159,6 +160,7 @@ def physics_layer(
         prim = _body(stage, paths[body.name], body)
         if body.collides and not body.static:
             _moving(prim, body, start, iterations)
+        _breaking(prim, body)
     references = _seen(stage, manifest, paths, looks, folder, setting)
     joints = _joints(stage, manifest, paths)
     write_program(stage, manifest.program, manifest.dt, paths, joints)
@@ -253,6 +255,32 @@ def _rope_scale(rope: Rope, frame: int) -> Any:
 def _cameras(setting: Setting) -> list[tuple[str, View]]:
     idents = names.unique_identifiers(view.name for view in setting.views)
     return [(f"{CAMERAS_PATH}/{idents[view.name]}", view) for view in setting.views]
+
+
+def _breaking(prim: Any, body: Body) -> None:
+    """States what UsdPhysics has no words for; a fragment is not there until something breaks."""
+    from pxr import Usd, UsdGeom, UsdPhysics
+
+    if body.break_impulse is not None:
+        prim.SetCustomDataByKey("esg:break_impulse", body.break_impulse)
+        prim.SetCustomDataByKey("esg:fragments", json.dumps(list(body.fragments)))
+    if body.category != FRAGMENT:
+        return
+    UsdGeom.Imageable(prim).MakeInvisible()
+    UsdPhysics.RigidBodyAPI(prim).CreateRigidBodyEnabledAttr(False)
+    for part in Usd.PrimRange(prim):
+        if part.HasAPI(UsdPhysics.CollisionAPI):
+            UsdPhysics.CollisionAPI(part).CreateCollisionEnabledAttr(False)
+
+
+def _show(prim: Any, there: Any) -> None:
+    """Shows a prim only in some frames, shape [T]: a sample wherever that changes."""
+    from pxr import Sdf
+
+    attribute = prim.CreateAttribute("visibility", Sdf.ValueTypeNames.Token)
+    for frame, now in enumerate(there.tolist()):
+        if frame == 0 or now != there[frame - 1]:
+            attribute.Set("inherited" if now else "invisible", float(frame))
 
 
 def _joints(stage: Any, manifest: Manifest, paths: dict[str, str]) -> dict[str, str]:
@@ -522,7 +550,10 @@ def _animation_layer(
     stage.SetStartTimeCode(0.0)
     stage.SetEndTimeCode(float(len(rollout.time) - 1))
     stage.SetDefaultPrim(stage.OverridePrim("/World"))
+    absent = hidden(scene, rollout.position[0], rollout.quaternion[0])
     for i, body in enumerate(scene.bodies):
+        if absent[:, i].any():
+            _show(stage.OverridePrim(f"/World/{idents[body.name]}"), ~absent[:, i])
         if body.static or not body.collides:
             continue
         prim = stage.OverridePrim(f"/World/{idents[body.name]}")

@@ -87,6 +87,7 @@ class Site:
     """Where only boats are."""
     walls: dict[str, str] = field(default_factory=dict[str, str])
     """Builder of the wall on each side of a room."""
+    wall_ids: dict[str, str] = field(default_factory=dict[str, str])
     counts: dict[str, int] = field(default_factory=dict[str, int])
     factors: dict[str, float] = field(default_factory=dict[str, float])
     """Sizes of things of the library; alike things of a place are built once."""
@@ -175,6 +176,7 @@ def _walls(site: Site, rows: list[Standing]) -> None:
         box = _box(rail.at(0.0, 0.5 * WALL_M), size, rail.normal)
         if _put(site, row, box.middle, size, _yaw(rail, "in", site.rng), box, keep=KEEP_M):
             site.walls[rail.side] = row.item
+            site.wall_ids[rail.side] = site.items[-1].id
             door = BUILDERS[row.item].door
             if door is not None:
                 # The wall's own Y runs against the rail: its front looks back at the action.
@@ -270,15 +272,15 @@ def _scattered(site: Site, row: Standing) -> None:
             spot = _spot(site, row, size)
             if spot is None:
                 return
-            middle, yaw, box = spot
-            if _fits(site, row, box, size) and _put(site, row, middle, size, yaw, box):
+            middle, yaw, box, side = spot
+            if _fits(site, row, box, size) and _put(site, row, middle, size, yaw, box, side=side):
                 break
 
 
 def _spot(
     site: Site, row: Standing, size: tuple[float, float, float]
-) -> tuple[tuple[float, float], float, Box] | None:
-    """A place for a thing that is not in a row: its middle, its yaw in the frame, its box."""
+) -> tuple[tuple[float, float], float, Box, str] | None:
+    """Where a thing that is in no row goes: middle, yaw in the frame, box, side of its wall."""
     rng = site.rng
     choices = rails(site, row.sides)
     if row.where in ("ring", "water"):
@@ -298,12 +300,13 @@ def _spot(
     room = max(0.0, 0.5 * (rail.length - wide) - 0.15)
     along = float(rng.uniform(-room, room))
     box = _box(rail.at(along, out), size, normal)
-    return box.middle, _yaw(rail, row.facing, rng), box
+    at_wall = rail.side if row.where in ("against", "hung") else ""
+    return box.middle, _yaw(rail, row.facing, rng), box, at_wall
 
 
 def _in_ring(
     site: Site, row: Standing, size: tuple[float, float, float]
-) -> tuple[tuple[float, float], float, Box] | None:
+) -> tuple[tuple[float, float], float, Box, str] | None:
     rng = site.rng
     near, far = row.away_m
     inner, outer = site.rect.grown(near), site.rect.grown(far)
@@ -325,7 +328,7 @@ def _in_ring(
         yaw = inward + math.pi * int(rng.integers(2))
     c, s = abs(math.cos(yaw)), abs(math.sin(yaw))
     box = Box.around((x, y), (c * size[0] + s * size[1], s * size[0] + c * size[1]))
-    return (x, y), yaw, box
+    return (x, y), yaw, box, ""
 
 
 def _fits(site: Site, row: Standing, box: Box, size: tuple[float, float, float]) -> bool:
@@ -356,7 +359,9 @@ def _put(
     size: tuple[float, float, float],
     yaw: float,
     box: Box,
+    *,
     keep: float = 0.0,
+    side: str = "",
 ) -> bool:
     """Enters a thing that fits; with `keep`, only if it is so far from all paths [m]."""
     if keep and not site.clear.free(box, keep):
@@ -377,6 +382,7 @@ def _put(
             size_cm=(_cm(size[0]), _cm(size[1]), _cm(size[2])),
             surface=_one(row.surfaces, site.rng) if row.surfaces else None,
             color_rgb=_color(site, row),
+            wall=site.wall_ids.get(side),
             variant=int(site.rng.integers(1 << 16)),
         )
     )
@@ -384,10 +390,11 @@ def _put(
 
 
 def _color(site: Site, row: Standing) -> tuple[float, float, float] | None:
-    """One of a row's colours; walls, and rows of equal things, have one all over a place."""
+    """One of a row's colours; walls, and rows without gaps, have one all over a place."""
     if not row.colors:
         return None
-    if row.where != "wall" and not (row.where == "run" and _fixed(row)):
+    whole = row.where == "run" and row.gap_m == 0.0 and _fixed(row)
+    if row.where != "wall" and not whole:
         return _rounded(_one(row.colors, site.rng))
     key = "wall" if row.where == "wall" else row.item
     if key not in site.styles:

@@ -32,7 +32,7 @@ class Mesh:
     """Triangles of one look, fixed to the world.
 
     Args:
-        name: Id of its thing, "/" and its surface.
+        name: Id of its thing, "/" and its surface; what stands at a wall is a part of the wall.
         vertices: [m], shape [n, 3].
         faces: Counter-clockwise seen from outside, shape [m, 3].
         normals: At the vertices, shape [n, 3].
@@ -87,8 +87,9 @@ def _standing(item: DressingItem, night: bool) -> Iterator[Mesh]:
     made = _built if item.kind in BUILDERS else _library
     key = (item.kind, item.size_cm, item.surface, item.color_rgb, item.variant, night)
     for own in made(*key):
+        name = f"{item.id}/{own.name}" if item.wall is None else f"{item.wall}/{item.id}_{own.name}"
         yield Mesh(
-            f"{item.id}/{own.name}",
+            name,
             own.vertices @ turn + at,
             own.faces,
             own.normals @ turn,

@@ -134,19 +134,22 @@ def _check(strategy: str, collision: str, rounds_closed: int) -> None:
 
 
 def _scene_for(doc: EsgDocument, strategy: str, collision: str) -> SimScene:
-    """The physical scene; raises what is wrong with a request for one with joints."""
+    """The physical scene; raises what is wrong with a request for one that has joints or
+    breaks."""
     scene = build_scene(doc)
-    if not scene.joints:
+    has = [j.name for j in scene.joints] or [b.name for b in scene.bodies if b.fragments]
+    if not has:
         return scene
+    knows = "knows no joints" if scene.joints else "breaks nothing"
     if strategy in ("ad", "hybrid"):
         raise UserError(
-            f"strategy {strategy!r} differentiates the surrogate, which knows no joints, and the "
-            f"scene has {[j.name for j in scene.joints]}; choose batched, fd or none"
+            f"strategy {strategy!r} differentiates the surrogate, which {knows}, and the "
+            f"scene has {has}; choose batched, fd or none"
         )
     if collision != "exact":
         raise UserError(
-            f"collision model {collision!r} searches in the surrogate, which knows no joints, and "
-            f"the scene has {[j.name for j in scene.joints]}; choose collision model exact"
+            f"collision model {collision!r} searches in the surrogate, which {knows}, and "
+            f"the scene has {has}; choose collision model exact"
         )
     return scene
 

@@ -63,6 +63,10 @@ class World(BodyAccess, Protocol):
     """Indices of the bodies whose state changes."""
 
     def step(self) -> None: ...
+    def states(self) -> dict[int, tuple[Any, Any, Any, Any]]:
+        """Pose and velocities of bodies that are not there: fragments, what has broken."""
+        ...
+
     def contacts(self, ground: bool) -> Iterator[Touch]:
         """Pairs that touched in the last step; contacts with the ground only if asked for."""
         ...
@@ -223,8 +227,8 @@ def play(
 
 def _record(world: World, states: tuple[Any, Any, Any, Any], w: int, frame: int) -> bool:
     position, quaternion, linear, angular = states
-    for i in world.moving:
-        p, q, v, omega = world.read(i)
+    there = ((i, world.read(i)) for i in world.moving)
+    for i, (p, q, v, omega) in (*there, *world.states().items()):
         position[w, frame, i] = p
         quaternion[w, frame, i] = q
         linear[w, frame, i] = v

@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.base import SURROGATE
+from esg.engines.breaking.swap import brittle, unpark
 from esg.engines.program import Action, Column, ProgramBatch
 from esg.engines.rest import starts_at_rest
 from esg.engines.scene import ContactLog, Rollout, SimScene, Variation
@@ -206,10 +207,10 @@ def job_of(
         ground_contacts: Whether the log includes contacts with the ground.
 
     Raises:
-        ValueError: If the surrogate is asked for a scene with joints.
+        ValueError: If the surrogate is asked for a scene with joints or with what breaks.
     """
     if engine == SURROGATE:
-        refuse_joints(start.scene)
+        refuse_what_it_lacks(start.scene)
     v, batch, bodies, single = start.values, start.batch, start.scene.bodies, np.float32
     inertia = np.zeros((0,), single)
     asleep = np.zeros(v.mass.shape, bool)
@@ -243,11 +244,16 @@ def job_of(
     )
 
 
-def refuse_joints(scene: SimScene) -> None:
+def refuse_what_it_lacks(scene: SimScene) -> None:
     """Raises a ValueError for a scene that the surrogate cannot simulate."""
     if scene.joints:
         raise ValueError(
             f"{scene.scene_id!r} has joints, which the surrogate cannot simulate; take another"
+        )
+    if brittle(scene):
+        raise ValueError(
+            f"{scene.scene_id!r} has bodies that break, which the surrogate cannot simulate; take "
+            "another"
         )
 
 
@@ -307,10 +313,26 @@ def _fill(start: Start, worlds: NDArray[np.int64], played: Played) -> ContactLog
     sources = (played.position, played.quaternion, played.linear, played.angular)
     for target, source in zip(start.states, sources, strict=True):
         target[rows] = source
+    if brittle(start.scene):
+        _unpark(start, worlds)
+    for target in start.states:
         for k in np.nonzero(end < n_frames)[0]:
             target[worlds[k], end[k] :] = target[worlds[k], end[k] - 1]
     start.valid[worlds] &= end >= n_frames
     return replace(log, world=worlds[log.world].astype(np.int32))
+
+
+def _unpark(start: Start, worlds: NDArray[np.int64]) -> None:
+    """Writes where what is not there would be into the states of some worlds."""
+    own = (
+        start.states[0][worlds],
+        start.states[1][worlds],
+        start.states[2][worlds],
+        start.states[3][worlds],
+    )
+    unpark(start.scene, own)
+    for target, values in zip(start.states, own, strict=True):
+        target[worlds] = values
 
 
 def _ends(n_frames: int, p: Played) -> NDArray[np.int64]:

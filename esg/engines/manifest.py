@@ -17,9 +17,11 @@ from typing import Any
 
 from pydantic import BaseModel, ValidationError
 
+from esg.engines.breaking import breaking_problems
 from esg.engines.joints import Joint, Motor, joint_problems
 from esg.engines.manifest_model import (
     BRAKING_CONVENTION,
+    BREAKING_CONVENTION,
     CLIMB_CONVENTION,
     CONVENTIONS,
     DRIVE_CONVENTION,
@@ -118,7 +120,7 @@ def manifest_to_json(
         data = ManifestModel.model_validate(data).model_dump(mode="json")
     except ValidationError as error:
         raise ValueError("; ".join(complaints(error))) from None
-    problems = dangling(data) + joint_problems(scene)
+    problems = dangling(data) + joint_problems(scene) + breaking_problems(scene)
     if problems:
         raise ValueError("; ".join(problems))
     return data
@@ -133,6 +135,8 @@ def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
         out["wheels"] = WHEELS_CONVENTION
     if scene.joints:
         out["joints"] = JOINTS_CONVENTION
+    if any(b.fragments for b in scene.bodies):
+        out["breaking"] = BREAKING_CONVENTION
     for p in program.primitives:
         if isinstance(p, HoldVelocity) and p.climb is not None:
             out["climb"] = CLIMB_CONVENTION
@@ -178,7 +182,7 @@ def manifest_from_json(data: Any) -> Manifest:
         vehicle_ground_friction=model.ground.vehicle_friction,
         joints=tuple(_joint(j) for j in model.joints),
     )
-    if problems := joint_problems(scene):
+    if problems := joint_problems(scene) + breaking_problems(scene):
         raise UserError("not a valid manifest:\n" + "\n".join(problems))
     primitives = []
     for p in model.program.primitives:

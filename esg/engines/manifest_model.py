@@ -136,6 +136,17 @@ DRIVE_CONVENTION = (
 )
 """Stands under `drive` of the conventions of a manifest whose program has one."""
 
+BREAKING_CONVENTION = (
+    "a body with a break_impulse [N s] breaks once the normal impulses of all its contact points "
+    "within 1/60 s add up to more; until then its fragments, which are bodies of this list, are "
+    "not there: they neither move nor touch, and their poses are those they have in it; after the "
+    "step in which it breaks it is not there any more and they are, with the velocities of its "
+    "parts (v + w x r); before that the share (sum - break_impulse) / (sum of that step) of what "
+    "the step did to the velocities of the body and of all that touched it, gravity aside, is "
+    "taken back"
+)
+"""Stands under `breaking` of the conventions of a manifest with bodies that break."""
+
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
 NonNegative = Annotated[float, Field(ge=0.0, allow_inf_nan=False)]
@@ -203,12 +214,17 @@ class BodyModel(_Model):
     mentioned: bool = True
     active: bool = False
     wheels: tuple[WheelModel, ...] = Field((), description="Absent where there are none")
+    break_impulse: Positive | None = Field(
+        None, description="It breaks where it takes more [N s]; absent: never"
+    )
+    fragments: tuple[Name, ...] = Field((), description="What it breaks into; absent: it does not")
 
     @model_serializer(mode="wrap")
     def _without_what_it_lacks(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        # Bodies without wheels and tyres read as they always did.
+        # Bodies without wheels and tyres, and those that do not break, read as they always did.
         data = handler(self)
-        for name in ("tyre_friction", "tyre_drop", "tyre_foot", "wheels"):
+        for name in ("tyre_friction", "tyre_drop", "tyre_foot", "wheels", "break_impulse",
+                     "fragments"):  # fmt: skip
             if not data[name]:
                 del data[name]
         return data

@@ -16,6 +16,7 @@ from typing import Any
 import numpy as np
 
 from esg.engines.base import VERIFY_DT_S
+from esg.engines.breaking.world import Breaks
 from esg.engines.executor import Touch, Vec, play_all
 from esg.engines.joint_rules import Masses
 from esg.engines.joints import Motor
@@ -186,6 +187,8 @@ class PhysxWorld:
         self._scene.set_timestep(dt)
         self._dt = dt
         self._within: list[Touch] = []
+        self._log: list[Touch] | None = None
+        self._away: set[int] = set()
         self._mass = values.mass[w]
         self._scale = float(values.friction_scale[w])
         self._materials: list[Any] = []
@@ -193,7 +196,7 @@ class PhysxWorld:
         self._index: dict[int, int] = {}
         self.moving: list[int] = np.nonzero(moving(scene))[0].tolist()
         ground_mu, vehicle_mu, ground_e = (float(v) for v in values.ground[w])
-        self._fixed: list[Corners] = []
+        self._fixed: dict[int, list[Corners]] = {}
         self._treads: dict[int, tuple[Any, Any, Vec]] = {}
         self._add_ground(ground_mu, ground_e, _GROUND, _BODY | _TREAD)
         self._add_ground(vehicle_mu, ground_e, _VEHICLE_GROUND, _WHEELED)
@@ -233,11 +236,16 @@ class PhysxWorld:
             self._index[component._physx_pointer] = i
             self.bodies.append(component)
             if body.static:
-                self._fixed.extend(_corners(s, values, w, i) for s in body.shapes)
+                self._fixed[i] = [_corners(s, values, w, i) for s in body.shapes]
         self.joints: PhysxJoints | None = None
-        if scene.joints:
+        self._breaks: Breaks | None = None
+        breaks = any(b.fragments for b in scene.bodies)
+        if scene.joints or breaks:
             masses = Masses.of(scene, values, w, principal)
-            self.joints = PhysxJoints(px, to_pose, scene, self.bodies, masses, dt)
+            if scene.joints:
+                self.joints = PhysxJoints(px, to_pose, scene, self.bodies, masses, dt)
+            if breaks:
+                self._breaks = Breaks(scene, masses, dt, self)
 
     def _add_tread(self, i: int, component: Any, rim: Any, shape: Shape, material: Any) -> None:
         """Gives a cylinder on its rim a capsule that only the ground touches, instead of its hull.
@@ -296,12 +304,16 @@ class PhysxWorld:
         return float(v[0]), float(v[1]), float(v[2])
 
     def set_linear(self, body: int, velocity: Vec) -> None:
+        if body in self._away:
+            return
         self.bodies[body].linear_velocity = velocity
 
     def set_flight(self, body: int, velocity: Vec, pull: float) -> None:
         self.set_linear(body, (velocity[0], velocity[1], velocity[2] - pull))
 
     def set_angular(self, body: int, velocity: Vec) -> None:
+        if body in self._away:
+            return
         self.bodies[body].angular_velocity = velocity
 
     def mass(self, body: int) -> float:
@@ -329,10 +341,13 @@ class PhysxWorld:
             self._lay_down()
         bodies = [self.bodies[i] for i in self.moving]
         velocities = [b.linear_velocity.tolist() for b in bodies]
-        n = parts(velocities, lambda k: _filled(bodies[k]), self._fixed, self._dt)
-        self._within = []
+        fixed = [c for corners in self._fixed.values() for c in corners]
+        n = parts(velocities, lambda k: _filled(bodies[k]), fixed, self._dt)
+        self._within, self._log = [], None
         if self.joints:
             self.joints.before_step(self, n)
+        if self._breaks:
+            self._breaks.before_step()
         if n > 1:
             self.system.set_timestep(self._dt / n)
             for _ in range(n - 1):
@@ -343,6 +358,27 @@ class PhysxWorld:
             self.system.set_timestep(self._dt)
         if self.joints:
             self.joints.after_step(self, self.contacts(ground=True))
+        if self._breaks:
+            self._log = [*self.contacts(ground=True)]
+            self._breaks.after_step(self._log)
+
+    def retire(self, body: int) -> None:
+        self._away.add(body)
+        self.bodies[body].disable()
+        self._fixed.pop(body, None)
+        if body in self.moving:
+            self.moving.remove(body)
+
+    def release(self, body: int, at: Any, turn: Any, linear: Any, angular: Any) -> None:
+        component = self.bodies[body]
+        component.entity.set_pose(to_pose(at, turn))
+        component.enable()
+        component.linear_velocity, component.angular_velocity = linear, angular
+        self.moving.append(body)
+        self._away.discard(body)
+
+    def states(self) -> dict[int, tuple[Any, Any, Any, Any]]:
+        return self._breaks.states() if self._breaks else {}
 
     def read(self, body: int) -> tuple[Any, Any, Any, Any]:
         component = self.bodies[body]
@@ -351,10 +387,12 @@ class PhysxWorld:
         return pose.p, (x, y, z, w), component.linear_velocity, component.angular_velocity
 
     def contacts(self, ground: bool) -> Iterator[Touch]:
-        for touch in self._within:
+        # What breaks takes its contacts along.
+        for touch in self._within if self._log is None else self._log:
             if ground or (touch[0] >= 0 and touch[1] >= 0):
                 yield touch
-        yield from self._touches(ground)
+        if self._log is None:
+            yield from self._touches(ground)
 
     def _touches(self, ground: bool) -> Iterator[Touch]:
         """What touched in the last part of the step."""

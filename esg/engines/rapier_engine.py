@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 
 from esg.engines.base import VERIFY_DT_S
+from esg.engines.breaking.world import Breaks
 from esg.engines.executor import Touch, Vec, play_all
 from esg.engines.joint_rules import Masses
 from esg.engines.joints import Motor
@@ -79,6 +80,7 @@ class RapierWorld:
         dt: float,
         principal: Principal | None = None,
     ) -> None:
+        self._r = r
         self._world = world = r.PhysicsWorld(gravity=tuple(scene.gravity))
         world.set_num_threads(1)
         world.integration_parameters.dt = dt
@@ -136,11 +138,18 @@ class RapierWorld:
             self._handles.append(handle)
             self._colliders.append(own)
         self._bodies = world.rigid_bodies
+        self._log: list[Touch] | None = None
+        self._away: set[int] = set()
         self.joints: RapierJoints | None = None
-        if scene.joints:
-            world.integration_parameters.num_solver_iterations = JOINT_ITERATIONS
+        self._breaks: Breaks | None = None
+        breaks = any(b.fragments for b in scene.bodies)
+        if scene.joints or breaks:
             masses = Masses.of(scene, values, w, principal)
-            self.joints = RapierJoints(r, _pose, world, scene, self._handles, masses, dt)
+            if scene.joints:
+                world.integration_parameters.num_solver_iterations = JOINT_ITERATIONS
+                self.joints = RapierJoints(r, _pose, world, scene, self._handles, masses, dt)
+            if breaks:
+                self._breaks = Breaks(scene, masses, dt, self)
 
     def _own(self, collider: Any, body: int) -> None:
         self._owner[collider.index] = body
@@ -157,6 +166,8 @@ class RapierWorld:
         return float(x), float(y), float(z)
 
     def set_linear(self, body: int, velocity: Vec) -> None:
+        if body in self._away:
+            return
         self._body(body).linvel = velocity
 
     def set_flight(self, body: int, velocity: Vec, pull: float) -> None:
@@ -167,6 +178,8 @@ class RapierWorld:
         self._flying.add(body)
 
     def set_angular(self, body: int, velocity: Vec) -> None:
+        if body in self._away:
+            return
         self._body(body).angvel = velocity
 
     def mass(self, body: int) -> float:
@@ -199,18 +212,47 @@ class RapierWorld:
                 self.set_angular(i, (x * k, y * k, z * k))
         if self.joints:
             self.joints.before_step(self)
+        if self._breaks:
+            self._breaks.before_step()
+        self._log = None
         self._world.step()
         for i in self._flying:
             self._body(i).gravity_scale = 1.0
         self._flying.clear()
         if self.joints:
             self.joints.after_step(self, self.contacts(ground=True))
+        if self._breaks:
+            self._log = [*self.contacts(ground=True)]
+            self._breaks.after_step(self._log)
+
+    def retire(self, body: int) -> None:
+        self._away.add(body)
+        self._body(body).is_enabled = False
+        if body in self.moving:
+            self.moving.remove(body)
+
+    def release(self, body: int, at: Any, turn: Any, linear: Any, angular: Any) -> None:
+        self._away.discard(body)
+        own = self._body(body)
+        own.is_enabled = True
+        own.position = _pose(self._r, at, turn)
+        self.set_linear(body, tuple(linear))
+        self.set_angular(body, tuple(angular))
+        self.moving.append(body)
+
+    def states(self) -> dict[int, tuple[Any, Any, Any, Any]]:
+        return self._breaks.states() if self._breaks else {}
 
     def read(self, body: int) -> tuple[Any, Any, Any, Any]:
         b = self._body(body)
         return tuple(b.translation), b.rotation.quaternion, tuple(b.linvel), tuple(b.angvel)
 
     def contacts(self, ground: bool) -> Iterator[Touch]:
+        # What breaks takes its contacts along.
+        own = self._touches(ground) if self._log is None else self._log
+        return (touch for touch in own if ground or (touch[0] >= 0 and touch[1] >= 0))
+
+    def _touches(self, ground: bool) -> Iterator[Touch]:
         found: dict[tuple[int, int], list[Any]] = {}
         for contact in self._world.narrow_phase.contact_pairs():
             a = self._owner[contact.collider1.index]

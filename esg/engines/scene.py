@@ -23,6 +23,8 @@ from esg.engines.joints import Joint
 ShapeKind = Literal["sphere", "box", "capsule", "cylinder", "convex"]
 Floats = NDArray[np.float64]
 
+FRAGMENT = "fragment"
+"""Category of what something breaks into: no phrase of a prompt means it."""
 GROUND = "ground"
 """Reserved body name of the ground half-space in contact logs."""
 
@@ -97,6 +99,9 @@ class Body:
         mentioned: False if expansion added it.
         active: It moves under its own control.
         wheels: What turns as the body travels (`esg.engines.wheels`).
+        break_impulse: It breaks once it took more within `BREAK_WINDOW_S`
+            (`esg.engines.joint_rules`) [N s]; None: never.
+        fragments: Names of the bodies that it then is (`esg.engines.breaking`).
     """
 
     name: str
@@ -126,6 +131,8 @@ class Body:
     mentioned: bool = True
     active: bool = False
     wheels: tuple[Wheel, ...] = ()
+    break_impulse: float | None = None
+    fragments: tuple[str, ...] = ()
 
     @property
     def collides(self) -> bool:

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.breaking.swap import Brittle, brittle
 from esg.engines.joints import WORLD, Joint
 from esg.engines.scene import Floats, Shape, SimScene
 from esg.engines.worlds import moving
@@ -40,6 +41,7 @@ class SceneShapes:
         mass: [kg], 1 where the scene gives none, shape [B].
         joints: Of the scene.
         ends: Body of each joint's parent, -1 for the world, and of its child.
+        brittle: What breaks.
     """
 
     gravity: tuple[float, float, float]
@@ -61,6 +63,7 @@ class SceneShapes:
     mass: Floats
     joints: tuple[Joint, ...] = ()
     ends: tuple[tuple[int, int], ...] = ()
+    brittle: tuple[Brittle, ...] = ()
 
     @staticmethod
     def of(scene: SimScene) -> SceneShapes:
@@ -106,6 +109,7 @@ class SceneShapes:
                 (-1 if j.parent == WORLD else scene.index(j.parent), scene.index(j.child))
                 for j in scene.joints
             ),
+            brittle=brittle(scene),
         )
 
     @property

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.breaking import breaking_problems, brittle, ride, rigid
 from esg.engines.joints import joint_problems
 from esg.engines.program import KINDS, Action, ProgramBatch
 from esg.engines.scene import GROUND, ContactLog, Floats, Rollout, Shape, SimScene, Variation
@@ -120,7 +121,7 @@ def world_values(scene: SimScene, variation: Variation | None, n_worlds: int) ->
 
     quaternion = spread([b.quaternion for b in bodies], v.quaternion).reshape(w, len(bodies), 4)
     norm = np.linalg.norm(quaternion, axis=-1, keepdims=True)
-    factor = np.ones((w, len(bodies))) if v.mass_scale is None else np.asarray(v.mass_scale, float)
+    factor = np.ones((w, len(bodies))) if v.mass_scale is None else np.array(v.mass_scale, float)
     scale = np.ones(w) if v.friction_scale is None else np.asarray(v.friction_scale, float)
     offset = np.zeros(w) if v.restitution_offset is None else np.asarray(v.restitution_offset)
     ground = np.empty((w, 3))
@@ -128,9 +129,18 @@ def world_values(scene: SimScene, variation: Variation | None, n_worlds: int) ->
     ground[:, 1] = scene.vehicle_ground_friction * scale
     ground[:, 2] = np.clip(scene.ground_restitution + offset, 0.0, 1.0)
     inertia = spread([b.inertia for b in bodies]).reshape(w, len(bodies), 3, 3)
+    position = spread([b.position for b in bodies], v.position).reshape(w, len(bodies), 3)
+    quaternion = quaternion / np.where(norm > 0.0, norm, 1.0)
+    still = np.zeros((w, 3))
+    for b in brittle(scene):
+        # Fragments are parts of their body, whatever a variation does to it.
+        own = list(b.pieces)
+        pose = position[:, b.whole], quaternion[:, b.whole]
+        position[:, own], quaternion[:, own] = rigid(b, *pose, still, still)[:2]
+        factor[:, own] = factor[:, [b.whole]]
     return Values(
-        position=spread([b.position for b in bodies], v.position).reshape(w, len(bodies), 3),
-        quaternion=quaternion / np.where(norm > 0.0, norm, 1.0),
+        position=position,
+        quaternion=quaternion,
         mass=spread([b.mass for b in bodies]).reshape(w, len(bodies)) * factor,
         inertia=inertia * factor[..., None, None],
         friction=spread([b.friction for b in bodies]).reshape(w, -1) * scale[:, None],
@@ -170,7 +180,7 @@ def check(scene: SimScene, batch: ProgramBatch) -> None:
                 wrong.append(f"body {body.name!r} has a convex shape without volume")
             elif shape.kind != "convex" and not all(math.isfinite(s) and s > 0.0 for s in used):
                 wrong.append(f"body {body.name!r} has a {shape.kind} of size {shape.size} m")
-    wrong += joint_problems(scene)
+    wrong += joint_problems(scene) + breaking_problems(scene)
     motors = [j.name for j in scene.joints if j.kind in ("hinge", "slider")]
     wrong += [
         f"DriveJoint of {name!r}, which has no motor; hinges and sliders are {motors}"
@@ -383,6 +393,7 @@ class Start:
         finite = np.asarray(np.isfinite(start).all((1, 2)), np.bool_)
         states = rest_states(values, frames)
         states[2][:, 0], states[3][:, 0] = start_velocities(batch, values.mass, dt)
+        ride(scene, states, np.s_[:, 0])
         return Start(scene, batch, frames, values, states, finite)
 
     def rollout(self, engine: str, contacts: ContactLog, extra: dict[str, Any]) -> Rollout:

@@ -105,6 +105,7 @@ class NodeEvent(str, enum.Enum):
     OPEN = "Open"
     CLOSE = "Close"
     SWING = "Swing"
+    BREAK = "Break"
 
 
 class EdgeEvent(str, enum.Enum):
@@ -315,6 +316,15 @@ class LayoutPreference(Model):
     weight: float = 1.0
 
 
+class Breaking(Model):
+    """How a node breaks where its prompt says so (docs/breaking.md)."""
+
+    speed: float
+    """The change of its own speed that breaks it [cm/s]: its break impulse over its mass."""
+    pieces: int
+    """Number of Voronoi cells that it is cut into."""
+
+
 class Node(Model):
     """One object instance. Node ids are logical names: car_1, picnic_table_1."""
 
@@ -334,6 +344,8 @@ class Node(Model):
     """Fixed in the world although its asset is movable (a nailed-down table)."""
     size_is_stated: Literal[True] | None = None
     """Its words state a size without a number (a tall lamp): it is not made smaller."""
+    breaking: Breaking | None = None
+    """It breaks; None: whatever hits it, it does not."""
     layout_preference: LayoutPreference = LayoutPreference()
 
 
@@ -859,6 +871,8 @@ class DressingItem(Model):
     """Row of the table of surfaces; None: as its kind is made."""
     color_rgb: tuple[float, float, float] | None = None
     """sRGB in [0, 1]; None: the usual one of its kind or surface."""
+    wall: str | None = None
+    """Id of the wall at which it stands or hangs: who looks through the one sees neither."""
     variant: int = 0
     """Seed of what else may differ: proportions, wear, which windows are lit."""
 

@@ -21,7 +21,7 @@ MAX_SPEED_CM_S = 15_000.0
 PAIRS = frozenset({E.COLLISION, E.REACH, E.MISS, E.PLACED, E.BOUNCE})
 JOINTED = frozenset({E.OPEN, E.CLOSE, E.SWING})
 """What happens to a joint."""
-SINGLES = JOINTED | {E.POSITION_AT, E.ENTER_REGION, E.HEADING_REACHED, E.PICKED_UP, E.SPIN}
+SINGLES = JOINTED | {E.BREAK, E.POSITION_AT, E.ENTER_REGION, E.HEADING_REACHED, E.PICKED_UP, E.SPIN}
 
 _OWN_FIELDS: dict[str, tuple[NodeEvent, ...]] = {
     "position_cm": (E.POSITION_AT,),
@@ -144,6 +144,8 @@ def _participants(ctx: Context, timeline: TimelineSystem, where: str, node: Time
         _mover(ctx, where, node)
     if node.event in JOINTED:
         _jointed(ctx, where, node)
+    if node.event is E.BREAK:
+        _breaking(ctx, where, node)
     if node.event is E.TRIGGER:
         for k, name in enumerate(node.participants):
             actor = timeline.actors.get(name)
@@ -169,6 +171,18 @@ def _jointed(ctx: Context, where: str, node: TimelineNode) -> None:
                 name,
                 f"{node.event.value} {node.id!r} is of {name!r}, which no joint holds.",
                 "Add the joint to spatial_relation_graph.joints, or name what a joint holds.",
+            )
+
+
+def _breaking(ctx: Context, where: str, node: TimelineNode) -> None:
+    for k, name in enumerate(node.participants):
+        if name in ctx.nodes and ctx.nodes[name].breaking is None:
+            ctx.add(
+                "EVENT_UNBROKEN",
+                f"{where}/participants/{k}",
+                name,
+                f"{node.event.value} {node.id!r} is of {name!r}, which does not break.",
+                f"Give /spatial_relation_graph/nodes/{name} its `breaking`.",
             )
 
 

@@ -10,6 +10,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from esg.graph import (
+    rules_breaking,
     rules_casting,
     rules_dressing,
     rules_events,
@@ -57,6 +58,7 @@ def verify(doc: EsgDocument | Mapping[str, Any]) -> tuple[Violation, ...]:
             rules_segments,
             rules_statements,
             rules_joints,
+            rules_breaking,
             rules_stages,
             rules_casting,
             rules_dressing,

@@ -169,6 +169,7 @@ RULES: dict[str, str] = {
     "GUIDE_END": "A Guide ends where something is picked up, placed, let go or in a region.",
     "EVENT_NO_JOINT": "Open, Close and Swing are of what a joint holds, or of what jointed parts "
     "hang on.",
+    "EVENT_UNBROKEN": "Break is of what the document says breaks.",
     "EDGE_NO_JOINT": "Drive moves the child of a hinge or slider, Release lets go the child of a "
     "hinge, ball joint or rope.",
     "EVENT_NOT_LED_TO": "A Guide leads to PickedUp and Placed, a Toward to a Jump.",
@@ -196,6 +197,9 @@ RULES: dict[str, str] = {
     "JOINT_VALUE": "What a joint resists with is not negative.",
     "JOINT_POSITION": "A joint starts within its limits.",
     "JOINT_MOUNT": "The mounts of a joint are those of its assets.",
+    "BREAK_SPEED": "What breaks does so at a plausible blow.",
+    "BREAK_PIECES": "What breaks has 2 to 64 pieces.",
+    "BREAK_HELD": "What breaks is neither joined nor structure.",
     "CASTING_UNKNOWN": "Casting and choreography name only what the document has.",
     "QUATERNION": "Quaternions have unit length.",
     "POSE_MISSING": "Every node has a pose.",

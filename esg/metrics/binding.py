@@ -14,7 +14,7 @@ import re
 
 import numpy as np
 
-from esg.engines.scene import GROUND, Body, SimScene
+from esg.engines.scene import FRAGMENT, GROUND, Body, SimScene
 from esg.metrics.normalization import normalize
 from esg.metrics.phrases import (
     COLORS,
@@ -201,6 +201,8 @@ def _number(name: str) -> int:
 
 
 def _candidate(index: int, body: Body, wanted: Phrase) -> _Candidate | None:
+    if body.category == FRAGMENT:
+        return None
     label = parse(body.label) if body.label else None
     name = parse(_strip_number(body.name))
     category = parse(body.category) if body.category else None

@@ -147,6 +147,7 @@ _FURTHER = {
     "Open": "opens",
     "Close": "closes",
     "Swing": "swings",
+    "Break": "breaks",
 }
 """Types of events that are named alike, by the point event's value."""
 

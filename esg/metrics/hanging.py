@@ -33,7 +33,13 @@ def hanging(
     joints = joined(replay)
     out: list[str] = []
     for i, body in enumerate(replay.scene.bodies):
-        if body.static or not body.collides or rests[i] or not sunk[i] > HANGS_M:
+        if (
+            body.static
+            or not body.collides
+            or replay.absent[0, i]
+            or rests[i]
+            or not sunk[i] > HANGS_M
+        ):
             continue
         if (
             any(c.time <= WATCH_S for c in replay.motions(i))
@@ -52,7 +58,7 @@ def _is_free_below(replay: Replay, i: int) -> bool:
     return all(
         compound_distance(lower, replay.placed(j, 0), cutoff=0.0) >= -MEETS_M
         for j in range(len(replay.scene.bodies))
-        if j != i and replay.cores[j]
+        if j != i and replay.cores[j] and not replay.absent[0, j]
     )
 
 

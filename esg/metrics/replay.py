@@ -9,6 +9,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.breaking import hidden
 from esg.engines.program import AdjustProperties, HoldVelocity, Primitive, Program
 from esg.engines.scene import ContactLog, Rollout, SimScene
 from esg.metrics.geometry import (
@@ -75,6 +76,10 @@ class Replay:
         program: The control program that was executed.
         rollout: The rollout.
         world: Which world of it.
+
+    Attributes:
+        absent: Frames at which a body is not there: fragments before, what has broken after, shape
+            [T, B].
     """
 
     def __init__(self, scene: SimScene, program: Program, rollout: Rollout, world: int = 0) -> None:
@@ -88,6 +93,7 @@ class Replay:
         self.contacts: ContactLog = rollout.contacts.select(world)
         self.valid = bool(rollout.valid[world])
         self.speed = np.linalg.norm(self.velocity, axis=-1)
+        self.absent = hidden(scene, self.position, self.quaternion)
         self.cores: tuple[tuple[Core, ...], ...] = tuple(body_cores(b) for b in scene.bodies)
         steps = np.diff(self.time)
         self.frame_s = float(np.median(steps)) if len(steps) else rollout.dt
@@ -134,6 +140,8 @@ class Replay:
 
     def penetration(self, a: int, b: int, frame: int) -> float:
         """Penetration depth of two bodies at a frame [m], 0 if apart; b may be the ground."""
+        if self.absent[frame, [a, b] if b != GROUND_INDEX else [a]].any():
+            return 0.0
         if b == GROUND_INDEX:
             return max(0.0, -self.lowest(a, frame))
         cores_a, cores_b = self.placed(a, frame), self.placed(b, frame)

@@ -12,6 +12,7 @@ from typing import Any
 import numpy as np
 
 from esg.assets.looks import Look
+from esg.engines.breaking import shown
 from esg.engines.scene import Rollout, SimScene
 from esg.engines.wheels import scene_angles
 from esg.report.binary import Chunk
@@ -193,7 +194,7 @@ def ropes_of(sim: SimScene) -> list[dict[str, Any]]:
 
 
 def _replay(chunk: Chunk, number: int, replay: Replayed) -> dict[str, Any]:
-    rollout = replay.rollout
+    rollout = shown(replay.scene, replay.rollout)
     frames = frames_at(rollout.time, FPS)
     # What diverged is shown as far as it went: not a number is no place to draw at.
     position = np.nan_to_num(rollout.position[0, frames].astype(float), posinf=0.0, neginf=0.0)

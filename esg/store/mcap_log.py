@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from esg.engines.breaking.swap import HIDDEN_M
 from esg.engines.program import Program
 from esg.engines.scene import GROUND, Body, Rollout, Shape, SimScene
 from esg.files import atomic_write
@@ -307,6 +308,7 @@ def _transforms(replay: Replay, frame: int, stamp: int) -> Any:
         _stamp(item.timestamp, stamp)
         t, r = item.translation, item.rotation
         t.x, t.y, t.z = (float(v) for v in replay.position[frame, i])
+        t.z -= HIDDEN_M * float(replay.absent[frame, i])
         r.x, r.y, r.z, r.w = (float(v) for v in replay.quaternion[frame, i])
     return message
 

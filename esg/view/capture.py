@@ -19,6 +19,7 @@ from typing import TYPE_CHECKING, Any, Literal
 
 import numpy as np
 
+from esg.engines.breaking import shown
 from esg.engines.scene import Rollout, SimScene
 from esg.engines.wheels import scene_angles
 from esg.files import explained, refused
@@ -229,6 +230,7 @@ def _write(
     on_frames: Callable[[int], None],
 ) -> None:
     scenery = scenery_of(scene, rollout, doc)
+    rollout = shown(scene, rollout)
     frames = frame_indices(rollout, settings.fps)
     points, owner = _tracked(scenery.parts, len(scene.bodies), settings)
     manifest = _manifest(scene, rollout, doc, takes, frames, settings, points, owner)
@@ -249,15 +251,15 @@ def _write(
         holes = [still if c == cameras[0] else Pinhole.of(c, settings.size) for c in cameras]
         drawer = kind.load(seen_from(scenery, _some(cameras), scene, rollout), quality)
         for first in range(0, len(frames), kind.batch):
-            shown = frames[first : first + kind.batch]
-            poses = poses_at(rollout, shown, angles, settings.open_s)
-            views = drawer.draw(poses, cameras[first : first + len(shown)])
-            for k in range(len(shown)):
+            drawn = frames[first : first + kind.batch]
+            poses = poses_at(rollout, drawn, angles, settings.open_s)
+            views = drawer.draw(poses, cameras[first : first + len(drawn)])
+            for k in range(len(drawn)):
                 row = _row(
                     views, k, holes, scene, moved, frames, first + k, settings, points, owner
                 )
-                sink.add(number, first + k, float(rollout.time[shown[k]]), row)
-            on_frames(len(shown))
+                sink.add(number, first + k, float(rollout.time[drawn[k]]), row)
+            on_frames(len(drawn))
     manifest["shards"] = sink.close()
     text = json.dumps(manifest, indent=2, ensure_ascii=False, allow_nan=False)
     (folder / "manifest.json").write_text(text + "\n", encoding="utf-8")

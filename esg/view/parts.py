@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from esg.assets.looks import Color, Look
 from esg.compile.visuals.decals import drawn_lifts, is_ground
-from esg.engines.scene import Rollout, SimScene
+from esg.engines.scene import FRAGMENT, Body, Rollout, SimScene
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument
 from esg.lexicon.places import places
@@ -48,6 +48,8 @@ def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:
     for index, body in enumerate(scene.bodies):
         first, turning = turning, turning + len(body.wheels)
         node = doc.spatial_relation_graph.nodes.get(body.name)
+        if body.category == FRAGMENT:
+            parts += _fragment(index, body)
         if node is None:
             continue
         if index in hidden:
@@ -85,6 +87,19 @@ def ground_bodies(scene: SimScene, doc: EsgDocument) -> frozenset[int]:
         for index, body in enumerate(scene.bodies)
         if is_ground(body) or (around is not None and covered(body, indoor=around == "indoor"))
     )
+
+
+def _fragment(index: int, body: Body) -> list[Part]:
+    """A fragment as what collides: convex, in the colour of what broke."""
+    from esg.engines.shapes import hull
+
+    out: list[Part] = []
+    for shape in body.shapes:
+        vertices, faces = hull(np.array(shape.vertices))
+        # Every face has corners of its own, so that its edges are sharp.
+        flat = vertices[faces.reshape(-1)] + np.asarray(shape.position)
+        out.append(Part(index, flat, np.arange(len(flat)).reshape(-1, 3), body.color))
+    return out
 
 
 @dataclass(frozen=True)

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.breaking import shown
 from esg.engines.scene import Rollout, SimScene
 from esg.engines.wheels import scene_angles
 from esg.graph.models import EsgDocument
@@ -29,7 +30,8 @@ from esg.view.framing import (
 )
 from esg.view.moments import failures, moments_of
 from esg.view.parts import scene_parts
-from esg.view.render import SAMPLES, Part, Renderer
+from esg.view.pieces import Part
+from esg.view.render import SAMPLES, Renderer
 from esg.view.ropes import ropes_at
 from esg.view.sheet import Panel, draw_ropes, draw_trail, write_sheet
 
@@ -86,7 +88,9 @@ def preview(
     images = [
         draw_ropes(image, shot.camera, ropes_at(scene, rollout, shot.frame))
         for shot, image in zip(
-            shots, _render(renderers, rollout, scene_angles(scene, rollout), shots), strict=True
+            shots,
+            _render(renderers, shown(scene, rollout), scene_angles(scene, rollout), shots),
+            strict=True,
         )
     ]
     panels: list[Panel] = []

@@ -7,16 +7,16 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
 
 from esg.compile.export import Target, animation, export
-from esg.compile.visuals.setting import Setting, View
+from esg.compile.visuals.setting import Setting, View, spread
 from esg.compile.visuals.usd_files import UsdForm
 from esg.engines.manifest import load_manifest
 from esg.engines.scene import Rollout, SimScene
 from esg.scenereading import absent, read_metrics
 from esg.view.camera import Camera
 from esg.view.cameras import action_cameras
+from esg.view.ground import span
 from esg.view.parts import ground_bodies
 from esg.view.renderers.records import Scenery
 from esg.view.scenery import seen_from
@@ -31,7 +31,8 @@ ASPECT = 16 / 9
 NEAR = 0.05
 """Nearest of what a camera sees, by its distance from what it looks at."""
 SIDES, SIDES_M = 24.0, (30.0, 900.0)
-"""Side of the drawn ground by the extent of the action, so that one does not look over its edge."""
+"""Side of the drawn ground by the extent of the action, or by how far off the camera is, so that
+one does not look over its edge."""
 
 
 def setting_of(
@@ -50,26 +51,18 @@ def setting_of(
     if cameras:
         seen = seen_from(Scenery((), 0, around), cameras, scene, rollout).surroundings
         around = around if seen is None else seen
-    low, high = _span(rollout)
+    low, high = span(rollout) if scene.bodies else (np.zeros(2), np.zeros(2))
     x, y = (float(v) for v in 0.5 * (low + high))
+    away = max((math.dist(camera.eye, camera.target) for camera in cameras), default=0.0)
     return Setting(
         sky=around.sky,
         ground=around.ground,
         middle=(x, y),
-        side=float(np.clip(SIDES * max(*(high - low), 0.0), *SIDES_M)),
+        side=float(np.clip(SIDES * max(*(high - low), away), *SIDES_M)),
         covered=frozenset(scene.bodies[i].name for i in ground_bodies(scene, doc)),
-        parts=around.parts,
+        parts=tuple(spread(around.parts)),
         views=tuple(_still("Camera", camera) for camera in cameras),
     )
-
-
-def _span(rollout: Rollout) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
-    """Corners of where bodies are [m], without those that run away, each of shape [2]."""
-    points = rollout.position[0, :, :, :2].reshape(-1, 2).astype(np.float64)
-    points = points[np.isfinite(points).all(axis=1)]
-    if not len(points):
-        return np.zeros(2), np.zeros(2)
-    return np.percentile(points, 2, axis=0), np.percentile(points, 98, axis=0)
 
 
 def setting_in(folder: Path, scene: SimScene, rollout: Rollout) -> Setting | None:

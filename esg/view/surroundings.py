@@ -73,6 +73,8 @@ class Surroundings:
 
 GROUND = "ground"
 """What the parts of markings are of; they hide nothing."""
+MOST_EYES, MOST_POINTS = 16, 40
+"""Lines of sight of a shot are tried between so many of its eyes and points."""
 NEAR_M = 0.6
 """A camera stands in what is nearer to it than this."""
 
@@ -90,8 +92,9 @@ def in_the_way(parts: Sequence[Part], eyes: Floats, points: Floats) -> frozenset
         eyes: [m], shape [n, 3].
         points: [m], shape [m, 3].
     """
-    starts = np.repeat(eyes, len(points), axis=0)
-    ends = np.tile(points, (len(eyes), 1))
+    from_eyes, to_points = _some(eyes, MOST_EYES), _some(points, MOST_POINTS)
+    starts = np.repeat(from_eyes, len(to_points), axis=0)
+    ends = np.tile(to_points, (len(from_eyes), 1))
     found: set[str] = set()
     for part in parts:
         name = thing_of(part)
@@ -105,6 +108,11 @@ def in_the_way(parts: Sequence[Part], eyes: Floats, points: Floats) -> frozenset
         if cross.any() and _crosses(starts[cross], ends[cross], part.vertices[part.faces]):
             found.add(name)
     return frozenset(found)
+
+
+def _some(rows: Floats, most: int) -> Floats:
+    """At most so many rows, evenly from all."""
+    return rows[np.unique(np.linspace(0, len(rows) - 1, most).astype(int))]
 
 
 def _crosses_box(starts: Floats, ends: Floats, low: Floats, high: Floats) -> NDArray[np.bool_]:

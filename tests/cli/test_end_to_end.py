@@ -44,7 +44,7 @@ def test_generate_proves_a_scene_once_and_remembers_it(tmp_path: Path) -> None:
     folder = tmp_path / first["folder"]
     names = set(tree(folder))
     assert {"prompt.txt", "esg.json", "manifest.json", "metrics.json", "log.jsonl"} <= names
-    assert {"preview.png", "rollout.mcap", "stages/1-draft.json"} <= names
+    assert {"preview.png", "rollout.mcap", "stages/1-draft.json", "stages/9-dress.json"} <= names
     assert any(n.startswith("unreal/") and n.endswith(".cpp") for n in names)
     assert any(n.startswith("meshes/") and n.endswith(".glb") for n in names)
     assert not [p for p in (tmp_path / "runs").rglob("*.tmp")]

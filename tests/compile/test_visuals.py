@@ -36,6 +36,7 @@ from esg.compile.visuals.setting import (
     by_thing,
     facing,
     ground_mesh,
+    in_cells,
     seen_at,
     spread,
 )
@@ -44,7 +45,7 @@ from esg.engines.manifest import load_manifest
 from esg.engines.scene import SimScene
 from esg.strangers.gltf import read_glb
 from esg.units import quat_multiply, quat_rotate
-from esg.view.render import Part
+from esg.view.pieces import Part
 from esg.view.surroundings import Sky
 
 ARKIT = {"", "Scope", "Xform", "Camera", "Shader", "Material", "Mesh", "GeomSubset"}
@@ -129,7 +130,15 @@ def test_the_ground_lies_below_its_markings_and_has_tiles_of_its_size() -> None:
     parts = spread([low, high, wall("house/front", BRICK)])
     assert [float(p.vertices[0, 2]) for p in parts] == pytest.approx([-0.002, 0.002, 0.0])
     assert set(by_thing(parts)) == {"markings", "house"}
-    vertices, faces, normals, uvs = ground_mesh(replace(setting(), parts=(low, high)))
+    road = replace(flat, vertices=flat.vertices * (20.0, 1.0, 2.0))
+    cells = in_cells(road)
+    assert len(cells.faces) == 2 * 4 and len(cells.vertices) == 9
+    a, b, c = (cells.vertices[cells.faces[:, k]] for k in range(3))
+    facing_y = np.cross(b - a, c - a)[:, 1]
+    assert (facing_y > 0.0).all() and 0.5 * facing_y.sum() == pytest.approx(40.0 * 4.0)
+    np.testing.assert_allclose(cells.uvs[:, 0], -cells.vertices[:, 0] / 20.0 / STEEL.tile_m)
+    cellar = replace(parts[2], vertices=parts[2].vertices - (0.0, 0.0, 9.0))
+    vertices, faces, normals, uvs = ground_mesh(replace(setting(), parts=(*parts, cellar)))
     assert np.ptp(vertices[:, :2], axis=0) == pytest.approx((60.0, 60.0))
     np.testing.assert_allclose(vertices[:, :2].mean(axis=0), (1.0, 2.0), atol=1e-9)
     assert vertices[:, 2] == pytest.approx(-0.002 - 60.0 * 2e-5)

@@ -1025,6 +1025,31 @@ def joints(m: Maker) -> None:
     m.add("JOINT_CIRCLE", path, put(jointed, path, [hinge, back]))
 
 
+def breaking(m: Maker) -> None:
+    """What breaks at no blow, into no pieces, or though something holds it; breaks of other things."""
+    if m.base != "finished":
+        return
+    here = (*GRAPH, "nodes", "trashbin_1", "breaking")
+    for field, value, code in (
+        ("speed", 0, "BREAK_SPEED"),
+        ("speed", -240, "BREAK_SPEED"),
+        ("speed", 1e6, "BREAK_SPEED"),
+        ("pieces", 1, "BREAK_PIECES"),
+        ("pieces", 500, "BREAK_PIECES"),
+    ):
+        told = {"speed": 240, "pieces": 12, field: value}
+        m.add(code, (*here, field), put(m.raw, here, told), note=f"{field} {value}")
+    ground = (*GRAPH, "nodes", "ground_1", "breaking")
+    m.add("BREAK_HELD", ground, put(m.raw, ground, {"speed": 240, "pieces": 12}))
+    last = len(get(m.raw, EVENTS))
+    breaks = event("breaks", "Break", ["trashbin_1"], window=[5.0, 9.0])
+    led = [e for e in get(m.raw, SEGMENTS) if e["actor"] == "trashbin_1"]
+    joined = edge("joined", led[-1]["to"], "breaks", "InertialConnector", "trashbin_1")
+    raw = put(m.raw, EVENTS, [*get(m.raw, EVENTS), breaks])
+    raw = put(raw, SEGMENTS, [*get(m.raw, SEGMENTS), joined])
+    m.add("EVENT_UNBROKEN", (*EVENTS, last, "participants", 0), raw, "CONNECTOR_UPSTREAM")
+
+
 def _moved_by_joints(m: Maker) -> None:
     """Events and segments of joints that nothing has."""
     last = len(get(m.raw, EVENTS))
@@ -1054,6 +1079,7 @@ GENERATORS: tuple[Callable[[Maker], None], ...] = (
     statements,
     casting,
     joints,
+    breaking,
     dressing,
 )
 

@@ -38,7 +38,8 @@ from esg.view.framing import (
     pose,
 )
 from esg.view.moments import failures, moments_of
-from esg.view.render import Part, Renderer
+from esg.view.pieces import Part
+from esg.view.render import Renderer
 from esg.view.ropes import ropes_at
 from esg.view.sheet import draw_ropes, draw_trail
 from tests.report.folders import HIT_S, rollout, scene

@@ -7,7 +7,7 @@ import pytest
 
 from esg.dressing import dress
 from esg.view.parts import body_parts, scene_parts
-from esg.view.render import Part
+from esg.view.pieces import Part
 from esg.view.surroundings import Surroundings, in_the_way, surroundings_of, thing_of
 from tests.dressing.worlds import body, document, ground, rollout_of, scene_of, straight
 
@@ -105,3 +105,23 @@ def test_the_ground_of_a_place_takes_the_place_of_a_floor_and_of_a_road_in_it() 
     assert {scene.bodies[p.body].category for p in body_parts(scene, dressed)} == {"box"}
     flat = [p for p in scene_parts(scene, rollout, dressed) if p.body < 0]
     assert {thing_of(p) for p in flat} == {"ground"}
+
+
+def test_what_stands_at_a_wall_goes_with_it() -> None:
+    """A radiator floated in front of the camera whose wall had been left out."""
+    scene = scene_of(body("cup", (0.1, 0.1, 0.1)))
+    rollout = rollout_of(scene, {"cup_1": straight(1.0)})
+    doc = document(scene, "A cup moves in the office.", setting="indoor", environment="office")
+    doc = dress(doc, scene, rollout)
+    assert doc.dressing is not None
+    around = surroundings_of(doc, scene, rollout)
+    points = np.array([[0.5, 0.0, 0.1]])
+    walls = [i for i in doc.dressing.items if i.kind.startswith("room_wall")]
+    at = [i for i in doc.dressing.items if i.wall is not None]
+    assert len(at) >= 4 and {i.wall for i in at} <= {w.id for w in walls}
+    for wall in walls:
+        eye = 30.0 * np.array(wall.position_cm) / np.linalg.norm(wall.position_cm) + (0, 0, 1.5)
+        seen = {p.name for p in around.seen_from(eye[None], points).parts}
+        assert not any(f"{i.id}_" in name for name in seen for i in at if i.wall == wall.id)
+        others = [i for i in at if i.wall != wall.id]
+        assert others and all(any(f"{i.id}_" in name for name in seen) for i in others)

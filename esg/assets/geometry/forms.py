@@ -49,10 +49,21 @@ def loft(rings: Any) -> trimesh.Trimesh:
     )
     vertices = np.concatenate([rings.reshape(-1, 3), rings[[0, -1]].mean(1)])
     faces = np.concatenate([sides, ends])
-    mesh = trimesh.Trimesh(vertices, faces, process=False)
-    if mesh.volume < 0:
-        mesh = trimesh.Trimesh(vertices, faces[:, ::-1], process=False)
-    return mesh
+    return _outward(vertices, faces)
+
+
+def _outward(vertices: Points, faces: NDArray[np.int64]) -> trimesh.Trimesh:
+    """A mesh whose faces look outwards, whichever way they were given."""
+    a, b, c = (vertices[faces[:, k]] for k in range(3))
+    six_volumes = float(np.einsum("ij,ij->", a, np.cross(b, c)))
+    return trimesh.Trimesh(vertices, faces if six_volumes > 0 else faces[:, ::-1], process=False)
+
+
+def copied(mesh: trimesh.Trimesh) -> trimesh.Trimesh:
+    """A mesh of its own that may be moved; for those that are kept to be drawn again."""
+    out = trimesh.Trimesh(np.array(mesh.vertices), mesh.faces, process=False)
+    out.metadata.update(mesh.metadata)
+    return out
 
 
 def turned(
@@ -142,6 +153,39 @@ def tube(
     return _torus(rings) if closed else loft(rings)
 
 
+def needles(ends: Any, radius: float, sections: int = 4) -> trimesh.Trimesh:
+    """Many straight thin rods as one mesh: spokes, wires.
+
+    Args:
+        ends: Start and end of each [cm], shape [n, 2, 3].
+        radius: [cm].
+        sections: Points a ring.
+    """
+    start, end = np.moveaxis(np.asarray(ends, float), 1, 0)
+    along = (end - start) / np.linalg.norm(end - start, axis=1, keepdims=True)
+    helper = np.where(np.abs(along[:, 1:2]) < 0.9, [0.0, 1.0, 0.0], [1.0, 0.0, 0.0])
+    u = np.cross(helper, along)
+    u /= np.linalg.norm(u, axis=1, keepdims=True)
+    turn = 2 * math.pi * np.arange(sections) / sections
+    ring = radius * (
+        np.cos(turn)[:, None] * u[:, None] + np.sin(turn)[:, None] * np.cross(along, u)[:, None]
+    )
+    vertices = np.concatenate([start[:, None] + ring, end[:, None] + ring], axis=1)
+    k = np.arange(sections)
+    after = (k + 1) % sections
+    caps = k[1:-1]
+    faces = np.concatenate(
+        [
+            np.stack([k, after, after + sections], 1),
+            np.stack([k, after + sections, k + sections], 1),
+            np.stack([np.zeros_like(caps), caps + 1, caps], 1),
+            np.stack([np.zeros_like(caps), caps, caps + 1], 1) + sections,
+        ]
+    )
+    every = faces[None] + 2 * sections * np.arange(len(start))[:, None, None]
+    return _outward(vertices.reshape(-1, 3), every.reshape(-1, 3))
+
+
 def _with_round_ends(path: Points, radius: Points) -> tuple[Points, Points]:
     start, end = path[0] - path[1], path[-1] - path[-2]
     start, end = start / np.linalg.norm(start), end / np.linalg.norm(end)
@@ -162,10 +206,7 @@ def _torus(rings: Points) -> trimesh.Trimesh:
     faces = np.concatenate(
         [np.stack([a, a1, b1], -1).reshape(-1, 3), np.stack([a, b1, b], -1).reshape(-1, 3)]
     )
-    mesh = trimesh.Trimesh(rings.reshape(-1, 3), faces, process=False)
-    if mesh.volume < 0:
-        mesh.invert()
-    return mesh
+    return _outward(rings.reshape(-1, 3), faces)
 
 
 def superellipse(count: int, power: float, start: float = 0.0, end: float = 2 * math.pi) -> Points:

@@ -150,14 +150,15 @@ def lune(
     after = np.roll(border, -1)
     rim = np.concatenate(
         [
-            np.stack([border, after, after + count], 1),
-            np.stack([border, after + count, border + count], 1),
+            np.stack([border, after + count, after], 1),
+            np.stack([border, border + count, after + count], 1),
         ]
     )
     mesh = trimesh.Trimesh(
         vertices, np.concatenate([outer, outer[:, ::-1] + count, rim]), process=False
     )
-    mesh.fix_normals()
+    if mesh.volume < 0:
+        mesh.invert()
     return mesh
 
 

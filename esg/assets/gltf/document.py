@@ -259,6 +259,16 @@ class Document:
         target = {"node": node, "path": path}
         self.channels.append({"sampler": len(self.samplers) - 1, "target": target})
 
+    def show(self, node: int, there: NDArray[np.bool_], time: Floats) -> None:
+        """Shows a node only in some frames, shape [T]: elsewhere its size is 0."""
+        if there.all():
+            return
+        sizes = np.repeat(there.astype(float)[:, None], 3, axis=1)
+        self.data["nodes"][node]["scale"] = sizes[0].tolist()
+        self.animate(node, "scale", sizes, time)
+        if len(time) > 1 and (there != there[0]).any():
+            self.samplers[-1]["interpolation"] = "STEP"
+
     def glb(self) -> bytes:
         """The file; a scene without bodies has neither buffer nor binary chunk."""
         if self.binary:

@@ -78,6 +78,7 @@ namespace Shim
 		int HasMassFrame;
 		int HasMaterial;
 		int Movable;
+		int Dormant;
 	};
 
 	/** One constraint as the class leaves it: frames in the components' or the world's frame. */
@@ -114,6 +115,7 @@ namespace Shim
 		void (*SetMaterial)(int Body, double Friction, double Restitution);
 		double (*Penetration)(int Body, int Kind, const double* Size, const double* Location, const double* Rotation);
 		void (*Drive)(int Constraint, int Acts, double Speed, double Limit);
+		void (*Present)(int Body, int There, const double* Location, const double* Rotation);
 	};
 
 	struct FState
@@ -478,6 +480,8 @@ private:
 	}
 };
 
+enum class ETeleportType : uint8 { None, TeleportPhysics, ResetPhysics };
+
 struct FHitResult
 {
 	bool bBlockingHit = false;
@@ -556,6 +560,7 @@ public:
 	}
 	void SetRelativeScale3D(const FVector& Scale) { ShimScale = Scale; }
 	void SetHiddenInGame(bool bHidden) { ShimHidden = bHidden; }
+	void SetVisibility(bool bVisible, bool = false) { ShimHidden = !bVisible; }
 	virtual FTransform GetComponentTransform() const { return FTransform(ShimRotation, ShimLocation); }
 
 	FVector ShimLocation, ShimScale{1.0};
@@ -635,12 +640,42 @@ public:
 		{
 			Shim::Fatal("SetSimulatePhysics on " + ShimName + ", which is not Movable");
 		}
-		if (Shim::State().Phase == Shim::EPhase::Playing)
-		{
-			Shim::Fatal("SetSimulatePhysics on " + ShimName + " in play is not replayed");
-		}
 		ShimSimulates = bSimulate;
 		ShimSimulateSet = true;
+		ShimComeOrGo();
+	}
+	bool IsSimulatingPhysics(FName = NAME_None) const { return ShimSimulates; }
+	bool IsCollisionEnabled() const { return ShimCollides; }
+	/** Moves what is not there, so that it comes in elsewhere. */
+	void SetWorldLocationAndRotation(
+		FVector Location, const FQuat& Rotation, bool bSweep, FHitResult*, ETeleportType Teleport)
+	{
+		if (bSweep || Teleport != ETeleportType::TeleportPhysics || (ShimLive && ShimIsThere()))
+		{
+			Shim::Fatal("SetWorldLocationAndRotation on " + ShimName + " in play is not replayed");
+		}
+		SetRelativeLocationAndRotation(Location, Rotation);
+	}
+	/** Whether the physics has it: what moves only while it collides and simulates. */
+	bool ShimIsThere() const
+	{
+		return ShimCollides && (ShimSimulates || ShimMobility != EComponentMobility::Movable);
+	}
+	/** What simulated at first and was put away before the first tick. */
+	bool ShimIsDormant() const
+	{
+		return !ShimSimulates && ShimMobility == EComponentMobility::Movable && ShimInstance.ShimHasInertia;
+	}
+	void ShimComeOrGo()
+	{
+		if (!ShimLive || ShimIsThere() == ShimThere)
+		{
+			return;
+		}
+		ShimThere = !ShimThere;
+		const double L[3] = {ShimLocation.X, ShimLocation.Y, ShimLocation.Z};
+		const double R[4] = {ShimRotation.X, ShimRotation.Y, ShimRotation.Z, ShimRotation.W};
+		Shim::State().Host->Present(ShimId, ShimThere ? 1 : 0, L, R);
 	}
 	void SetEnableGravity(bool bEnable) { ShimGravity = bEnable; }
 	void SetMassOverrideInKg(FName, float Mass, bool bOverride)
@@ -677,6 +712,7 @@ public:
 	{
 		ShimCollides = Enabled == ECollisionEnabled::PhysicsOnly || Enabled == ECollisionEnabled::QueryAndPhysics;
 		ShimProfileSet = true;
+		ShimComeOrGo();
 	}
 	void SetCollisionObjectType(ECollisionChannel Channel) { ShimObjectType = Channel; }
 	void SetCollisionResponseToAllChannels(ECollisionResponse Response) { ShimBlocks = Response == ECR_Block ? ~0u : 0u; }
@@ -805,7 +841,7 @@ public:
 	}
 
 	int ShimId = -1;
-	bool ShimLive = false, ShimSimulates = false, ShimSimulateSet = false, ShimGravity = false, ShimCCD = false;
+	bool ShimLive = false, ShimThere = false, ShimSimulates = false, ShimSimulateSet = false, ShimGravity = false, ShimCCD = false;
 	bool ShimNotifies = false, ShimCollides = true, ShimProfileSet = false;
 	float ShimMass = -1.0f, ShimLinearDamping = -1.0f, ShimAngularDamping = -1.0f, ShimMaxSpin = 3600.0f;
 	ECollisionChannel ShimObjectType = ECC_WorldDynamic;

@@ -113,6 +113,7 @@ namespace ShimGlue
 		Out.CCD = C.ShimCCD;
 		Out.HasMassFrame = C.ShimInstance.ShimHasFrame;
 		Out.HasMaterial = C.ShimMaterial != nullptr;
+		Out.Dormant = C.ShimIsDormant();
 		Out.Movable = C.ShimMobility == EComponentMobility::Movable;
 		return Out;
 	}
@@ -227,7 +228,8 @@ extern "C"
 	{
 		for (UPrimitiveComponent* Component : Shim::State().Bodies)
 		{
-			Component->ShimLive = Component->ShimCollides;
+			Component->ShimLive = Component->ShimCollides || Component->ShimIsDormant();
+			Component->ShimThere = Component->ShimIsThere();
 		}
 		for (UPhysicsConstraintComponent* Constraint : Shim::State().Constraints)
 		{

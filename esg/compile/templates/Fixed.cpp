@@ -83,6 +83,7 @@ void A@CLASS@::BeginPlay()
 		}
 	}
 	@COLLECT_JOINTS@
+	@COLLECT_FRAGMENTS@
 	UE_LOG(
 		Log@CLASS@, Display, TEXT("SCENE_START bodies=%d commands=%d events=%d step=%.6f"), Bodies.Num(),
 		Commands.Num(), Events.Num(), FixedTimeStep);
@@ -147,10 +148,12 @@ void A@CLASS@::Tick(float DeltaTime)
 	const double Given = DeltaTime;
 	const bool bPinned = FMath::Abs(Given - FixedTimeStep) < @CLASS@Detail::StepRounding;
 	const double Step = bPinned ? FixedTimeStep : Given;
+	@BREAK_BODIES@
 	RecheckEvents();
 	DispatchProgram(SceneTime + @CLASS@Detail::HalfStep * Step);
 	@DRIVE_JOINTS@
 	@TURN_WHEELS@
+	@REMEMBER_SPEEDS@
 	SceneTime += Step;
 	if (!bFinished && SceneTime >= SceneDuration)
 	{
@@ -180,6 +183,7 @@ void A@CLASS@::OnBodyHit(
 	{
 		return;
 	}
+	@TAKE_BLOW@
 	EndDrivesAtTouch(HitComponent, OtherComp);
 	for (FWatchedEvent& Event : Events)
 	{
@@ -314,6 +318,7 @@ void A@CLASS@::CheckLayout()
 
 double A@CLASS@::PenetrationOf(const FBodyRef& First, const FBodyRef& Second) const
 {
+	@GONE@
 	double Depth = 0.0;
 	const FBodyRef* Pair[] = { &First, &Second };
 	for (int32 Side = 0; Side < 2; ++Side)

@@ -14,7 +14,7 @@ from esg.assets.gltf.surfaces import Surface, surface_of
 from esg.assets.looks import Color, Look
 
 if TYPE_CHECKING:
-    from esg.view.render import Part
+    from esg.view.pieces import Part
     from esg.view.surroundings import Sky
 
 Floats = NDArray[np.float64]
@@ -24,6 +24,8 @@ CELLS = 16
 SUNK, SUNK_M = 2e-5, 0.01
 """The drawn ground lies so much below what lies on it, by its side and at most [m]: whoever draws
 by depth cannot tell them apart otherwise."""
+CELL_M, MOST_CUTS = 25.0, 4
+"""Longest edge of a triangle of a marking, and how often one is cut for it."""
 MARKINGS = "ground/"
 """How the names of parts begin that lie on the ground."""
 SPREAD = 4.0
@@ -64,7 +66,7 @@ class Setting:
         side: Of the square of it that is drawn [m].
         covered: Names of bodies in whose place the ground is seen.
         parts: Meshes fixed to the world, in its frame; those of one thing have names that are the
-            same up to a slash.
+            same up to a slash. What lies on the ground has been `spread`.
         views: Cameras; the first is the one to look through.
     """
 
@@ -105,7 +107,8 @@ def ground_mesh(setting: Setting) -> tuple[Floats, NDArray[np.int64], Floats, Fl
     line = np.sign(line) * line**2 * setting.side / 2
     y, x = np.meshgrid(line, line, indexing="ij")
     corners = np.stack([x.ravel(), y.ravel()], axis=1) + np.asarray(setting.middle)
-    lowest = min([0.0, *(float(p.vertices[:, 2].min()) for p in spread(setting.parts))])
+    flat = [p for p in setting.parts if p.name.startswith(MARKINGS)]
+    lowest = min([0.0, *(float(p.vertices[:, 2].min()) for p in flat)])
     height = np.full((len(corners), 1), lowest - min(SUNK_M, SUNK * setting.side))
     first = (np.arange(CELLS) + (CELLS + 1) * np.arange(CELLS)[:, None]).reshape(-1, 1)
     right, above = 1, CELLS + 1
@@ -133,7 +136,7 @@ def facing(direction: tuple[float, float, float]) -> Floats:
 
 
 def spread(parts: Iterable[Part]) -> list[Part]:
-    """The parts, with the markings of the ground farther apart below the highest of them."""
+    """The parts, with the markings of the ground in cells and farther apart below the highest."""
     parts = list(parts)
     flat = [p for p in parts if p.name.startswith(MARKINGS)]
     top = max((float(p.vertices[:, 2].max()) for p in flat), default=0.0)
@@ -141,9 +144,32 @@ def spread(parts: Iterable[Part]) -> list[Part]:
     def lowered(part: Part) -> Part:
         z = part.vertices[:, 2:]
         lower = np.concatenate([part.vertices[:, :2], top + SPREAD * (z - top)], axis=1)
-        return replace(part, vertices=lower)
+        return in_cells(replace(part, vertices=lower))
 
     return [lowered(p) if p.name.startswith(MARKINGS) else p for p in parts]
+
+
+def in_cells(part: Part) -> Part:
+    """A flat part whose triangles are cut into four until none is longer than `CELL_M`."""
+    if part.normals is None or part.uvs is None:
+        return part
+    corners = np.concatenate([part.vertices, part.normals, part.uvs], axis=1)[part.faces]
+    for _ in range(MOST_CUTS):
+        edges = corners[:, :, :3] - np.roll(corners[:, :, :3], 1, axis=1)
+        if not len(corners) or np.linalg.norm(edges, axis=2).max() <= CELL_M:
+            break
+        a, b, c = (corners[:, k] for k in range(3))
+        d, e, f = 0.5 * (a + b), 0.5 * (b + c), 0.5 * (c + a)
+        cut = [(a, d, f), (d, b, e), (f, e, c), (d, e, f)]
+        corners = np.concatenate([np.stack(three, axis=1) for three in cut])
+    rows, faces = np.unique(corners.reshape(-1, 8), axis=0, return_inverse=True)
+    return replace(
+        part,
+        vertices=rows[:, :3],
+        faces=faces.reshape(-1, 3),
+        normals=rows[:, 3:6],
+        uvs=rows[:, 6:],
+    )
 
 
 def by_thing(parts: Iterable[Part]) -> dict[str, list[Part]]:

@@ -27,7 +27,6 @@ from esg.compile.visuals.setting import (
     facing,
     ground_mesh,
     seen_at,
-    spread,
     strength,
 )
 from esg.engines.scene import Body
@@ -83,7 +82,7 @@ class UsdLooks:
         UsdGeom.Xform.Define(self._stage, SURROUNDINGS)
         ground = surface_of(setting.ground)
         self._mesh(f"{SURROUNDINGS}/Ground", ground_mesh(setting), ground, SURROUNDINGS)
-        for name, parts in by_thing(spread(setting.parts)).items():
+        for name, parts in by_thing(setting.parts).items():
             path = self._free(SURROUNDINGS, name)
             UsdGeom.Xform.Define(self._stage, path)
             for surface, corners in by_surface(parts):

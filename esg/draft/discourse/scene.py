@@ -10,6 +10,7 @@ from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.text.quantities import Amount
 from esg.graph.models import Joint, Quantity
+from esg.lexicon.breakables import Breakable
 
 
 @dataclass
@@ -48,6 +49,8 @@ class Scene:
     joints: list[Joint] = field(default_factory=list[Joint])
     openings: dict[str, float] = field(default_factory=dict[str, float])
     """Where the joint of a node starts, as events ask for it [deg or cm]."""
+    breaking: dict[str, Breakable] = field(default_factory=dict[str, Breakable])
+    """What is told to break."""
     used: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])
     """Spans that became something: (start, end) -> pointer or note."""
     ignored: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])

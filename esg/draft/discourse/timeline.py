@@ -54,6 +54,7 @@ _NAMES = {
     NodeEvent.PICKED_UP: "picked_up", NodeEvent.PLACED: "placed", NodeEvent.BOUNCE: "bounce",
     NodeEvent.JUMP: "jump", NodeEvent.SPIN: "spin",
     NodeEvent.OPEN: "open", NodeEvent.CLOSE: "close", NodeEvent.SWING: "swing",
+    NodeEvent.BREAK: "break",
     NodeEvent.FALL: "fall", NodeEvent.REACH: "reach", NodeEvent.MISS: "miss",
 }  # fmt: skip
 """Last words of the ids of point events."""

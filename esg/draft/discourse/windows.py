@@ -37,6 +37,7 @@ _DURATIONS: dict[NodeEvent, tuple[float, float]] = {
     NodeEvent.OPEN: (0.2, 5.0),
     NodeEvent.CLOSE: (0.2, 8.0),
     NodeEvent.SWING: (0.1, 10.0),
+    NodeEvent.BREAK: (0.0, 2.0),
 }
 """Shortest and longest time since the event before, where the prompt states none [s]."""
 

@@ -21,6 +21,7 @@ from esg.draft.document.tints import tints
 from esg.graph.models import (
     AssetRequirement,
     BinaryRelation,
+    Breaking,
     Coverage,
     EsgDocument,
     MultiRelation,
@@ -243,7 +244,15 @@ def _node(e: Entity, asset: str, graph: _Graph) -> Node:
         # The circle is a relation to what carries it.
         group_pattern="scatter" if e.pattern == "ring" and e.in_group else pattern,
         is_static=("fixed" in e.noun.traits or e.static) and not e.freed,
+        breaking=_breaking(e, graph.scene),
     )
+
+
+def _breaking(e: Entity, scene: Scene) -> Breaking | None:
+    row = scene.breaking.get(e.id)
+    if row is None:
+        return None
+    return Breaking(speed=100.0 * row.at_mps, pieces=row.pieces)
 
 
 def _add(graph: _Graph, source: str, target: str, kind: RelationType, **extra: Any) -> None:

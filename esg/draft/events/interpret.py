@@ -34,6 +34,7 @@ from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.courses import follow, keep_on, snapshot
 from esg.draft.events.hanging import sense_on_joint
 from esg.draft.events.senses import SENSES
+from esg.draft.events.senses.breaking import gone_through, sense_of_breaking, who_breaks
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
 from esg.draft.events.senses.state import attachment, mass_of_load
 from esg.draft.events.timing import hand_on, precedes, settle, time_of
@@ -179,6 +180,7 @@ def read_frame(d: Discourse, f: Frame) -> None:
         return
     was = snapshot(d)
     handler(d, f, parts.subject, parts.objects)
+    gone_through(d, f)
     d.scene.clauses.append(follow(d, f, was, parts.subject, parts.objects))
     hand_on(d, f)
     for p, a in amounts_of(d, f):
@@ -191,6 +193,14 @@ def _parts(d: Discourse, f: Frame) -> Parts:
     subject = list(f.subject.entities) if f.subject is not None else []
     named = [i for m in (f.object, f.object2) if m is not None for i in m.entities]
     return Parts(subject, [i for i in dict.fromkeys(named) if kind_of(d, i) != "region"])
+
+
+def _comes_apart(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """Verbs of breaking have their sense where what they are about can break."""
+    who = who_breaks(d, f, parts.subject)
+    if sense_of_breaking(d, f, who, parts.objects):
+        f.verb.sense, parts.subject = "break", who
+    return False
 
 
 def _mount_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
@@ -334,6 +344,7 @@ def _runs_now(d: Discourse, f: Frame, parts: Parts) -> bool:
 
 
 STEPS: tuple[Step, ...] = (
+    _comes_apart,
     _mount_instead,
     _no_ground,
     _instead,

@@ -18,7 +18,7 @@ from esg.draft.discourse.scene import GROUND
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.courses import measurable
 from esg.draft.events.stated import start_of
-from esg.draft.events.told import traits_of
+from esg.draft.events.told import happened, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.account import PASSED_OVER, Account, Gap, about_of, held, nodes_of, turns
 from esg.draft.statements.arranged import FILES, in_line
@@ -49,6 +49,7 @@ _FLAT = frozenset({"support", "structural"})
 _ENTERED = frozenset({"building", "structure"})
 _ENDS = frozenset({"ends_on", "ends_in", "ends_near", "above", "under"})
 _HITS = frozenset({"impact", "contact", "collision", "crash"})
+_TO_PIECES = lex.word_set("to pieces")
 _FEET = frozenset({"bottom", "foot"})
 
 
@@ -119,6 +120,8 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
     """Whether a phrase that names nothing in the scene need not be missed."""
     m = p.mention
     assert m is not None
+    if m.head in _TO_PIECES and any(happened(a.d, NodeEvent.BREAK, i) for i in about):
+        return True  # "shatters into pieces"
     if (
         p.prep == "of"
         or "same" in m.adjectives

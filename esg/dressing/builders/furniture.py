@@ -10,7 +10,7 @@ CARTONS: tuple[Color, ...] = ((0.72, 0.56, 0.38), (0.66, 0.5, 0.33), (0.76, 0.62
 WHITE: Color = (0.9, 0.9, 0.88)
 
 
-@builder("pallet_rack", "shelf")
+@builder("pallet_rack")
 def pallet_rack(draw: Drawing, wish: Wish) -> None:
     """Shelving of a warehouse with cartons on its levels."""
     x, h = 0.5 * wish.depth, wish.height
@@ -145,23 +145,6 @@ def wall_picture(draw: Drawing, wish: Wish) -> None:
     inner = 0.11
     corner = (back + 0.033, -half + inner, low[2] + inner)
     draw.sheet("paper", corner, (0, wish.width - 2 * inner, 0), (0, 0, h - 2 * inner), tint)
-
-
-@builder("curtains")
-def curtains(draw: Drawing, wish: Wish) -> None:
-    """A pair of drawn curtains on a rail, against a wall."""
-    half, h = 0.5 * wish.width, wish.height
-    back = -0.5 * wish.depth
-    tint = wish.color or (0.62, 0.5, 0.42)
-    draw.box("steel", (back, -half, h), (back + 0.03, half, h + 0.03), None, ALL_SIDES)
-    folds = max(4, round(wish.width / 0.16))
-    for k in range(folds):
-        y, wide = -half + wish.width * k / folds, wish.width / folds
-        if 0.3 < (k + 0.5) / folds < 0.7:
-            continue
-        deep = 0.06 if k % 2 else 0.12
-        low, high = (back, y, 0.04), (back + deep, y + wide, h)
-        draw.box("textile", low, high, tint, ALL_SIDES - {"-x"})
 
 
 @builder("ball_return")

@@ -6,7 +6,7 @@ import math
 
 from esg.assets.looks import Color
 from esg.dressing.builders.table import Wish, builder
-from esg.dressing.solids import Drawing
+from esg.dressing.solids import ALL_SIDES, Drawing
 
 LEAVES: Color = (0.33, 0.45, 0.2)
 NEEDLES: Color = (0.2, 0.34, 0.2)
@@ -101,3 +101,20 @@ def dune(draw: Drawing, wish: Wish) -> None:
     """A low swell of sand or snow."""
     radii = (0.5 * wish.depth, 0.5 * wish.width, 1.2 * wish.height)
     draw.clump(wish.surface or "sand", (0, 0, -0.2 * wish.height), radii, wish.color, rough=0.05)
+
+
+@builder("saguaro", "cactus")
+def saguaro(draw: Drawing, wish: Wish) -> None:
+    """A tall cactus with two arms."""
+    h, reach = wish.height, 0.5 * wish.width
+    color = wish.color or (0.3, 0.42, 0.24)
+    r = 0.075 * h
+    draw.tube("leaves", (0, 0, 0), (0.9 * r, r), 0.93 * h, color, sides=12)
+    draw.clump("leaves", (0, 0, 0.92 * h), (r, r, 0.08 * h), color, rough=0.0, level=1)
+    for side in (-1.0, 1.0):
+        low, high = draw.rng.uniform(0.3, 0.5) * h, draw.rng.uniform(0.62, 0.85) * h
+        y = side * (reach - 0.65 * r)
+        inner, outer = sorted((0.0, y))
+        draw.box("leaves", (-0.5 * r, inner, low - 0.5 * r), (0.5 * r, outer, low + 0.5 * r), color,
+                 ALL_SIDES)  # fmt: skip
+        draw.tube("leaves", (0, y, low - 0.5 * r), (0.6 * r, 0.6 * r), high - low, color, sides=10)

@@ -14,9 +14,12 @@ from esg.dynamics.story.paces import turns_at
 from esg.dynamics.story.stagecraft import coasting_drag, top_surface
 from esg.dynamics.story.story import CRUISES, ON_THE_SPOT, Phase, bounds, rebounds, turn_of
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+from esg.units import GRAVITY_MPS2
 
 TURNED_RAD = math.radians(10.0)
 """A turn counts as made this far before its end: between the end of its tolerance and of itself."""
+AT_ONCE_S, USUAL_DROP_M = 0.02, 0.8
+"""What is hit breaks so soon; what comes down breaks where a fall of that height ends."""
 USUAL_S = 2.0
 """Time of a segment where nothing says how long it lasts."""
 SLIDES_ON = 0.4
@@ -169,3 +172,15 @@ def _place_for_fall(stage: Stage, node: TimelineNode) -> None:
         tx, ty = turn.apply(px, py)
         stage.places[key] = (cx + tx, cy + ty, None if yaw is None else yaw + angle)
     stage.frames = {a: Frame(*stage.places[a][:2], stage.places[a][2] or 0.0) for a in stage.frames}
+
+
+def shattered(stage: Stage, node: TimelineNode) -> None:
+    """Break: at once after a hit, and after a fall or a topple when the ground is reached."""
+    before = stage.story.before.get(node.id, ())
+    last = max((stage.time.get(b, 0.0) for b in before), default=0.0)
+    drops = (NodeEvent.FALL, NodeEvent.TOPPLE)
+    down = any(stage.story.nodes[b].event in drops for b in before)
+    wait = math.sqrt(2.0 * USUAL_DROP_M / GRAVITY_MPS2) if down else AT_ONCE_S
+    for actor, _ in stage.incoming(node):
+        stage.tracks[actor].straight(0.0, wait, 0.0)
+    stage.time[node.id] = stage.prescribed_time(node) or last + wait

@@ -15,7 +15,7 @@ import numpy as np
 
 from esg.dynamics.choreography.handling import bounced, jumped, spun, taken, tell_guided
 from esg.dynamics.choreography.meetings import collision, enters
-from esg.dynamics.choreography.moves import controlled, plain, turned
+from esg.dynamics.choreography.moves import controlled, plain, shattered, turned
 from esg.dynamics.choreography.placing import enter_beside
 from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage
@@ -45,6 +45,7 @@ HANDLERS = {
     NodeEvent.SWING: swung,
     NodeEvent.OPEN: moved_by_joint,
     NodeEvent.CLOSE: moved_by_joint,
+    NodeEvent.BREAK: shattered,
 }
 """How each event is told; all others are told by `plain`."""
 ATTEMPTS = 12

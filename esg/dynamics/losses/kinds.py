@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from esg.dynamics.losses import handling, joints, measures, quantities, residuals
+from esg.dynamics.losses import breaking, handling, joints, measures, quantities, residuals
 from esg.dynamics.losses.measures import AddTerm, Detected
 from esg.dynamics.losses.recording import Floats, Recording
 from esg.graph.models import NodeEvent, TimelineNode
@@ -172,5 +172,6 @@ for _kind in (
     EventKind(NodeEvent.OPEN.value, joints.opened, after_s=0.3),
     EventKind(NodeEvent.CLOSE.value, joints.closed, after_s=0.5),
     EventKind(NodeEvent.SWING.value, joints.swung, after_s=0.2),
+    EventKind(NodeEvent.BREAK.value, breaking.broke, after_s=0.6, contact=True),
 ):
     register(_kind)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 
+from esg.dynamics.plan.fragments import with_fragments
 from esg.dynamics.plan.joints import joints_of
 from esg.dynamics.plan.tyres import with_tyres
 from esg.engines.scene import Body, Region, Shape, SimScene, Wheel
@@ -65,7 +66,7 @@ def build_scene(doc: EsgDocument) -> SimScene:
         ground_restitution=restitution,
         joints=joints_of(doc, bodies),
     )
-    return with_tyres(doc, scene)
+    return with_fragments(doc, with_tyres(doc, scene))
 
 
 def make_body(

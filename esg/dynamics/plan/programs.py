@@ -39,7 +39,7 @@ from esg.engines.program import (
     Primitive,
     SetVelocity,
 )
-from esg.engines.scene import Body
+from esg.engines.scene import FRAGMENT, Body
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2, quat_from_euler_deg, yaw_from_quat
 
@@ -629,7 +629,8 @@ class Composer:
 
     def _others(self, actor: str) -> tuple[str, ...]:
         """Everything whose touch ends a flight."""
-        return tuple(b.name for b in self.scene.bodies if b.name != actor and b.shapes)
+        others = (b for b in self.scene.bodies if b.name != actor and b.category != FRAGMENT)
+        return tuple(b.name for b in others if b.shapes)
 
     def told(self, node: TimelineNode, otherwise: float) -> float:
         """When the choreography expects an event [s]; a turn is over when it has been driven."""

@@ -23,6 +23,7 @@ from esg.dynamics.plan import Plan
 from esg.dynamics.search.simulate import ENSEMBLE, Simulator
 from esg.dynamics.story.proxies import faceted
 from esg.engines.base import SURROGATE, Engine
+from esg.engines.breaking import unbroken
 from esg.engines.registry import get_engine
 from esg.graph.models import SearchStep
 
@@ -106,13 +107,15 @@ class Panel:
         self.plan, self.device = plan, device
         self.reference = Simulator(plan, engines("newton", device), dt=dt, hold=True)
         step = dt if self.explorer == SURROGATE else COARSE * dt
-        self.surrogate = Simulator(plan, engine, dt=step)
+        # Nothing breaks while it explores: a blow that is hard enough tells when it would.
+        known = replace(plan, scene=unbroken(plan.scene))
+        self.surrogate = Simulator(known, engine, dt=step)
         self.breadth: int = getattr(engine, "breadth", 1)
         self._others: list[Simulator] = []
         if self.explorer == SURROGATE:
-            self._others.append(Simulator(plan, engine, dt=0.5 * dt))
-            scene = faceted(plan.scene)
-            if scene is not plan.scene:
+            self._others.append(Simulator(known, engine, dt=0.5 * dt))
+            scene = faceted(known.scene)
+            if scene is not known.scene:
                 self._others.append(Simulator(replace(plan, scene=scene), engine, dt=dt))
         # An engine that is shared by many searches may play several rollouts at once.
         self._together: Callable[[list[Callable[[], Any]]], list[Any]] | None

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.base import VERIFY_DT_S
+from esg.engines.breaking import brittle
 from esg.engines.jobs import Job, Played, finish, job_of
 from esg.engines.newton.builder import Drafts
 from esg.engines.newton.model import NewtonModel, Points
@@ -155,7 +156,10 @@ def structure_key(scene: SimScene) -> tuple[object, ...]:
     """What a compiled model depends on; scenes with equal keys share one."""
     bodies = tuple((b.static, b.wheeled, b.shapes) for b in scene.bodies)
     joints = (scene.joints, scene.names) if scene.joints else ()
-    return bodies, tuple(scene.gravity), joints
+    breaks = tuple(
+        (b.name, b.break_impulse, b.fragments, b.position, b.quaternion) for b in scene.bodies
+    )
+    return bodies, tuple(scene.gravity), joints, breaks if brittle(scene) else ()
 
 
 def _model(scene: SimScene, n_worlds: int, device: str, part: int, growth: int) -> NewtonModel:

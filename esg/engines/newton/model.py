@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.jobs import Buffer, Job, Pieces, Played
+from esg.engines.newton.breaking import Shatter, parked
 from esg.engines.newton.builder import MARK, Blueprint, Wanted
 from esg.engines.newton.jointed import Jointed
 from esg.engines.newton.places import Places
@@ -92,6 +93,9 @@ class NewtonModel(NewtonWorlds):
             self._build(blueprint, points)
             self._make_arrays(ground)
             self.jointed = self._join()
+            if any(s.brittle for s in shapes):
+                own = self.dynamic.numpy()
+                self.shatter = Shatter(self.model, shapes, self.scene_of, own)
 
     def _join(self) -> Jointed | None:
         """The joints of all scenes."""
@@ -215,6 +219,8 @@ class NewtonModel(NewtonWorlds):
 
     def _load(self, jobs: list[Job], frames: int, every: int) -> None:
         wp = self.wp
+        if self.shatter is not None:
+            jobs = [parked(j, s) for j, s in zip(jobs, self.shapes, strict=True)]
         move = [np.nonzero(s.dynamic)[0] for s in self.shapes]
         pairs = list(zip(jobs, move, strict=True))
 
@@ -235,6 +241,8 @@ class NewtonModel(NewtonWorlds):
         ]), None if self.jointed is None else self.jointed.load(
             [(j.position.astype(float), j.quaternion.astype(float)) for j in jobs]
         ))  # fmt: skip
+        if self.shatter is not None:
+            self.shatter.load([(j.position, j.quaternion) for j in jobs])
         self._load_batches(jobs)
         self._choose_pairs(jobs)
         if frames > self.frames:

@@ -24,6 +24,7 @@ from esg.engines.program import FIELDS
 from esg.engines.traction import FEATURES
 
 if TYPE_CHECKING:
+    from esg.engines.newton.breaking import Shatter
     from esg.engines.newton.jointed import Jointed
 
 Ints = NDArray[np.int32]
@@ -59,6 +60,7 @@ class NewtonWorlds:
     out_q: Any
     out_qd: Any
     jointed: Jointed | None
+    shatter: Shatter | None
 
     def __init__(self, device: str, n_worlds: int, n_bodies: int) -> None:
         self.wp = quiet_warp()
@@ -69,7 +71,7 @@ class NewtonWorlds:
         self._graphs: dict[object, Any] = {}
         self._primitives = 0
         self.dt, self.has_friction_change = 0.0, False
-        self.jointed = None
+        self.jointed, self.shatter = None, None
 
     def _finalize(
         self,
@@ -319,8 +321,9 @@ class NewtonWorlds:
         self.solver.notify_model_changed(newton.ModelFlags.SHAPE_PROPERTIES)
 
     def _joint_states(self) -> list[Any]:
-        joints = self.jointed
-        return [] if joints is None else joints.states()
+        joints, shatter = self.jointed, self.shatter
+        own = [] if joints is None else joints.states()
+        return own if shatter is None else [*own, *shatter.states()]
 
     def _step(self) -> None:
         import newton
@@ -350,6 +353,8 @@ class NewtonWorlds:
             joints.push(self, s)
         self.pipeline.collide(s, c, dt=self.dt)
         count = c.rigid_contact_count if joints is None else joints.ties.solid
+        if self.shatter is not None:
+            self.shatter.drop(self)
         if joints is not None:
             joints.ties.hold(self, s)
         wp.launch(
@@ -376,6 +381,8 @@ class NewtonWorlds:
         )  # fmt: skip
         if joints is not None:
             joints.ties.end(self)
+        if self.shatter is not None:
+            self.shatter.end(self, count, s, self.other)
         self.state, self.other = self.other, self.state
         wp.launch(
             kernels.record_frames,

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 
 from esg.engines.base import SURROGATE, VERIFY_DT_S, breadth
-from esg.engines.jobs import Job, finish, job_of, refuse_joints
+from esg.engines.jobs import Job, finish, job_of, refuse_what_it_lacks
 from esg.engines.newton.setup import cpu_threads, known_device
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import Rollout, SimScene, Variation
@@ -99,7 +99,7 @@ def scene_arrays(scene: SimScene, device: str) -> SceneArrays:
     Raises:
         ValueError: If the scene has joints.
     """
-    refuse_joints(scene)
+    refuse_what_it_lacks(scene)
     key = (scene.bodies, tuple(scene.gravity), device)
     with _lock:
         if key in _scenes:

@@ -155,25 +155,42 @@ def _sampled(replay: Replay, begin: int) -> Frames:
 
 
 def breaks(replay: Replay, q: Query) -> Iterator[Found]:
-    """Coming apart into pieces: the bodies that the phrase means, and those of their groups."""
+    """Coming apart into pieces: fragments of what the phrase means, or bodies of its group."""
     begin = replay.after(q.since)
-    bodies = replay.scene.bodies
-    groups = {bodies[i].group for i in q.bound["object"].bodies} - {""}
-    own = {i for i, b in enumerate(bodies) if b.group in groups} | set(q.bound["object"].bodies)
-    parts = tuple(sorted(own))
+    scene, phrase = replay.scene, q.bound["object"].phrase
+    wholes = [i for i in q.bound["object"].bodies if scene.bodies[i].fragments]
+    for i in wholes:
+        parts = tuple(scene.index(name) for name in scene.bodies[i].fragments)
+        yield _apart(replay, parts, begin, (i,))
+    if wholes:
+        return
+    groups = {scene.bodies[i].group for i in q.bound["object"].bodies} - {""}
+    own = {i for i, b in enumerate(scene.bodies) if b.group in groups}
+    parts = tuple(sorted(own | set(q.bound["object"].bodies)))
     if len(parts) < PIECES:
-        yield Found(None, parts, f"{q.bound['object'].phrase!r} is in one piece that cannot break")
-        return
-    if _pieces(replay, parts, 0) >= PIECES:
+        yield Found(None, parts, f"{phrase!r} is in one piece that cannot break")
+    elif _pieces(replay, parts, 0) >= PIECES:
         yield Found(None, parts, "is in pieces from the start")
-        return
+    else:
+        yield _apart(replay, parts, begin, parts)
+
+
+def _apart(replay: Replay, parts: tuple[int, ...], begin: int, who: tuple[int, ...]) -> Found:
+    """When parts that are there are first in enough pieces."""
     most = 0
     for k in _sampled(replay, begin):
-        most = max(most, n := _pieces(replay, parts, int(k)))
+        here = () if replay.absent[k, list(parts)].any() else parts
+        most = max(most, n := _pieces(replay, here, int(k)))
         if n >= PIECES:
-            yield Found(float(replay.time[k]), parts, measured={"pieces": float(n)})
-            return
-    yield Found(None, parts, f"is in {most} pieces at most (needs {PIECES})")
+            return Found(float(replay.time[k]), who, measured={"pieces": float(n)})
+    reason = f"is in {most} pieces at most (needs {PIECES})"
+    if most == 0 and replay.absent[-1, list(parts)].any():
+        reason = f"stays whole: no blow exceeds {_bears(replay, who[0]):.3g} N s"
+    return Found(None, who, reason)
+
+
+def _bears(replay: Replay, body: int) -> float:
+    return replay.scene.bodies[body].break_impulse or 0.0
 
 
 def _pieces(replay: Replay, parts: tuple[int, ...], frame: int) -> int:

@@ -82,7 +82,9 @@ def energy(f: Facts) -> Check:
     """
     worst = Worst()
     kinetic, total = _energies(f)
-    fed = {i: f.powered(i) | f.launched(i) | _motored(f, i) for i in f.dynamic}
+    fed = {
+        i: f.powered(i) | f.launched(i) | _motored(f, i) | _widened(f.absent(i)) for i in f.dynamic
+    }
     mass = np.array([b.mass for b in f.replay.scene.bodies])
     for group in _groups(f):
         members = sorted(group.bodies)
@@ -100,6 +102,14 @@ def energy(f: Facts) -> Check:
             time = float(f.replay.time[group.start + part.start + k])
             worst.look(float(gain[k]), most, names, time)
     return worst.check("energy", "J")
+
+
+def _widened(frames: Bools) -> Bools:
+    """Frames and the ones beside them."""
+    out = frames.copy()
+    out[1:] |= frames[:-1]
+    out[:-1] |= frames[1:]
+    return out
 
 
 def _motored(f: Facts, i: int) -> Bools:
@@ -195,7 +205,7 @@ def hovering(f: Facts) -> Check:
     for i in f.dynamic:
         v = f.replay.velocity[:, i, 2]
         falls = np.gradient(v, f.replay.time) < -BALLISTIC * f.g
-        held = f.guided(i) | f.flown(i) | f.held(i)
+        held = f.guided(i) | f.flown(i) | f.held(i) | f.absent(i)
         up = ~f.touching(i) & ~falls & ~held & (np.abs(v) < MOVING_MPS)
         if f.motion(i).moves in ("air", "water"):
             up &= ~f.powered(i)
@@ -251,7 +261,8 @@ def _depths(f: Facts) -> Iterable[tuple[str, Floats]]:
         a, b = divmod(int(key), len(r.scene.bodies))
         yield f"{f.name(a)}, {f.name(b)}", depth
     for i in f.dynamic:
-        yield f"{f.name(i)}, {GROUND}", np.maximum(-f.lowest(i), 0.0)
+        deep = np.where(f.absent(i), 0.0, -f.lowest(i))
+        yield f"{f.name(i)}, {GROUND}", np.maximum(deep, 0.0)
 
 
 def motion_before(f: Facts) -> Check:
@@ -264,7 +275,7 @@ def motion_before(f: Facts) -> Check:
             disturbed[:, i] = True
     _pass_on(f, disturbed)
     for i in f.dynamic:
-        if f.name(i) in f.told.movers or r.scene.bodies[i].active:
+        if f.name(i) in f.told.movers or r.scene.bodies[i].active or f.absent(i)[0]:
             continue
         last = _first_touch(f, i, disturbed)
         start = min((c.time for c in r.motions(i)), default=np.inf)

@@ -44,6 +44,7 @@ class Facts:
         self.joints = joined(replay)
         self._read_contacts()
         self._read_joints()
+        self._read_breaks()
         self._lowest: dict[int, Floats] = {}
         self._touching: dict[int, Bools] = {}
 
@@ -79,6 +80,19 @@ class Facts:
         for i in self.dynamic:
             if not self.motion(i).own_power:
                 self._struck[:, i] |= self.held(i)
+
+    def _read_breaks(self) -> None:
+        """What is not there is no body to be judged; what comes in or goes does so by a blow."""
+        gap = max(1, round(HIT_GAP_S / self.replay.frame_s))
+        for i in np.flatnonzero(self.replay.absent.any(axis=0)):
+            near = np.flatnonzero(self.replay.absent[:, i])
+            for k in (near[0], near[-1]):
+                self._struck[max(k - gap, 0) : k + gap + 1, i] = True
+            self._struck[near, i] = True
+
+    def absent(self, body: int) -> Bools:
+        """Frames at which a body is not there: a fragment before, what has broken after."""
+        return self.replay.absent[:, body]
 
     def held(self, body: int) -> Bools:
         """Frames at which a joint holds a body."""

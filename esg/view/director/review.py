@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.breaking import shown
 from esg.engines.wheels import scene_angles
 from esg.view.camera import Camera
 from esg.view.director.acting import Action, Beat
@@ -77,13 +77,14 @@ class Viewfinder:
         self.action, self.scan, self.size, self.around = action, scan, size, around
         self.aspect = size[0] / size[1]
         self._angles = scene_angles(action.scene, action.rollout)
+        self._drawn = shown(action.scene, action.rollout)
         self.frame = -1
 
     def pose(self, time: float) -> None:
         """Puts all bodies where they are at a time [s]."""
         frame = self.action.frame(time)
         if frame != self.frame:
-            rollout = self.action.rollout
+            rollout = self._drawn
             p = np.nan_to_num(rollout.position[0, frame])
             self.scan.pose(p, rollout.quaternion[0, frame], self._angles[frame])
             self.frame = frame
@@ -149,7 +150,7 @@ class Viewfinder:
         return True
 
 
-def _share(seen: Any, whole: Any) -> float:
+def _share(seen: float | np.intp, whole: float | np.intp) -> float:
     """Of a thing without a pixel nothing can be said to be seen."""
     return min(1.0, float(seen) / float(whole)) if whole > 0 else 0.0
 

@@ -23,11 +23,11 @@ POSED = Appearance(pose="kick", livery="police_car", seed=7, color=(0.1, 0.2, 0.
 
 
 def rounded(value: Any) -> Any:
-    """The same structure with nine significant digits, whatever the machine adds to them."""
+    """The same structure with nine significant digits, whatever the machine adds; zeros keep their sign."""
     if isinstance(value, bool | str) or value is None:
         return value
     if isinstance(value, int | float):
-        return float(f"{value:.9g}") + 0.0
+        return float(f"{value:.9g}")
     if isinstance(value, dict):
         return {key: rounded(item) for key, item in value.items()}
     return [rounded(item) for item in value]

@@ -44,6 +44,14 @@ def test_a_tube_with_round_ends_is_a_capsule() -> None:
     assert mesh.volume == pytest.approx(math.pi * 4 * 10 + 4 / 3 * math.pi * 8, rel=0.03)
 
 
+def test_needles_are_closed_prisms_of_their_lengths() -> None:
+    ends = [((0, 0, 0), (0, 0, 5)), ((1, 0, 0), (1, 4, 0)), ((0, 2, 1), (3, 2, 5))]
+    mesh = forms.needles(ends, 0.1, 6)
+    area = 6 * 0.5 * 0.1**2 * math.sin(math.pi / 3)
+    assert mesh.is_watertight and mesh.is_winding_consistent
+    assert mesh.volume == pytest.approx(area * (5 + 4 + 5))
+
+
 def test_a_closed_tube_is_a_torus() -> None:
     mesh = forms.tube(ring(5, 0, 64), 1.0, 32, closed=True)
     assert mesh.is_watertight

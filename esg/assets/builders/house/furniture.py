@@ -92,6 +92,12 @@ def table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("top", H, (L / 2, W / 2))
 
 
+def _disc(s: Sketch, r: float, z: tuple[float, float], density: float) -> None:
+    """The proxy of an upright rod: stored scenes have the quaternion of one, signs of zeros too."""
+    quat, length = direction((0, 0, z[0]), (0, 0, z[1]))
+    s.proxy(ProxyKind.CYLINDER, (r, r, length / 2), (0.0, 0.0, (z[0] + z[1]) / 2), density, quat)
+
+
 @builder("round_table", "free")
 def round_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Round table on a central column."""
@@ -105,7 +111,7 @@ def round_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         (r - 0.2 * t, H),
     ]
     s.add(lambda: forms.turned(rim, sections=64), c, name="top")
-    s.proxy_cylinder(r, (H - t, H), 1)
+    _disc(s, r, (H - t, H), 1)
     column = [
         (r * 0.2, 2.6),
         (r * 0.15, 5),
@@ -123,7 +129,7 @@ def round_table(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     )
     foot = [(r * 0.62, 0), (r * 0.62, 1.6), (r * 0.58, 2.6), (r * 0.2, 3.2)]
     s.add(lambda: forms.turned(foot, sections=48), shade(c, 0.8), name="foot")
-    s.proxy_cylinder(r * 0.62, (0, 3), 2)
+    _disc(s, r * 0.62, (0, 3), 2)
     s.proxy_cylinder(r * 0.11, (3, H - t), 1.0)
     s.surface("top", H, (r * 0.7, r * 0.7))
 

@@ -16,7 +16,7 @@ from esg.assets.builders import builder
 from esg.assets.builders.common import shade
 from esg.assets.builders.living import bodies, clothes
 from esg.assets.builders.living.clothes import SHIRT
-from esg.assets.builders.living.poses import POSES, Skeleton, skeleton
+from esg.assets.builders.living.poses import POSES, Pose, Skeleton, skeleton
 from esg.assets.geometry.sketch import DARK, ORANGE, RED, STEEL, WHITE, YELLOW, Color, Sketch, rgb
 from esg.assets.lazy import forms
 
@@ -33,6 +33,9 @@ _BLACK_HAIR, _BROWN_HAIR, _FAIR_HAIR, _GREY_HAIR = (
     rgb(168, 166, 162),
 )
 _JEANS, _NAVY = rgb(50, 60, 90), rgb(34, 42, 68)
+_STRIDE = 10.0
+"""Swing of a leg [deg] from which on a skirt is in its way."""
+_CUTS = ("short", "short", "short", "bald")
 SIDES = ("left", "right")
 _FOLK = (
     (_FAIR, _BROWN_HAIR),
@@ -202,7 +205,7 @@ def _legs(body: _Drawer, marks: frozenset[str], d: Dress, c: Color) -> None:
 
 def _arms(body: _Drawer, marks: frozenset[str], d: Dress, top: Color) -> None:
     short = bool(marks & {"shorts", "skirt"}) or (
-        body.s.appearance.pick("sleeves", 3) == 1 and d is DRESSES["plain"]
+        body.s.appearance.pick("sleeves", 3) == 1 and marks == DRESSES["plain"].marks
     )
     bare = "bare" in marks
     grip = body.skeleton.pose.grip
@@ -242,15 +245,15 @@ def _arms(body: _Drawer, marks: frozenset[str], d: Dress, top: Color) -> None:
 
 def _head(flat: Sketch, marks: frozenset[str], d: Dress, style: str) -> None:
     covered = marks & {"great_helm", "space_helmet"}
-    flat.add(lambda: bodies.head().copy(), d.skin, of="skin", name="head")
+    flat.add(lambda: forms.copied(bodies.head()), d.skin, of="skin", name="head")
     if covered:
         return
-    flat.add(lambda: bodies.eyes()[0].copy(), rgb(240, 238, 234), of="ceramic", name="eyes")
-    flat.add(lambda: bodies.eyes()[1].copy(), rgb(52, 36, 26), of="ceramic", name="irises")
-    flat.add(lambda: bodies.mouth().copy(), shade(d.skin, 0.66), of="skin", name="mouth")
-    flat.add(lambda: bodies.brows().copy(), shade(d.hair, 0.8), of="hair", name="brows")
+    flat.add(lambda: forms.copied(bodies.eyes()[0]), rgb(240, 238, 234), of="ceramic", name="eyes")
+    flat.add(lambda: forms.copied(bodies.eyes()[1]), rgb(52, 36, 26), of="ceramic", name="irises")
+    flat.add(lambda: forms.copied(bodies.mouth()), shade(d.skin, 0.66), of="skin", name="mouth")
+    flat.add(lambda: forms.copied(bodies.brows()), shade(d.hair, 0.8), of="hair", name="brows")
     if "wig" not in marks:
-        flat.add(lambda: bodies.hair(style).copy(), d.hair, of="hair", name="hairdo")
+        flat.add(lambda: forms.copied(bodies.hair(style)), d.hair, of="hair", name="hairdo")
     clothes.face_marks(flat, marks, d.hair)
 
 
@@ -259,7 +262,8 @@ def _varied(d: Dress, a: Appearance) -> Dress:
     if a.seed is None:
         return d
     skin, hair = _FOLK[a.pick("folk", len(_FOLK))]
-    hair = d.hair if d.hair in (ORANGE, _GREY_HAIR) else hair
+    young = d is DRESSES["child"] and hair == _GREY_HAIR
+    hair = d.hair if young or d.hair in (ORANGE, _GREY_HAIR) else hair
     legs = d.legs
     if legs is _JEANS:
         legs = _TROUSERS[a.pick("legs", len(_TROUSERS))]
@@ -267,6 +271,18 @@ def _varied(d: Dress, a: Appearance) -> Dress:
         legs = skin if legs is not None else None
     shoes = skin if d.shoes == d.skin else d.shoes
     return replace(d, skin=skin, hair=hair, legs=legs, shoes=shoes)
+
+
+def _in_hem(pose: Pose, marks: frozenset[str]) -> Pose:
+    """The pose with steps as short as what is worn allows."""
+    share = 0.3 if "robe" in marks else 0.5 if marks & {"skirt", "coat"} else 1.0
+    stride = max(abs(leg.swing) for leg in pose.legs)
+    if share == 1.0 or pose.seated or stride < _STRIDE:
+        return pose
+    left, right = (
+        replace(leg, swing=share * leg.swing, bend=share * leg.bend) for leg in pose.legs
+    )
+    return replace(pose, legs=(left, right))
 
 
 def draw_person(
@@ -282,9 +298,10 @@ def draw_person(
         size: Of the body against an adult of 172 cm.
         head_size: Of the head against that of such a body.
     """
+    young = d is DRESSES["child"]
     d = _varied(d, s.appearance)
     marks = d.marks
-    body = _Drawer(s, skeleton(POSES[pose], head_size), size)
+    body = _Drawer(s, skeleton(_in_hem(POSES[pose], marks), head_size), size)
     seated = body.skeleton.pose.seated
     _legs(body, marks, d, c)
     top = d.skin if "bare" in marks else c
@@ -315,11 +332,9 @@ def draw_person(
 
     body.on(body.skeleton.trunk, trunk)
     _arms(body, marks, d, top)
-    style = (
-        "long"
-        if "long_hair" in marks
-        else ("short", "short", "short", "bald", "bun")[s.appearance.pick("cut", 4)]
-    )
+    style = "long" if "long_hair" in marks else _CUTS[s.appearance.pick("cut", len(_CUTS))]
+    if young and style == "bald":
+        style = "short"
 
     def head(flat: Sketch) -> None:
         _head(flat, marks, d, style)

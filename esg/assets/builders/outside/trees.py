@@ -173,6 +173,6 @@ def tree(s: Sketch, L: float, W: float, H: float, c: Color, crown: str = "round"
         return
     s.add(lambda: _trunk(variant), _BARK, of="bark", name="trunk")
     s.proxy_cylinder(14, (0, 250), 3)
-    s.add(lambda: _leafy(variant)[0].copy(), shade(c, 0.78), of="leaves", name="crown")
-    s.add(lambda: _leafy(variant)[1].copy(), shade(c, 1.12), of="leaves", name="twigs")
+    s.add(lambda: forms.copied(_leafy(variant)[0]), shade(c, 0.78), of="leaves", name="crown")
+    s.add(lambda: forms.copied(_leafy(variant)[1]), shade(c, 1.12), of="leaves", name="twigs")
     s.proxy(ProxyKind.SPHERE, (145, 145, 145), (0, 0, 350), 0.1)

@@ -280,7 +280,7 @@ def draw_coach(s: Sketch, b: Coach, c: Color) -> None:
     w = b.width / 2
 
     def mesh(name: str) -> Any:
-        return lambda: _meshes(b)[name].copy()
+        return lambda: forms.copied(_meshes(b)[name])
 
     s.add(mesh("body"), c, of="car_body", name="body")
     s.add(mesh("cabin"), c, of="car_body", name="cabin")

@@ -51,19 +51,13 @@ def spoked_wheel(s: Sketch, x: float, r: float, tyre: float, name: str, spokes: 
                 "y",
             )
         ]
+        ends = []
         for k in range(spokes):
             a = 2 * math.pi * k / spokes
             b = a + (0.42 if k % 4 < 2 else -0.42)
-            y = 3.4 if k % 2 else -3.4
-            p = (x + hub * math.cos(b), y, r + hub * math.sin(b))
-            out.append(
-                forms.tube(
-                    [p, (x + rim * math.cos(a), 0.0, r + rim * math.sin(a))],
-                    0.16,
-                    4,
-                    round_ends=False,
-                )
-            )
+            start = (x + hub * math.cos(b), 3.4 if k % 2 else -3.4, r + hub * math.sin(b))
+            ends.append((start, (x + rim * math.cos(a), 0.0, r + rim * math.sin(a))))
+        out.append(forms.needles(ends, 0.16))
         return forms.gather(out)
 
     s.add(laced, CHROME, name=f"spokes_{name}")

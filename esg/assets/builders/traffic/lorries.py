@@ -50,7 +50,7 @@ def _glazing(
     s: Sketch, meshes: Any, names: tuple[str, ...], c: Color = GLASS, material: str = "glass_dark"
 ) -> None:
     for name in names:
-        s.add(lambda name=name: meshes()[name].copy(), c, alpha=1.0, of=material, name=name)
+        s.add(lambda name=name: forms.copied(meshes()[name]), c, alpha=1.0, of=material, name=name)
 
 
 def _mirrors(s: Sketch, at: tuple[float, float, float], size: tuple[float, float, float]) -> None:
@@ -136,7 +136,7 @@ def _van() -> dict[str, Any]:
 
 def draw_van(s: Sketch, c: Color) -> None:
     """Panel van at 540 x 206 x 235."""
-    s.add(lambda: _van()["body"].copy(), c, of="car_body", name="body")
+    s.add(lambda: forms.copied(_van()["body"]), c, of="car_body", name="body")
     _glazing(s, _van, ("windscreen", "side_windows"))
     _glazing(s, _van, ("bumper", "grille"), TRIM, "plastic")
     _glazing(s, _van, ("seams",), shade(c, 0.2), "plastic")
@@ -234,7 +234,7 @@ def draw_truck(s: Sketch, c: Color) -> None:
         of="steel",
         name="chassis",
     )
-    s.add(lambda: _cab()["cab"].copy(), c, of="car_body", name="cab")
+    s.add(lambda: forms.copied(_cab()["cab"]), c, of="car_body", name="cab")
     _glazing(s, _cab, ("windscreen", "side_windows"))
     _glazing(s, _cab, ("grille", "bumper", "seams"), TRIM, "plastic")
     _glazing(s, _cab, ("headlights",), LAMP, "lamp")
@@ -378,7 +378,7 @@ def _bus() -> dict[str, Any]:
 
 def draw_bus(s: Sketch, c: Color) -> None:
     """City bus at 1200 x 255 x 310."""
-    s.add(lambda: _bus()["body"].copy(), c, of="car_body", name="body")
+    s.add(lambda: forms.copied(_bus()["body"]), c, of="car_body", name="body")
     _glazing(s, _bus, ("side_windows", "windscreen", "rear_window", "doors"))
     _glazing(s, _bus, ("window_posts", "door_gaps", "skirt"), TRIM, "plastic")
     _glazing(s, _bus, ("headlights",), LAMP, "lamp")

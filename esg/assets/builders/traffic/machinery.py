@@ -41,7 +41,13 @@ def _coach_body(
         ("headlights", _LAMP, "lamp"),
         ("grilles", DARK, "plastic"),
     ):
-        s.add(lambda name=name: _coach_meshes(*key)[name].copy(), tone, alpha=1.0, of=of, name=name)
+        s.add(
+            lambda name=name: forms.copied(_coach_meshes(*key)[name]),
+            tone,
+            alpha=1.0,
+            of=of,
+            name=name,
+        )
     for end, word in ((-1, "rear"), (1, "front")):
         s.add(
             lambda end=end: _buffers(end * half, w, floor, tram),

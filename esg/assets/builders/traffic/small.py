@@ -84,7 +84,7 @@ def toy_car(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         ("headlights", YELLOW, "plastic_hard"),
         ("grille", DARK, "plastic_hard"),
     ):
-        s.add(lambda name=name: _toy()[name].copy(), tone, of=of, name=name)
+        s.add(lambda name=name: forms.copied(_toy()[name]), tone, of=of, name=name)
     s.add(
         lambda: forms.gather(
             [

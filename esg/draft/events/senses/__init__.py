@@ -4,6 +4,7 @@ Each module registers the readers of related senses in the table; importing this
 """
 
 from esg.draft.events.senses import (
+    breaking,
     contact,
     control,
     fall,
@@ -20,6 +21,7 @@ from esg.draft.events.table import SENSES
 
 __all__ = [
     "SENSES",
+    "breaking",
     "contact",
     "control",
     "fall",

@@ -106,10 +106,10 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
 def _other_end(c: Clauses, s: State, m: Mention, i: int) -> bool:
     """ "Between the plate and the cup": one thing has nothing between it."""
     first = element_at(c.elements, i - 2)
-    one = isinstance(first, Mention) and first is s.last and not first.plural
-    joined = getattr(element_at(c.elements, i - 1), "low", "") == "and"
-    between = isinstance(first, Mention) and first.after_prep == "between"
-    return one and joined and between and not m.after_prep and not first.coordinated
+    if not isinstance(first, Mention) or first.after_prep != "between" or m.after_prep:
+        return False
+    one = first is s.last and not first.plural and not first.coordinated
+    return one and getattr(element_at(c.elements, i - 1), "low", "") == "and"
 
 
 def _coordinated(c: Clauses, s: State, i: int) -> bool:
