@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -151,7 +150,7 @@ class Viewfinder:
         return True
 
 
-def _share(seen: Any, whole: Any) -> float:
+def _share(seen: float | np.intp, whole: float | np.intp) -> float:
     """Of a thing without a pixel nothing can be said to be seen."""
     return min(1.0, float(seen) / float(whole)) if whole > 0 else 0.0
 
