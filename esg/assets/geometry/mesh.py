@@ -7,6 +7,7 @@ Y becomes -Z. Readers that want the document's frame apply the inverse (x, y, z)
 from __future__ import annotations
 
 from dataclasses import dataclass
+from functools import lru_cache
 import hashlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -59,6 +60,8 @@ class Model:
 _BEVELLED = 0.03
 """Boxes and rods longer than this share of their asset's longest extent are bevelled."""
 
+_KEPT = 48
+"""Assets whose geometry a process keeps: those of two large scenes."""
 _FOREIGN_TILE_CM = 100.0
 """Edge of one tile of the coordinates that an imported mesh without any is given."""
 
@@ -80,7 +83,9 @@ def build_mesh(config: AssetConfiguration, appearance: Appearance = USUAL) -> tr
     if entry is None:
         return _completed(load_imported(config))
     scene = trimesh.Scene()
-    models, wheels = _models(configured_sketch(entry, config, appearance))
+    models, wheels = _models(
+        entry, config.dimensions_cm, config.color_rgb, config.rolls, appearance
+    )
     for wheel in wheels:
         scene.graph.update(frame_to=wheel.name, matrix=_moved(wheel.axle_cm))
     for model in models:
@@ -133,8 +138,16 @@ def closed_mesh(config: AssetConfiguration) -> trimesh.Trimesh:
     return whole
 
 
-def _models(sketch: Sketch) -> tuple[list[Model], tuple[Wheel, ...]]:
-    """What a sketch draws, together what is of one look and turns together, and its wheels."""
+@lru_cache(maxsize=_KEPT)
+def _models(
+    entry: Entry, dimensions_cm: Vec3, color: Color, rolls: bool, appearance: Appearance
+) -> tuple[tuple[Model, ...], tuple[Wheel, ...]]:
+    """What an entry draws, together what is of one look and turns together, and its wheels.
+
+    A scene's record asks for each of its assets more than once: for files, exports and pictures.
+    Their arrays cannot be written to.
+    """
+    sketch = _sketch(entry, dimensions_cm, color, rolls, appearance)
     wheels = wheels_of(sketch) or ()
     meshes = [part.mesh() for part in sketch.parts]
     extents = [np.ptp(mesh.vertices, axis=0).max() for mesh in meshes]
@@ -156,8 +169,11 @@ def _models(sketch: Sketch) -> tuple[list[Model], tuple[Wheel, ...]]:
     for (look, color, axle), (names, surfaces) in groups.items():
         name = names[0] if len(set(names)) == 1 else look.material
         name = name if axle is None else f"{wheels[axle].name}_{name}"
-        out.append(Model(_free_name(name, color, taken), joined(surfaces), look, color, axle))
-    return out, wheels
+        surface = joined(surfaces)
+        for array in surface:
+            array.setflags(write=False)
+        out.append(Model(_free_name(name, color, taken), surface, look, color, axle))
+    return tuple(out), wheels
 
 
 def _free_name(name: str, color: Color, taken: set[str]) -> str:
@@ -181,10 +197,16 @@ def configured_sketch(
     entry: Entry, config: AssetConfiguration, appearance: Appearance = USUAL
 ) -> Sketch:
     """What an entry draws for a configuration: lying, or on its rim."""
-    if not is_rolling_form(entry, config.rolls):
-        return build_sketch(entry, config.dimensions_cm, config.color_rgb, appearance)
-    size = drawn_size(entry, config.dimensions_cm)
-    return rolling(entry, build_sketch(entry, size, config.color_rgb, appearance), size)
+    return _sketch(entry, config.dimensions_cm, config.color_rgb, config.rolls, appearance)
+
+
+def _sketch(
+    entry: Entry, dimensions_cm: Vec3, color: Color, rolls: bool, appearance: Appearance
+) -> Sketch:
+    if not is_rolling_form(entry, rolls):
+        return build_sketch(entry, dimensions_cm, color, appearance)
+    size = drawn_size(entry, dimensions_cm)
+    return rolling(entry, build_sketch(entry, size, color, appearance), size)
 
 
 def glb_bytes(config: AssetConfiguration, appearance: Appearance = USUAL) -> bytes:

@@ -142,3 +142,18 @@ def test_an_asset_is_one_mesh_a_look_with_unit_normals(name: str) -> None:
         assert not node.startswith("part_")
     sharp = closed_mesh(config)
     np.testing.assert_allclose(scene.bounds, sharp.bounds, atol=0.1)
+
+
+def test_an_asset_drawn_twice_is_the_same_and_its_arrays_are_nobody_s_to_change() -> None:
+    config = configure("chair", requirement(entries_by_name()["chair"]))
+    first, again = build_mesh(config), build_mesh(config)
+    assert first is not again
+    for name, mesh in first.geometry.items():
+        np.testing.assert_array_equal(mesh.vertices, again.geometry[name].vertices)
+        with pytest.raises(ValueError, match="read-only"):
+            mesh.vertices[0, 0] = 7.0
+    moved = build_mesh(config)
+    moved.apply_transform(np.diag([2.0, 2.0, 2.0, 1.0]))
+    moved.dump()
+    for name, mesh in build_mesh(config).geometry.items():
+        np.testing.assert_array_equal(mesh.vertices, again.geometry[name].vertices)
