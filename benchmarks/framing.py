@@ -38,8 +38,7 @@ def measure(folder: Path, size: tuple[int, int], seed: int, frames: Path | None)
     replays = replays_of(folder, entry.metrics)
     if not replays:
         return None
-    found = {k: v for k, v in entry.verdict.items() if k in SceneVerdict.model_fields}
-    verdict = SceneVerdict.model_validate(found)
+    verdict = SceneVerdict.from_json(entry.verdict)
     doc = load_document(folder / "esg.json")
     action = Action(replays[0].scene, replays[0].rollout, verdict, doc)
     parts = scene_parts(replays[0].scene, replays[0].rollout, doc)

@@ -28,8 +28,7 @@ def measure(folder: Path, threads: int, out: Path) -> dict[str, Any] | None:
     replays = replays_of(folder, entry.metrics)
     if not replays:
         return None
-    found = {k: v for k, v in entry.verdict.items() if k in SceneVerdict.model_fields}
-    verdict = SceneVerdict.model_validate(found)
+    verdict = SceneVerdict.from_json(entry.verdict)
     doc = load_document(folder / "esg.json")
     previews._threads = lambda: threads
     wall, cpu = time.perf_counter(), time.process_time()

@@ -286,10 +286,8 @@ def _verdict(path: Path, metrics: dict[str, Any], name: str) -> dict[str, Any]:
     raw = metrics.get(name)
     if not isinstance(raw, dict):
         raise damaged(path, f"/{name} is missing" if raw is None else f"/{name} is no object")
-    # What `to_json` derives from the rest is derived again.
-    kept = {k: v for k, v in raw.items() if k in SceneVerdict.model_fields}
     try:
-        return SceneVerdict.model_validate(kept).to_json()
+        return SceneVerdict.from_json(raw).to_json()
     except ValidationError as error:
         raise damaged(path, _first(error, f"/{name}")) from None
 

@@ -131,8 +131,7 @@ def not_kept(state: SceneState) -> list[Row]:
 def _read_verdict(data: dict[str, Any]) -> SceneVerdict:
     from esg.metrics import SceneVerdict
 
-    raw = {k: v for k, v in data.items() if k in SceneVerdict.model_fields}
-    return SceneVerdict.model_validate(raw)
+    return SceneVerdict.from_json(data)
 
 
 def load_suite_scene(request: SceneRequest, doc: EsgDocument) -> tuple[SuiteScene, bool]:

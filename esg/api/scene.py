@@ -13,6 +13,7 @@ from esg.outcomes import Outcome, UserError
 if TYPE_CHECKING:
     from esg.api.trajectories import Trajectories
     from esg.compile.export import Target
+    from esg.compile.transfer import Trust
     from esg.compile.visuals.usd_files import UsdForm
     from esg.engines.manifest import Manifest
     from esg.graph import EsgDocument
@@ -161,10 +162,9 @@ class Scene:
         """
         from esg.metrics import SceneVerdict
 
-        found = {k: v for k, v in self._entry.verdict.items() if k in SceneVerdict.model_fields}
-        if not found:
+        if not self._entry.verdict:
             raise UserError(f"{self.folder} was never judged; its log.jsonl says why")
-        return SceneVerdict.model_validate(found)
+        return SceneVerdict.from_json(self._entry.verdict)
 
     @property
     def events(self) -> Sequence[EventVerdict]:
@@ -231,31 +231,10 @@ class Scene:
         Raises:
             UserError: If the folder holds no compiled scene, or the suite not its prompt.
         """
-        from esg.api.trajectories import trajectories_of
-        from esg.compile.transfer import replay_scene
-        from esg.metrics import judge as measure
-        from esg.metrics.plausibility import assess, told_of
-
-        manifest, doc = self.manifest, self.graph
+        doc = self.graph
         expected, against = expectation(self.folder, doc, _suite(suite))
-        rollout, proof = replay_scene(
-            self.folder,
-            manifest,
-            engine,
-            1.0 / hz,
-            trust="anything" if trust else "equal",
-            document=doc,
-        )
-        return Replay(
-            engine,
-            1.0 / hz,
-            proof,
-            str(rollout.extra.get("note", "")),
-            measure(manifest.scene, manifest.program, rollout, expected),
-            against,
-            assess(manifest.scene, manifest.program, rollout, told_of(doc)).to_json(),
-            trajectories_of(manifest.scene, rollout),
-        )
+        trusted: Trust = "anything" if trust else "equal"
+        return replayed(self.folder, doc, engine, 1.0 / hz, expected, against, trusted)
 
     def export(
         self,
@@ -352,6 +331,49 @@ def judge(scene: Scene | str | Path, suite: str | Path | None = None) -> SceneVe
     expected, _ = expectation(found.folder, found.graph, _suite(suite))
     manifest = found.manifest
     return measure(manifest.scene, manifest.program, found.trajectories.rollout, expected)
+
+
+def replayed(
+    folder: Path,
+    doc: EsgDocument,
+    engine: str,
+    dt: float,
+    expected: SuiteScene,
+    against: str,
+    trust: Trust = "equal",
+) -> Replay:
+    """Replays and judges one scene folder.
+
+    Args:
+        folder: Scene folder.
+        doc: Its document.
+        engine: physx, rapier or newton.
+        dt: Physics step [s].
+        expected: What must happen.
+        against: Where that is written.
+        trust: Which classes are run.
+
+    Raises:
+        UserError: If the folder holds no compiled scene.
+    """
+    from esg.api.trajectories import trajectories_of
+    from esg.compile.transfer import replay_scene
+    from esg.engines.manifest import load_manifest
+    from esg.metrics import judge as measure
+    from esg.metrics.plausibility import assess, told_of
+
+    manifest = load_manifest(folder / "manifest.json")
+    rollout, proof = replay_scene(folder, manifest, engine, dt, trust=trust, document=doc)
+    return Replay(
+        engine,
+        dt,
+        proof,
+        str(rollout.extra.get("note", "")),
+        measure(manifest.scene, manifest.program, rollout, expected),
+        against,
+        assess(manifest.scene, manifest.program, rollout, told_of(doc)).to_json(),
+        trajectories_of(manifest.scene, rollout),
+    )
 
 
 def document_of(folder: Path) -> EsgDocument:

@@ -31,6 +31,7 @@ def export(
         json: Print one JSON document: the files written.
     """
     from esg.api.inputs import checked
+    from esg.api.scene import Scene
     from esg.commands.console import emit
     from esg.commands.stored import is_stored, open_scene
     from esg.files import refused
@@ -45,32 +46,18 @@ def export(
         if out is None and is_stored(folder):
             raise UserError(f"{scene} is in the run database, not in a folder: give --out")
         target = folder if out is None else out
-        check_writable(target)
-        with refused(target):
-            files = (
-                _mcap(folder, target) if to == "mcap" else _export(folder, to, target, trust, form)
-            )
+        if to == "mcap":
+            check_writable(target)
+            with refused(target):
+                files = _mcap(folder, target)
+        else:
+            files = Scene(folder).export(to, target, form=form, trust=trust)
     if json:
         emit({"scene": scene, "to": to, "files": [str(f) for f in files]})
     else:
         for file in files:
             print(file)
     return 0
-
-
-def _export(
-    folder: Path,
-    to: Literal["unreal", "usd", "mjcf", "glb"],
-    target: Path,
-    trust: bool,
-    form: Literal["usda", "usdc", "usdz"],
-) -> list[Path]:
-    from esg.compile.replay import require_ours
-    from esg.view.setting import export_folder
-
-    if to == "unreal" and not trust:
-        require_ours(folder)  # whoever gets the plugin compiles it
-    return export_folder(folder, to, target, form=form)
 
 
 def _is_whole_mcap(path: Path) -> bool:

@@ -163,8 +163,7 @@ def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:
     replays = replays_of(folder, entry.metrics)
     if not replays:
         raise UserError(f"{folder} was never replayed; its log.jsonl says why")
-    found = {k: v for k, v in entry.verdict.items() if k in SceneVerdict.model_fields}
-    verdict = SceneVerdict.model_validate(found)
+    verdict = SceneVerdict.from_json(entry.verdict)
     scene, rollout = replays[0].scene, replays[0].rollout
     total = len(frame_indices(rollout, chosen.fps)) * chosen.cameras
     with progress(total, "rendering") as bar:

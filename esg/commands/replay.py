@@ -106,7 +106,7 @@ def run(
     against: str,
     trust: Trust = "equal",
 ) -> dict[str, Any]:
-    """Replays and judges one scene folder.
+    """What `--json` prints of one replay (`esg.api.scene.replayed`).
 
     Args:
         folder: Scene folder.
@@ -120,24 +120,19 @@ def run(
     Raises:
         UserError: If the folder holds no compiled scene.
     """
-    from esg.compile.transfer import replay_scene
-    from esg.engines.manifest import load_manifest
-    from esg.metrics import judge
-    from esg.metrics.plausibility import assess, told_of
+    from esg.api.scene import replayed
 
-    manifest = load_manifest(folder / "manifest.json")
-    rollout, proof = replay_scene(folder, manifest, engine, dt, trust=trust, document=doc)
-    verdict = judge(manifest.scene, manifest.program, rollout, expected)
+    found = replayed(folder, doc, engine, dt, expected, against, trust)
     return {
         "scene": str(folder),
         "engine": engine,
         "dt": dt,
-        "proof": proof,
-        "proof_note": rollout.extra.get("note", ""),
+        "proof": found.proof,
+        "proof_note": found.note,
         "judged_against": against,
-        "verified": verdict.verified,
-        "verdict": verdict.to_json(),
-        "plausibility": assess(manifest.scene, manifest.program, rollout, told_of(doc)).to_json(),
+        "verified": found.verdict.verified,
+        "verdict": found.verdict.to_json(),
+        "plausibility": found.plausibility,
     }
 
 

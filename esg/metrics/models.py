@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
@@ -361,6 +362,15 @@ class SceneVerdict(_Frozen):
             return None
         name = {"standard": "score", "strict": "score_strict", "lenient": "score_lenient"}
         return sum(getattr(c, name[thresholds]) for c in self.constraints) / len(self.constraints)
+
+    @classmethod
+    def from_json(cls, data: Mapping[str, Any]) -> SceneVerdict:
+        """What `to_json` wrote; the numbers that it derives are derived again.
+
+        Raises:
+            ValidationError: If it is no verdict.
+        """
+        return cls.model_validate({k: v for k, v in data.items() if k in cls.model_fields})
 
     def to_json(self) -> dict[str, Any]:
         """Plain JSON of the verdict with the derived numbers, for `metrics.json`."""

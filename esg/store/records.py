@@ -301,8 +301,7 @@ def record_of(
     said = fidelity.statement_rows(json.loads(documents.get("draft", b"{}")))
     if "judge" in state.artifacts:
         metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
-        raw = {k: metrics["verdict"][k] for k in SceneVerdict.model_fields}
-        verdict = SceneVerdict.model_validate(raw)
+        verdict = SceneVerdict.from_json(metrics["verdict"])
         verdicts[verdict.engine] = verdict
         proof = metrics.get("proof", "")
         said = metrics.get("statements", [])

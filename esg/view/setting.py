@@ -89,8 +89,7 @@ def setting_in(folder: Path, scene: SimScene, rollout: Rollout) -> Setting | Non
         if not found.get("events"):
             found = metrics.get("own_timeline", found)  # a suite that asks for nothing
         if found:
-            known = {k: v for k, v in found.items() if k in SceneVerdict.model_fields}
-            verdict = SceneVerdict.model_validate(known)
+            verdict = SceneVerdict.from_json(found)
     return setting_of(scene, rollout, verdict, doc)
 
 
