@@ -18,7 +18,7 @@ from esg.assets.materials import look_of
 from esg.dressing.builders import BUILDERS, Wish
 from esg.dressing.solids import Drawing
 from esg.graph.models import AssetConfiguration, Dressing, DressingItem, Marking, Vec3
-from esg.lexicon.places import skies, surfaces
+from esg.lexicon.places import surfaces
 from esg.units import CM_PER_M
 
 Floats = NDArray[np.float64]
@@ -216,8 +216,3 @@ def _outline(shape: str) -> Floats:
         return np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]], float)
     angles = np.arange(ROUND_SIDES) * (2 * math.pi / ROUND_SIDES)
     return np.stack([np.cos(angles), np.sin(angles)], axis=1)
-
-
-def sky_row(dressing: Dressing) -> Any:
-    """The row of the sky of a dressing."""
-    return skies()[dressing.sky]
