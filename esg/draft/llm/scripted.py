@@ -21,6 +21,13 @@ from esg.draft.llm.stages import ParameterName
 from esg.graph.models import EsgDocument, Quantity
 
 Json = dict[str, Any]
+_PARTS = {
+    "scene": ("expansion", "assets", "spatial"),
+    "timeline": ("timeline",),
+    "single_shot": ("expansion", "assets", "spatial", "timeline"),
+    "visual": ("visual",),
+}
+"""What the answer of each stage consists of."""
 Fault = Callable[[Json, np.random.Generator], None]
 
 
@@ -55,17 +62,13 @@ class ScriptedModel:
         if match is None:
             return "I see no scene description."
         replies = self._known(match.group(1))
-        parts = ("expansion", "assets", "spatial", "timeline")
         corrected = len(messages) > 1
         rate = self.relapse_rate if corrected else self.fault_rate
         digest = hashlib.sha256(json.dumps([stage, seed, list(map(list, messages))]).encode())
         rng = np.random.default_rng(int.from_bytes(digest.digest()[:8], "little"))
-        if stage == "single_shot":
-            body: Json = {p: replies[p] for p in parts}
-            stages = [p for p in parts if body[p] is not None]
-        else:
-            body = {stage: replies.get(stage)}
-            stages = [stage]
+        parts = _PARTS[stage]
+        body: Json = {p: replies[p] for p in parts}
+        stages = [p for p in parts if body[p] is not None]
         body = json.loads(json.dumps(body))
         text_fault = False
         for part in stages:
@@ -76,7 +79,7 @@ class ScriptedModel:
                     text_fault = True
                 else:
                     faults[k](body[part], rng)
-        text = json.dumps(body if stage == "single_shot" else body[stage])
+        text = json.dumps(body if len(parts) > 1 else body[stage])
         if text_fault:
             return text[: int(len(text) * rng.uniform(0.3, 0.9))]
         return text if rng.random() < 0.7 else f"Here it is:\n```json\n{text}\n```"
@@ -103,7 +106,6 @@ def replies_of(doc: EsgDocument) -> dict[str, Json | None]:
             "scene_type": parameters.scene_type,
             "environment": parameters.environment,
             "allow_supplementary": parameters.allow_supplementary,
-            "implied_objects": [n for n, v in graph.nodes.items() if not v.mentioned],
         },
         "assets": {
             "assets": [

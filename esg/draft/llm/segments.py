@@ -7,6 +7,11 @@ from typing import Any
 
 Json = dict[str, Any]
 
+FIRST_S = (0.2, 5.0)
+"""Window of an event of open time that follows nothing but the start [s]."""
+NEXT_S = (0.1, 2.1)
+"""The same after the latest time of what comes before it [s]."""
+
 
 def sound_segments(nodes: list[Json], edges: list[Json], log: list[str]) -> list[Json]:
     """Segments without repetitions, with ids of their own, between events that exist.
@@ -50,3 +55,30 @@ def sound_segments(nodes: list[Json], edges: list[Json], log: list[str]) -> list
         used.add(name)
         out.append(e)
     return out
+
+
+def open_times(nodes: list[Json], edges: list[Json]) -> None:
+    """Gives every event without a time a window after the events that lead to it.
+
+    Args:
+        nodes: Point events; changed in place.
+        edges: Segments.
+    """
+    ends = {n["id"]: high for n in nodes if (high := _latest(n)) is not None}
+    left = [n for n in nodes if n["id"] not in ends]
+    while left:
+        names = {n["id"] for n in left}
+        waits = {e["to"] for e in edges if e["from"] in names and e["to"] in names}
+        node = next((n for n in left if n["id"] not in waits), left[0])
+        left.remove(node)
+        ready = max((ends[e["from"]] for e in edges if e["to"] == node["id"] and e["from"] in ends),
+                    default=0.0)  # fmt: skip
+        low, high = NEXT_S if ready > 0.0 else FIRST_S
+        node["window"] = [round(ready + low, 4), round(ready + high, 4)]
+        ends[node["id"]] = node["window"][1]
+
+
+def _latest(node: Json) -> float | None:
+    if node.get("timestamp") is not None:
+        return node["timestamp"]
+    return node["window"][1] if node.get("window") else None
