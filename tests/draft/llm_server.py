@@ -116,9 +116,7 @@ class Handler(BaseHTTPRequestHandler):
         stage = shape or next(
             s
             for s, word in (
-                ("expansion", "say what the full scene is"),
-                ("assets", "list the assets"),
-                ("spatial", "where things are"),
+                ("scene", "what is there, and where"),
                 ("timeline", "what must happen"),
             )
             if word in system

@@ -12,6 +12,7 @@ from typing import Any
 
 from esg.draft.llm.faces import face
 from esg.draft.llm.jointed import join_parts, let_break
+from esg.draft.llm.mending import mend
 from esg.draft.llm.names import Names, slug, unique
 from esg.draft.llm.segments import open_times, sound_segments
 from esg.draft.llm.stated import state
@@ -324,6 +325,7 @@ def _time(work: _Work, reply: TimelineReply, events: Names) -> list[list[str]]:
     if work.repair:
         edges = sound_segments(nodes, edges, log)
         _missing_actors(nodes, edges, actors, objects, log)
+        log += mend(nodes, edges, actors, work.base)
     open_times(nodes, edges)
     work.raw["timeline_system"] = {
         "actors": actors,
