@@ -4,14 +4,16 @@
     python -m benchmarks.frontier DIR                     # with answers there: goes on, scores
     python -m benchmarks.frontier DIR --variants single_shot no_validation full --of 60
     python -m benchmarks.frontier DIR --layouts --json FILE
+    python -m benchmarks.frontier DIR --handout 8       # the requests, for eight who answer by hand
 
-200 prompts (`data/prompts/frontier.json`): 60 of `test`, 60 of `blind2`, 40 of each half of `public`,
-those with the least hashes of their ids. Nothing is asked here: whoever has a model answers the
-requests (docs/drafting_llm.md). The rules drafter's row is of the same prompts. Exit code 3 while
-scenes wait.
+200 prompts (`data/prompts/frontier.json`): 60 of `test`, 60 of `blind2`, 40 of each half of
+`public`, those with the least hashes of their ids. Nothing is asked here: whoever has a model
+answers the requests (docs/drafting_llm.md). The rules drafter's row is of the same prompts. Exit
+code 3 while scenes wait.
 
-*High-quality given usable* is the paper's "percentage of usable drafts admitting low-energy layout";
-it names no threshold. Here: the layout is feasible and leaves no relation that was asked for unmet.
+*High-quality given usable* is the paper's "percentage of usable drafts admitting low-energy
+layout"; it names no threshold. Here: the layout is feasible and leaves no relation that was asked
+for unmet.
 """
 
 from __future__ import annotations
@@ -160,6 +162,7 @@ def _figures(made: Sequence[Made]) -> dict[str, Any]:
             "rounds": round(sum(c.rounds for c in calls) / n, 2),
             "tokens_in": round(sum(c.input_tokens for c in calls) / n),
             "tokens_out": round(sum(c.output_tokens for c in calls) / n),
+            "characters_out": round(sum(len(r.text) for c in calls for r in c.calls) / n),
             "models": sorted({r.model for c in calls for r in c.calls if r.model}),
         }
         prices = [c.cost_usd for c in calls if c.cost_usd is not None]
@@ -197,6 +200,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--partial", action="store_true", help="score what is drafted by now")
     parser.add_argument("--layouts", action="store_true", help="high-quality given usable, too")
     parser.add_argument("--show", action="store_true", help="list misses of the opened prompts")
+    parser.add_argument("--handout", type=int, metavar="N", help="requests as N texts for people")
     parser.add_argument("--json", metavar="FILE", help="write the figures here")
     args = parser.parse_args(argv)
     rows = rows_of(args.of)
@@ -212,6 +216,9 @@ def main(argv: list[str] | None = None) -> int:
         )
         print(f"{variant}: {got.text() or 'nothing waits'}")
         waiting += got.waiting
+        if args.handout and got.requests:
+            for path in handout(args.folder / variant, args.handout):
+                print(f"  {path}")
         found[variant] = of_model(rows, got.drafts)
     if waiting and not args.partial:
         return 3
@@ -228,11 +235,59 @@ def main(argv: list[str] | None = None) -> int:
     return 3 if waiting else 0
 
 
+HOW = """Answer every request below. Write one JSON Lines file, one line a request:
+{"custom_id": "<as given>", "response": {"status_code": 200, "body": {"model": \
+"<your model name>", "choices": [{"finish_reason": "stop", "message": {"content": \
+<the JSON object, as an object>}}]}}}
+Each request stands for itself: answer from its own text only."""
+
+
+def handout(folder: Path, parts: int) -> list[Path]:
+    """Writes the open requests of a folder as texts in which what they share stands once.
+
+    Args:
+        folder: Of request files.
+        parts: Number of texts, each with about as many requests.
+
+    Returns:
+        Files written below `folder/handout`.
+    """
+    from esg.draft.llm.requestfiles import REQUESTS
+    from esg.draft.llm.schema import schema_of
+
+    lines = (folder / REQUESTS).read_text(encoding="utf-8").splitlines()
+    place = folder / "handout"
+    place.mkdir(exist_ok=True)
+    for old in place.glob("part-*.md"):
+        old.unlink()
+    out: list[Path] = []
+    for k in range(parts):
+        told: list[str] = [HOW]
+        stage = ""
+        for line in lines[k::parts]:
+            request = json.loads(line)
+            messages = request["body"]["messages"]
+            if (new := request["custom_id"].partition("-")[0]) != stage:
+                stage = new
+                schema = json.dumps(schema_of(stage), separators=(",", ":"))
+                told += [f"# Instructions for {stage}", messages[0]["content"]]
+                told += [f"JSON Schema of the answer:\n{schema}", f"# Requests for {stage}"]
+            told.append(f"## {request['custom_id']}")
+            roles = {"user": "", "assistant": "Your answer before:\n"}
+            told += [roles[m["role"]] + m["content"] for m in messages[1:]]
+        if len(told) > 1:
+            path = place / f"part-{k + 1:02d}.md"
+            path.write_text("\n\n".join(told) + "\n", encoding="utf-8")
+            out.append(path)
+    return out
+
+
 def _print(tables: dict[str, dict[str, dict[str, Any]]]) -> None:
     columns = (
-        "prompts usability event_recall quantity_recall invented_events fully_right silent_wrong "
-        "statements high_quality_given_usable rounds replies tokens_in tokens_out usd_per_scene"
-    ).split()
+        "prompts", "usability", "event_recall", "quantity_recall", "invented_events",
+        "fully_right", "silent_wrong", "statements", "high_quality_given_usable", "rounds",
+        "replies", "tokens_in", "tokens_out", "characters_out", "usd_per_scene",
+    )  # fmt: skip
     print(f"\n{'drafter':<15}{'set':<8}" + "".join(f"{c[:12]:>13}" for c in columns))
     for name, sets in tables.items():
         for part, row in sets.items():

@@ -157,7 +157,7 @@ class Handler(BaseHTTPRequestHandler):
 
     def wrong_refs(self, body: dict[str, Any]) -> None:
         tree = find_object(self.answer(body)) or {}
-        for relation in tree.get("relations", []):
+        for relation in tree.get("spatial", {}).get("relations", []):
             relation["object"] = "nobody_7"
         for segment in tree.get("segments", []):
             segment["end"] = "never_9"
@@ -169,8 +169,8 @@ class Handler(BaseHTTPRequestHandler):
     def echo_key(self, body: dict[str, Any]) -> None:
         key = self.headers.get("Authorization", "").removeprefix("Bearer ")
         tree = find_object(self.answer(body)) or {}
-        if "expanded_description" in tree:
-            tree["expanded_description"] += f" Your key is {key}."
+        if "expansion" in tree:
+            tree["expansion"]["expanded_description"] += f" Your key is {key}."
         self.send(200, self.completion(json.dumps(tree)))
 
     def html(self, body: dict[str, Any]) -> None:

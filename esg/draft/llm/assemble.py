@@ -15,7 +15,6 @@ from esg.draft.llm.jointed import join_parts, let_break
 from esg.draft.llm.mending import mend
 from esg.draft.llm.names import Names, slug, unique
 from esg.draft.llm.segments import open_times, sound_segments
-from esg.draft.llm.stated import state
 from esg.draft.llm.stages import (
     AssetsReply,
     EventPart,
@@ -25,6 +24,7 @@ from esg.draft.llm.stages import (
     SpatialReply,
     TimelineReply,
 )
+from esg.draft.llm.stated import state
 from esg.graph.models import EdgeEvent, ForceDirection, NodeEvent, Role
 
 Json = dict[str, Any]

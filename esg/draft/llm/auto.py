@@ -1,7 +1,7 @@
 """The drafter `auto`: the model where one is configured and answers, the rules otherwise.
 
-Where both have a draft the rules verify: whoever hits whom by one reading only is named in a warning
-of the coverage. A model that fails never fails a scene.
+Where both have a draft the rules verify: whoever hits whom by one reading only is named in a
+warning of the coverage. A model that fails never fails a scene.
 """
 
 from __future__ import annotations

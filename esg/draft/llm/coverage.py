@@ -13,7 +13,10 @@ from esg.graph.models import Coverage, CoverageItem, EsgDocument, Predicate, Qua
 from esg.graph.violations import pointer
 
 TOLERANCE = 0.02
-_PRONOUNS = frozenset("it they them he him she her this that these those one ones both".split())
+_PRONOUNS = frozenset(
+    ("it", "they", "them", "he", "him", "she", "her", "this", "that", "these", "those", "one",
+     "ones", "both")
+)  # fmt: skip
 
 
 def cover(prompt: str, doc: EsgDocument) -> Coverage:

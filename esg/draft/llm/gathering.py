@@ -66,8 +66,8 @@ class Gathered:
             lines += [
                 f"{self.waiting} of {len(self.drafts)} scenes wait for {self.requests} answers.",
                 f"  Requests: {self.folder / REQUESTS} (form of the OpenAI batch interface).",
-                "  Put the answers (custom_id, response.body) into the same folder as a .jsonl file "
-                "of any other name, and run the same command again.",
+                "  Put the answers (custom_id, response.body) into the same folder as a .jsonl "
+                "file of any other name, and run the same command again.",
             ]
         return "\n".join(lines)
 

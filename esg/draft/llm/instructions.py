@@ -46,7 +46,7 @@ def instructions(stage: str) -> str:
     parts = [_shown(part) for part in _PARTS[stage]]
     text = "\n\n".join(parts)
     for kind, words in vocabulary().items():
-        lines = "\n".join(f"- {w}: {meaning}" if meaning else f"- {w}" for w, meaning in words.items())
+        lines = "\n".join(f"- {w}: {meaning}" for w, meaning in words.items())
         text = text.replace("{" + kind + "}", lines)
     return text.replace("{jointed}", ", ".join(_jointed()))
 

@@ -64,16 +64,21 @@ def _row(raw: Json, name: str) -> Articulation | None:
 
 def _events(raw: Json, name: str) -> set[str]:
     """Kinds of point events and segments of a node."""
-    graph: Json = (raw.get("timeline_system") or {}).get("sequence_graph", {})
+    graph = _graph(raw)
     told = {n["event"] for n in graph.get("nodes", ()) if name in n.get("participants", ())}
     return told | {e["event"] for e in graph.get("edges", ()) if e["actor"] == name}
+
+
+def _graph(raw: Json) -> Json:
+    timeline: Json = raw.get("timeline_system") or {}
+    return timeline.get("sequence_graph", {})
 
 
 def _joined(raw: Json, name: str, row: Articulation, log: list[str]) -> list[Json]:
     nodes = raw["spatial_relation_graph"]["nodes"]
     node = nodes[name]
     ratio = _become(raw, name, row.becomes)
-    parts = [_part(raw, name, row, n, ratio, log) for n in range(1, row.count + 1)]
+    parts = [_part(raw, name, row, ratio, log) for _ in range(row.count)]
     joints: list[Json] = []
     for n, part in enumerate(parts, start=1):
         parent, child = (name, part) if row.carries == "becomes" else (part, name)
@@ -110,8 +115,8 @@ def _start(raw: Json, name: str, node: Json, row: Articulation) -> float:
     return (row.opened or 0.0) * share or row.start
 
 
-def _become(raw: Json, name: str, part: str) -> list[float]:
-    """Makes a node the part that the row says; returns its size over the usual, by axis."""
+def _become(raw: Json, name: str, part: str) -> float:
+    """Makes a node the part that the row says; returns its size over the usual."""
     node, assets = raw["spatial_relation_graph"]["nodes"][name], raw["asset_requirement"]
     usual = lex.part(part)
     old = assets[node["asset_id"]]
@@ -137,18 +142,18 @@ def _become(raw: Json, name: str, part: str) -> list[float]:
         "shape": None,
     }
     node["asset_id"] = key
-    return [ratio] * 3
+    return ratio
 
 
-def _part(
-    raw: Json, name: str, row: Articulation, n: int, ratio: list[float], log: list[str]
-) -> str:
+def _part(raw: Json, name: str, row: Articulation, ratio: float, log: list[str]) -> str:
     """The other part: a thing of the scene that serves as it, or a new node."""
     nodes, assets = raw["spatial_relation_graph"]["nodes"], raw["asset_requirement"]
-    taken = {j[end] for j in raw["spatial_relation_graph"].get("joints") or () for end in ("child", "parent")}  # fmt: skip
+    joints = raw["spatial_relation_graph"].get("joints") or ()
+    taken = {j[end] for j in joints for end in ("child", "parent")}
     for other, node in nodes.items():
         asset = assets.get(node["asset_id"], {})
-        called = {slug(node.get("label", "")).replace("_", " "), asset.get("asset_category", "").replace("_", " ")}  # fmt: skip
+        names = (slug(node.get("label", "")), asset.get("asset_category", ""))
+        called = {n.replace("_", " ") for n in names}
         serves = {*row.serves, row.with_part}
         if other != name and other not in taken and row.count == 1 and called & serves:
             _become(raw, other, row.with_part)
@@ -161,8 +166,8 @@ def _part(
         {
             "asset_category": base,
             "asset_description": usual.description or usual.name,
-            "expected_dimensions_cm": [round(d * r, 3) for d, r in zip(usual.dimensions_cm, ratio, strict=True)],
-            "expected_mass_kg": round(usual.mass_kg * ratio[0] ** 3, 4),
+            "expected_dimensions_cm": [round(d * ratio, 3) for d in usual.dimensions_cm],
+            "expected_mass_kg": round(usual.mass_kg * ratio**3, 4),
             "is_movable": "fixed" not in usual.traits,
         },
     )  # fmt: skip
@@ -199,16 +204,21 @@ def let_break(raw: Json) -> list[str]:
         What was set, in words.
     """
     log: list[str] = []
-    graph: Json = (raw.get("timeline_system") or {}).get("sequence_graph", {})
     nodes = raw["spatial_relation_graph"]["nodes"]
-    broken = [p for n in graph.get("nodes", ()) if n["event"] == "Break" for p in n["participants"]]
+    points: list[Json] = _graph(raw).get("nodes", [])
+    broken: list[str] = [p for n in points if n["event"] == "Break" for p in n["participants"]]
     table = breakables()
     for name in dict.fromkeys(broken):
         if name not in nodes or nodes[name].get("breaking"):
             continue
         node = nodes[name]
-        category = raw["asset_requirement"].get(node["asset_id"], {}).get("asset_category", "")
-        heads = [node.get("label", "").lower(), category.replace("_", " "), name.rpartition("_")[0]]
+        asset: Json = raw["asset_requirement"].get(node["asset_id"], {})
+        category: str = asset.get("asset_category", "")
+        heads: list[str] = [
+            node.get("label", "").lower(),
+            category.replace("_", " "),
+            name.rpartition("_")[0],
+        ]
         heads += [h.split()[-1] for h in heads if h.split()]
         row = next((table[h] for h in heads if h in table and table[h].pieces), None)
         speed, pieces = (row.at_mps * 100.0, row.pieces) if row else ANY_BLOW

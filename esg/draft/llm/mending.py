@@ -1,4 +1,4 @@
-"""Slips of a timeline that have one possible meaning, put right in code: no request is spent on them.
+"""Slips of a timeline that can mean one thing only, put right in code without a request.
 
 A jump is led to by a launch, what is placed is guided, who drives itself is active: where a rule of
 the document leaves one reading only, that is taken, and said.
@@ -120,10 +120,7 @@ def _roles(nodes: list[Json], edges: list[Json], actors: Json, log: list[str]) -
     movers = {e["actor"] for e in edges}
     own = {e["actor"] for e in edges if e["event"] != connector}
     acting = {
-        p
-        for n in nodes
-        if n["event"] == NodeEvent.TRIGGER.value
-        for p in n.get("participants", ())
+        p for n in nodes if n["event"] == NodeEvent.TRIGGER.value for p in n.get("participants", ())
     }
     for name, actor in actors.items():
         if actor["role"] == "passive" and name in own:

@@ -22,6 +22,7 @@ MAX_TOLD = 25
 """Violations told to the model at a time."""
 _OF_TIMELINE = ("/timeline_system", "/statements")
 
+
 @dataclass(frozen=True)
 class CallRecord:
     """One reply as it came: stage, raw text, tokens, the model's own name."""

@@ -1,4 +1,4 @@
-"""Request files: what a model is to be asked as files, and the answers that somebody puts beside them.
+"""Request files: what a model is to be asked, and the answers that somebody puts beside them.
 
 The forms are those of the OpenAI batch interface. A folder holds
 
@@ -33,7 +33,7 @@ OWN = re.compile(r"(requests(-\d+)?|asked|cassette|problems)\.jsonl")
 """Files that are written here and hold no answers."""
 URL = "/v1/chat/completions"
 MOST_REQUESTS = 50_000
-"""In one file: the limit of the OpenAI batch interface; what is more goes to requests-2.jsonl ..."""
+"""In one file: the limit of the OpenAI batch interface; more go to requests-2.jsonl ..."""
 MAX_ANSWERS_BYTES = 1 << 30
 NO_MODEL = "unnamed"
 """What the body says where no model is configured; the interface wants some name."""
@@ -147,9 +147,7 @@ class RequestFiles:
         _write(self.folder / CASSETTE, records)
         _write(self.folder / PROBLEMS, [vars(p) for p in self.problems])
 
-    def _told(
-        self, kind: str, file: str, line: int, name: str, message: str, remedy: str
-    ) -> None:
+    def _told(self, kind: str, file: str, line: int, name: str, message: str, remedy: str) -> None:
         self.problems.append(Problem(kind, file, line, name, message, remedy))
 
     def _read(self, path: Path) -> None:

@@ -97,7 +97,7 @@ class ScriptedModel:
 
 def replies_of(doc: EsgDocument) -> dict[str, Json | None]:
     """A document in the shapes of the stages' replies (the inverse of assembling)."""
-    scene, graph = doc.scene_definition, doc.spatial_relation_graph
+    scene = doc.scene_definition
     parameters = scene.scene_parameters
     return {
         "expansion": {

@@ -9,6 +9,8 @@ Json = dict[str, Any]
 
 FIRST_S = (0.2, 5.0)
 """Window of an event of open time that follows nothing but the start [s]."""
+ACTION_S = (0.5, 1.5)
+"""Window of an intended action that follows nothing but the start [s]."""
 NEXT_S = (0.1, 2.1)
 """The same after the latest time of what comes before it [s]."""
 MARGIN_S = 0.5
@@ -78,7 +80,8 @@ def open_times(nodes: list[Json], edges: list[Json]) -> None:
         left.remove(node)
         before = [spans[e["from"]] for e in edges if e["to"] == node["id"] and e["from"] in spans]
         ready = max((high for _, high in before), default=0.0)
-        first, last = NEXT_S if ready > 0.0 else FIRST_S
+        alone = ACTION_S if node.get("event") == "Trigger" else FIRST_S
+        first, last = NEXT_S if ready > 0.0 else alone
         low, high = ready + first, ready + last
         for low_since, high_since in _since(node, spans):
             low = max(low, low_since)

@@ -10,6 +10,7 @@ from typing import Any
 from esg.draft.llm.names import Names, slug, unique
 from esg.draft.llm.stages import StatementPart
 from esg.graph.models import Predicate
+from esg.untyped import is_list
 
 Json = dict[str, Any]
 
@@ -94,8 +95,8 @@ def _value(part: StatementPart, raw: Json, names: Names, log: list[str]) -> Any:
     for edge in _edges(raw):
         speed = edge["params"].get("speed")
         if edge["actor"] in actors and speed is not None:
-            low, high = speed if isinstance(speed, list) else (speed, speed)
-            value = low if part.says is Predicate.FASTER_THAN else high
+            low, high = speed if is_list(speed) else (speed, speed)
+            value: float = low if part.says is Predicate.FASTER_THAN else high
             log.append(f"{part.says.value} of {edge['actor']!r} given {value:g} cm/s of its motion")
             return value
     return None

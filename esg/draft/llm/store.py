@@ -6,12 +6,11 @@ from contextlib import suppress
 from dataclasses import asdict
 from functools import lru_cache
 import json
-import os
 from pathlib import Path
-import tempfile
 from typing import Any, Literal
 
 from esg.draft.llm.client import Call, Client, ModelFailure, Reply
+from esg.files import atomic_file
 from esg.outcomes import UserError
 from esg.strangers.scrubbing import scrub
 
@@ -77,10 +76,8 @@ def write_whole(path: Path, text: str) -> None:
     """
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=path.parent, suffix=".tmp")
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-        os.replace(name, path)
+        with atomic_file(path) as file:
+            file.write(text.encode())
     except OSError as error:
         raise UserError(f"{path} cannot be written: {error.strerror}.", exit_code=1) from None
 
