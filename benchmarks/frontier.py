@@ -203,13 +203,15 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--handout", type=int, metavar="N", help="requests as N texts for people")
     parser.add_argument("--json", metavar="FILE", help="write the figures here")
     args = parser.parse_args(argv)
-    rows = rows_of(args.of)
+    every, rows = rows_of(), rows_of(args.of)
     config = load_settings()
     found: dict[str, list[Made]] = {}
     waiting = 0
     for variant in args.variants:
+        # The folder of `full` is of all prompts: fewer would drop the others' requests from it.
+        asked = every if variant == "full" else rows
         got = gather(
-            [row["prompt"] for row in rows],
+            [row["prompt"] for row in asked],
             args.folder / variant,
             settings=config,
             variant=variant,
@@ -219,7 +221,8 @@ def main(argv: list[str] | None = None) -> int:
         if args.handout and got.requests:
             for path in handout(args.folder / variant, args.handout):
                 print(f"  {path}")
-        found[variant] = of_model(rows, got.drafts)
+        wanted = {row["id"] for row in rows}
+        found[variant] = [m for m in of_model(asked, got.drafts) if m.row["id"] in wanted]
     if waiting and not args.partial:
         return 3
     found = {"rules": of_rules(rows), **found}

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Literal
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
+
+from esg.commands.drafting import RULES, Drafting
 
 if TYPE_CHECKING:
     from esg.graph.models import EsgDocument
@@ -17,8 +19,7 @@ def draft(
     prompts: Path | None = None,
     out: Path = Path("drafts"),
     seed: int = 0,
-    drafter: Literal["rules", "llm", "auto"] = "rules",
-    llm_batch: Path | None = None,
+    drafting: Drafting = RULES,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Draft the scene graph of a prompt: the ESG, what became of every word, all violations.
@@ -28,33 +29,28 @@ def draft(
         prompts: File of prompts, as of esg dataset: drafts all of them into --out.
         out: Folder that receives the documents of --prompts, and drafts.jsonl about them.
         seed: Of every random choice.
-        drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint; auto asks the model
-            if one is configured and answers, else the rules.
-        llm_batch: Folder of request files: write what a model is to be asked, end with exit code
-            3, go on with the answers that are put beside it (docs/drafting_llm.md).
         json: Print one JSON document: esg, coverage, statements, not_kept, violations.
     """
     from esg.api.inputs import check_seed, checked, clean_prompt
-    from esg.commands.drafting import check_batch, draft_many, gathered, tell_problems, tell_waiting
+    from esg.commands.drafting import (
+        draft_many,
+        from_answers,
+        tell_waiting,
+    )
     from esg.draft import draft as run
     from esg.outcomes import UserError
 
     if (prompt is None) == (prompts is None):
         raise UserError("give either a prompt or --prompts FILE")
-    checked(lambda: check_seed(seed), lambda: check_batch(drafter, llm_batch))
+    checked(lambda: check_seed(seed), drafting.check)
     if prompts is not None:
-        return draft_many(prompts, out, seed, drafter, llm_batch, json)
+        return draft_many(prompts, out, seed, drafting, json)
     text = clean_prompt(prompt or "")
-    found = gathered(drafter, llm_batch, [text], [seed])
-    if found is None:
-        return _tell(run(text, seed=seed, drafter=drafter), json)
-    if found.waiting:
+    found = drafting.gathered([text], [seed])
+    if found is not None and found.waiting:
         return tell_waiting(found, json)
-    from esg.draft.llm.gathering import replaying
-
-    tell_problems(found)
-    with replaying(found.folder):
-        return _tell(run(text, seed=seed, drafter=drafter), json)
+    with from_answers(found):
+        return _tell(run(text, seed=seed, drafter=drafting.drafter), json)
 
 
 def _tell(doc: EsgDocument, json: bool) -> int:

@@ -2,9 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, Literal
+
+from cyclopts import Parameter
 
 if TYPE_CHECKING:
     from esg.draft.llm.gathering import Gathered
@@ -15,36 +19,67 @@ WAITING = 3
 """Exit code where scenes wait: nothing is wrong, and not all is done."""
 
 
-def gathered(
-    drafter: str, folder: Path | None, prompts: Sequence[str], seeds: Sequence[int]
-) -> Gathered | None:
-    """The drafts that the answers in a folder give; None if there is no such folder.
+@Parameter(name="*")
+@dataclass(frozen=True)
+class Drafting:
+    """Who drafts: the options that several commands share.
 
-    Raises:
-        UserError: If the drafter asks no model, or the folder cannot be read or written.
+    Args:
+        drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint; auto asks the model
+            if one is configured and answers, else the rules.
+        llm_batch: Folder of request files: write what a model is to be asked, end with exit code
+            3 while scenes wait, go on with the answers that are put beside it
+            (docs/drafting_llm.md).
     """
-    if folder is None:
-        return None
-    check_batch(drafter, folder)
-    from esg.draft.llm.gathering import gather
 
-    return gather(prompts, folder, seed=seeds)
+    drafter: Literal["rules", "llm", "auto"] = "rules"
+    llm_batch: Path | None = None
+
+    def check(self) -> None:
+        """Checks that the folder of request files can be used.
+
+        Raises:
+            UserError: If not.
+        """
+        from esg.outcomes import UserError
+        from esg.scenefolder import check_writable
+
+        if self.llm_batch is None:
+            return
+        if self.drafter == "rules":
+            raise UserError("--llm-batch belongs to --drafter llm or auto; the rules ask no model")
+        check_writable(self.llm_batch)
+
+    def gathered(self, prompts: Sequence[str], seeds: Sequence[int]) -> Gathered | None:
+        """The drafts that the answers in the folder give; None if there is no such folder.
+
+        Raises:
+            UserError: If the folder cannot be read or written.
+        """
+        if self.llm_batch is None:
+            return None
+        from esg.draft.llm.gathering import gather
+
+        return gather(prompts, self.llm_batch, seed=seeds)
 
 
-def check_batch(drafter: str, folder: Path | None) -> None:
-    """Checks that a folder of request files can be used.
+RULES = Drafting()
+"""Nothing said: the embedded drafter."""
 
-    Raises:
-        UserError: If not.
-    """
-    from esg.outcomes import UserError
-    from esg.scenefolder import check_writable
 
-    if folder is None:
+@contextmanager
+def from_answers(found: Gathered | None) -> Generator[None]:
+    """Lets every draft of the body come from answers; does nothing without any."""
+    if found is None:
+        yield
         return
-    if drafter == "rules":
-        raise UserError("--llm-batch belongs to --drafter llm or auto; the rules ask no model")
-    check_writable(folder)
+    from esg.draft.llm.gathering import replaying
+    from esg.notices import warn
+
+    for problem in found.problems:
+        warn(f"answers: {problem}")
+    with replaying(found.folder):
+        yield
 
 
 def tell_waiting(found: Gathered, as_json: bool) -> int:
@@ -58,25 +93,14 @@ def tell_waiting(found: Gathered, as_json: bool) -> int:
     return WAITING
 
 
-def tell_problems(found: Gathered) -> None:
-    """Says on stderr what is wrong with answers, where nothing waits for them."""
-    from esg.notices import warn
-
-    for problem in found.problems:
-        warn(f"answers: {problem}")
-
-
-def draft_many(
-    path: Path, out: Path, seed: int, drafter: str, batch: Path | None, as_json: bool
-) -> int:
+def draft_many(path: Path, out: Path, seed: int, drafting: Drafting, as_json: bool) -> int:
     """Drafts a file of prompts; returns the exit code.
 
     Args:
         path: Prompts file, as of `esg dataset`.
         out: Folder that receives one document a prompt and `drafts.jsonl`.
         seed: Of prompts that have none of their own.
-        drafter: rules, llm or auto.
-        batch: Folder of request files; None asks the server.
+        drafting: Who drafts.
         as_json: Whether stdout gets one JSON document.
     """
     from esg.commands.console import emit
@@ -85,7 +109,7 @@ def draft_many(
     prompts = read_prompts(path)
     seeds = [seed if p.seed is None else p.seed for p in prompts]
     texts = [p.prompt for p in prompts]
-    found = gathered(drafter, batch, texts, seeds)
+    found, drafter = drafting.gathered(texts, seeds), drafting.drafter
     if found is None:
         rows = [_one(t, s, drafter) for t, s in zip(texts, seeds, strict=True)]
     else:
