@@ -34,32 +34,50 @@ def join_parts(raw: Json) -> list[str]:
         What was added, in words.
     """
     log: list[str] = []
-    nodes = raw["spatial_relation_graph"]["nodes"]
+    graph = raw["spatial_relation_graph"]
     joints: list[Json] = []
-    for name in list(nodes):
-        row = _row(raw, name)
-        if row is not None and name in nodes:
-            joints += _joined(raw, name, row, log)
+    for name in list(graph["nodes"]):
+        moved = _events(raw, name) & {*_JOINTED, *_FREED}
+        held = any(name in (j["child"], j["parent"]) for j in joints)
+        found = _thing(raw, name) if moved and not held else None
+        if found is not None:
+            joints += _joined(raw, *found, joints, log)
     if joints:
-        raw["spatial_relation_graph"]["joints"] = joints
+        graph["joints"] = joints
     return log
 
 
+def _thing(raw: Json, name: str) -> tuple[str, Articulation] | None:
+    """The jointed thing that a moving node is, or the moving part of, with its row."""
+    row = _row(raw, name)
+    if row is not None:
+        return name, row
+    called = _called(raw, name)
+    for other in raw["spatial_relation_graph"]["nodes"]:
+        row = _row(raw, other) if other != name else None
+        if row is not None and row.carries == "becomes" and called & {*row.serves, row.with_part}:
+            return other, row
+    return None
+
+
 def _row(raw: Json, name: str) -> Articulation | None:
-    """The row of a node that the timeline moves on a joint; None for others."""
-    events = _events(raw, name)
-    if not events & {*_JOINTED, *_FREED}:
-        return None
+    """The row of a node by what it is called, the most precise name first."""
     node = raw["spatial_relation_graph"]["nodes"][name]
     asset = raw["asset_requirement"].get(node["asset_id"], {})
     table = articulations()
-    texts = (node.get("label", ""), asset.get("asset_category", ""), name)
-    for text in texts:
+    for text in (node.get("label", ""), asset.get("asset_category", ""), name):
         words = re.sub(r"_\d+$", "", text.strip().lower()).replace("_", " ").split()
         for k in range(len(words)):
             if (row := table.get(" ".join(words[k:]))) is not None:
                 return row
     return None
+
+
+def _called(raw: Json, name: str) -> set[str]:
+    node = raw["spatial_relation_graph"]["nodes"][name]
+    asset = raw["asset_requirement"].get(node["asset_id"], {})
+    names = (slug(node.get("label", "")), asset.get("asset_category", ""))
+    return {n.replace("_", " ") for n in names}
 
 
 def _events(raw: Json, name: str) -> set[str]:
@@ -74,11 +92,17 @@ def _graph(raw: Json) -> Json:
     return timeline.get("sequence_graph", {})
 
 
-def _joined(raw: Json, name: str, row: Articulation, log: list[str]) -> list[Json]:
+def _joined(
+    raw: Json, name: str, row: Articulation, known: list[Json], log: list[str]
+) -> list[Json]:
     nodes = raw["spatial_relation_graph"]["nodes"]
     node = nodes[name]
     ratio = _become(raw, name, row.becomes)
-    parts = [_part(raw, name, row, ratio, log) for _ in range(row.count)]
+    taken = {name} | {j[end] for j in known for end in ("child", "parent")}
+    parts: list[str] = []
+    for _ in range(row.count):
+        parts.append(_part(raw, name, row, ratio, taken, log))
+        taken.add(parts[-1])
     joints: list[Json] = []
     for n, part in enumerate(parts, start=1):
         parent, child = (name, part) if row.carries == "becomes" else (part, name)
@@ -92,7 +116,7 @@ def _joined(raw: Json, name: str, row: Articulation, log: list[str]) -> list[Jso
                 "parent_mount": row.parent_mount.format(n=n),
                 "lower": row.lower,
                 "upper": row.upper,
-                "position": _start(raw, name, node, row) if n == 1 else row.start,
+                "position": _start(raw, (name, part), node, row) if n == 1 else row.start,
                 "stiffness": row.stiffness,
                 "damping": row.damping,
                 "friction": row.friction,
@@ -103,9 +127,9 @@ def _joined(raw: Json, name: str, row: Articulation, log: list[str]) -> list[Jso
     return joints
 
 
-def _start(raw: Json, name: str, node: Json, row: Articulation) -> float:
+def _start(raw: Json, names: tuple[str, str], node: Json, row: Articulation) -> float:
     """Where it is at the start: open, closed, or drawn back to be let go."""
-    events = _events(raw, name)
+    events = _events(raw, names[0]) | _events(raw, names[1])
     if "Close" in events and "Open" not in events and row.opened is not None:
         return row.opened
     if events & {"Swing", "Release"} and row.drawn is not None:
@@ -145,17 +169,14 @@ def _become(raw: Json, name: str, part: str) -> float:
     return ratio
 
 
-def _part(raw: Json, name: str, row: Articulation, ratio: float, log: list[str]) -> str:
-    """The other part: a thing of the scene that serves as it, or a new node."""
+def _part(
+    raw: Json, name: str, row: Articulation, ratio: float, taken: set[str], log: list[str]
+) -> str:
+    """The other part: a thing of the scene that serves as it and is not taken, or a new node."""
     nodes, assets = raw["spatial_relation_graph"]["nodes"], raw["asset_requirement"]
-    joints = raw["spatial_relation_graph"].get("joints") or ()
-    taken = {j[end] for j in joints for end in ("child", "parent")}
-    for other, node in nodes.items():
-        asset = assets.get(node["asset_id"], {})
-        names = (slug(node.get("label", "")), asset.get("asset_category", ""))
-        called = {n.replace("_", " ") for n in names}
-        serves = {*row.serves, row.with_part}
-        if other != name and other not in taken and row.count == 1 and called & serves:
+    serves = {row.with_part} | ({*row.serves} if row.count == 1 else set[str]())
+    for other in nodes:
+        if other not in taken and _called(raw, other) & serves:
             _become(raw, other, row.with_part)
             return other
     usual = lex.part(row.with_part)

@@ -203,6 +203,7 @@ def _spatial(doc: EsgDocument) -> Json:
             }
             for m in graph.edges.multi_relations
         ],
+        "statements": _statements(doc) if doc.timeline_system is None else [],
     }
 
 
@@ -241,6 +242,7 @@ def _timeline(doc: EsgDocument) -> Json | None:
                 "region": n.region,
                 "turn_direction": n.turn_direction,
                 "turn_degrees": n.turn_degrees,
+                "times": n.times,
                 "description": n.description,
             }
         )
@@ -265,6 +267,8 @@ def _timeline(doc: EsgDocument) -> Json | None:
                 "turn_direction": e.params.turn_direction,
                 "turn_degrees": turn[0] if turn else None,
                 "spin": e.params.spin,
+                "backward": e.params.backward or False,
+                "holds_on": e.params.release is False,
             }
         )
     return {
@@ -278,7 +282,31 @@ def _timeline(doc: EsgDocument) -> Json | None:
         ],
         "events": events,
         "segments": segments,
+        "statements": _statements(doc),
     }
+
+
+def _statements(doc: EsgDocument) -> list[Json]:
+    out: list[Json] = []
+    for s in doc.statements or ():
+        low, high = _ends(s.value) or (None, None)
+        out.append(
+            {
+                "says": s.predicate.value,
+                "words": s.text,
+                "object": list(s.object),
+                "target": list(s.target),
+                "direction": s.direction,
+                "side": s.side,
+                "quantity": s.quantity if s.quantity != "count" else None,
+                "low": low,
+                "high": high,
+                "noun": s.noun,
+                "when": s.when,
+                "missing": s.note or None,
+            }
+        )
+    return out
 
 
 def _pick(items: list[Any], rng: np.random.Generator) -> Any:
