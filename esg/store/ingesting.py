@@ -30,11 +30,12 @@ _IN_PARQUET = {
     "trajectories": {n for n, k in COLUMNS["trajectories"].items() if k.startswith("list<")}
     - {"bodies"},
     "scenes": {"expectation", "manifest", "preview"},
+    "clips": {n for n, k in COLUMNS["clips"].items() if "<" in k} - {"channels"},
 }
 """Columns too heavy for the database: they stay in the Parquet files."""
 
-_ONLY_SCENES = {"prompt"}
-"""Columns of every table that the database has in `scenes` alone."""
+_WITH_PROMPT = {"scenes", "clips"}
+"""Tables that have the prompt in the database too; all have it in Parquet."""
 
 
 @dataclass(frozen=True)
@@ -162,7 +163,7 @@ def _ingest(
 
 def parquet_only(table: str) -> set[str]:
     """Columns of a table that the database lacks."""
-    return _IN_PARQUET.get(table, set()) | (set() if table == "scenes" else _ONLY_SCENES)
+    return _IN_PARQUET.get(table, set()) | (set() if table in _WITH_PROMPT else {"prompt"})
 
 
 def _upsert(connection: DuckDBPyConnection, files: Sequence[Path], table: str, major: int) -> int:
