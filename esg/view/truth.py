@@ -200,21 +200,28 @@ def boxes_3d(
         quaternion: (x, y, z, w), shape [B, 4].
     """
     out: list[dict[str, Any]] = []
+    centers = box_centers(half_extents, offsets, position, quaternion)
     for index, (half, offset) in enumerate(zip(half_extents, offsets, strict=True)):
-        center = offset + np.array([0.0, 0.0, half[2]])
         corners = box_corners(position[index], quaternion[index], tuple(half), offset)
         pixels, depth = camera.project(corners)
-        world = position[index] + quat_rotate(quaternion[index], center)
         out.append(
             {
                 "body": index,
-                "center_m": _list(world),
+                "center_m": _list(centers[index]),
                 "half_extents_m": _list(half),
                 "quaternion_xyzw": _list(quaternion[index]),
                 "corners_px": [_list(p, 2) for p in pixels] if (depth > 0).all() else [],
             }
         )
     return out
+
+
+def box_centers(
+    half_extents: Floats, offsets: Floats, position: Floats, quaternion: Floats
+) -> Floats:
+    """Centres of the bodies' boxes in the world [m], shape [B, 3]; arguments as of `boxes_3d`."""
+    local = offsets + half_extents * np.array([0.0, 0.0, 1.0])
+    return position + quat_rotate(quaternion, local)
 
 
 def sample_points(
