@@ -41,11 +41,14 @@ def make_batch(job: BatchJob) -> BatchResult:
 
 def _deliver(job: BatchJob, result: BatchResult) -> None:
     """Brings a batch to where the dataset is, its mark last."""
-    from esg.dataset.remote import Remote
+    from esg.dataset.remote import Remote, is_media
 
-    remote, mark = Remote(job.url), mark_name(job.number)
+    whole, mark = Remote(job.url), mark_name(job.number)
+    # Of a dataset that is only rendered, marks and parts are kept apart until all is done.
+    remote = whole if job.source is None else whole.below(job.out.name)
     if not remote.has(mark):
-        remote.push(job.out, [*result.files, mark])
+        whole.push(job.out, [n for n in result.files if is_media(n)])
+        remote.push(job.out, [*(n for n in result.files if not is_media(n)), mark])
 
 
 def _make(job: BatchJob) -> BatchResult:
