@@ -5,6 +5,7 @@
     python -m benchmarks.frontier DIR --variants single_shot no_validation full --of 60
     python -m benchmarks.frontier DIR --layouts --json FILE
     python -m benchmarks.frontier DIR --handout 8       # the requests, for eight who answer by hand
+    python -m benchmarks.frontier DIR --served --of 20  # of the server that ESG_LLM_… names
 
 200 prompts (`data/prompts/frontier.json`): 60 of `test`, 60 of `blind2`, 40 of each half of
 `public`, those with the least hashes of their ids. Nothing is asked here: whoever has a model
@@ -31,6 +32,7 @@ from benchmarks.drafting.corpus import PROMPTS, load
 from benchmarks.drafting.score import PAPER, Score, score_document
 from benchmarks.drafting.whole import summary
 from esg.draft import draft
+from esg.draft.llm.drafter import draft_llm_batch
 from esg.draft.llm.gathering import gather
 from esg.draft.llm.records import LlmDraft, Variant
 from esg.draft.llm.settings import load_settings
@@ -197,6 +199,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("folder", type=Path, help="a folder of request files a variant lies below")
     parser.add_argument("--variants", nargs="+", choices=get_args(Variant), default=["full"])
     parser.add_argument("--of", type=int, metavar="N", help="only N of the prompts, evenly")
+    parser.add_argument("--served", action="store_true", help="ask the configured server instead")
     parser.add_argument("--partial", action="store_true", help="score what is drafted by now")
     parser.add_argument("--layouts", action="store_true", help="high-quality given usable, too")
     parser.add_argument("--show", action="store_true", help="list misses of the opened prompts")
@@ -210,6 +213,10 @@ def main(argv: list[str] | None = None) -> int:
     for variant in args.variants:
         # The folder of `full` is of all prompts: fewer would drop the others' requests from it.
         asked = every if variant == "full" else rows
+        if args.served:
+            drafts = draft_llm_batch([r["prompt"] for r in rows], settings=config, variant=variant)
+            found[variant] = of_model(rows, drafts)
+            continue
         got = gather(
             [row["prompt"] for row in asked],
             args.folder / variant,

@@ -68,8 +68,7 @@ def test_examples_are_faultless(example: dict[str, Any]) -> None:
         (made,) = draft_llm_batch(
             [example["prompt"]], settings=config, client=model, variant=variant
         )
-        assert made.outcome is Outcome.SOLVED or variant != "full", made.reason
-        assert made.document is not None
+        assert made.outcome is Outcome.SOLVED, (variant, made.reason)
     (made,) = draft_llm_batch([example["prompt"]], settings=config, client=model)
     assert made.document is not None and made.document.coverage.warnings == ()
     assert not any("read as" in r or "dropped" in r for r in made.repairs)

@@ -23,7 +23,7 @@ from esg.draft.llm.records import (
 )
 from esg.draft.llm.schema import bounded, schema_of, settled
 from esg.draft.llm.settings import LlmSettings
-from esg.draft.llm.small import SmallReply, parts_of
+from esg.draft.llm.small import SmallReply, closed, parts_of
 from esg.draft.llm.stages import (
     ExpansionReply,
     Part,
@@ -220,6 +220,8 @@ class Session:
     def _schema(self, stage: str) -> Any:
         """Schema of a stage; with validation, references are closed lists of settled names."""
         schema = schema_of(stage)
+        if stage == "small":
+            return closed(schema, self.prompt)
         if self.variant != "full" or stage != "timeline":
             return schema
         names: list[str] = []

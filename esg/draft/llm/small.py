@@ -7,6 +7,8 @@ motions that lead to each event from the kind of the event.
 
 from __future__ import annotations
 
+import copy
+import re
 from typing import Any, Literal
 
 from pydantic import Field
@@ -39,7 +41,7 @@ class SmallReply(Part):
     """Things and acts."""
 
     things: list[ThingPart]
-    acts: list[ActPart] = Field(default_factory=list[ActPart])
+    acts: list[ActPart] = Field(description="empty if nothing moves")
 
 
 _EVENTS: dict[str, tuple[str, str]] = {
@@ -66,6 +68,45 @@ _SELF_MOVING = frozenset({"vehicle", "person", "animal", "flyer", "robot"})
 """Classes of nouns that move on their own, where others are pushed or thrown."""
 UNKNOWN_CM, UNKNOWN_KG = (40.0, 40.0, 40.0), 5.0
 """Of a thing that the lexicon does not have, as the rules drafter draws it."""
+
+
+def closed(schema: dict[str, Any], prompt: str) -> dict[str, Any]:
+    """The schema in which things can only be called by nouns of the prompt.
+
+    Args:
+        schema: Of `SmallReply`.
+        prompt: The user's text; one without a known noun leaves names open.
+    """
+    names = nouns_in(prompt)
+    if not names:
+        return schema
+    out = copy.deepcopy(schema)
+    parts = out["$defs"]
+    parts["Name"] = {"type": "string", "enum": names}
+    for part, fields in (("ThingPart", ("name", "on")), ("ActPart", ("who", "whom"))):
+        for name in fields:
+            parts[part]["properties"][name] = {"$ref": "#/$defs/Name"}
+    return out
+
+
+def nouns_in(prompt: str) -> list[str]:
+    """Nouns of the lexicon that a text names, in order, each once, as singulars."""
+    from esg.draft.lexicon import nouns
+
+    table, out = nouns(), list[str]()
+    words = re.findall(r"[a-z']+(?:-[a-z]+)*", prompt.lower())
+    skip = 0
+    for k, word in enumerate(words):
+        if skip:
+            skip -= 1
+            continue
+        pair = f"{word} {singular(words[k + 1])}" if k + 1 < len(words) else ""
+        if pair in table:
+            out.append(pair)
+            skip = 1
+        elif (one := singular(word)) in table:
+            out.append(one)
+    return list(dict.fromkeys(out))
 
 
 def whole_of(reply: SmallReply) -> WholeReply:
