@@ -129,13 +129,25 @@ def whole_of(reply: SmallReply) -> WholeReply:
         },
         "spatial": {
             "relations": [
-                {"subject": name, "relation": "on", "object": slug(thing.on)}
-                for name, thing in things.items()
-                if thing.on is not None and slug(thing.on) in things and slug(thing.on) != name
+                {"subject": name, "relation": "on", "object": carrier}
+                for name, carrier in _carriers(things).items()
             ]
         },
     }
     return WholeReply.model_validate({**scene, "timeline": timeline})
+
+
+def _carriers(things: dict[str, ThingPart]) -> dict[str, str]:
+    """What carries each thing; none that would end up carrying itself."""
+    out: dict[str, str] = {}
+    for name, thing in things.items():
+        carrier = slug(thing.on) if thing.on is not None else name
+        below: str | None = carrier
+        while below is not None and below != name:
+            below = out.get(below)
+        if carrier in things and below is None:
+            out[name] = carrier
+    return out
 
 
 def parts_of(reply: SmallReply) -> tuple[SceneReply, TimelineReply | None]:
