@@ -165,6 +165,7 @@ def _figures(made: Sequence[Made]) -> dict[str, Any]:
             "tokens_in": round(sum(c.input_tokens for c in calls) / n),
             "tokens_out": round(sum(c.output_tokens for c in calls) / n),
             "characters_out": round(sum(len(r.text) for c in calls for r in c.calls) / n),
+            "mended": mended(calls),
             "models": sorted({r.model for c in calls for r in c.calls if r.model}),
         }
         prices = [c.cost_usd for c in calls if c.cost_usd is not None]
@@ -173,6 +174,19 @@ def _figures(made: Sequence[Made]) -> dict[str, Any]:
     if tried:
         out["high_quality_given_usable"] = round(100.0 * sum(tried) / len(tried), 1)
     return out
+
+
+def mended(calls: Sequence[LlmDraft]) -> dict[str, dict[str, int]]:
+    """By code: how often it was told to the model, and how often it was gone with the next answer."""
+    out: dict[str, dict[str, int]] = {}
+    for call in calls:
+        left = tuple({v.code for v in call.violations})
+        for told, after in zip(call.told, (*call.told[1:], left), strict=True):
+            for code in told:
+                row = out.setdefault(code, {"told": 0, "gone": 0})
+                row["told"] += 1
+                row["gone"] += code not in after
+    return dict(sorted(out.items(), key=lambda item: -item[1]["told"]))
 
 
 def _sayable(made: Sequence[Made]) -> float:
@@ -303,6 +317,9 @@ def _print(tables: dict[str, dict[str, dict[str, Any]]]) -> None:
         for part, row in sets.items():
             cells = "".join(f"{row[c] if row.get(c) is not None else '-':>13}" for c in columns)
             print(f"{name:<15}{part:<8}{cells}")
+    for name, sets in tables.items():
+        for code, row in sets["all"].get("mended", {}).items():
+            print(f"{name}: {code} told {row['told']} times, gone with the answer {row['gone']}")
     for name in tables:
         if name in PAPER:
             print(f"paper, {name}: usability {PAPER[name]}, high-quality {PAPER_HIGH[name]}")

@@ -15,6 +15,7 @@ from esg.draft.llm.names import slug
 from esg.draft.llm.prune import pruned
 from esg.draft.llm.records import (
     STAGES,
+    UNREADABLE,
     CallRecord,
     LlmDraft,
     Variant,
@@ -60,6 +61,7 @@ class Session:
     patient: PatientClient
     rounds: int = 0
     calls: list[CallRecord] = field(default_factory=list[CallRecord])
+    told: list[tuple[str, ...]] = field(default_factory=list[tuple[str, ...]])
     repairs: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     answers: dict[str, Part] = field(default_factory=dict[str, Part])
@@ -110,6 +112,7 @@ class Session:
             cost_usd=self._cost(tokens_in, tokens_out),
             requests=self.patient.requests - before,
             waiting=waiting,
+            told=tuple(self.told),
         )
 
     def _screen(self) -> None:
@@ -149,6 +152,7 @@ class Session:
         self._build()
         while self.variant == "full" and self.violations and self.rounds < self.settings.max_rounds:
             self.rounds += 1
+            self.told.append(tuple(sorted({v.code for v in self.violations})))
             told = complaints(self.violations, () if self._is_small else self.answers)
             for stage, complaint in told.items():
                 await (self._small(complaint) if self._is_small else self._stage(stage, complaint))
@@ -194,6 +198,7 @@ class Session:
                 if self.variant != "full" or self.rounds >= self.settings.max_rounds:
                     raise Failed(f"the {stage} reply is unusable. {error}") from None
                 self.rounds += 1
+                self.told.append((UNREADABLE,))
                 text = f"{error}\nAnswer again with the whole corrected JSON object."
 
     async def _complete(
