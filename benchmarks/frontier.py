@@ -177,11 +177,12 @@ def _figures(made: Sequence[Made]) -> dict[str, Any]:
 
 
 def mended(calls: Sequence[LlmDraft]) -> dict[str, dict[str, int]]:
-    """By code: how often it was told to the model, and how often it was gone with the next answer."""
+    """By code: how often a model was told of it, and how often the next answer was without."""
     out: dict[str, dict[str, int]] = {}
     for call in calls:
         left = tuple({v.code for v in call.violations})
-        for told, after in zip(call.told, (*call.told[1:], left), strict=True):
+        following = (*call.told[1:], left)[: len(call.told)]
+        for told, after in zip(call.told, following, strict=True):
             for code in told:
                 row = out.setdefault(code, {"told": 0, "gone": 0})
                 row["told"] += 1
