@@ -97,10 +97,13 @@ def dataset(
             strategy=strategy, engine=engine, mcap=mcap, previews=previews, device=device,
             batch=batch or 0, strict=strict, render=render,
         )  # fmt: skip
-    with folder.locked(part), progress(spec.n, "starting") as bar:
-        with _answered(spec, texts, part.batches(spec), drafting) as (asked, numbers):
-            run = folder.begin(spec, texts, resume=resume)
-            summary = _build(folder, spec, texts, run, numbers, runner, workers, bar, remote)
+    with (
+        folder.locked(part),
+        progress(spec.n, "starting") as bar,
+        _answered(spec, texts, part.batches(spec), drafting) as (asked, numbers),
+    ):
+        run = folder.begin(spec, texts, resume=resume)
+        summary = _build(folder, spec, texts, run, numbers, runner, workers, bar, remote)
     return _told(summary, json, asked)
 
 
