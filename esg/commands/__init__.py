@@ -16,6 +16,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "sql": ("esg.commands.sql:sql", "Query the results of all runs with SQL."),
     "db": ("esg.commands.db:app", "Rebuild, fill, prune and look after the run database."),
     "replay": ("esg.commands.replay:replay", "Replay a finished scene in an engine of choice."),
+    "judge": ("esg.commands.judge:judge", "Judge anybody's trajectories by a suite."),
     "export": ("esg.commands.export:export", "Write a scene for another program."),
     "check": ("esg.commands.check:check", "Check an ESG file against the schema and all rules."),
     "assets": (
