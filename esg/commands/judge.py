@@ -69,11 +69,8 @@ def judge(
         emit(report)
     else:
         _tell(report, judged)
-    return (
-        0
-        if good and all(runs == "solved" for s in report["scenes"] for runs in s["outcome"])
-        else 3
-    )
+    whole = all(outcome == "solved" for s in report["scenes"] for outcome in s["outcome"])
+    return 0 if whole else 3
 
 
 def verdict_table(result: dict[str, Any]) -> str:

@@ -29,6 +29,7 @@ class Played:
         velocity: Of the centres of mass [m/s], shape [T, B, 3]; None if the file has none.
         spin: [rad/s], shape [T, B, 3]; None if the file has none.
         unweighed: Names of the bodies whose mass is a guess.
+        drawn: Names of the bodies whose shapes are those of what is seen.
     """
 
     scene: SimScene
@@ -37,6 +38,7 @@ class Played:
     velocity: Floats | None
     spin: Floats | None
     unweighed: frozenset[str] = frozenset()
+    drawn: frozenset[str] = frozenset()
 
 
 def played(recording: Recording, faults: Faults) -> Played:
@@ -60,6 +62,7 @@ def played(recording: Recording, faults: Faults) -> Played:
         velocity,
         recording.spin,
         frozenset(t.name for t in recording.things if t.mass is None),
+        frozenset(t.name for t in recording.things if t.drawn),
     )
 
 

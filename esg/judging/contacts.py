@@ -328,11 +328,11 @@ def _touch(
     """The row of a meeting in step k, None if it did nothing."""
     motion = pair.motion
     step = float(motion.time[k + 1] - motion.time[k])
-    before, after = max(k - 1, 0), min(k + 1, len(motion.between) - 1)
-    share = 1.0 / max(after - before, 1) if going_on else 1.0
+    # A touch that goes on has already answered for what changed up to this step.
+    before, after = max(k if going_on else k - 1, 0), min(k + 1, len(motion.between) - 1)
     change = motion.between[after, pair.both] - motion.between[before, pair.both]
     # What gravity did to both in that time is not the touch's doing.
-    change = share * (change - motion.gravity * step * (after - before))
+    change = change - motion.gravity * step * (after - before)
     mass = motion.mass[pair.both]
     free = np.isfinite(mass)
     if float(np.linalg.norm(change[free], axis=1).max()) < LEAST_CHANGE_MPS:

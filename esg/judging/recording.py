@@ -37,6 +37,7 @@ class Thing:
         label: Words for it; empty: its name.
         category, description: More words.
         color: RGB in [0, 1]; None if the file does not say.
+        drawn: Whether its shapes are those of what is seen, because it has no colliders.
     """
 
     name: str
@@ -49,6 +50,7 @@ class Thing:
     category: str = ""
     description: str = ""
     color: tuple[float, float, float] | None = None
+    drawn: bool = False
 
 
 @dataclass(frozen=True)

@@ -23,7 +23,6 @@ from esg.metrics.judging import bind_all, judge
 from esg.metrics.models import SceneVerdict, Suite, SuiteScene
 from esg.outcomes import UserError
 
-
 NO_FILE = "no file"
 """Instead of an outcome, of a run that nobody handed in."""
 
@@ -88,7 +87,7 @@ def judge_file(
         )  # fmt: skip
         unweighed: frozenset[str] = frozenset()
     else:
-        bodies = played(recording, faults)
+        bodies = _without_scenery(played(recording, faults), expected, notes)
         rollout = _rollout(recording, bodies, expected, notes)
         scene, program = _under_control(recording, bodies, rollout, notes)
         unweighed = bodies.unweighed
@@ -121,6 +120,26 @@ def named(recording: Recording, names: Mapping[str, str], faults: Faults) -> Rec
         bodies = tuple(replace(b, label=names.get(b.name, b.label)) for b in manifest.scene.bodies)
         manifest = replace(manifest, scene=manifest.scene.with_bodies(bodies))
     return replace(recording, things=things, manifest=manifest)
+
+
+def _without_scenery(bodies: Played, expected: SuiteScene, notes: list[str]) -> Played:
+    """The bodies; what only stands there and nobody means is looked at, not run into.
+
+    The hull of a meadow with trees or of a room would be around everything.
+    """
+    meant: set[int] = set()
+    for binding in bind_all(bodies.scene, expected).values():
+        meant |= set(binding.bodies)
+    own = [
+        replace(body, shapes=()) if body.static and body.name in bodies.drawn and k not in meant
+        else body
+        for k, body in enumerate(bodies.scene.bodies)
+    ]  # fmt: skip
+    left = [b.name for b, o in zip(own, bodies.scene.bodies, strict=True) if b is not o]
+    if left:
+        told = ", ".join(left[:5])
+        notes.append(f"what never moves and no phrase means collides with nothing: {told}")
+    return replace(bodies, scene=bodies.scene.with_bodies(tuple(own)))
 
 
 def _rollout(

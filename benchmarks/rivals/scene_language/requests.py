@@ -28,7 +28,7 @@ _RULES = """STRICTLY follow these rules:
 3. Camera coordinate system: +x is right, +y is up, +z is backward. 
 4. You must use `library_call` to call registered functions.
 5. Use `compute_shape_*` from `helper.py` if possible to compute transformations.
-"""  # noqa: E501, W291  # as it was published
+"""  # noqa: E501  # as it was published
 _SYSTEM = """\
 You are a code completion model and can only write python functions wrapped within ```python```.
 
@@ -55,7 +55,7 @@ from helper import *
 {task}
 """
 ```
-'''  # noqa: W291  # as it was published
+'''  # as it was published
 
 
 def messages(task: str) -> list[dict[str, str]]:

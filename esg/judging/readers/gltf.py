@@ -291,6 +291,7 @@ def _thing(file: _File, node: int, name: str) -> Thing:
         mass=float(mass) if isinstance(mass, int | float) and mass > 0 else None,
         label=str(said.get("label", "")),
         category=str(said.get("category", "")),
+        drawn=True,
     )
 
 

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+import struct
 from typing import Any
 
 import numpy as np
@@ -31,7 +32,7 @@ def read_mcap(path: Path, frame: Frame, faults: Faults) -> Recording:
 
     try:
         times, tracks, things, manifest = _messages(path, faults)
-    except (McapError, DecodeError, OSError, ValueError, EOFError) as error:
+    except (McapError, DecodeError, OSError, ValueError, EOFError, struct.error) as error:
         raise faults.fail(f"it is no MCAP file that can be read ({str(error)[:120]})") from None
     names = [n for n in tracks if len(tracks[n]) == len(times)]
     for name in sorted(set(tracks) - set(names)):

@@ -1,8 +1,8 @@
 """CSV and Parquet: a row a body and frame; bodies and contacts in tables beside it.
 
 `NAME.csv` has the columns time, body, x, y, z, qx, qy, qz, qw and, if there are, vx, vy, vz, wx,
-wy, wz; `NAME.bodies.csv` those of `FACTS`, `NAME.contacts.csv` time, a, b, impulse, depth. The same as
-`.parquet`.
+wy, wz; `NAME.bodies.csv` those of `FACTS`, `NAME.contacts.csv` time, a, b, impulse, depth. The
+same as `.parquet`.
 """
 
 from __future__ import annotations

@@ -222,7 +222,7 @@ def _thing(prim: Any, name: str, unit: Frame, code: float) -> Thing:
     dynamic = prim.HasAPI(UsdPhysics.RigidBodyAPI)
     return Thing(
         name, tuple(shapes), mass=mass, center=center,
-        static=False if dynamic else None,
+        static=False if dynamic else None, drawn=not colliders,
     )  # fmt: skip
 
 
