@@ -167,7 +167,7 @@ def _box(thing: Thing) -> tuple[Floats, Floats]:
 def _fixed(thing: Thing, pose: Pose) -> bool:
     if thing.static is not None:
         return thing.static
-    if thing.mass is not None:
+    if thing.mass is not None and not thing.drawn:
         return False
     position, quaternion = pose
     moved = float(np.linalg.norm(position - position[0], axis=-1).max())
