@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+import contextlib
 import json
 from pathlib import Path
 from typing import Any
@@ -82,6 +83,8 @@ def test_a_participant_gets_through_by_keyboard_and_saves_answers(
 
 
 def test_the_order_differs_between_participants(driver: Any, tmp_path: Path) -> None:
+    from selenium.common.exceptions import NoAlertPresentException
+
     clips = find_clips(write_run(tmp_path / "run"), VARIANTS, 0, 3)
     page, _ = write_study(clips, tmp_path / "study.html", seed=3, pairs=None)
     orders = set()
@@ -93,10 +96,6 @@ def test_the_order_differs_between_participants(driver: Any, tmp_path: Path) -> 
         orders.add(driver.execute_script("return document.getElementById('rate-film').src"))
         driver.execute_script("window.onbeforeunload = null")
         driver.get("about:blank")
-        from selenium.common.exceptions import NoAlertPresentException
-
-        try:
+        with contextlib.suppress(NoAlertPresentException):
             driver.switch_to.alert.accept()
-        except NoAlertPresentException:
-            pass
     assert len(orders) > 1
