@@ -10,7 +10,6 @@ import pytest
 
 from benchmarks.rivals.scene_language.__main__ import report
 from benchmarks.rivals.scene_language.adapter import (
-    DENSITY_KG_M3,
     ProgramFailed,
     launches,
     parts_of,
@@ -20,6 +19,7 @@ from benchmarks.rivals.scene_language.adapter import (
 from benchmarks.rivals.scene_language.answers import program_of
 from benchmarks.rivals.scene_language.requests import messages, requests
 from esg.engines.program import SetVelocity
+from esg.judging.bodies import DENSITY_KG_M3
 from esg.metrics import load_suite
 from esg.metrics.geometry import body_cores, lowest_point
 

