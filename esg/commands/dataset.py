@@ -139,7 +139,7 @@ def _source(
     import hashlib
 
     from esg.api.inputs import existing_file
-    from esg.dataset.grammar import Distribution, load_distribution
+    from esg.dataset.distribution import Distribution, load_distribution
     from esg.dataset.plan import MAX_SCENES, prompts_text, read_prompts
     from esg.files import read_limited
     from esg.outcomes import UserError

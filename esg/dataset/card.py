@@ -11,7 +11,7 @@ from pathlib import Path
 import re
 from typing import Any
 
-from esg.dataset.grammar import Distribution
+from esg.dataset.distribution import Distribution
 from esg.dataset.plan import DatasetSpec
 from esg.fidelity import most_unseen, shortfalls
 from esg.outcomes import Outcome

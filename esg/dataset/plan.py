@@ -15,7 +15,8 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict
 
-from esg.dataset.grammar import GRAMMAR_VERSION, Distribution, sample_scenes
+from esg.dataset.distribution import Distribution
+from esg.dataset.grammar import GRAMMAR_VERSION, sample_scenes
 from esg.outcomes import UserError
 from esg.pipeline import SceneRequest
 from esg.store.records import prompt_family, split_of
@@ -131,7 +132,8 @@ class PlannedScene:
         rule: Rule of the grammar, or empty.
         pair: Id of the counterfactual pair's base scene, or empty.
         changed: What this scene changes of its base; empty for a base.
-        parameters: JSON of the grammar's slots, or empty.
+        parameters: JSON of the grammar's slots and of what was drawn beside them, or empty.
+        camera: How the distribution has it filmed; empty: as the dataset is.
     """
 
     index: int
@@ -144,6 +146,7 @@ class PlannedScene:
     pair: str = ""
     changed: str = ""
     parameters: str = ""
+    camera: str = ""
 
 
 @dataclass(frozen=True)
@@ -208,6 +211,7 @@ def plan_scenes(spec: DatasetSpec, prompts: Sequence[Prompt] = ()) -> list[Plann
                 pair=base if spec.counterfactual else "",
                 changed=scene.changed,
                 parameters=json.dumps(dict(scene.values), sort_keys=True),
+                camera=scene.camera,
             )
         )
     return out
