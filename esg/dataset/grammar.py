@@ -161,7 +161,7 @@ def _scene(
         rule=rule.name,
         level=rule.level,
         family=f"{rule.name}: {values['mover'].name}",
-        values={k: getattr(v, "name", v) for k, v in values.items()} | said.parameters,
+        values={**{k: getattr(v, "name", v) for k, v in values.items()}, **said.parameters},
         expectation=SuiteScene(
             id="scene",
             prompt=said.prompt,

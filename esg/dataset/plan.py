@@ -69,6 +69,7 @@ class DatasetSpec(BaseModel):
         fps: Frames a second of the recorded trajectories.
         batch: Scenes a batch.
         strict: Whether `partial` scenes count as failed.
+        thin: Whether near-duplicates are left out of all splits.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -90,6 +91,7 @@ class DatasetSpec(BaseModel):
     fps: float = 60.0
     batch: int = 0
     strict: bool = False
+    thin: bool = False
 
     @property
     def batch_size(self) -> int:
@@ -109,8 +111,9 @@ class DatasetSpec(BaseModel):
         return f"dataset-{hashlib.sha256(self.canonical().encode()).hexdigest()[:12]}"
 
     def canonical(self) -> str:
-        """Canonical JSON."""
-        return json.dumps(self.model_dump(mode="json"), sort_keys=True, separators=(",", ":"))
+        """Canonical JSON; what is not asked for is left out, as it was before there was such."""
+        data = self.model_dump(mode="json", exclude=None if self.thin else {"thin"})
+        return json.dumps(data, sort_keys=True, separators=(",", ":"))
 
     def differences(self, other: DatasetSpec) -> list[str]:
         """Fields in which two specifications differ, as `name: mine, not theirs`."""

@@ -37,6 +37,7 @@ KEYS: dict[str, tuple[str, ...]] = {
     "statements": ("scene_key", "engine", "source", "statement_id"),
     "plausibility_checks": ("scene_key", "engine", "check_name"),
     "timings": ("scene_key", "stage"),
+    "truth_checks": ("scene_key", "camera", "check_name"),
 }
 """Primary key of every table; `scene_key` is run, suite, scene and seed (esg.store.records)."""
 
@@ -62,6 +63,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "rule": "string", "pair": "string", "changed": "string", "parameters": "string",
         "expectation": "string", "manifest": "string",
         "fully_understood": "bool", "statements_kept": "float64", "plausible": "bool",
+        "duplicate_of": "string",
     },
     "trajectories": {
         **_SCENE, "split": "string", "engine": "string", "dt_s": "float64", "fps": "float64",
@@ -103,13 +105,18 @@ COLUMNS: dict[str, dict[str, str]] = {
         **_SCENE, "stage": "string", "stage_index": "int32", "seconds": "float64",
         "cached": "bool", "outcome": "string",
     },
+    "truth_checks": {
+        **_SCENE, "camera": "int32", "check_name": "string", "unit": "string",
+        "samples": "int64", "p50": "float64", "p90": "float64", "p99": "float64",
+        "worst": "float64", "limit_value": "float64", "ok": "bool", "note": "string",
+    },
 }  # fmt: skip
 """Column name to type of every table."""
 
 ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
     "scenes": (
         "rule", "pair", "changed", "parameters", "expectation", "manifest", "esg_cast",
-        "fully_understood", "statements_kept", "plausible",
+        "fully_understood", "statements_kept", "plausible", "duplicate_of",
     ),
 }  # fmt: skip
 """Columns that files of an older format lack (`esg_cast` is of 1.2, what became of statements of
@@ -305,6 +312,31 @@ def part_files(folder: Path, table: str | None = None) -> list[Path]:
     """Finished Parquet files below a folder, in name order; temporary ones are not looked at."""
     pattern = f"{table}/*.parquet" if table else "*/*.parquet"
     return sorted(p for p in Path(folder).glob(pattern) if not p.name.startswith("."))
+
+
+def iter_batches(
+    paths: Iterable[Path], columns: Sequence[str], *, rows: int = ROW_GROUP_SCENES
+) -> Iterator[pa.RecordBatch]:
+    """Some columns of several files, few rows in memory at a time.
+
+    Args:
+        paths: The files.
+        columns: Which every version of their table has.
+        rows: At a time.
+
+    Raises:
+        UserError: If a file is damaged, with its path.
+    """
+    import pyarrow.parquet as pq
+
+    for path in paths:
+        table_of(path)
+        try:
+            with pq.ParquetFile(_local(path), page_checksum_verification=True) as file:
+                yield from file.iter_batches(batch_size=rows, columns=list(columns))
+        except Exception as error:  # whatever the reader meets in a damaged file
+            why = (str(error).splitlines() or [type(error).__name__])[0]
+            raise UserError(f"{path} is damaged ({why}); delete it and run again") from None
 
 
 def iter_rows(paths: Iterable[Path]) -> Iterator[dict[str, Any]]:

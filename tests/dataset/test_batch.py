@@ -428,3 +428,23 @@ def test_file_metadata_name_table_and_format(tmp_path: Path) -> None:
     for path in part_files(tmp_path / "a"):
         with pq.ParquetFile(path) as file:
             assert file.schema_arrow.metadata[b"esg.table"].decode() == path.parent.name
+
+
+def test_near_duplicates_are_marked_or_left_out(tmp_path: Path) -> None:
+    """All of them replay the same: what differs is a number in the prompt."""
+    build(tmp_path / "marked", GOOD)
+    build(tmp_path / "thin", GOOD, thin=True)
+    marked = {str(s["scene_id"]): s for s in scenes(tmp_path / "marked")}
+    kept = {name for name, s in marked.items() if s["duplicate_of"] is None}
+    keys = {marked[name]["scene_key"] for name in kept}
+    assert 0 < len(kept) < len(marked)
+    assert {s["duplicate_of"] for s in marked.values() if s["duplicate_of"]} <= keys
+    thin = {str(s["scene_id"]): str(s["scene_key"]) for s in scenes(tmp_path / "thin")}
+    assert set(thin) == kept
+    lines = (tmp_path / "thin" / "meta" / "duplicates.jsonl").read_text().splitlines()
+    assert len(lines) == len(marked) - len(kept)
+    for table in ("trajectories", "metrics", "coverage"):
+        files = part_files(tmp_path / "thin", table)
+        assert {k for p in files for k in read_table(p)["scene_key"].to_pylist()} <= {
+            *thin.values()
+        }
