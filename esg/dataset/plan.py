@@ -53,6 +53,36 @@ class Prompt(BaseModel):
     expect: str = ""
 
 
+class RenderSpec(BaseModel):
+    """What cameras see of every scene; see `esg.dataset.clips`.
+
+    Args:
+        channels: Of `esg.dataset.clips.encoding.CHANNELS`.
+        cameras: How many, 1 to 8.
+        size: Width and height [px], both even.
+        fps: Frames a second.
+        renderer: Of colours: raster, path or cycles.
+        samples: Rays a pixel; None for what the renderer takes by itself.
+        camera: `auto` for what the director chooses, one of its kinds, or `around`.
+        motion_blur: Colours are those of all the time the shutter is open.
+        lossless: Colours are kept as they are, in files that browsers do not play.
+        device: cpu or cuda:N.
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    channels: tuple[str, ...] = ("rgb", "depth", "segmentation")
+    cameras: int = 1
+    size: tuple[int, int] = (256, 256)
+    fps: float = 24.0
+    renderer: str = "raster"
+    samples: int | None = None
+    camera: str = "auto"
+    motion_blur: bool = False
+    lossless: bool = False
+    device: str = "cpu"
+
+
 class DatasetSpec(BaseModel):
     """Everything a dataset depends on besides code.
 
@@ -69,6 +99,7 @@ class DatasetSpec(BaseModel):
         fps: Frames a second of the recorded trajectories.
         batch: Scenes a batch.
         strict: Whether `partial` scenes count as failed.
+        render: What cameras see; None for a dataset without clips.
         thin: Whether near-duplicates are left out of all splits.
     """
 
@@ -91,6 +122,7 @@ class DatasetSpec(BaseModel):
     fps: float = 60.0
     batch: int = 0
     strict: bool = False
+    render: RenderSpec | None = None
     thin: bool = False
 
     @property
@@ -112,7 +144,8 @@ class DatasetSpec(BaseModel):
 
     def canonical(self) -> str:
         """Canonical JSON; what is not asked for is left out, as it was before there was such."""
-        data = self.model_dump(mode="json", exclude=None if self.thin else {"thin"})
+        unasked = {name for name in ("render", "thin") if not getattr(self, name)}
+        data = self.model_dump(mode="json", exclude=unasked)
         return json.dumps(data, sort_keys=True, separators=(",", ":"))
 
     def differences(self, other: DatasetSpec) -> list[str]:

@@ -168,14 +168,22 @@ def _row_sizes(data: pa.Table) -> list[int]:
         if pa.types.is_string(kind):
             size = pc.cast(pc.binary_length(column), pa.int64())
         elif pa.types.is_list(kind):
-            # Lists of names are short: a guess of their length will do.
-            width = 16 if pa.types.is_string(kind.value_type) else kind.value_type.bit_width // 8
-            size = pc.multiply(pc.cast(pc.list_value_length(column), pa.int64()), width)
+            lengths = pc.cast(pc.list_value_length(column), pa.int64())
+            size = pc.multiply(lengths, _width(kind.value_type))
         else:
             continue
         total = pc.add(total, pc.fill_null(size, 0))
     fixed = 8 * sum(not (pa.types.is_string(t) or pa.types.is_list(t)) for t in data.schema.types)
     return [size + fixed for size in pc.cast(total, pa.int64()).to_pylist()]
+
+
+def _width(kind: pa.DataType) -> int:
+    """About how large an element of a list is [bytes]; names are short, a guess of them will do."""
+    import pyarrow as pa
+
+    if pa.types.is_struct(kind):
+        return sum(_width(field.type) for field in kind)
+    return 16 if pa.types.is_string(kind) else max(1, kind.bit_width // 8)
 
 
 def _write_split(
@@ -258,6 +266,7 @@ _ONE_ROW = {
     "statements": "a statement of a prompt or a suite and whether a scene's replay keeps it",
     "plausibility_checks": "a check of a scene's replay: measured value and limit",
     "timings": "a pipeline stage of a scene",
+    "clips": "what one camera saw of a scene: files, camera, boxes, tracks",
     "truth_checks": "a check of a clip's ground truth against geometry: residuals and limit",
 }
 

@@ -59,6 +59,9 @@ def _update(digest: Any, values: pa.Array) -> None:
         lengths = pc.fill_null(pc.list_value_length(values), -1)
         digest.update(lengths.to_numpy(zero_copy_only=False).tobytes())
         _update(digest, values.flatten())
+    elif pa.types.is_struct(kind):
+        for column in values.flatten():
+            _update(digest, column)
     elif pa.types.is_string(kind):
         lengths = pc.fill_null(pc.binary_length(values), -1)
         digest.update(lengths.to_numpy(zero_copy_only=False).tobytes())

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from esg.store.records import SceneRecord
 
-FORMAT_VERSION = "1.4.0"
+FORMAT_VERSION = "1.5.0"
 ROW_GROUP_SCENES = 100
 MOST_VALUES = 1_000_000_000
 """Of one file that is read: 8 GB of numbers. Our own have a tenth of it."""
@@ -37,6 +37,7 @@ KEYS: dict[str, tuple[str, ...]] = {
     "statements": ("scene_key", "engine", "source", "statement_id"),
     "plausibility_checks": ("scene_key", "engine", "check_name"),
     "timings": ("scene_key", "stage"),
+    "clips": ("scene_key", "camera"),
     "truth_checks": ("scene_key", "camera", "check_name"),
 }
 """Primary key of every table; `scene_key` is run, suite, scene and seed (esg.store.records)."""
@@ -105,13 +106,35 @@ COLUMNS: dict[str, dict[str, str]] = {
         **_SCENE, "stage": "string", "stage_index": "int32", "seconds": "float64",
         "cached": "bool", "outcome": "string",
     },
+    "clips": {
+        **_SCENE, "split": "string", "prompt": "string", "camera": "int32",
+        "camera_kind": "string", "width": "int32", "height": "int32", "fps": "float64",
+        "n_frames": "int32", "time_s": "list<float32>", "renderer": "string", "samples": "int32",
+        "intrinsics": "struct<fx:float64,fy:float64,cx:float64,cy:float64>",
+        "camera_position_m": "list<float32>", "camera_quaternion_xyzw": "list<float32>",
+        "channels": "list<string>",
+        "files": "list<struct<channel:string,path:string,bytes:int64>>",
+        "objects": "list<struct<id:int32,name:string,label:string,category:string,static:bool>>",
+        "object_bounds_m": "list<float32>", "object_position_m": "list<float32>",
+        "object_quaternion_xyzw": "list<float32>",
+        "depth_offset": "list<float32>", "depth_scale": "list<float32>",
+        "flow_scale": "list<float32>", "backward_flow_scale": "list<float32>",
+        "boxes2d": "list<struct<frame:int32,id:int32,x0:int32,y0:int32,x1:int32,y1:int32,"
+        "visible_px:int32>>",
+        "boxes3d": "list<struct<frame:int32,id:int32,x_m:float32,y_m:float32,z_m:float32,"
+        "half_x_m:float32,half_y_m:float32,half_z_m:float32,qx:float32,qy:float32,qz:float32,"
+        "qw:float32>>",
+        "track_ids": "list<int32>", "track_point_m": "list<float32>",
+        "track_xy_px": "list<float32>", "track_visible": "list<bool>",
+    },
     "truth_checks": {
         **_SCENE, "camera": "int32", "check_name": "string", "unit": "string",
         "samples": "int64", "p50": "float64", "p90": "float64", "p99": "float64",
         "worst": "float64", "limit_value": "float64", "ok": "bool", "note": "string",
     },
 }  # fmt: skip
-"""Column name to type of every table."""
+"""Column name to type of every table: a scalar, `list<type>`, or `struct<name:type,...>` of
+scalars."""
 
 ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
     "scenes": (
@@ -143,7 +166,10 @@ def arrow_schema(table: str) -> pa.Schema:
 
     def arrow(name: str) -> pa.DataType:
         if name.startswith("list<"):
-            return pa.list_(types[name[5:-1]])
+            return pa.list_(arrow(name[5:-1]))
+        if name.startswith("struct<"):
+            pairs = (pair.split(":") for pair in name[7:-1].split(","))
+            return pa.struct([(field, types[kind]) for field, kind in pairs])
         return types[name]
 
     fields = [
@@ -222,7 +248,8 @@ def write_tables(folder: Path, records: Iterable[SceneRecord], *, name: str) -> 
 
 def row_group_rows(table: str) -> int:
     """Rows a row group of a table."""
-    return ROW_GROUP_SCENES if table in ("scenes", "trajectories") else 100 * ROW_GROUP_SCENES
+    heavy = ("scenes", "trajectories", "clips")
+    return ROW_GROUP_SCENES if table in heavy else 100 * ROW_GROUP_SCENES
 
 
 def table_of(path: Path) -> str:

@@ -98,7 +98,7 @@ def test_a_dataset_holds_every_scene_and_nothing_else(tmp_path: Path) -> None:
         "trajectories",
     ]
     assert sorted(p.name for p in (tmp_path / "a" / "meta").iterdir()) == [
-        "info.json", "plan.json", "prompts.jsonl", "run.json", "timings.json",
+        "duplicates.jsonl", "info.json", "plan.json", "prompts.jsonl", "run.json", "timings.json",
     ]  # fmt: skip
 
 

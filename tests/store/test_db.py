@@ -65,7 +65,7 @@ def test_migrations_are_numbered_and_reachable_from_schemas():
 def test_every_parquet_column_has_its_database_column(db):
     for table, columns in COLUMNS.items():
         found = {r[0] for r in query(db, f"DESCRIBE {table}").rows}
-        arrays = {c for c, k in columns.items() if k.startswith("list<float") or k == "list<int16>"}
+        arrays = {c for c, k in columns.items() if "<" in k and k != "list<string>"}
         assert set(columns) - arrays - {"expectation", "manifest"} <= found
 
 
@@ -92,7 +92,7 @@ def test_ingest_is_idempotent(db, parts):
     assert before == {
         "runs": 1, "scenes": 6, "trajectories": 6, "metrics": 12, "constraints": 12,
         "coverage": 12, "timings": 12, "statements": 18,
-            "plausibility_checks": 12,
+            "plausibility_checks": 12, "clips": 6, "truth_checks": 6,
     }  # fmt: skip
     again = ingest(db, [parts])
     assert (again.files, again.unchanged) == (0, len(TABLES))

@@ -52,7 +52,7 @@ def test_parts_hold_what_was_recorded(tmp_path):
     assert {t: read_table(p).num_rows for t, p in paths.items()} == {
         "runs": 1, "scenes": 6, "trajectories": 6, "metrics": 12, "constraints": 12,
         "coverage": 12, "timings": 12, "statements": 18,
-        "plausibility_checks": 12,
+        "plausibility_checks": 12, "clips": 6, "truth_checks": 6,
     }  # fmt: skip
     scene = read_table(paths["scenes"]).to_pylist()[0]
     assert (scene["scene_key"], scene["n_events"]) == ("run-1/paper/S1/0", 2)
@@ -115,7 +115,7 @@ def test_dataset_layout_info_and_card(tmp_path):
     trains = [n for n in names if n.startswith("train-")]
     assert trains[0] == f"train-00000-of-{len(trains):05d}.parquet"
     info = json.loads((out / "meta" / "info.json").read_text())
-    assert info["format_version"] == "1.4.0"
+    assert info["format_version"] == "1.5.0"
     assert info["rows"] == counts
     assert sum(info["scenes_per_split"].values()) == 24
     card = (out / "README.md").read_text()
