@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from esg.files import atomic_file
+from esg.store.columns import value_bytes
 from esg.store.tables import (
     COLUMNS,
     COMPRESSION,
@@ -165,25 +166,19 @@ def _row_sizes(data: pa.Table) -> list[int]:
     total = pa.array([0] * data.num_rows, pa.int64())
     for column in data.columns:
         kind = column.type
-        if pa.types.is_string(kind):
+        if pa.types.is_struct(kind) and kind.get_field_index("bytes") >= 0:
+            column = pc.struct_field(column, "bytes")  # of a file, whose size is that of the row
+            kind = column.type
+        if pa.types.is_string(kind) or pa.types.is_binary(kind):
             size = pc.cast(pc.binary_length(column), pa.int64())
         elif pa.types.is_list(kind):
             lengths = pc.cast(pc.list_value_length(column), pa.int64())
-            size = pc.multiply(lengths, _width(kind.value_type))
+            size = pc.multiply(lengths, value_bytes(kind.value_type))
         else:
             continue
         total = pc.add(total, pc.fill_null(size, 0))
     fixed = 8 * sum(not (pa.types.is_string(t) or pa.types.is_list(t)) for t in data.schema.types)
     return [size + fixed for size in pc.cast(total, pa.int64()).to_pylist()]
-
-
-def _width(kind: pa.DataType) -> int:
-    """About how large an element of a list is [bytes]; names are short, a guess of them will do."""
-    import pyarrow as pa
-
-    if pa.types.is_struct(kind):
-        return sum(_width(field.type) for field in kind)
-    return 16 if pa.types.is_string(kind) else max(1, kind.bit_width // 8)
 
 
 def _write_split(
