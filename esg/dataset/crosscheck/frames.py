@@ -31,7 +31,7 @@ def stored(path: Path, wanted: Collection[int]) -> dict[int, NDArray[np.uint16]]
         with av.open(str(path)) as container:
             for number, frame in enumerate(container.decode(video=0)):
                 if number in wanted:
-                    out[number] = np.asarray(frame.to_ndarray())
+                    out[number] = np.asarray(frame.to_ndarray(), np.uint16)
     except (FFmpegError, OSError, IndexError, ValueError) as error:
         raise UserError(f"{path} is missing or damaged ({error}); render it again") from None
     if len(out) < len(set(wanted)):
