@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
+from esg.commands.clips import RenderOptions
+
 if TYPE_CHECKING:
     from esg.dataset.folder import DatasetFolder
     from esg.dataset.job import BatchJob, BatchResult
@@ -37,6 +39,7 @@ def dataset(
     engine: Literal["physx", "rapier", "newton"] = "physx",
     device: str = "cpu",
     strict: Annotated[bool, Parameter(negative="")] = False,
+    rendering: RenderOptions | None = None,
     thin: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
@@ -65,17 +68,20 @@ def dataset(
         engine: Engine of the replay: physx runs the emitted class.
         device: cpu or cuda:N.
         strict: Count scenes as failed that are partial (not all is shown) or not plausible.
+        rendering: What cameras see of every scene.
         thin: Leave near-duplicates out of the splits; without it they are marked.
         json: Print one JSON document with counts and paths.
     """
     from esg.api.inputs import check_cache, check_device, check_workers, checked
+    from esg.commands.clips import check_same, render_spec
     from esg.commands.console import progress
     from esg.dataset.plan import DatasetSpec, Shard
 
     going_on = resume and prompts is None and sample is None
-    part, device, planned, out, *_ = checked(
+    part, device, render, planned, out, *_ = checked(
         lambda: Shard.parse(shard),
         lambda: check_device(device),
+        lambda: render_spec(rendering, device),
         lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
         lambda: _place(out),
         lambda: _seed(seed),
@@ -86,12 +92,13 @@ def dataset(
     folder, remote = _opened(out)
     if going_on and (found := folder.spec()) is not None:
         spec, texts = found, folder.prompts()
+        check_same(render, spec.render, folder.label)
     else:
         texts, source = planned or _source(prompts, sample, counterfactual, distribution)
         options: dict[str, Any] = {
             "seed": seed, "counterfactual": counterfactual, "drafter": drafter,
             "strategy": strategy, "engine": engine, "mcap": mcap, "previews": previews,
-            "device": device, "batch": batch or 0, "strict": strict,
+            "device": device, "batch": batch or 0, "strict": strict, "render": render,
             "thin": thin,
         }  # fmt: skip
         spec = DatasetSpec(**source, **options)
@@ -200,6 +207,7 @@ def _build(
 ) -> dict[str, Any]:
     from esg.dataset.finish import clean, finish
     from esg.dataset.folder import finish_lock
+    from esg.dataset.remote import is_media
     from esg.outcomes import UserError
 
     if folder.finished():
@@ -227,7 +235,8 @@ def _build(
     bar.show("putting together")
     with finish_lock(folder.path):
         if remote is not None:
-            remote.pull(folder.path, [f for r in everything.values() for f in r.files])
+            parts = [f for r in everything.values() for f in r.files if not is_media(f)]
+            remote.pull(folder.path, parts)
         if not folder.finished():
             finish(folder, spec, everything)
         summary = _summary(folder, spec, {}, remote)

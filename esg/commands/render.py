@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 
 if TYPE_CHECKING:
-    from esg.view.capture import Settings
+    from esg.view.wanted import Settings
 
 MAX_CAMERAS = 8
 MAX_SAMPLES = 65536
@@ -36,7 +36,8 @@ def render(
 
     Args:
         scene: Scene folder, or id of one below ./runs.
-        channels: Of rgb, depth, normal, segmentation, flow, boxes2d, boxes3d, tracks; or all.
+        channels: Of rgb, depth, normal, segmentation, flow, backward_flow, object_coordinates,
+            boxes2d, boxes3d (boxes: both), tracks; or all.
         size: Width x height in pixels.
         fps: Frames a second.
         cameras: How many, 1 to 8.
@@ -91,7 +92,7 @@ def settings(
         UserError: Naming the options and what they take.
     """
     from esg.api.inputs import checked, in_range
-    from esg.view.capture import Settings, parse_channels, parse_size
+    from esg.view.wanted import Settings, parse_channels, parse_size
 
     names, pixels, *_ = checked(
         lambda: parse_channels(channels),
@@ -154,8 +155,9 @@ def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:
     from esg.outcomes import UserError
     from esg.report.replays import replays_of
     from esg.report.run import read_scene
-    from esg.view.capture import capture, frame_indices
+    from esg.view.capture import capture
     from esg.view.truth_sheet import truth_sheet
+    from esg.view.witness import frame_indices
 
     entry = read_scene(folder)
     if entry.problems:

@@ -33,6 +33,7 @@ def finish(folder: DatasetFolder, spec: DatasetSpec, results: Mapping[int, Batch
         OSError: If the dataset cannot be written.
     """
     from esg.dataset.card import card, statistics
+    from esg.dataset.clips.writing import sweep_clips
     from esg.dataset.duplicates import duplicates_in, marking
     from esg.store.assembling import assemble_tables, sweep_temporary, write_info
     from esg.store.tables import to_table, write_part
@@ -63,6 +64,7 @@ def finish(folder: DatasetFolder, spec: DatasetSpec, results: Mapping[int, Batch
         file.write(card(spec, counts, facts).encode())
     for name in ("mcap", "previews"):
         sweep_temporary(out / name)
+    sweep_clips(out / "clips")
     write_info(out, spec.name(), counts, {"statistics": facts})
     clean(out)
 

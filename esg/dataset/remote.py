@@ -44,6 +44,11 @@ def checked_place(text: str) -> str:
     return text
 
 
+def is_media(name: str) -> bool:
+    """Whether a file of a dataset is one of a clip's: they are large, and no table."""
+    return name.startswith("clips/") and name.count("/") > 1
+
+
 def staging_folder(url: str) -> Path:
     """The folder on this machine in which a dataset at a URL is made."""
     from esg.paths import cache_dir
@@ -165,13 +170,16 @@ class Remote:
         self.push(folder, [n for n in reversed(_FIRST) if (folder / n).is_file()])
 
     def push_dataset(self, folder: Path) -> None:
-        """Uploads a finished dataset, `meta/info.json` last, and removes its scaffold there."""
+        """Uploads a finished dataset, `meta/info.json` last, and removes its scaffold there.
+
+        Files of clips came with their batches.
+        """
         names = [
             p.relative_to(folder).as_posix()
             for p in sorted(folder.rglob("*"))
             if p.is_file() and not p.name.startswith(".")
         ]
-        self.push(folder, [n for n in names if n != _INFO])
+        self.push(folder, [n for n in names if n != _INFO and not is_media(n)])
         self.push(folder, [_INFO])
         self._remove_scaffold()
 
