@@ -185,6 +185,7 @@ def _there_and_back(seen: Seen, rng: np.random.Generator) -> Residuals:
         back = between.value(seen.shift("backward_flow", b))
         # What came before it in the meantime has another flow: it is another surface.
         shown = between.smooth & _same_surface(seen, (a, b), sample, between)
+        shown &= _all_rigid(seen, b, between, sample.ids)
         off = np.linalg.norm(ahead + back, axis=-1)
         parts.append(_found(a, sample.of(shown), off[shown]))
     return Residuals.joined(parts)
@@ -201,6 +202,16 @@ def _same_surface(
 ) -> NDArray[np.bool_]:
     inverse = between.value(1.0 / seen.depth(step[1]))
     return np.abs(_moved_depth(seen, step, sample) * inverse - 1.0) < SAME_SURFACE
+
+
+def _all_rigid(seen: Seen, frame: int, between: _Between, ids: NDArray[Any]) -> NDArray[np.bool_]:
+    """Whether none of the four pixels is on a wheel."""
+    if not seen.wheels:
+        return np.ones(len(ids), bool)
+    rows, columns, four = between.rows.ravel(), between.columns.ravel(), np.repeat(ids, 4)
+    depth = np.nan_to_num(seen.depth(frame)[rows, columns])
+    points = seen.unprojected(frame, columns + 0.5, rows + 0.5, depth)
+    return seen.rigid(four, seen.into(frame, four, points)).reshape(-1, 4).all(axis=1)
 
 
 def _depth_after(seen: Seen, rng: np.random.Generator) -> Residuals:
