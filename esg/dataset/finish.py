@@ -32,7 +32,7 @@ def finish(folder: DatasetFolder, spec: DatasetSpec, results: Mapping[int, Batch
         UserError: If a part is damaged, with its path.
         OSError: If the dataset cannot be written.
     """
-    from esg.dataset.card import card, statistics
+    from esg.dataset.card import write_card
     from esg.dataset.clips.writing import sweep_clips
     from esg.dataset.duplicates import duplicates_in, marking
     from esg.store.assembling import assemble_tables, sweep_temporary, write_info
@@ -59,9 +59,7 @@ def finish(folder: DatasetFolder, spec: DatasetSpec, results: Mapping[int, Batch
         ],
     )
     write_json(out / "meta" / "timings.json", timings(results))
-    facts = statistics(out, spec, failed)
-    with atomic_file(out / "README.md") as file:
-        file.write(card(spec, counts, facts).encode())
+    facts = write_card(out, spec, counts, failed)
     for name in ("mcap", "previews"):
         sweep_temporary(out / name)
     sweep_clips(out / "clips")
