@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
-from typing import TYPE_CHECKING, Annotated, Any
+from collections.abc import Mapping
+from dataclasses import dataclass, fields, replace
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
 if TYPE_CHECKING:
-    from esg.dataset.plan import RenderSpec
+    from esg.dataset.clips.adding import Adding
+    from esg.dataset.plan import RenderSpec, Shard
+    from esg.dataset.remote import Remote
 
 
 @Parameter(name="*")
@@ -40,6 +44,169 @@ class RenderOptions:
     lossless: Annotated[bool, Parameter(negative="")] = False
 
 
+@Parameter(name="*")
+@dataclass(frozen=True)
+class BatchOptions:
+    """How a dataset is worked through when it is rendered.
+
+    Args:
+        shard: i/n renders the i-th of n parts; whoever finishes last puts the clips in.
+        resume: Go on with a rendering that was begun.
+        runner: Where batches run: worker processes, a Dask or a Ray cluster.
+        workers: Batches at once; default one a core.
+        batch: Scenes a batch.
+        lossless: Keep colours as they are, in files that browsers do not play.
+    """
+
+    shard: str = "1/1"
+    resume: Annotated[bool, Parameter(negative="")] = False
+    runner: Literal["process", "dask", "ray"] = "process"
+    workers: int | None = None
+    batch: int | None = None
+    lossless: Annotated[bool, Parameter(negative="")] = False
+
+
+def is_dataset(place: str) -> bool:
+    """Whether what is to be rendered is a dataset: a URL, or a folder with a plan."""
+    from esg.dataset.folder import PLAN
+    from esg.dataset.remote import is_url
+
+    return is_url(place) or (Path(place) / PLAN).is_file()
+
+
+def only_for_datasets(batches: BatchOptions | None) -> None:
+    """That nothing is asked of a scene that only datasets have.
+
+    Raises:
+        UserError: Naming the options.
+    """
+    from esg.outcomes import UserError
+
+    names = _given(batches or BatchOptions())
+    if names:
+        raise UserError(f"{names}: only for a dataset")
+
+
+def _given(options: Any) -> str:
+    """Options that are not at their defaults."""
+    given = [f.name for f in fields(options) if getattr(options, f.name) != f.default]
+    return ", ".join(f"--{name.replace('_', '-')}" for name in given)
+
+
+def render_dataset(
+    place: str,
+    options: RenderOptions,
+    batches: BatchOptions,
+    device: str,
+    of_scenes: Mapping[str, bool],
+    *,
+    as_json: bool,
+) -> int:
+    """Renders the scenes of a finished dataset that lack clips, and puts the clips in.
+
+    Args:
+        place: Folder or URL of the dataset.
+        options: What to render.
+        batches: How to go about it.
+        device: cpu or cuda:N.
+        of_scenes: Options that only scenes have, and whether each was given.
+        as_json: Whether to print JSON.
+
+    Returns:
+        The exit code: 3 if scenes could not be rendered.
+    """
+    from esg.api.inputs import check_cache, check_device, check_workers, checked, in_range
+    from esg.commands.console import emit, progress
+    from esg.commands.dataset import opened
+    from esg.dataset.clips.adding import begin_adding
+    from esg.dataset.plan import Shard
+    from esg.dataset.remote import checked_place
+
+    spec, shard, place, *_ = checked(
+        lambda: checked_spec(replace(options, lossless=batches.lossless), check_device(device)),
+        lambda: Shard.parse(batches.shard),
+        lambda: checked_place(place),
+        lambda: _not_of_scenes(of_scenes),
+        lambda: check_workers(batches.workers, 1),
+        lambda: None if batches.batch is None else in_range("--batch", batches.batch, 1, 4096),
+        check_cache,
+    )
+    folder, remote = opened(place)
+    if remote is not None:
+        remote.pull_tables(folder.path, TABLES)
+    adding = begin_adding(folder, spec, batch=batches.batch, resume=batches.resume)
+    with adding.scaffold.locked(shard), progress(len(adding.scenes), "starting") as bar:
+        summary = _add(adding, shard, batches, remote, bar)
+    if as_json:
+        emit(summary)
+    else:
+        print(_described(summary))
+    return 3 if summary["failed"] else 0
+
+
+TABLES = ("scenes", "trajectories", "metrics", "clips")
+"""What rendering reads of a dataset, and what it writes anew."""
+
+
+def _not_of_scenes(given: Mapping[str, bool]) -> None:
+    from esg.outcomes import UserError
+
+    names = [name for name, is_given in given.items() if is_given]
+    if names:
+        raise UserError(f"{', '.join(names)}: only for a scene, not for a dataset")
+
+
+def _add(
+    adding: Adding, shard: Shard, options: BatchOptions, remote: Remote | None, bar: Any
+) -> dict[str, Any]:
+    """Renders what this shard has left; whoever is last puts the clips in."""
+    from esg.commands.dataset import make_batches
+    from esg.dataset.clips.adding import SCAFFOLD, add_clips, moving
+    from esg.dataset.folder import finish_lock
+    from esg.settings import STAGE_S
+
+    far = remote.below(SCAFFOLD) if remote is not None else None
+    scaffold, numbers = adding.scaffold, adding.numbers
+    if not moving(adding):
+        done = scaffold.done(numbers, far)
+        bar.step(f"{sum(r.scenes for r in done.values())} rendered before", 0)
+        left = [n for n in numbers if n % shard.count == shard.index - 1 and n not in done]
+        if left:
+            url = remote.url if remote is not None else ""
+            jobs = adding.jobs(left, STAGE_S.value, url)
+            make_batches(jobs, options.runner, options.workers, bar)
+    with finish_lock(scaffold.path):
+        done = scaffold.done(numbers, far) if not moving(adding) else scaffold.marked(numbers)
+        complete = len(done) == len(numbers)
+        failed = sum(len(r.failures) for r in done.values())
+        if complete:
+            bar.show("putting in")
+            if far is not None:
+                far.pull(scaffold.path, far.names("parts"))
+            add_clips(adding, done)
+            if remote is not None:
+                remote.push_clips(adding.folder.path, TABLES, SCAFFOLD)
+    return {
+        "dataset": remote.url if remote is not None else str(adding.folder.path),
+        "scenes": len(adding.scenes),
+        "cameras": adding.spec.render.cameras if adding.spec.render else 0,
+        "failed": failed,
+        "complete": complete,
+    }
+
+
+def _described(summary: Mapping[str, Any]) -> str:
+    state = "complete" if summary["complete"] else "other shards are missing"
+    scenes, failed = summary["scenes"], summary["failed"]
+    lines = [
+        f"{scenes - failed} of {scenes} scenes rendered by {summary['cameras']} cameras in "
+        f"{summary['dataset']} ({state})"
+    ]
+    if failed:
+        lines.append(f"  why others were not: {summary['dataset']}/failures.jsonl")
+    return "\n".join(lines)
+
+
 def render_spec(options: RenderOptions | None, device: str) -> RenderSpec | None:
     """What is to be rendered; None for nothing.
 
@@ -55,9 +222,8 @@ def render_spec(options: RenderOptions | None, device: str) -> RenderSpec | None
     options = options or RenderOptions()
     if options.render:
         return checked_spec(options, device)
-    given = [f.name for f in fields(options) if getattr(options, f.name) != f.default]
-    if given:
-        names = ", ".join(f"--{name.replace('_', '-')}" for name in given)
+    names = _given(options)
+    if names:
         raise UserError(f"{names}: give the channels to render as well, e.g. --render rgb,depth")
     return None
 
@@ -111,7 +277,7 @@ def parse_channels(text: str) -> tuple[str, ...]:
     unknown = sorted(names - set(CHANNELS))
     if unknown or not names:
         what = f"unknown channel {', '.join(map(repr, unknown))}" if unknown else "no channel"
-        raise UserError(f"--render: {what}: choose from {', '.join(CHANNELS)}, or all")
+        raise UserError(f"{what}: choose from {', '.join(CHANNELS)}, or all")
     return tuple(c for c in CHANNELS if c in names)
 
 

@@ -89,7 +89,7 @@ def dataset(
         lambda: _check_batch(batch, counterfactual),
         check_cache,
     )
-    folder, remote = _opened(out)
+    folder, remote = opened(out)
     if going_on and (found := folder.spec()) is not None:
         spec, texts = found, folder.prompts()
         check_same(render, spec.render, folder.label)
@@ -120,7 +120,7 @@ def _told(summary: dict[str, Any], as_json: bool) -> int:
     return 3 if summary["failed"] else 0
 
 
-def _opened(out: str) -> tuple[DatasetFolder, Remote | None]:
+def opened(out: str) -> tuple[DatasetFolder, Remote | None]:
     """The local folder of a dataset, and the place it goes to if that is a URL."""
     from esg.dataset.folder import DatasetFolder
     from esg.dataset.remote import Remote, is_url, staging_folder
@@ -208,7 +208,6 @@ def _build(
     from esg.dataset.finish import clean, finish
     from esg.dataset.folder import finish_lock
     from esg.dataset.remote import is_media
-    from esg.outcomes import UserError
 
     if folder.finished():
         clean(folder.path)
@@ -220,15 +219,8 @@ def _build(
     left = [n for n in numbers if n not in done]
     if left:
         jobs = _jobs(folder, spec, texts, run, left, remote)
-        try:
-            for result in _make(jobs, runner, workers, bar):
-                done[result.number] = result
-        except OSError as error:
-            raise UserError(
-                f"{error.filename or folder.path}: {error.strerror or error}; finished batches are "
-                "kept, run the same command with --resume to go on",
-                exit_code=1,
-            ) from None
+        for result in make_batches(jobs, runner, workers, bar):
+            done[result.number] = result
     everything = folder.done(range(spec.n_batches), remote)
     if len(everything) < spec.n_batches:
         return _summary(folder, spec, done, remote)
@@ -279,8 +271,22 @@ def _jobs(
     ]
 
 
-def _make(jobs: list[BatchJob], runner: str, workers: int | None, bar: Any) -> list[BatchResult]:
+def make_batches(
+    jobs: list[BatchJob], runner: str, workers: int | None, bar: Any
+) -> list[BatchResult]:
+    """Makes batches in the processes of a runner.
+
+    Args:
+        jobs: At least one.
+        runner: process, dask or ray.
+        workers: Batches at once; default one a core.
+        bar: Shows how far it is.
+
+    Raises:
+        UserError: If a disk does not take them; finished batches are kept.
+    """
     from esg.commands.console import note_first_use
+    from esg.outcomes import UserError
     from esg.progress import StageEvent, listening
     from esg.workers import default_processes
     from flows.session import session
@@ -300,7 +306,14 @@ def _make(jobs: list[BatchJob], runner: str, workers: int | None, bar: Any) -> l
     with listening(show), session(count if runner == "process" else 0) as call:
         from flows.dataset import with_runner
 
-        return call(with_runner(runner, count), jobs, batch_done)  # type: ignore[arg-type]  # checked by cyclopts
+        try:
+            return call(with_runner(runner, count), jobs, batch_done)  # type: ignore[arg-type]  # checked by cyclopts
+        except OSError as error:
+            raise UserError(
+                f"{error.filename or jobs[0].out}: {error.strerror or error}; finished batches are "
+                "kept, run the same command with --resume to go on",
+                exit_code=1,
+            ) from None
 
 
 def _sharing_cores(job: BatchJob, workers: int) -> BatchJob:

@@ -84,6 +84,7 @@ def assemble_tables(
     tables: Sequence[str] = TABLES,
     max_bytes: int = MAX_FILE_BYTES,
     scenes_per_file: int | None = None,
+    scenes: Path | None = None,
     left_out: Collection[str] = (),
     changed: Callable[[str, pa.Table], pa.Table] = lambda _, data: data,
 ) -> Counts:
@@ -91,6 +92,7 @@ def assemble_tables(
 
     Args:
         parts, out, tables, max_bytes, scenes_per_file: As of `assemble`.
+        scenes: Where table `scenes` is that says the splits; default among the parts.
         left_out: Keys of scenes that go to no split.
         changed: Given a table's name and its rows, what is written of them; as many, with the same
             keys.
@@ -98,7 +100,8 @@ def assemble_tables(
     Raises:
         UserError: If a part is damaged, with its path.
     """
-    splits = {k: v for k, v in _scene_splits(parts).items() if k not in left_out}
+    known = _scene_splits(scenes or parts)
+    splits = {key: split for key, split in known.items() if key not in left_out}
     counts: Counts = {}
     for table in tables:
         files = part_files(parts, table)

@@ -133,6 +133,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "qw:float32>>",
         "track_ids": "list<int32>", "track_point_m": "list<float32>",
         "track_xy_px": "list<float32>", "track_visible": "list<bool>",
+        "place": "string", "sky": "string",
     },
     "truth_checks": {
         **_SCENE, "camera": "int32", "check_name": "string", "unit": "string",

@@ -7,7 +7,7 @@ from typing import Any
 
 from esg.dataset.card.markdown import share
 from esg.dataset.distribution import Distribution
-from esg.dataset.plan import DatasetSpec, RenderSpec
+from esg.dataset.plan import DatasetSpec
 
 _PROOFS = {
     "physx": "the emitted class, compiled and run in PhysX 5 at 240 Hz",
@@ -42,20 +42,8 @@ def command(spec: DatasetSpec) -> str:
             parts.append(f"--{name} {value}")
     parts += [f"--{name}" for name in ("counterfactual", "strict", "thin") if getattr(spec, name)]
     if spec.render is not None:
-        parts += _rendering(spec.render)
+        parts += spec.render.options()
     return " ".join([*parts, "--out FOLDER"])
-
-
-def _rendering(render: RenderSpec) -> list[str]:
-    usual = RenderSpec()
-    parts = [f"--render {','.join(render.channels)}"]
-    if render.size != usual.size:
-        parts.append(f"--size {render.size[0]}x{render.size[1]}")
-    for name in ("cameras", "fps", "renderer", "samples", "camera"):
-        if (value := getattr(render, name)) != getattr(usual, name):
-            parts.append(f"--{name} {value:g}" if name == "fps" else f"--{name} {value}")
-    flags = (("motion_blur", "--motion-blur"), ("lossless", "--lossless"))
-    return [*parts, *(flag for name, flag in flags if getattr(render, name))]
 
 
 def made(spec: DatasetSpec, facts: Mapping[str, Any]) -> str:

@@ -12,6 +12,7 @@ from esg.dataset.card.making import about, command, made
 from esg.dataset.card.markdown import Lines, cell, cut, listed, share, table
 from esg.dataset.card.recipes import recipes
 from esg.dataset.card.sheet import SHEET
+from esg.dataset.job import CROSSCHECK, RENDER
 from esg.dataset.plan import DatasetSpec
 from esg.store.assembling import Counts, card_tables
 
@@ -231,6 +232,11 @@ def _clips(told: Told) -> Lines:
         f"{length['min']:g} to {length['max']:g} s each (median {length['median']:g} s). Pictures: "
         f"{listed(c['pictures'])}. Colours: {listed(c['renderers'])}. "
         f"Cameras: {listed(c['cameras'])}.",
+        *(
+            [f"Shown in: {_most(c['place'])}; under skies: {_most(c['sky'])}."]
+            if c["place"]
+            else []
+        ),
     ]
     rows = [(name, c["megabytes"].get(name, "")) for name in c["channels"]]
     return [*lines, "", *table(("channel", "MB"), rows, "lr")]
@@ -333,7 +339,7 @@ def _cost(told: Told) -> Lines:
     rows: list[tuple[Any, ...]] = []
     for stage, seconds in c["seconds"].items():
         each = f"{seconds / max(1, c['scenes']):.2f}"
-        clip = f"{seconds / c['clips']:.2f}" if stage == "render" and c["clips"] else ""
+        clip = f"{seconds / c['clips']:.2f}" if stage in (RENDER, CROSSCHECK) and c["clips"] else ""
         rows.append((stage, f"{seconds:.1f}", share(seconds, whole), each, clip))
     machine = c["machine"] or "an unknown machine"
     lines = [

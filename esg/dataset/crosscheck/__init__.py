@@ -10,9 +10,9 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from esg.dataset.crosscheck.running import check_clips, check_dataset
+    from esg.dataset.crosscheck.running import check_batch, check_clips, check_dataset
 
-__all__ = ["check_clips", "check_dataset"]
+__all__ = ["check_batch", "check_clips", "check_dataset"]
 
 
 def __getattr__(name: str) -> object:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping, Sequence
 import hashlib
 import json
 from pathlib import Path
@@ -11,12 +11,13 @@ from typing import Any
 import numpy as np
 
 from esg.dataset.clips.reading import Clip, read_clips
+from esg.dataset.clips.records import ClipRecord
 from esg.dataset.crosscheck import contacts
 from esg.dataset.crosscheck.checks import CHECKS, Residuals
 from esg.dataset.crosscheck.frames import Floats, Seen
-from esg.store.tables import part_files
+from esg.store.tables import iter_batches, part_files, to_table, write_part
 
-SHARE = 0.1
+SHARE = 0.05
 """Of the scenes of a batch, at least one."""
 STEPS = 6
 """Places in a clip at which two successive frames are looked at."""
@@ -33,6 +34,35 @@ def sampled(keys: Iterable[str], share: float = SHARE) -> list[str]:
     """
     ordered = sorted(set(keys), key=lambda key: (_digest(key), key))
     return sorted(ordered[: max(1, round(share * len(ordered)))] if ordered else [])
+
+
+def check_batch(
+    out: Path, clips: Iterable[Mapping[str, Any]], name: str, told: Mapping[str, Sequence[Path]]
+) -> Path | None:
+    """Checks a sample of a batch's scenes and writes the part of table `truth_checks`.
+
+    Args:
+        out: Folder that the clips and the parts are below.
+        clips: Rows of table `clips` of the batch.
+        name: Of the part, without suffix.
+        told: Files of the tables `scenes` and `trajectories` that tell its scenes.
+
+    Returns:
+        The part; None if nothing could be checked.
+
+    Raises:
+        OSError: If it cannot be written.
+    """
+    by_scene: dict[str, list[Clip]] = {}
+    for row in clips:
+        record = ClipRecord.of(row)
+        by_scene.setdefault(record.scene_key, []).append(Clip(out, record))
+    rows = [row for key in sampled(by_scene) for row in _scene(told, by_scene[key])]
+    if not rows:
+        return None
+    path = out / "parts" / "truth_checks" / f"{name}.parquet"
+    write_part(to_table("truth_checks", rows), path)
+    return path
 
 
 def check_clips(
@@ -74,38 +104,53 @@ def check_dataset(folder: Path, *, most: int | None = None) -> Iterator[dict[str
     if most is not None and len(keys) > most:
         keys = sampled(keys, most / len(keys))
     base = folder if part_files(folder, "scenes") else folder / "parts"
+    told = {table: part_files(base, table) for table in ("scenes", "trajectories")}
     wanted = set(keys)
     clips: list[Clip] = []
     for clip in read_clips(folder):
         if clip.record.scene_key not in wanted:
             continue
         if clips and clips[0].record.scene_key != clip.record.scene_key:
-            yield from _scene(base, clips)
+            yield from _scene(told, clips)
             clips = []
         clips.append(clip)
     if clips:
-        yield from _scene(base, clips)
+        yield from _scene(told, clips)
 
 
-def _scene(base: Path, clips: list[Clip]) -> list[dict[str, Any]]:
+def _scene(told: Mapping[str, Sequence[Path]], clips: list[Clip]) -> list[dict[str, Any]]:
+    """Rows of one scene; one that cannot be checked has a row that says so, and fails."""
     key = clips[0].record.scene_key
-    scenes = {r["scene_key"]: r for r in _rows_of(base, "scenes", key)}
-    replays = {r["scene_key"]: r for r in _rows_of(base, "trajectories", key)}
-    return check_clips(clips, scenes, replays)
+    try:
+        found = {
+            table: {row["scene_key"]: row for row in _rows_of(files, table, key)}
+            for table, files in told.items()
+        }
+        return check_clips(clips, found["scenes"], found["trajectories"])
+    except Exception as error:  # whatever is wrong with its files: the others are checked
+        row = _row(clips[0], NO_CAMERA, "readable", ("", 0.0), Residuals.joined([]))
+        return [{**row, "ok": False, "note": f"{type(error).__name__}: {error}"}]
 
 
-def _rows_of(base: Path, table: str, key: str) -> list[dict[str, Any]]:
+_COLUMNS = {
+    "scenes": ["scene_key", "manifest"],
+    "trajectories": [
+        "scene_key", "bodies", "n_frames", "time_s", "position_m", "quaternion_xyzw",
+        "linear_velocity_mps", "angular_velocity_radps", "contact_time_s", "contact_a",
+        "contact_b",
+    ],
+}  # fmt: skip
+
+
+def _rows_of(files: Iterable[Path], table: str, key: str) -> list[dict[str, Any]]:
     import pyarrow.parquet as pq
 
-    out: list[dict[str, Any]] = []
-    for path in part_files(base, table):
-        out += pq.read_table(path.absolute(), filters=[("scene_key", "==", key)]).to_pylist()
-    return out
+    wanted = [("scene_key", "==", key)]
+    found = (pq.read_table(p.absolute(), columns=_COLUMNS[table], filters=wanted) for p in files)
+    return [row for data in found for row in data.to_pylist()]
 
 
 def _some(files: Iterable[Path], columns: list[str]) -> Iterator[dict[str, Any]]:
-    from esg.store.tables import iter_batches
-
     for batch in iter_batches(files, columns):
         yield from batch.to_pylist()
 

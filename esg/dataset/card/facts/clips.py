@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
+from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -19,7 +20,7 @@ def clips(tables: Tables) -> dict[str, Any]:
         return {"clips": {}}
     columns = [
         "scene_key", "camera_kind", "renderer", "samples", "width", "height", "fps", "n_frames",
-        "channels", "files",
+        "channels", "files", "place", "sky",
     ]  # fmt: skip
     rows = list(tables.rows("clips", columns))
     size: Counter[str] = Counter()
@@ -38,10 +39,18 @@ def clips(tables: Tables) -> dict[str, Any]:
             ),
             "renderers": counted(f"{r['renderer']}, {r['samples']} rays a pixel" for r in rows),
             "cameras": counted(r["camera_kind"] for r in rows),
+            **{
+                name: _most_first(counted(r[name] for r in rows if r[name]))
+                for name in ("place", "sky")
+            },
             "channels": sorted({c for r in rows for c in r["channels"]}),
             "megabytes": {k: round(v / 1e6, 1) for k, v in sorted(size.items())},
         }
     }
+
+
+def _most_first(counts: Mapping[str, int]) -> dict[str, int]:
+    return dict(sorted(counts.items(), key=lambda item: (-item[1], item[0])))
 
 
 def truth(tables: Tables) -> dict[str, Any]:

@@ -7,8 +7,6 @@ import json
 from pathlib import Path
 from typing import Any
 
-RENDER = "render"
-
 
 def cost(out: Path, facts: Mapping[str, Any]) -> dict[str, Any]:
     """Time by stage, a scene or a clip, and on what.
