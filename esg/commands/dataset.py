@@ -72,22 +72,19 @@ def dataset(
         thin: Leave near-duplicates out of the splits; without it they are marked.
         json: Print one JSON document with counts and paths.
     """
-    from esg.api.inputs import check_cache, check_device, check_workers, checked
+    from esg.api.inputs import check_device, checked
     from esg.commands.clips import check_same, render_spec
     from esg.commands.console import progress
     from esg.dataset.plan import DatasetSpec, Shard
 
     going_on = resume and prompts is None and sample is None
-    part, device, render, planned, out, *_ = checked(
+    part, device, render, planned, out, _ = checked(
         lambda: Shard.parse(shard),
         lambda: check_device(device),
         lambda: render_spec(rendering, device),
         lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
         lambda: _place(out),
-        lambda: _seed(seed),
-        lambda: check_workers(workers, 1),
-        lambda: _check_batch(batch, counterfactual),
-        check_cache,
+        lambda: _check_numbers(seed, workers, batch, counterfactual),
     )
     folder, remote = opened(out)
     if going_on and (found := folder.spec()) is not None:
@@ -95,17 +92,14 @@ def dataset(
         check_same(render, spec.render, folder.label)
     else:
         texts, source = planned or _source(prompts, sample, counterfactual, distribution)
-        options: dict[str, Any] = {
-            "seed": seed, "counterfactual": counterfactual, "drafter": drafter,
-            "strategy": strategy, "engine": engine, "mcap": mcap, "previews": previews,
-            "device": device, "batch": batch or 0, "strict": strict, "render": render,
-            "thin": thin,
-        }  # fmt: skip
-        spec = DatasetSpec(**source, **options)
+        spec = DatasetSpec(
+            **source, seed=seed, counterfactual=counterfactual, drafter=drafter,
+            strategy=strategy, engine=engine, mcap=mcap, previews=previews, device=device,
+            batch=batch or 0, strict=strict, render=render, thin=thin,
+        )  # fmt: skip
     with folder.locked(part), progress(spec.n, "starting") as bar:
         run = folder.begin(spec, texts, resume=resume)
-        options = {"runner": runner, "workers": workers, "bar": bar, "remote": remote}
-        summary = _build(folder, spec, texts, run, part.batches(spec), **options)
+        summary = _build(folder, spec, texts, run, part.batches(spec), runner, workers, bar, remote)
     return _told(summary, json)
 
 
@@ -177,19 +171,22 @@ def _source(
     return [], {"source": "sample", "n": sample, "distribution": mix}
 
 
-def _seed(seed: int) -> int:
+def _check_numbers(seed: int, workers: int | None, batch: int | None, counterfactual: bool) -> None:
+    """Checks numbers as typed, and that the cache can be written."""
+    from esg.api.inputs import check_cache, check_workers, checked, in_range
+
+    checked(
+        lambda: in_range("--seed", seed, 0, 2**31 - 1),
+        lambda: check_workers(workers, 1),
+        lambda: None if batch is None else in_range("--batch", batch, 1, 4096),
+        lambda: _check_pairs(batch, counterfactual),
+        check_cache,
+    )
+
+
+def _check_pairs(batch: int | None, counterfactual: bool) -> None:
     from esg.outcomes import UserError
 
-    if not 0 <= seed < 2**31:
-        raise UserError(f"--seed {seed}: choose 0 to {2**31 - 1}")
-    return seed
-
-
-def _check_batch(batch: int | None, counterfactual: bool) -> None:
-    from esg.outcomes import UserError
-
-    if batch is not None and not 1 <= batch <= 4096:
-        raise UserError(f"--batch {batch}: choose 1 to 4096")
     if batch is not None and counterfactual and batch % 2:
         raise UserError(f"--batch {batch}: choose an even number, so that no pair is parted")
 

@@ -211,7 +211,8 @@ def _all_rigid(seen: Seen, frame: int, between: _Between, ids: NDArray[Any]) -> 
     rows, columns, four = between.rows.ravel(), between.columns.ravel(), np.repeat(ids, 4)
     depth = np.nan_to_num(seen.depth(frame)[rows, columns])
     points = seen.unprojected(frame, columns + 0.5, rows + 0.5, depth)
-    return seen.rigid(four, seen.into(frame, four, points)).reshape(-1, 4).all(axis=1)
+    rigid = seen.rigid(four, seen.into(frame, four, points)).reshape(-1, 4)
+    return np.asarray(rigid.all(axis=1))
 
 
 def _depth_after(seen: Seen, rng: np.random.Generator) -> Residuals:
