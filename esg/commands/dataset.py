@@ -43,6 +43,7 @@ def dataset(
     device: str = "cpu",
     strict: Annotated[bool, Parameter(negative="")] = False,
     rendering: RenderOptions | None = None,
+    thin: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Make a dataset of proven scenes: Parquet tables, splits, a dataset card.
@@ -70,6 +71,7 @@ def dataset(
         device: cpu or cuda:N.
         strict: Count scenes as failed that are partial (not all is shown) or not plausible.
         rendering: What cameras see of every scene.
+        thin: Leave near-duplicates out of the splits; without it they are marked.
         json: Print one JSON document with counts and paths.
     """
     from esg.api.inputs import check_device, checked
@@ -95,7 +97,7 @@ def dataset(
         spec = DatasetSpec(
             **source, seed=seed, counterfactual=counterfactual, drafter=drafting.drafter,
             strategy=strategy, engine=engine, mcap=mcap, previews=previews, device=device,
-            batch=batch or 0, strict=strict, render=render,
+            batch=batch or 0, strict=strict, render=render, thin=thin,
         )  # fmt: skip
     with (
         folder.locked(part),
@@ -173,7 +175,7 @@ def _source(
     import hashlib
 
     from esg.api.inputs import existing_file
-    from esg.dataset.grammar import Distribution, load_distribution
+    from esg.dataset.distribution import Distribution, load_distribution
     from esg.dataset.plan import MAX_SCENES, prompts_text, read_prompts
     from esg.files import read_limited
     from esg.outcomes import UserError
