@@ -123,6 +123,26 @@ POSES: dict[str, Pose] = {
     "balance": Pose(
         (Limb(14, 48, 24, 0), Limb(-12, 42, 26, 0)), (Limb(24, 4, 34, 0), Limb(-4, 8, 30, 0)), 12
     ),
+    "board": Pose(
+        (Limb(16, 58, 16, 0), Limb(10, 50, 28, 0)),
+        (Limb(20, 15, 36, 0), Limb(20, 15, 36, 0)),
+        10,
+        twist=32,
+        nod=-4,
+    ),
+    "ski": Pose(
+        _both(Limb(24, 20, 62, 6)),
+        _both(Limb(34, 0, 58, -2)),
+        24,
+        nod=-18,
+        grip=True,
+    ),
+    "skate": Pose(
+        (Limb(-34, 16, 30, 0), Limb(40, 16, 46, 10)),
+        _both(Limb(26, 1, 44, 0)),
+        22,
+        nod=-14,
+    ),
 }
 
 
