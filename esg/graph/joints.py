@@ -70,7 +70,8 @@ def mount_of(asset: AssetConfiguration, name: str | None) -> Mount | None:
     if name == FOOT:
         return Mount(name=FOOT, position_cm=(0.0, 0.0, 0.0), axis=UP)
     if name == SEAT:
-        seat = next((s.center_cm for s in asset.support_surfaces), (0.0, 0.0, asset.dimensions_cm[2]))
+        top = (0.0, 0.0, asset.dimensions_cm[2])
+        seat = next((s.center_cm for s in asset.support_surfaces), top)
         return Mount(name=SEAT, position_cm=seat, axis=UP)
     return next((m for m in asset.mounts or () if m.name == name), None)
 

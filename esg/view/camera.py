@@ -39,6 +39,20 @@ class Camera:
         u, v = y / flat, -x / flat
         return np.array([[u, v * z, -x], [v, -u * z, -y], [0.0, u * y - v * x, -z]])
 
+    def spread(self, rays: tuple[int, int], share: float, aspect: float = 1.5) -> Floats:
+        """Points all over the picture, at a share of the target's depth [m], shape [n, 3].
+
+        Args:
+            rays: Points along its width and height.
+            share: Of the way to the target.
+            aspect: Width over height.
+        """
+        depth = share * float(np.linalg.norm(np.subtract(self.target, self.eye)))
+        high = depth * math.tan(self.fov / 2)
+        x, y = np.meshgrid(*(np.linspace(-1.0, 1.0, n + 2)[1:-1] for n in rays))
+        local = np.stack([aspect * high * x, high * y, np.full(x.shape, -depth)], axis=-1)
+        return np.asarray(self.eye) + local.reshape(-1, 3) @ self.axes.T
+
     def quaternion(self) -> Floats:
         """Orientation (x, y, z, w) of a camera that looks along its -Z with +Y up, shape [4]."""
         from scipy.spatial.transform import Rotation

@@ -28,7 +28,7 @@ from esg.view.framing import (
     pose,
     viewpoint,
 )
-from esg.view.moments import failures, moments_of
+from esg.view.moments import as_seen, failures, moments_of
 from esg.view.parts import ground_parts
 from esg.view.pieces import Part
 from esg.view.render import SAMPLES, Renderer
@@ -77,6 +77,7 @@ def preview(
     Returns:
         Path of the sheet.
     """
+    scene = as_seen(scene, doc)
     moments = moments_of(scene, rollout, verdict, doc)
     scenery = scenery_of(scene, rollout, doc)
     finder = Renderer(scenery.parts, scenery.n_bodies, *PANEL_PX)

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from esg.dressing import dress
+from esg.view.camera import Camera
 from esg.view.parts import body_parts, scene_parts
 from esg.view.pieces import Part
 from esg.view.surroundings import Surroundings, in_the_way, surroundings_of, thing_of
@@ -38,7 +39,8 @@ def test_what_a_camera_stands_in_is_left_out_whole() -> None:
     trunk, crown = wall("tree", 5.0), wall("tree", 5.2)
     other = wall("bench", -9.0)
     around = Surroundings(*_plain(), parts=(trunk, crown, other))
-    seen = around.seen_from(np.array([[5.1, 0.0, 1.5]]), np.array([[9.0, 0.0, 1.0]]))
+    camera = Camera((5.1, 0.0, 1.5), (9.0, 0.0, 1.0))
+    seen = around.seen_from([camera], np.array([[9.0, 0.0, 1.0]]))
     assert [thing_of(p) for p in seen.parts] == ["bench"]
 
 
@@ -83,7 +85,7 @@ def test_a_room_is_open_towards_whoever_looks_in(number: int) -> None:
     points = np.array([[0.0, 0.0, 0.1], [1.0, 0.0, 0.1]])
 
     def walls(eye: tuple[float, float, float]) -> int:
-        seen = around.seen_from(np.array([eye]), points)
+        seen = around.seen_from([Camera(eye, (0.5, 0.0, 0.1))], points)
         return len({thing_of(p) for p in seen.parts if "room_wall" in p.name})
 
     assert walls((0.5, 2.0, 1.5)) == 4
@@ -121,7 +123,8 @@ def test_what_stands_at_a_wall_goes_with_it() -> None:
     assert len(at) >= 4 and {i.wall for i in at} <= {w.id for w in walls}
     for wall in walls:
         eye = 30.0 * np.array(wall.position_cm) / np.linalg.norm(wall.position_cm) + (0, 0, 1.5)
-        seen = {p.name for p in around.seen_from(eye[None], points).parts}
+        camera = Camera((eye[0], eye[1], eye[2]), (0.0, 0.0, 0.1))
+        seen = {p.name for p in around.seen_from([camera], points).parts}
         assert not any(f"{i.id}_" in name for name in seen for i in at if i.wall == wall.id)
         others = [i for i in at if i.wall != wall.id]
         assert others and all(any(f"{i.id}_" in name for name in seen) for i in others)

@@ -28,7 +28,7 @@ def _any_of(words: frozenset[str]) -> re.Pattern[str]:
 
 @cache
 def _patterns(setting: Setting) -> tuple[tuple[re.Pattern[str], str], ...]:
-    """What no picture of a setting shows, by why; the dressing's table of skies has the last word."""
+    """What no picture of a setting shows, by why; of light the table of skies has the last word."""
     shown, not_shown = sky_words(setting)
     weather = (lex.word_set("unseen light and weather") | not_shown) - shown
     return tuple((_any_of(words), why) for words, why in (*_KINDS, (weather, _LIGHT)))
