@@ -14,7 +14,7 @@ import hashlib
 from pathlib import Path
 import re
 
-from esg.assets.appearance import USUAL, Appearance
+from esg.assets.appearance import RIDDEN, USUAL, Appearance
 from esg.assets.colors import find_color
 from esg.assets.configuration import parametric_entry, stated_material
 from esg.assets.library.catalogue import Entry, parse_hex
@@ -26,8 +26,6 @@ _DATA = Path(__file__).parent / "data"
 _PEOPLE = frozenset({"figure", "child_figure"})
 _RIDDEN = frozenset({"bicycle", "motorcycle", "scooter"})
 """Builders that draw somebody on what goes by itself."""
-RIDDEN = "ridden"
-"""The pose of a vehicle on which somebody is drawn."""
 _NOBODY = re.compile(
     r"\b(?:rider-?less|driver-?less|unmanned|unridden|runaway|empty|ghost|toy|model|self-driving"
     r"|by itself|on its own|(?:without|no) (?:a |any )?(?:rider|driver|one|body)|nobody)\b",

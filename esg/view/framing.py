@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import EsgDocument
 from esg.view.camera import Camera, box_corners, frame_points
-from esg.view.moments import FAR_REACH, REACH, Moment, moments_of
+from esg.view.moments import HAND_REACH, REACH, Moment, moments_of
 from esg.view.render import Renderer
 
 if TYPE_CHECKING:
@@ -75,7 +75,7 @@ def points_in_view(
     keep = order if len(order) <= 4 else order[:2]
     points = np.concatenate([boxes[i] for i in keep])
     span = float(np.ptp(points, axis=0).max())
-    limit = max(moment.reach * span, min(moment.at_hand, FAR_REACH * span))
+    limit = max(moment.reach * span, min(moment.at_hand, HAND_REACH * span))
     for i in [*(j for j in order if j not in keep), *nearest_first(moment.company)]:
         wider = np.concatenate([points, boxes[i]])
         if float(np.ptp(wider, axis=0).max()) <= limit:

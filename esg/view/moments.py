@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 
 import numpy as np
 
-from esg.assets.appearances import RIDDEN, appearances
+from esg.assets.appearance import RIDDEN
+from esg.assets.appearances import appearances
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import EsgDocument, RelationType
 
@@ -24,7 +25,9 @@ REACH, FAR_REACH = 4.5, 14.0
 """Company joins the picture of an event, or the first and the last one, if the picture is then at
 most so many times as wide as what must be seen."""
 AT_HAND_M = 3.0
-"""Room around a small thing to which an event happens: who threw the ball is seen, too."""
+HAND_REACH = 8.0
+"""Room around a small thing to which an event happens: who threw the ball is seen, too, while it
+is not much smaller than the picture."""
 _UNITS = {"mps": "m/s", "m": "m", "s": "s", "deg": "deg", "ns": "N s", "kg": "kg"}
 
 
@@ -41,7 +44,7 @@ class Moment:
     caption: str
     reach: float = REACH
     at_hand: float = 0.0
-    """Company within so wide a picture [m] joins a small focus as it does in the first one."""
+    """Company joins a small focus up to a picture so wide [m], and `HAND_REACH` times its size."""
 
 
 def moments_of(

@@ -114,9 +114,7 @@ def _fragment(index: int, body: Body, whole: Sequence[Piece]) -> list[Part]:
         vertices, faces = hull(np.array(shape.vertices))
         skin = skinned(trimesh.Trimesh(vertices, faces, process=False), tile_of(seen) / CM_PER_M)
         at = skin.vertices + np.asarray(shape.position)
-        out.append(
-            Part(index, at, skin.faces, seen.color, None, seen.look, skin.normals, skin.uvs)
-        )
+        out.append(Part(index, at, skin.faces, seen.color, None, seen.look, skin.normals, skin.uvs))
     return out
 
 

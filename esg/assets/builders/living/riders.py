@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 import math
 from typing import Any
 
-from esg.assets.appearance import Appearance
+from esg.assets.appearance import RIDDEN, Appearance
 from esg.assets.builders import BUILDERS, builder
 from esg.assets.builders.common import shift
 from esg.assets.builders.living.people import DRESSES, draw_person
@@ -28,6 +28,7 @@ class Mount:
         params: Of the builder.
         turned: The rider against the way ahead, to the left [deg].
         loose: A part that is folded up or left out while it is ridden.
+        middle: Of the two together, where the mount's is 0 [cm].
     """
 
     builder: str
@@ -38,6 +39,7 @@ class Mount:
     params: tuple[tuple[str, str], ...] = ()
     turned: float = 0.0
     loose: str = ""
+    middle: tuple[float, float] = (0.0, 0.0)
 
 
 _WOOD = Finish(rgb(91, 58, 140), "oak")
@@ -46,10 +48,18 @@ MOUNTS: dict[str, Mount] = {
         "bicycle", (175, 60.5, 104.2), rgb(31, 95, 168), (-27, 0, 95), "ride", loose="kickstand"
     ),
     "motorcycle": Mount(
-        "motorcycle", (210, 80, 112), rgb(180, 22, 28), (-26, 0, 87), "straddle", loose="side_stand"
+        "motorcycle",
+        (210, 80, 112),
+        rgb(180, 22, 28),
+        (-26, 0, 87),
+        "straddle",
+        loose="side_stand",
+        middle=(1.5, 0),
     ),
     "scooter": Mount("scooter", (100, 45, 100), rgb(48, 50, 54), (-6, 0, 12), "hold"),
-    "skateboard": Mount("skateboard", (80, 20, 12), _WOOD, (0, 0, 10), "board", turned=-80),
+    "skateboard": Mount(
+        "skateboard", (80, 20, 12), _WOOD, (0, 0, 10), "board", turned=-80, middle=(5.5, -7)
+    ),
     "snowboard": Mount(
         "board_sport",
         (152, 29, 4.8),
@@ -58,6 +68,7 @@ MOUNTS: dict[str, Mount] = {
         "board",
         (("kind", "snowboard"),),
         -80,
+        middle=(0, -7),
     ),
     "surfboard": Mount(
         "board_sport",
@@ -67,16 +78,22 @@ MOUNTS: dict[str, Mount] = {
         "board",
         (("kind", "surfboard"),),
         -80,
+        middle=(0, -5.5),
     ),
     "skis": Mount(
         "board_sport", (168, 24, 7), rgb(200, 55, 45), (-2, 0, 5), "ski", (("kind", "skis"),)
     ),
-    "skates": Mount("", (30, 20, 5), STEEL, (0, 0, 5), "skate"),
+    "skates": Mount("", (30, 20, 5), STEEL, (0, 0, 5), "skate", middle=(3.5, 2)),
     "horse": Mount(
-        "quadruped", (238.7, 58.8, 193.8), rgb(122, 74, 42), (-10, 0, 146), "straddle",
+        "quadruped",
+        (238.7, 58.8, 193.8),
+        rgb(122, 74, 42),
+        (-10, 0, 146),
+        "astride",
         (("kind", "horse"),),
+        middle=(7.5, 0),
     ),
-}  # fmt: skip
+}
 
 
 def draw_rider(s: Sketch, mount: Mount, dress: str, c: Color) -> None:
@@ -100,7 +117,7 @@ def draw_rider(s: Sketch, mount: Mount, dress: str, c: Color) -> None:
 
 def ridden(s: Sketch, kind: str) -> None:
     """Somebody on a vehicle that goes by itself, where the appearance says so."""
-    if s.appearance.pose == "ridden":
+    if s.appearance.pose == RIDDEN:
         coats = (rgb(58, 95, 134), rgb(156, 74, 62), rgb(84, 88, 94), rgb(77, 122, 82))
         coat = coats[s.appearance.pick("coat", len(coats))]
         draw_rider(s, MOUNTS[kind], "sportsman", coat)
@@ -142,6 +159,12 @@ def mounted(
         _skates(s)
     s.appearance = look
     draw_rider(s, m, dress, c)
+    _collides(s, m)
+    shift(s, -m.middle[0], -m.middle[1])
+
+
+def _collides(s: Sketch, m: Mount) -> None:
+    """The rider's own proxies."""
     x, _, z = m.seat
     if m.pose in _SEATED:
         s.proxy_slab((x - 14, x + 20), (-22, 22), (z, z + 62), 0.9)
@@ -152,7 +175,7 @@ def mounted(
     s.proxy_cylinder(10, (z + 134, z + 160), 0.8, (x + 4, 0))
 
 
-_SEATED = frozenset({"ride", "straddle"})
+_SEATED = frozenset({"ride", "straddle", "astride"})
 
 
 def _skates(s: Sketch) -> None:
