@@ -5,12 +5,14 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.discourse.scene import Scene
 from esg.graph.joints import FOOT, SEAT
-from esg.graph.models import Joint, NodeEvent
+from esg.graph.models import EdgeEvent, Joint, NodeEvent
 
 _RIDDEN = lex.word_set("straddled or stood on")
 _RIDES = lex.word_set("rides")
 _RIDERS = ("person", "animal", "robot")
+_DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION, EdgeEvent.TURN, EdgeEvent.BRAKE)
 _LEAVES = (NodeEvent.FALL, NodeEvent.JUMP, NodeEvent.TOPPLE)
+"""Events of a rider after which he is not on it."""
 THROWN_OFF_MPS = 3.0
 """A change of speed within a step that takes a rider off: of a jolt at twice a walker's pace.
 Estimate of ours; nobody holds more than a few times his weight for so short a time."""
@@ -29,7 +31,10 @@ def seat_riders(scene: Scene) -> None:
         e = scene.world.entities[rider]
         if e.noun.name in lex.word_set("riders drawn with what they ride"):
             e.noun = lex.nouns()["person"]
-        if not _leaves(scene, rider):
+        if _comes_off(scene, rider):
+            continue
+        _hand_over(scene, rider, mount)
+        if all(x.actor != rider for x in scene.timeline.edges):
             impulse = round(THROWN_OFF_MPS * e.noun.mass_kg, 1)
             scene.joints.append(
                 Joint(
@@ -42,6 +47,24 @@ def seat_riders(scene: Scene) -> None:
                     break_impulse=impulse,
                 )
             )
+
+
+def _hand_over(scene: Scene, rider: str, mount: str) -> None:
+    """Lets the mount do what is told of its rider: "a girl on a skateboard passes a bench"."""
+    timeline = scene.timeline
+    own = [x for x in timeline.edges if x.actor == rider]
+    if not own or mount in timeline.tracks or any(x.event not in _DRIVEN for x in own):
+        return
+    if rider not in timeline.tracks:
+        return
+    timeline.tracks[mount] = timeline.tracks.pop(rider)
+    timeline.edges[:] = [
+        x.model_copy(update={"actor": mount}) if x.actor == rider else x for x in timeline.edges
+    ]
+    for node in timeline.nodes:
+        node.participants = tuple(mount if p == rider else p for p in node.participants)
+    for clause in scene.clauses:
+        clause.movers[:] = [mount if m == rider else m for m in clause.movers]
 
 
 def _rides(scene: Scene) -> dict[str, str]:
@@ -75,7 +98,6 @@ def _is_ridden(scene: Scene, node: str) -> bool:
     return e is not None and e.noun.name in _RIDDEN and not e.static
 
 
-def _leaves(scene: Scene, rider: str) -> bool:
-    """Whether he moves by himself, or comes off it, in the course of the scene."""
-    told = any(x.actor == rider for x in scene.timeline.edges)
-    return told or any(n.event in _LEAVES and rider in n.participants for n in scene.timeline.nodes)
+def _comes_off(scene: Scene, rider: str) -> bool:
+    """Whether he leaves what he rides in the course of the scene."""
+    return any(n.event in _LEAVES and rider in n.participants for n in scene.timeline.nodes)
