@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
+EDGE = 0.97
+"""Points spread over a picture reach so far out from its middle."""
 FOV_RAD = 0.62
 """Vertical field of view: about a 60 mm lens, little distortion at the edges."""
 
@@ -49,7 +51,7 @@ class Camera:
         """
         depth = share * float(np.linalg.norm(np.subtract(self.target, self.eye)))
         high = depth * math.tan(self.fov / 2)
-        x, y = np.meshgrid(*(np.linspace(-1.0, 1.0, n + 2)[1:-1] for n in rays))
+        x, y = np.meshgrid(*(np.linspace(-EDGE, EDGE, n) for n in rays))
         local = np.stack([aspect * high * x, high * y, np.full(x.shape, -depth)], axis=-1)
         return np.asarray(self.eye) + local.reshape(-1, 3) @ self.axes.T
 

@@ -10,7 +10,8 @@ import numpy as np
 
 from esg.assets.appearance import RIDDEN
 from esg.assets.appearances import appearances
-from esg.engines.scene import Rollout, SimScene
+from esg.assets.builders.living.poses import POSES
+from esg.engines.scene import Body, Rollout, SimScene
 from esg.graph.models import EsgDocument, RelationType
 
 if TYPE_CHECKING:
@@ -21,6 +22,8 @@ INTO = frozenset(["enters", "placed", "reaches"])
 MAX_EVENTS = 7
 HEAD_M = 1.85
 """Height of the head of who rides a two-wheeler: those that are drawn reach 1.79 to 1.86 m."""
+SITTING = 0.54
+"""Height of somebody above his seat, over that of him standing: 91 of 172 cm (`poses.SEAT`)."""
 REACH, FAR_REACH = 4.5, 14.0
 """Company joins the picture of an event, or the first and the last one, if the picture is then at
 most so many times as wide as what must be seen."""
@@ -83,24 +86,27 @@ def moments_of(
 
 
 def as_seen(scene: SimScene, doc: EsgDocument) -> SimScene:
-    """A scene for cameras: boxes of bodies that somebody is drawn on reach up to his head.
+    """A scene for cameras, with boxes around what is drawn.
+
+    Those of vehicles on which somebody is drawn reach up to his head; those of people who sit end
+    there, whose bodies are those of people who stand.
 
     Args:
         scene: The bodies, as they collide.
         doc: What they look like.
     """
     looks = appearances(doc)
-    ridden = {n for n in scene.names if n in looks and looks[n].pose == RIDDEN}
-    if not ridden:
-        return scene
-    return scene.with_bodies(
-        tuple(
-            replace(b, half_extents=(*b.half_extents[:2], max(b.half_extents[2], 0.5 * HEAD_M)))
-            if b.name in ridden
-            else b
-            for b in scene.bodies
-        )
-    )
+
+    def drawn(body: Body) -> Body:
+        pose = looks[body.name].pose if body.name in looks else ""
+        x, y, z = body.half_extents
+        if pose == RIDDEN:
+            z = max(z, 0.5 * HEAD_M)
+        elif pose in POSES and POSES[pose].seated:
+            z *= SITTING
+        return body if z == body.half_extents[2] else replace(body, half_extents=(x, y, z))
+
+    return scene.with_bodies(tuple(drawn(b) for b in scene.bodies))
 
 
 def fixed_to(scene: SimScene, bodies: Sequence[int]) -> list[int]:

@@ -103,7 +103,9 @@ def preview(
     panels: list[Panel] = []
     since = 0.0
     for moment, shot, image in zip(moments, shots, images, strict=True):
-        trails = _trails(rollout, moment.focus, since, moment.time)
+        held = {scene.index(j.child) for j in scene.joints if j.kind == "fixed"}
+        paths = [i for i in moment.focus if i not in held]
+        trails = _trails(rollout, paths, since, moment.time)
         specks = [] if panels else [corners_of(scene, rollout, shot.frame, i) for i in moment.focus]
         image = draw_trail(image, shot.camera, trails, specks)
         panels.append(Panel(image, moment.title, moment.caption))

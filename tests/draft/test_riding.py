@@ -40,8 +40,7 @@ def test_a_rider_is_on_what_he_rides_and_held_there(prompt: str, rider: str, mou
     assert (joint.child_mount, joint.parent_mount) == (FOOT, SEAT)
     assert joint.break_impulse
     assert all(
-        {r.from_, r.to} != {rider, mount}
-        for r in doc.spatial_relation_graph.edges.binary_relations
+        {r.from_, r.to} != {rider, mount} for r in doc.spatial_relation_graph.edges.binary_relations
     )
     assert doc.timeline_system is not None
     assert {e.actor for e in doc.timeline_system.sequence_graph.edges} == {mount}
@@ -57,9 +56,7 @@ def test_several_ride_one_sled_down() -> None:
 def test_what_is_told_of_a_rider_is_done_by_what_he_rides() -> None:
     doc = clean("A girl on a skateboard passes a bench on the sidewalk.")
     assert doc.timeline_system is not None
-    (passed,) = (
-        n for n in doc.timeline_system.sequence_graph.nodes if n.event is NodeEvent.MISS
-    )
+    (passed,) = (n for n in doc.timeline_system.sequence_graph.nodes if n.event is NodeEvent.MISS)
     assert passed.participants == ("skateboard_1", "bench_1")
 
 
