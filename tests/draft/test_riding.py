@@ -106,3 +106,23 @@ def test_a_bicycle_in_a_park_needs_no_road() -> None:
     assert [(s.direction, s.target) for s in ways] == [("across", ("ground_1",))]
     on_a_road = clean("A man rides a bicycle and hits a cone.")
     assert any(n.startswith("road") for n in on_a_road.spatial_relation_graph.nodes)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "node", "category"),
+    [
+        ("A driver swerves around obstacles in a high-speed chase.", "driver_1", "car"),
+        ("A motorist brakes and hits a deer.", "motorist_1", "car"),
+        ("A truck driver brakes and hits a wall.", "truck_driver_1", "truck"),
+        ("A driver gets out of his car and walks to a bench.", "driver_1", "person"),
+        ("A bus driver stands beside a bench.", "bus_driver_1", "person"),
+        ("A rider gallops across the field.", "rider_1", "horse_rider"),
+        ("A rider brakes and hits a wall.", "rider_1", "motorcyclist"),
+        ("The donkey throws its rider.", "rider_1", "person"),
+    ],
+)
+def test_nobody_drives_on_foot(prompt: str, node: str, category: str) -> None:
+    doc = clean(prompt)
+    name = node if node in doc.spatial_relation_graph.nodes else "driver_1"
+    asked = doc.asset_requirement[doc.spatial_relation_graph.nodes[name].asset_id]
+    assert asked.asset_category == category

@@ -140,11 +140,15 @@ def test_what_fills_the_edge_of_a_picture_from_nearby_is_left_out() -> None:
     """A corner of a house that no line of sight to the action meets, and one behind the action."""
     camera = Camera((8.0, 0.0, 1.5), (0.0, 0.0, 0.5))
     corner = wall("corner", 4.0)
-    beside = Part(-1, corner.vertices + np.array([0.0, 3.4, 0.0]), corner.faces, (1, 1, 1), name="corner/x")
+    beside = Part(
+        -1, corner.vertices + np.array([0.0, 3.4, 0.0]), corner.faces, (1, 1, 1), name="corner/x"
+    )
     assert not in_the_way((beside,), np.array([camera.eye]), ACTION)
     assert before_the_picture((beside,), [camera]) == {"corner"}
     assert not before_the_picture((wall("behind", -2.0),), [camera])
-    outside = Part(-1, corner.vertices + np.array([0.0, 9.0, 0.0]), corner.faces, (1, 1, 1), name="out/x")
+    outside = Part(
+        -1, corner.vertices + np.array([0.0, 9.0, 0.0]), corner.faces, (1, 1, 1), name="out/x"
+    )
     assert not before_the_picture((outside,), [camera])
 
 

@@ -15,7 +15,7 @@ from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.scene import GROUND, Scene
 from esg.draft.discourse.windows import START
 from esg.draft.document.joining import join_parts
-from esg.draft.document.riding import seat_riders
+from esg.draft.document.riding import put_into_cars, seat_riders
 from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, TimelineEdge
 
 RAISED_CM = 25.0
@@ -44,6 +44,7 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     _drop_regions(scene)
     _set_up_billiards(scene, reasons)
     seat_riders(scene)
+    put_into_cars(scene)
     lay_decks(scene)
     _throw_what_rolls_too_low(scene, prompt)
     _kick_from_the_ground(scene)
