@@ -194,11 +194,8 @@ def _ridden(doc: EsgDocument, mounts: set[str], people: set[str]) -> dict[str, s
     edges = doc.timeline_system.sequence_graph.edges
     nodes, regions = doc.spatial_relation_graph.nodes, doc.spatial_relation_graph.semantic_regions
     gone = {e.actor for e in edges if e.event.value in _GOES}
-    taken = {
-        regions[nodes[n].semantic_region].parent_object
-        for n in people
-        if nodes[n].semantic_region in regions
-    }
+    under = (regions.get(nodes[n].semantic_region or "") for n in people)
+    taken = {region.parent_object for region in under if region is not None}
     return dict.fromkeys(sorted((gone & mounts) - taken), RIDDEN)
 
 

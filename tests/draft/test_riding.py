@@ -35,7 +35,9 @@ def support_of(doc: EsgDocument, node: str) -> str:
 def test_a_rider_is_on_what_he_rides_and_held_there(prompt: str, rider: str, mount: str) -> None:
     doc = clean(prompt)
     assert support_of(doc, rider) == mount
-    (joint,) = doc.spatial_relation_graph.joints or ()
+    joints = doc.spatial_relation_graph.joints
+    assert joints is not None and len(joints) == 1
+    joint = joints[0]
     assert (joint.kind, joint.child, joint.parent) == ("fixed", rider, mount)
     assert (joint.child_mount, joint.parent_mount) == (FOOT, SEAT)
     assert joint.break_impulse
