@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
+from esg.dataset.whatifs.options import TruthOptions
+
 if TYPE_CHECKING:
     from esg.dataset.folder import DatasetFolder
     from esg.dataset.job import BatchJob, BatchResult
@@ -37,6 +39,7 @@ def dataset(
     engine: Literal["physx", "rapier", "newton"] = "physx",
     device: str = "cpu",
     strict: Annotated[bool, Parameter(negative="")] = False,
+    truth: Annotated[TruthOptions, Parameter(name="*")] = TruthOptions(),  # noqa: B008  # frozen
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Make a dataset of proven scenes: Parquet tables, splits, a dataset card.
@@ -64,18 +67,21 @@ def dataset(
         engine: Engine of the replay: physx runs the emitted class.
         device: cpu or cuda:N.
         strict: Count scenes as failed that are partial (not all is shown) or not plausible.
+        truth: Captions, questions, other engines and what-ifs.
         json: Print one JSON document with counts and paths.
     """
     from esg.api.inputs import check_cache, check_device, check_workers, checked
     from esg.commands.console import progress
     from esg.dataset.plan import DatasetSpec, Shard
+    from esg.dataset.whatifs.options import spec_fields
 
     going_on = resume and prompts is None and sample is None
-    part, device, planned, out, *_ = checked(
+    part, device, planned, out, beside, *_ = checked(
         lambda: Shard.parse(shard),
         lambda: check_device(device),
         lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
         lambda: _place(out),
+        lambda: spec_fields(truth),
         lambda: _seed(seed),
         lambda: check_workers(workers, 1),
         lambda: _check_batch(batch, counterfactual),
@@ -89,7 +95,7 @@ def dataset(
         options: dict[str, Any] = {
             "seed": seed, "counterfactual": counterfactual, "drafter": drafter,
             "strategy": strategy, "engine": engine, "mcap": mcap, "previews": previews,
-            "device": device, "batch": batch or 0, "strict": strict,
+            "device": device, "batch": batch or 0, "strict": strict, **beside,
         }  # fmt: skip
         spec = DatasetSpec(**source, **options)
     with folder.locked(part), progress(spec.n, "starting") as bar:

@@ -16,6 +16,7 @@ from typing import Any, Literal
 from pydantic import BaseModel, ConfigDict
 
 from esg.dataset.grammar import GRAMMAR_VERSION, Distribution, sample_scenes
+from esg.dataset.whatifs.amounts import Variable
 from esg.outcomes import UserError
 from esg.pipeline import SceneRequest
 from esg.store.records import prompt_family, split_of
@@ -31,6 +32,8 @@ Share = Literal["all", "failed", "sample", "none"]
 PreviewShare = Literal["all", "sample", "none"]
 SAMPLE_EVERY = 50
 """`sample` means every so many scenes, beginning with the first."""
+LATER = ("annotations", "what_if", "engines")
+"""Fields of a specification that datasets of an older version do not have."""
 
 
 class Prompt(BaseModel):
@@ -68,6 +71,9 @@ class DatasetSpec(BaseModel):
         fps: Frames a second of the recorded trajectories.
         batch: Scenes a batch.
         strict: Whether `partial` scenes count as failed.
+        annotations: Whether scenes get captions and questions.
+        what_if: Variables of which each is changed in every solved scene.
+        engines: Engines that every scene is replayed in, at two steps.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -89,6 +95,9 @@ class DatasetSpec(BaseModel):
     fps: float = 60.0
     batch: int = 0
     strict: bool = False
+    annotations: Literal["all", "none"] = "all"
+    what_if: tuple[Variable, ...] = ()
+    engines: tuple[Literal["physx", "rapier", "newton"], ...] = ()
 
     @property
     def batch_size(self) -> int:
@@ -108,8 +117,12 @@ class DatasetSpec(BaseModel):
         return f"dataset-{hashlib.sha256(self.canonical().encode()).hexdigest()[:12]}"
 
     def canonical(self) -> str:
-        """Canonical JSON."""
-        return json.dumps(self.model_dump(mode="json"), sort_keys=True, separators=(",", ":"))
+        """Canonical JSON; what came later and was not asked for leaves names as they were."""
+        plain = self.model_dump(mode="json")
+        for name in LATER:
+            if getattr(self, name) == type(self).model_fields[name].default:
+                del plain[name]
+        return json.dumps(plain, sort_keys=True, separators=(",", ":"))
 
     def differences(self, other: DatasetSpec) -> list[str]:
         """Fields in which two specifications differ, as `name: mine, not theirs`."""

@@ -16,6 +16,7 @@ import threading
 import time
 from typing import TYPE_CHECKING
 
+from esg.dataset.whatifs.amounts import ENGINES
 from esg.files import unwritable
 from esg.limits import place_in
 from esg.pipeline import (
@@ -32,6 +33,7 @@ from esg.workers import OUT_OF_TIME
 
 if TYPE_CHECKING:
     from esg.dataset.job import BatchJob
+    from esg.dataset.whatifs.outcomes import Alternatives
     from esg.graph.models import EsgDocument
 
 SCENE_STAGES = STAGES[: STAGES.index("dress")]
@@ -39,6 +41,8 @@ SCENE_STAGES = STAGES[: STAGES.index("dress")]
 
 RETRIES = 2
 _BACKOFF_S = 0.5
+ALTERNATIVES = "alternatives"
+"""What comes after the stages: replays in other engines and with other values."""
 _DEAD = "dead.json"
 _REACHED = "reached"
 """Names the stage that a scene alone has come to: whoever finds its worker dead reads it."""
@@ -54,7 +58,7 @@ def run_scenes(job: BatchJob) -> tuple[list[SceneState], float]:
     states = [SceneState(s.request) for s in job.scenes]
     dead = dead_scenes(job)
     for i, scene in enumerate(job.scenes):
-        if scene.index in dead:
+        if scene.index in dead and dead[scene.index][0] != ALTERNATIVES:
             stage, reason = dead[scene.index]
             states[i] = crashed(states[i], RuntimeError(reason), stage)
     for stage in SCENE_STAGES:
@@ -72,7 +76,40 @@ def run_scenes(job: BatchJob) -> tuple[list[SceneState], float]:
             states[i] = _stage(job, stage, states[i], scene.index)
             if i in shares:
                 states[i] = _computed(states[i], shares[i])
-    return states, together_s
+    others = replay_alternatives(job, states)
+    return [_timed(s, o.seconds) for s, o in zip(states, others, strict=True)], together_s
+
+
+def _timed(state: SceneState, seconds: Mapping[str, float]) -> SceneState:
+    """The state with a log that says what came after its stages."""
+    more = ({"stage": k, "cached": False, "seconds": round(v, 4)} for k, v in seconds.items() if v)
+    return replace(state, log=(*state.log, *more))
+
+
+def replay_alternatives(job: BatchJob, states: Sequence[SceneState]) -> list[Alternatives]:
+    """The replays of all scenes that the dataset asks for, those made before found again.
+
+    One that ends its worker, or runs longer than a stage may, costs its own rows and no scene.
+    """
+    from esg.dataset.whatifs import stage
+    from esg.dataset.whatifs.outcomes import Alternatives, Asked, failed_rows
+
+    asked = Asked(job.spec.what_if, job.spec.engines)
+    if not asked:
+        return [Alternatives() for _ in states]
+    dead = dead_scenes(job)
+    out: list[Alternatives] = []
+    for scene, state in zip(job.scenes, states, strict=True):
+        if not stage.replayable(state):
+            out.append(Alternatives())
+        elif dead.get(scene.index, ("", ""))[0] == ALTERNATIVES:
+            out.append(failed_rows(asked, dead[scene.index][1]))
+        else:
+            if len(job.scenes) == 1:
+                (job.work / _REACHED).write_text(ALTERNATIVES)
+            with _limited(job, ALTERNATIVES, scene.index, len(ENGINES)):
+                out.append(stage.replay_alternatives(state, asked, scene.scene_id))
+    return out
 
 
 def _stage(job: BatchJob, stage: str, state: SceneState, index: int) -> SceneState:
@@ -196,7 +233,7 @@ def _reached(job: BatchJob) -> str:
     """The stage in which the scene that was tried last ended its worker."""
     with contextlib.suppress(OSError, ValueError):
         stage = (job.work / _REACHED).read_text("utf-8")
-        if stage in SCENE_STAGES:
+        if stage in (*SCENE_STAGES, ALTERNATIVES):
             return stage
     return SCENE_STAGES[0]
 

@@ -161,7 +161,8 @@ def _row_sizes(data: pa.Table) -> list[int]:
             size = pc.cast(pc.binary_length(column), pa.int64())
         elif pa.types.is_list(kind):
             # Lists of names are short: a guess of their length will do.
-            width = 16 if pa.types.is_string(kind.value_type) else kind.value_type.bit_width // 8
+            item = kind.value_type
+            width = 16 if pa.types.is_string(item) else -(-item.bit_width // 8)
             size = pc.multiply(pc.cast(pc.list_value_length(column), pa.int64()), width)
         else:
             continue
@@ -249,6 +250,10 @@ _ONE_ROW = {
     "statements": "a statement of a prompt or a suite and whether a scene's replay keeps it",
     "plausibility_checks": "a check of a scene's replay: measured value and limit",
     "timings": "a pipeline stage of a scene",
+    "captions": "a scene's captions at three lengths, with the events and hits that they tell",
+    "questions": "a question about a scene, with its measured answer",
+    "engine_events": "an event of a scene in one engine at one step",
+    "what_ifs": "a scene with one variable changed, replayed in one engine",
 }
 
 

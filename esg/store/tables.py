@@ -21,7 +21,7 @@ if TYPE_CHECKING:
 
     from esg.store.records import SceneRecord
 
-FORMAT_VERSION = "1.4.0"
+FORMAT_VERSION = "1.5.0"
 ROW_GROUP_SCENES = 100
 MOST_VALUES = 1_000_000_000
 """Of one file that is read: 8 GB of numbers. Our own have a tenth of it."""
@@ -37,6 +37,10 @@ KEYS: dict[str, tuple[str, ...]] = {
     "statements": ("scene_key", "engine", "source", "statement_id"),
     "plausibility_checks": ("scene_key", "engine", "check_name"),
     "timings": ("scene_key", "stage"),
+    "captions": ("scene_key",),
+    "questions": ("scene_key", "question_index"),
+    "engine_events": ("scene_key", "engine", "dt_s", "event_id"),
+    "what_ifs": ("scene_key", "variable", "engine"),
 }
 """Primary key of every table; `scene_key` is run, suite, scene and seed (esg.store.records)."""
 
@@ -62,6 +66,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "rule": "string", "pair": "string", "changed": "string", "parameters": "string",
         "expectation": "string", "manifest": "string",
         "fully_understood": "bool", "statements_kept": "float64", "plausible": "bool",
+        "engines_agree": "bool",
     },
     "trajectories": {
         **_SCENE, "split": "string", "engine": "string", "dt_s": "float64", "fps": "float64",
@@ -103,17 +108,42 @@ COLUMNS: dict[str, dict[str, str]] = {
         **_SCENE, "stage": "string", "stage_index": "int32", "seconds": "float64",
         "cached": "bool", "outcome": "string",
     },
+    "captions": {
+        **_SCENE, "short": "string", "medium": "string", "long": "string",
+        "event_ids": "list<string>", "event_texts": "list<string>",
+        "event_times_s": "list<float64>", "hit_a": "list<string>", "hit_b": "list<string>",
+        "hit_times_s": "list<float64>", "hit_impulses_ns": "list<float64>",
+        "statements": "list<string>",
+    },
+    "questions": {
+        **_SCENE, "question_index": "int32", "kind": "string", "question": "string",
+        "answer": "string", "choices": "list<string>", "value": "float64", "unit": "string",
+        "measure": "string", "arguments": "list<string>", "measured_by": "string",
+    },
+    "engine_events": {
+        **_SCENE, "engine": "string", "dt_s": "float64", "event_id": "string",
+        "event_index": "int32", "event_type": "string", "completed": "bool", "time_s": "float64",
+        "agrees": "bool", "reason": "string",
+    },
+    "what_ifs": {
+        **_SCENE, "variable": "string", "engine": "string", "pair": "string", "amount": "string",
+        "body": "string", "value_before": "float64", "value": "float64", "unit": "string",
+        "dt_s": "float64", "duration_s": "float64", "outcome": "string", "reason": "string",
+        "event_ids": "list<string>", "completed": "list<bool>", "event_times_s": "list<float64>",
+        "bodies": "list<string>", "final_position_m": "list<float32>", "apart_m": "float64",
+        "engines_apart_m": "float64", "agrees": "bool",
+    },
 }  # fmt: skip
 """Column name to type of every table."""
 
 ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
     "scenes": (
         "rule", "pair", "changed", "parameters", "expectation", "manifest", "esg_cast",
-        "fully_understood", "statements_kept", "plausible",
+        "fully_understood", "statements_kept", "plausible", "engines_agree",
     ),
 }  # fmt: skip
 """Columns that files of an older format lack (`esg_cast` is of 1.2, what became of statements of
-1.3, `plausible` of 1.4): they read as null."""
+1.3, `plausible` of 1.4, `engines_agree` of 1.5): they read as null."""
 
 TABLES = tuple(COLUMNS)
 

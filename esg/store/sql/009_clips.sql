@@ -1,0 +1,1 @@
+-- Clips: columns come with the renderer.
