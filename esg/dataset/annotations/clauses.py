@@ -13,15 +13,24 @@ import math
 import numpy as np
 
 from esg.dataset.annotations.motion import Hit, Motion
-from esg.dataset.annotations.nouns import Nouns
+from esg.dataset.annotations.nouns import Nouns, with_article
 from esg.dataset.annotations.wording import agreeing, rows, verb_of
 from esg.engines.program import GuideAlong, HoldVelocity, Program
-from esg.engines.scene import GROUND, SimScene
+from esg.engines.scene import GROUND, Region, SimScene
+from esg.lexicon.morphology import plural as plural_of
 from esg.metrics.models import EventVerdict, SceneVerdict, SuiteEvent, SuiteScene
 from esg.units import GRAVITY_MPS2
 
+LANDING_SHARE = 0.8
+"""What comes down with this share of its speed lands on what it hits: 37 degrees off the vertical
+at most."""
+FLYING_SHARE = 0.1
+"""What goes up or down with more of its speed is not running along: 6 degrees."""
 SAME_HIT_S = 0.1
 """A collision of the verdict and a hit of the same two this close in time are one."""
+SIDES_OF_REGIONS = frozenset(
+    ("top", "bottom", "left", "right", "middle", "front", "back", "upper", "lower", "inside")
+)
 FALLING_SHARE = 0.3
 """What is in free fall gains speed downwards within this share of gravity."""
 ROLLING_SHARE = 0.3
@@ -40,7 +49,7 @@ class Clause:
         event: Id of the event, or empty.
         fills: Further words of its template.
         impulse: Of a hit [N s].
-        with_b: Whether `b` belongs to the subject: a and b collide.
+        several: How many bodies of the subject's name, and of the object's, it tells of.
     """
 
     what: str
@@ -50,9 +59,11 @@ class Clause:
     event: str = ""
     fills: tuple[tuple[str, str], ...] = ()
     impulse: float | None = None
+    several: tuple[int, int] = (1, 1)
 
     @property
     def with_b(self) -> bool:
+        """Whether `b` belongs to the subject: a and b collide."""
         return self.what in ("mutual", "separates")
 
 
@@ -107,7 +118,63 @@ def hit_clauses(story: Story, told: Sequence[Clause] = ()) -> list[Clause]:
 def of_hit(story: Story, hit: Hit) -> Clause:
     """The clause of a hit."""
     a, b = (story.motion.names[i] for i in (hit.a, hit.b))
-    return Clause("mutual" if hit.mutual else "collision", hit.time, a, b, impulse=hit.impulse)
+    what = "mutual" if hit.mutual else _way_of_hitting(story, hit)
+    return Clause(what, hit.time, a, b, impulse=hit.impulse)
+
+
+def _way_of_hitting(story: Story, hit: Hit) -> str:
+    """Whether the one that strikes comes down on the other, flies at it, or comes along to it."""
+    motion = story.motion
+    k = motion.before(hit.time)
+    down, speed = -float(motion.velocity[k, hit.a, 2]), float(motion.speed[k, hit.a])
+    if motion.position[k, hit.a, 2] > motion.position[k, hit.b, 2] and down > LANDING_SHARE * speed:
+        return "lands"
+    return "strikes" if abs(down) > FLYING_SHARE * speed else "collision"
+
+
+def merged(story: Story, told: Sequence[Clause]) -> list[Clause]:
+    """Clauses in which several of one name do or suffer the same, told as one: the first's time.
+
+    What they do among themselves is one thing, too.
+    """
+    found: dict[tuple[str, ...], list[Clause]] = {}
+    for c in told:
+        found.setdefault(_likeness(story, c), []).append(c)
+    return [_one_of(story, clauses) for clauses in found.values()]
+
+
+def _likeness(story: Story, c: Clause) -> tuple[str, ...]:
+    nouns = story.nouns
+    many = [n for n in (c.a, c.b) if n and nouns.several(n) > 1]
+    if not many:
+        return c.what, c.a, c.b, c.event, f"{c.time}"
+    what = "hit" if c.impulse is not None else c.what
+    if len(many) == 2 and nouns.noun(c.a) == nouns.noun(c.b):
+        return what, nouns.noun(c.a)
+    names = [nouns.noun(n) if n in many else n for n in (c.a, c.b)]
+    # Who of two strikes makes no difference where there are many of them.
+    return (what, *(sorted(names) if what == "hit" else names))
+
+
+def _one_of(story: Story, clauses: Sequence[Clause]) -> Clause:
+    first, nouns = clauses[0], story.nouns
+    if first.b and nouns.several(first.a) > 1 and nouns.noun(first.a) == nouns.noun(first.b):
+        if nouns.several(first.a) == 2:
+            return replace(first, what="one_other")
+        return replace(first, what="each_other", impulse=None)
+    if len(clauses) == 1:
+        return first
+    # A hit is told of the one that there is but one of.
+    if first.impulse is not None and nouns.several(first.a) > 1 and nouns.several(first.b) == 1:
+        first = replace(first, a=first.b, b=first.a)
+    ends = [
+        len({n for c in clauses for n in (c.a, c.b) if n and nouns.noun(n) == nouns.noun(end)})
+        if end
+        else 1
+        for end in (first.a, first.b)
+    ]
+    what = "collision" if first.impulse is not None else first.what
+    return replace(first, what=what, impulse=None, several=(ends[0], ends[1]))
 
 
 def _nameable(story: Story, clause: Clause) -> bool:
@@ -151,8 +218,8 @@ def _collision(
     a, b = (story.index(n) for n in bodies)
     hit = story.motion.hit_of(a, b)
     if hit is None or abs(hit.time - time) > SAME_HIT_S:
-        hit = story.motion._hit((min(a, b), max(a, b)), time, impulse or 0.0)
-    return replace(of_hit(story, hit), time=time, event=event.id, impulse=impulse)
+        hit = story.motion.hit_at(a, b, time, impulse or 0.0)
+    return replace(of_hit(story, hit), time=time, event=event.id)
 
 
 def _support(story: Story, name: str) -> str:
@@ -183,17 +250,22 @@ def _place(story: Story, event: SuiteEvent, found: EventVerdict) -> str | None:
         number = int(found.measured["region"])
         if 0 <= number < len(story.scene.regions):
             region = story.scene.regions[number]
-            what = region.name.rpartition("/")[2].replace("_", " ")
             if region.parent in story.scene.names and story.nouns.known(region.parent):
-                whole = story.nouns.the(region.parent)
-                return f"the {_region_noun(what, region.kind)} of {whole}"
+                whole, noun = story.nouns.the(region.parent), _region_noun(region)
+                return f"{with_article(noun)} of {whole}" if noun else whole
     target = _target(story, event)
     return story.nouns.the(target) if target else None
 
 
-def _region_noun(name: str, kind: str) -> str:
-    words = [w for w in name.split() if not w.isdecimal()]
-    return " ".join(words) or kind
+def _region_noun(region: Region) -> str:
+    """What a region is called, without the side that only the table's maker knows; empty for the
+    inside of something.
+    """
+    if region.kind == "inside":
+        return ""
+    words = region.name.rpartition("/")[2].replace("_", " ").split()
+    kept = [w for w in words if w not in SIDES_OF_REGIONS and not w.isdecimal()]
+    return " ".join(kept) or region.kind
 
 
 def manner(story: Story, name: str) -> str:
@@ -215,7 +287,7 @@ def manner(story: Story, name: str) -> str:
         pull = (motion.velocity[start, i, 2] - motion.velocity[later, i, 2]) / span
         if abs(pull / GRAVITY_MPS2 - 1.0) < FALLING_SHARE:
             flat = math.hypot(*motion.velocity[start, i, :2])
-            return "fly" if flat > 0.5 else "move"
+            return "fly" if flat > 0.5 else "fall"
     if body.roll_radius > 0.0:
         spin = float(np.linalg.norm(motion.spin[start, i, :2])) * body.roll_radius
         if abs(spin / max(float(motion.speed[start, i]), 1e-6) - 1.0) < ROLLING_SHARE:
@@ -242,7 +314,12 @@ def worded(
     """
     fills = {"a": story.nouns.the(clause.a), "b": story.nouns.the(clause.b) if clause.b else ""}
     fills |= dict(names or {})
-    plural = clause.with_b or story.nouns.is_plural(clause.a)
+    for key, name, n in zip("ab", (clause.a, clause.b), clause.several, strict=True):
+        if n > 1:
+            fills[key] = story.nouns.share(name, n)
+    fills["group"] = plural_of(story.nouns.noun(clause.a))
+    several = clause.several[0] > 1 or clause.what == "each_other"
+    plural = clause.with_b or several or story.nouns.is_plural(clause.a)
     # Verbs first: names may not hold brackets, but manners do.
     text = template.replace("{manner}", dict(clause.fills).get("manner", ""))
     return agreeing(text, plural=plural).format(**{**fills, **dict(clause.fills)})

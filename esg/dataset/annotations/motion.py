@@ -149,7 +149,7 @@ class Motion:
                 continue
             first = next((f for f in found if f[1] > MIN_IMPULSE_NS), None)
             if first is not None:
-                out.append(self._hit(pair, *first))
+                out.append(self.hit_at(*pair, *first))
         return tuple(sorted(out, key=lambda h: (h.time, h.a, h.b)))
 
     @cached_property
@@ -163,13 +163,14 @@ class Motion:
                 out.add(pair)
         return frozenset(out)
 
-    def _hit(self, pair: tuple[int, int], time: float, impulse: float) -> Hit:
-        a, b = pair
+    def hit_at(self, a: int, b: int, time: float, impulse: float) -> Hit:
+        """A hit of two bodies at a time, with who strikes whom: the one that moves, of two that
+        move the one that moves towards the other, while that one does not."""
         k = self.before(time)
         way = self.position[k, b] - self.position[k, a]
         length = float(np.linalg.norm(way))
         way = way / length if length > 0.0 else way
-        fast = [float(self.speed[k, i]) > MOVING_MPS for i in pair]
+        fast = [float(self.speed[k, i]) > MOVING_MPS for i in (a, b)]
         towards = float(self.velocity[k, a] @ way), float(-self.velocity[k, b] @ way)
         if fast[0] != fast[1]:
             strikes = fast

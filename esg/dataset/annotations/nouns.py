@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Collection, Iterable, Sequence
+from collections.abc import Iterable, Sequence
 import re
 
 from esg.engines.scene import FRAGMENT, GROUND, Body, SimScene
@@ -111,6 +111,13 @@ class Nouns:
             return "the ground"
         return self._noun[name] if self.is_plural(name) else with_article(self._noun[name])
 
+    def share(self, name: str, n: int) -> str:
+        """Some of those that go by a phrase: `four of the six pins`, `all six pins`."""
+        many = plural(self._noun[name])
+        if n >= self.several(name):
+            return f"both {many}" if n == 2 else f"all {number(n)} {many}"
+        return f"{number(n)} of the {number(self.several(name))} {many}"
+
     def inventory(self, names: Iterable[str]) -> list[str]:
         """Bodies as a list would have them: `a car`, `six bowling pins`."""
         of: dict[str, list[str]] = {}
@@ -124,13 +131,3 @@ class Nouns:
             else with_article(noun)
             for noun, found in of.items()
         ]
-
-    def together(self, names: Collection[str]) -> str | None:
-        """`three bowling pins`, if the names are all that go by one phrase, and several."""
-        nouns = {self._noun.get(n) for n in names}
-        if len(nouns) != 1 or len(names) < 2:
-            return None
-        noun = next(iter(nouns))
-        if noun is None or self._count[noun] != len(names):
-            return None
-        return f"{number(len(names))} {plural(noun)}"

@@ -221,7 +221,7 @@ def _fallen(asking: _Asking) -> Iterator[Question]:
             yield _counted(asking, "fell_count", members,
                            {"members": f"{number(len(members))} {plural(noun)}"},
                            sum(map(bool, fell)),
-                           "quaternion_xyzw: tilted by more than 60 degrees, in the end, too")  # fmt: skip
+                           "quaternion_xyzw: tilted by over 60 degrees, in the end, too")  # fmt: skip
 
 
 def _counted(
@@ -259,7 +259,7 @@ def _speed(asking: _Asking) -> Iterator[Question]:
         name = asking.name(a)
         if start > LEAST_SPEED_MPS:
             yield _in_mps(asking, "start_speed", (a,), start, f"of {name} in frame 0")
-        if top > LEAST_SPEED_MPS:
+        if top > max(LEAST_SPEED_MPS, FASTER * start):
             k = int(motion.speed[:, a].argmax())
             yield _in_mps(
                 asking, "top_speed", (a,), top, f"of {name}, its largest norm (frame {k})"
@@ -319,26 +319,35 @@ def _direction(asking: _Asking) -> Iterator[Question]:
 
 
 def _turns(asking: _Asking) -> Iterator[Question]:
+    """Which way things go before they meet anything; what goes straight is asked if it drives."""
     motion = asking.story.motion
     for a in (i for i in _movable(asking) if asking.clear(i) and asking.singular(i)):
-        if not motion.moves_at_first(a) or manner(asking.story, asking.name(a)) == "fly":
+        how = manner(asking.story, asking.name(a)) if motion.moves_at_first(a) else "fly"
+        if how in ("fly", "fall"):
             continue
-        times = [float(t[0]) for p, (t, _) in motion.touches.items()
-                 if a in p and frozenset(p) not in motion.supports]  # fmt: skip
+        times = [
+            float(t[0])
+            for p, (t, _) in motion.touches.items()
+            if a in p and frozenset(p) not in motion.supports
+        ]
         last = motion.before(min(times)) if times else len(motion.time) - 1
         turn = motion.turn(a, 0, last)
         if turn is None or last < 2 or STRAIGHT_DEG <= abs(turn) <= TURNED_DEG:
             continue
-        where = "left" if turn > 0.0 else "right"
-        straight = abs(turn) < STRAIGHT_DEG
-        row_text = "it goes straight on" if straight else f"it turns {where}"
+        if abs(turn) < STRAIGHT_DEG and how not in ("drive", "ride"):
+            continue
+        where = "straight on" if abs(turn) < STRAIGHT_DEG else "left" if turn > 0.0 else "right"
         yield asking.ask(
-            "direction", "turn", (a,), {"a": asking.the(a)}, row_text,
+            "direction", "turn", (a,),
+            {"a": asking.the(a), "when": _WHEN[bool(times)]},
+            _where(where),
             f"linear_velocity_mps of {asking.name(a)}, horizontal: its direction from frame 0 to "
             f"{last}, before it touches anything",
-            choices=("it goes straight on", "it turns left", "it turns right"), value=turn,
-            unit="deg",
+            choices=_SIDES[:3], value=turn, unit="deg",
         )  # fmt: skip
+
+
+_WHEN = {True: "before it touches anything", False: "in this scene"}
 
 
 def _where(where: str) -> str:
@@ -386,7 +395,8 @@ def _askable(asking: _Asking, clause: Clause, row: Mapping[str, Any]) -> bool:
 
 
 _WOULD = {
-    "collision": "{a} still hit {b}", "mutual": "{a} and {b} still collide",
+    **dict.fromkeys(("collision", "strikes", "lands"), "{a} still hit {b}"),
+    "mutual": "{a} and {b} still collide",
     "brakes": "{a} still slow down to half its speed", "stops": "{a} still come to a stop",
     "enters": "{a} still go into {b}", "falls": "{a} still fall",
     "falls_off": "{a} still fall off {b}", "topples": "{a} still fall over",
@@ -394,7 +404,7 @@ _WOULD = {
 }  # fmt: skip
 """Events that a what-if is asked about, after `would`."""
 _THAT = {
-    "collision": "{a} [hit] {b}", "mutual": "{a} and {b} collide", "stops": "{a} [come] to a stop",
+    **dict.fromkeys(("collision", "strikes", "lands"), "{a} [hit] {b}"), "mutual": "{a} and {b} collide", "stops": "{a} [come] to a stop",
     "enters": "{a} [go] into {b}", "falls_off": "{a} [fall] off {b}",
     "topples": "{a} [fall] over", "breaks": "{a} [break]",
 }  # fmt: skip
