@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import cache
 
 from esg.dataset.annotations.clauses import (
     Clause,
     Story,
     event_clauses,
     hit_clauses,
+    is_it,
     manner_verb,
     merged,
     worded,
@@ -25,7 +25,6 @@ from esg.dataset.annotations.wording import (
     three_digits,
 )
 from esg.engines.scene import FRAGMENT, GROUND
-from esg.lexicon.kinds import kinds
 from esg.thresholds import MOVING_MPS
 
 MEDIUM_CLAUSES = 5
@@ -126,25 +125,12 @@ class _Names:
 
     def fill(self, clause: Clause, *, pronoun: bool = False) -> dict[str, str]:
         """Names for a clause; the subject of the sentence before is `it` if `pronoun` is set."""
-        again = pronoun and clause.a == self.subject and _is_it(self._story, clause.a)
+        again = pronoun and clause.a == self.subject and is_it(self._story, clause.a)
         names = {"a": "it" if again else self.of(clause.a)}
         if clause.b:
             names["b"] = self.of(clause.b)
         self.subject = "" if clause.with_b or clause.several[0] > 1 else clause.a
         return names
-
-
-@cache
-def persons() -> frozenset[str]:
-    """Categories that nobody calls `it`."""
-    kinds_of = {k.name for k in kinds() if set(k.parents) & {"person", "child"}}
-    return frozenset({"person", "child", *kinds_of})
-
-
-def _is_it(story: Story, name: str) -> bool:
-    """Whether `it` can stand for a body: no person, no plural, not one of several."""
-    nouns, category = story.nouns, story.scene.body(name).category
-    return nouns.several(name) == 1 and not nouns.is_plural(name) and category not in persons()
 
 
 def _short(telling: _Telling, told: Sequence[Clause]) -> str:
@@ -166,7 +152,7 @@ def _joined(telling: _Telling, before: Clause, c: Clause, names: _Names) -> str:
         if c.a == before.a and telling.has_predicate(before):
             return " and" + telling.predicate(c, names.fill(c))
         if c.a == before.b and before.several[1] == 1 and telling.ends_with_object(before):
-            which = "which" if _is_it(telling.story, c.a) else "who"
+            which = "which" if is_it(telling.story, c.a) else "who"
             if telling.story.nouns.several(c.a) == 1:
                 return f", {which}" + telling.predicate(c, names.fill(c))
     return ", and " + telling.text(c, names.fill(c))

@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
+from functools import cache
 import math
 
 import numpy as np
@@ -17,6 +18,7 @@ from esg.dataset.annotations.nouns import Nouns, with_article
 from esg.dataset.annotations.wording import agreeing, rows, verb_of
 from esg.engines.program import GuideAlong, HoldVelocity, Program
 from esg.engines.scene import GROUND, Region, SimScene
+from esg.lexicon.kinds import kinds
 from esg.lexicon.morphology import plural as plural_of
 from esg.metrics.models import EventVerdict, SceneVerdict, SuiteEvent, SuiteScene
 from esg.units import GRAVITY_MPS2
@@ -299,6 +301,19 @@ def manner(story: Story, name: str) -> str:
 def manner_verb(story: Story, name: str) -> str:
     """The verb, in brackets, of how a body moves at first."""
     return verb_of(manner(story, name), story.scene.body(name).category)
+
+
+@cache
+def persons() -> frozenset[str]:
+    """Categories that nobody calls `it`."""
+    kinds_of = {k.name for k in kinds() if set(k.parents) & {"person", "child"}}
+    return frozenset({"person", "child", *kinds_of})
+
+
+def is_it(story: Story, name: str) -> bool:
+    """Whether `it` can stand for a body: no person, no plural, not one of several."""
+    nouns, category = story.nouns, story.scene.body(name).category
+    return nouns.several(name) == 1 and not nouns.is_plural(name) and category not in persons()
 
 
 def worded(

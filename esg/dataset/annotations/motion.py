@@ -220,7 +220,7 @@ class Motion:
     def cause(self, body: int) -> int | None:
         """Who set a body in motion: the one moving body that touched it as it began to move."""
         start = self.set_off(body)
-        if start is None:
+        if start is None or not self.moved(body):
             return None
         found: set[int] = set()
         for pair, (time, _) in self.touches.items():

@@ -12,7 +12,15 @@ from dataclasses import dataclass
 from itertools import combinations
 from typing import Any
 
-from esg.dataset.annotations.clauses import Clause, Story, event_clauses, manner, of_hit, worded
+from esg.dataset.annotations.clauses import (
+    Clause,
+    Story,
+    event_clauses,
+    is_it,
+    manner,
+    of_hit,
+    worded,
+)
 from esg.dataset.annotations.motion import AFTER_S, Hit, side
 from esg.dataset.annotations.nouns import number
 from esg.dataset.annotations.wording import Chooser, bare, rows, sentence
@@ -21,7 +29,7 @@ from esg.engines.scene import FRAGMENT
 from esg.lexicon.morphology import plural
 
 MOST_OF_A_MEASURE = 2
-"""Questions of one measure; of more, the seed picks. What-ifs are all asked."""
+"""Questions of one measure; of more, the seed picks. Of every what-if one of each measure."""
 APART_S = 0.2
 """What comes first does so by more than this."""
 FASTER = 1.2
@@ -380,10 +388,14 @@ def _what_if(asking: _Asking, rows_of: Sequence[Mapping[str, Any]]) -> Iterator[
         change = _change(asking, amount, mine[0]["body"])
         if change is None:
             continue
-        for k, event in enumerate(mine[0]["event_ids"]):
-            clause = clauses.get(event)
-            if clause is not None and _askable(asking, clause, mine[0]):
-                yield from _of_event(asking, clause, change, mine, bases, k)
+        found = [
+            q
+            for k, event in enumerate(mine[0]["event_ids"])
+            if (clause := clauses.get(event)) is not None and _askable(asking, clause, mine[0])
+            for q in _of_event(asking, clause, change, mine, bases, k)
+        ]
+        for measure in ("happens", "sooner"):
+            yield from asking.choose.shuffled([q for q in found if q.measure == measure])[:1]
 
 
 def _askable(asking: _Asking, clause: Clause, row: Mapping[str, Any]) -> bool:
@@ -437,9 +449,10 @@ def _of_event(
     arguments = (row["variable"], row["amount"], row["body"], event)
     by = f"what_ifs: {row['variable']} ({row['amount']}) in {', '.join(r['engine'] for r in mine)}"
     happens = done.pop()
+    names = _again(asking, clause, row["body"])
     yield asking.ask(
         "what_if", "happens", arguments,
-        {"change": change, "clause": worded(asking.story, clause, bare(_WOULD[clause.what])),
+        {"change": change, "clause": worded(asking.story, clause, bare(_WOULD[clause.what]), names),
          "time": f"{row['duration_s']:.1f} seconds"},
         "yes" if happens else "no", by, choices=("yes", "no"), value=float(happens), unit="1",
     )  # fmt: skip
@@ -452,10 +465,17 @@ def _of_event(
     if answer:
         yield asking.ask(
             "what_if", "sooner", arguments,
-            {"change": change, "clause": worded(asking.story, clause, _THAT[clause.what])},
+            {"change": change, "clause": worded(asking.story, clause, _THAT[clause.what], names)},
             answer, f"{by}: {', '.join(f'{t:+.3f} s' for t in late)}",
             choices=("earlier", "later", "at about the same time"),
         )  # fmt: skip
+
+
+def _again(asking: _Asking, clause: Clause, body: str) -> dict[str, str]:
+    """`it` for the body that the change has just named."""
+    if not body or not is_it(asking.story, body):
+        return {}
+    return {key: "it" for key, n in (("a", clause.a), ("b", clause.b)) if n == body}
 
 
 def _lateness(late: Sequence[float]) -> str:

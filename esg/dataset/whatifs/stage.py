@@ -87,4 +87,4 @@ def _key(state: SceneState, asked: Asked, name: str) -> str:
 
     inputs = {s: content_hash(state.artifact(s)) for s in ("compile", "judge")}
     config = {**asdict(asked), "name": name, "expected": state.request.suite_scene}
-    return artifact_key(STAGE, inputs=inputs, config=config, code_version=code_version("judge"))
+    return artifact_key(STAGE, inputs=inputs, config=config, code_version=code_version(STAGE))

@@ -162,7 +162,7 @@ def _direction(part: Part, amount: Amount) -> World:
     )
     program = _mapped(part.program, body.name, lambda p: _turned(p, amount.value, body.position))
     return _world(
-        part, amount, body.name, before, before + amount.value, "deg", scene=scene,
+        part, amount, body.name, before, _heading(before + amount.value), "deg", scene=scene,
         program=program,
     )  # fmt: skip
 
@@ -340,6 +340,11 @@ def _with_grip(part: Part, factor: float) -> Program:
                 p = replace(p, gains=p.gains * factor, loses=p.loses * factor)
         out.append(p)
     return Program(tuple(out), part.program.duration)
+
+
+def _heading(degrees: float) -> float:
+    """The same direction between -180 and 180 degrees."""
+    return (degrees + 180.0) % 360.0 - 180.0
 
 
 def _times(v: Vec, f: float) -> Vec:
