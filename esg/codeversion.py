@@ -61,7 +61,6 @@ SOURCES: dict[str, tuple[str, ...]] = {
     ),
     "replay": ("compile", "engines", "dynamics", "assets", "metrics", "layout/problem/hints.py"),
     "judge": ("metrics", "engines", "dynamics", "draft/document/coverage.py"),
-    "alternatives": ("dataset/whatifs", "metrics", "engines", "dynamics"),
     "dress": ("dressing", "engines", "assets/looks.py"),
     "record": (
         "view",
@@ -87,7 +86,6 @@ LIBRARIES: dict[str, tuple[str, ...]] = {
     "compile": ("usd-core",),
     "replay": ("sapien", "newton", "rapier3d"),
     "judge": (),
-    "alternatives": ("sapien", "newton", "rapier3d"),
     "dress": (),
     "record": ("newton", "mcap", "usd-core"),
 }

@@ -86,5 +86,6 @@ def _key(state: SceneState, asked: Asked, name: str) -> str:
     from esg.store.artifacts import artifact_key
 
     inputs = {s: content_hash(state.artifact(s)) for s in ("compile", "judge")}
+    version = code_version("judge") + code_version("replay")
     config = {**asdict(asked), "name": name, "expected": state.request.suite_scene}
-    return artifact_key(STAGE, inputs=inputs, config=config, code_version=code_version(STAGE))
+    return artifact_key(STAGE, inputs=inputs, config=config, code_version=version)
