@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+import logging
 from typing import TYPE_CHECKING, Any
 
 from esg.dataset.annotations.captions import captions
@@ -18,6 +19,7 @@ if TYPE_CHECKING:
 
 Rows = dict[str, list[dict[str, Any]]]
 
+_log = logging.getLogger(__name__)
 _COMMON = ("run_id", "scene_key", "suite", "scene_id", "seed")
 
 
@@ -39,9 +41,11 @@ def annotated(job: BatchJob, state: SceneState, other: Alternatives, rows: Rows)
     out["what_ifs"] = what_ifs
     out["scenes"] = [{**scene, "engines_agree": _agree(other.engine_events)}]
     if job.spec.annotations == "all" and rows["trajectories"] and "judge" in state.artifacts:
-        told = story(state, rows["trajectories"][0])
-        if told is not None:
+        try:
+            told = story(state, rows["trajectories"][0])
             out |= text_rows(told, common, rows["statements"], what_ifs)
+        except Exception as error:  # a text is no reason to fail a scene
+            _log.warning("%s has no captions: %s", scene["scene_id"], error)
     return out
 
 
@@ -51,16 +55,12 @@ def _agree(events: Sequence[Mapping[str, Any]]) -> bool | None:
     return None if not answers or None in answers else answers == {True}
 
 
-def story(state: SceneState, row: Mapping[str, Any]) -> Story | None:
-    """A judged scene with its recorded trajectory; None if its expectations cannot be read."""
+def story(state: SceneState, row: Mapping[str, Any]) -> Story:
+    """A judged scene with its recorded trajectory."""
     from esg.dataset.whatifs.stage import expectation
-    from esg.outcomes import UserError
     from esg.stages import load_scene, load_verdict
 
-    try:
-        expected = expectation(state)
-    except (UserError, ValueError):
-        return None
+    expected = expectation(state)
     scene, program = load_scene(state)
     return Story(scene, program, Motion(row, scene), Nouns(scene), load_verdict(state), expected)
 
