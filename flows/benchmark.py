@@ -9,10 +9,16 @@ from prefect import flow
 from esg.pipeline import SceneState, failures
 from esg.requests import bench_requests
 from flows import artifacts
+from flows.naming import current_name
 from flows.scenes import run_all, task_runner
 
 
-@flow(name="benchmark", task_runner=task_runner(), validate_parameters=False)
+@flow(
+    name="benchmark",
+    flow_run_name=current_name,
+    task_runner=task_runner(),
+    validate_parameters=False,
+)
 def benchmark(
     suite: str,
     runs: int = 5,

@@ -16,6 +16,7 @@ from esg.pipeline import SceneState, failures, scratch_store
 from esg.requests import bench_requests
 from esg.workers import WorkerPool, default_processes
 from flows import artifacts
+from flows.naming import current_name
 from flows.scenes import run_all, task_runner
 from tasks.context import current, run_context
 
@@ -24,7 +25,12 @@ class Regression(RuntimeError):
     """A suite got worse, or nobody can tell; the flow run is shown as failed."""
 
 
-@flow(name="nightly", task_runner=task_runner(), validate_parameters=False)
+@flow(
+    name="nightly",
+    flow_run_name=current_name,
+    task_runner=task_runner(),
+    validate_parameters=False,
+)
 def nightly(
     suites: Sequence[str],
     out: str = "runs/nightly",

@@ -32,7 +32,7 @@ Share = Literal["all", "failed", "sample", "none"]
 PreviewShare = Literal["all", "sample", "none"]
 SAMPLE_EVERY = 50
 """`sample` means every so many scenes, beginning with the first."""
-LATER = ("annotations", "what_if", "engines")
+LATER = ("annotations", "what_if", "engines", "render")
 """Fields of a specification that datasets of an older version do not have."""
 
 
@@ -55,6 +55,36 @@ class Prompt(BaseModel):
     expect: str = ""
 
 
+class RenderSpec(BaseModel):
+    """What cameras see of every scene; see `esg.dataset.clips`.
+
+    Args:
+        channels: Of `esg.dataset.clips.encoding.CHANNELS`.
+        cameras: How many, 1 to 8.
+        size: Width and height [px], both even.
+        fps: Frames a second.
+        renderer: Of colours: raster, path or cycles.
+        samples: Rays a pixel; None for what the renderer takes by itself.
+        camera: `auto` for what the director chooses, one of its kinds, or `around`.
+        motion_blur: Colours are those of all the time the shutter is open.
+        lossless: Colours are kept as they are, in files that browsers do not play.
+        device: cpu or cuda:N.
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    channels: tuple[str, ...] = ("rgb", "depth", "segmentation")
+    cameras: int = 1
+    size: tuple[int, int] = (256, 256)
+    fps: float = 24.0
+    renderer: str = "raster"
+    samples: int | None = None
+    camera: str = "auto"
+    motion_blur: bool = False
+    lossless: bool = False
+    device: str = "cpu"
+
+
 class DatasetSpec(BaseModel):
     """Everything a dataset depends on besides code.
 
@@ -74,6 +104,7 @@ class DatasetSpec(BaseModel):
         annotations: Whether scenes get captions and questions.
         what_if: Variables of which each is changed in every solved scene.
         engines: Engines that every scene is replayed in, at two steps.
+        render: What cameras see; None for a dataset without clips.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -98,6 +129,7 @@ class DatasetSpec(BaseModel):
     annotations: Literal["all", "none"] = "all"
     what_if: tuple[Variable, ...] = ()
     engines: tuple[Literal["physx", "rapier", "newton"], ...] = ()
+    render: RenderSpec | None = None
 
     @property
     def batch_size(self) -> int:
@@ -118,11 +150,11 @@ class DatasetSpec(BaseModel):
 
     def canonical(self) -> str:
         """Canonical JSON; what came later and was not asked for leaves names as they were."""
-        plain = self.model_dump(mode="json")
+        data = self.model_dump(mode="json")
         for name in LATER:
             if getattr(self, name) == type(self).model_fields[name].default:
-                del plain[name]
-        return json.dumps(plain, sort_keys=True, separators=(",", ":"))
+                del data[name]
+        return json.dumps(data, sort_keys=True, separators=(",", ":"))
 
     def differences(self, other: DatasetSpec) -> list[str]:
         """Fields in which two specifications differ, as `name: mine, not theirs`."""

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from esg.files import atomic_file
+from esg.store.columns import value_bytes
 from esg.store.tables import (
     COLUMNS,
     COMPRESSION,
@@ -157,13 +158,14 @@ def _row_sizes(data: pa.Table) -> list[int]:
     total = pa.array([0] * data.num_rows, pa.int64())
     for column in data.columns:
         kind = column.type
-        if pa.types.is_string(kind):
+        if pa.types.is_struct(kind) and kind.get_field_index("bytes") >= 0:
+            column = pc.struct_field(column, "bytes")  # of a file, whose size is that of the row
+            kind = column.type
+        if pa.types.is_string(kind) or pa.types.is_binary(kind):
             size = pc.cast(pc.binary_length(column), pa.int64())
         elif pa.types.is_list(kind):
-            # Lists of names are short: a guess of their length will do.
-            item = kind.value_type
-            width = 16 if pa.types.is_string(item) else -(-item.bit_width // 8)
-            size = pc.multiply(pc.cast(pc.list_value_length(column), pa.int64()), width)
+            lengths = pc.cast(pc.list_value_length(column), pa.int64())
+            size = pc.multiply(lengths, value_bytes(kind.value_type))
         else:
             continue
         total = pc.add(total, pc.fill_null(size, 0))
@@ -254,6 +256,7 @@ _ONE_ROW = {
     "questions": "a question about a scene, with its measured answer",
     "engine_events": "an event of a scene in one engine at one step",
     "what_ifs": "a scene with one variable changed, replayed in one engine",
+    "clips": "what one camera saw of a scene: files, camera, boxes, tracks",
 }
 
 

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
 Rows = dict[str, list[dict[str, Any]]]
 
 _log = logging.getLogger(__name__)
-_COMMON = ("run_id", "scene_key", "suite", "scene_id", "seed")
+_COMMON = ("run_id", "scene_key", "suite", "scene_id", "seed", "prompt")
 
 
 def annotated(job: BatchJob, state: SceneState, other: Alternatives, rows: Rows) -> Rows:
