@@ -15,7 +15,8 @@ import sys
 from typing import Any
 
 Row = dict[str, Any]
-WORDS = "none one two three four five six seven eight nine ten eleven twelve".split()
+WORDS = ("none", "one", "two", "three", "four", "five", "six", "seven", "eight", "nine", "ten",
+         "eleven", "twelve")  # fmt: skip
 
 
 class Recording:

@@ -28,6 +28,10 @@ _AN = re.compile(r"^(?:[aeio]|u(?!ni|se|ti|su|ro|ku)|hour|heir|honest)", re.IGNO
 _NOT_AN = re.compile(r"^(?:one|once|eu|ewe)", re.IGNORECASE)
 
 
+_SUMMATION = frozenset(("headphones", "scissors", "stairs", "steps", "sunglasses", "trousers"))
+"""Nouns that are one thing and yet plural (Quirk et al., 5.76): morphology gives no singular."""
+
+
 def with_article(phrase: str) -> str:
     """The phrase with a or an."""
     an = _AN.match(phrase) and not _NOT_AN.match(phrase)
@@ -82,7 +86,8 @@ class Nouns:
     def is_plural(self, name: str) -> bool:
         """Whether verbs take the plural after it: stairs, scissors."""
         noun = self._noun[name].lower()
-        return self._count[self._noun[name]] < 2 and singular(noun) != noun
+        many = singular(noun) != noun or noun.split()[-1] in _SUMMATION
+        return self._count[self._noun[name]] < 2 and many
 
     def several(self, name: str) -> int:
         """How many bodies go by the same phrase."""

@@ -23,7 +23,7 @@ from esg.dataset.annotations.clauses import (
 )
 from esg.dataset.annotations.motion import AFTER_S, Hit, side
 from esg.dataset.annotations.nouns import number
-from esg.dataset.annotations.wording import Chooser, bare, rows, sentence
+from esg.dataset.annotations.wording import Chooser, rows, sentence
 from esg.dataset.whatifs.amounts import Amount, amount_named
 from esg.engines.scene import FRAGMENT
 from esg.lexicon.morphology import plural
@@ -224,12 +224,11 @@ def _fallen(asking: _Asking) -> Iterator[Question]:
             groups.setdefault(nouns.noun(asking.name(i)), []).append(i)
     for noun, members in groups.items():
         fell = [motion.fell_over(i) for i in members]
-        if len(members) > 1 and nouns.several(asking.name(members[0])) == len(members) \
-                and None not in fell:  # fmt: skip
-            yield _counted(asking, "fell_count", members,
-                           {"members": f"{number(len(members))} {plural(noun)}"},
-                           sum(map(bool, fell)),
-                           "quaternion_xyzw: tilted by over 60 degrees, in the end, too")  # fmt: skip
+        whole = len(members) > 1 and nouns.several(asking.name(members[0])) == len(members)
+        if whole and None not in fell:
+            words = {"members": f"{number(len(members))} {plural(noun)}"}
+            by = "quaternion_xyzw: tilted by more than 60 degrees, in the end, too"
+            yield _counted(asking, "fell_count", members, words, sum(map(bool, fell)), by)
 
 
 def _counted(
@@ -403,24 +402,12 @@ def _askable(asking: _Asking, clause: Clause, row: Mapping[str, Any]) -> bool:
     names = [n for n in (clause.a, clause.b) if n]
     away = row["body"] if row["variable"] == "remove" else ""
     clear = all(n == "ground" or asking.story.nouns.clear(n) for n in names)
-    return clear and away not in names and clause.what in _WOULD
+    return clear and away not in names and f"would {clause.what}" in rows("supposed")
 
 
-_WOULD = {
-    **dict.fromkeys(("collision", "strikes", "lands"), "{a} still hit {b}"),
-    "mutual": "{a} and {b} still collide",
-    "brakes": "{a} still slow down to half its speed", "stops": "{a} still come to a stop",
-    "enters": "{a} still go into {b}", "falls": "{a} still fall",
-    "falls_off": "{a} still fall off {b}", "topples": "{a} still fall over",
-    "breaks": "{a} still break",
-}  # fmt: skip
-"""Events that a what-if is asked about, after `would`."""
-_THAT = {
-    **dict.fromkeys(("collision", "strikes", "lands"), "{a} [hit] {b}"), "mutual": "{a} and {b} collide", "stops": "{a} [come] to a stop",
-    "enters": "{a} [go] into {b}", "falls_off": "{a} [fall] off {b}",
-    "topples": "{a} [fall] over", "breaks": "{a} [break]",
-}  # fmt: skip
-"""Events whose time a what-if is asked about, after `that`."""
+def _supposed(after: str, clause: Clause) -> str:
+    """How an event reads after `would` or `that`."""
+    return rows("supposed")[f"{after} {clause.what}"][0].template
 
 
 def _change(asking: _Asking, amount: Amount, body: str) -> str | None:
@@ -450,22 +437,22 @@ def _of_event(
     by = f"what_ifs: {row['variable']} ({row['amount']}) in {', '.join(r['engine'] for r in mine)}"
     happens = done.pop()
     names = _again(asking, clause, row["body"])
+    would = worded(asking.story, clause, _supposed("would", clause), names)
     yield asking.ask(
         "what_if", "happens", arguments,
-        {"change": change, "clause": worded(asking.story, clause, bare(_WOULD[clause.what]), names),
-         "time": f"{row['duration_s']:.1f} seconds"},
+        {"change": change, "clause": would, "time": f"{row['duration_s']:.1f} seconds"},
         "yes" if happens else "no", by, choices=("yes", "no"), value=float(happens), unit="1",
     )  # fmt: skip
-    if not happens or clause.what not in _THAT:
+    if not happens or f"that {clause.what}" not in rows("supposed"):
         return
     late = [
         r["event_times_s"][k] - b["event_times_s"][k] for r, b in zip(mine, before, strict=True)
     ]
     answer = _lateness(late)
     if answer:
+        that = worded(asking.story, clause, _supposed("that", clause), names)
         yield asking.ask(
-            "what_if", "sooner", arguments,
-            {"change": change, "clause": worded(asking.story, clause, _THAT[clause.what], names)},
+            "what_if", "sooner", arguments, {"change": change, "clause": that},
             answer, f"{by}: {', '.join(f'{t:+.3f} s' for t in late)}",
             choices=("earlier", "later", "at about the same time"),
         )  # fmt: skip

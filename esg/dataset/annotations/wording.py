@@ -38,7 +38,7 @@ class Row:
 
 @cache
 def rows(table: str) -> Mapping[str, tuple[Row, ...]]:
-    """Rows of a table (`clauses`, `questions`, `changes`) by what they say."""
+    """Rows of a table (`clauses`, `questions`, `supposed`) by what they say."""
     out: dict[str, tuple[Row, ...]] = {}
     with open(HERE / f"{table}.csv", encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file):
@@ -77,11 +77,6 @@ def agreeing(text: str, *, plural: bool) -> str:
         return _PLURAL.get(verb, verb) if plural else third(verb)
 
     return _VERB.sub(form, text)
-
-
-def bare(text: str) -> str:
-    """Every bracketed verb as it is: after does, to or would."""
-    return _VERB.sub(r"\1", text)
 
 
 def sentence(text: str, end: str = ".") -> str:
