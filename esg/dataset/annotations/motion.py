@@ -182,7 +182,7 @@ class Motion:
 
     def hit_of(self, a: int, b: int) -> Hit | None:
         """The first hit of two bodies, None if there is none or one may doubt it."""
-        return next((h for h in self.hits if h.pair == {a, b}), None)
+        return next((h for h in self.hits if h.pair == frozenset((a, b))), None)
 
     def before(self, time: float) -> int:
         """Number of the last frame that shows nothing of what happens at a time yet."""
