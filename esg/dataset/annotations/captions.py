@@ -11,6 +11,7 @@ from esg.dataset.annotations.clauses import (
     event_clauses,
     hit_clauses,
     is_it,
+    manner,
     manner_verb,
     merged,
     worded,
@@ -136,8 +137,10 @@ class _Names:
 def _short(telling: _Telling, told: Sequence[Clause]) -> str:
     """One sentence of the first and the last thing that happens besides moving."""
     doing = [c for c in told if c.what != "moves"]
-    if len(doing) < 2 and not any(c.impulse is not None for c in doing):
-        doing = list(told)
+    if len(doing) < 2:
+        # A lone stop or turn is told of something that was seen to move before.
+        alone = doing and (doing[0].impulse is not None or doing[0].b)
+        doing = [c for c in told if not doing or c in doing or (not alone and c.a == doing[0].a)]
     if not doing:
         return _still(telling.story)
     first, last = doing[0], doing[-1]
@@ -227,13 +230,18 @@ def _medium(telling: _Telling, told: Sequence[Clause], choose: Chooser) -> str:
     names = _Names(story)
     lines: list[str] = []
     first = next(iter(_movers(story)), "")
-    if first and not any(c.what == "moves" and c.time < AT_FIRST_S for c in told):
-        text = f"{names.of(first)} {_along(story, first)}{_place(story)}"
+    how = manner(story, first) if first else ""
+    at_once = how == "fall" and any(c.what in ("falls", "falls_off", "lands") for c in told)
+    if first and not at_once and not any(c.what == "moves" and c.time < AT_FIRST_S for c in told):
+        where = "" if how in ("fall", "fly") else _place(story)
+        text = f"{names.of(first)} {_along(story, first)}{where}"
         lines.append(sentence(agreeing(text, plural=story.nouns.is_plural(first))))
         names.subject = first
     lines += _connected(telling, told, choose, names, begun=bool(lines))
-    lines += _ending(story, names)
-    return " ".join(lines) or _still(story)
+    if not lines:
+        lines = [_still(story)]
+        names.introduce(_things(story))
+    return " ".join([*lines, *_ending(story, names)])
 
 
 def _along(story: Story, name: str) -> str:
@@ -299,7 +307,9 @@ def _starts(story: Story, names: _Names) -> tuple[list[str], list[str]]:
     out: list[str] = []
     for name in who:
         speed = story.motion.speed[0, story.index(name)]
-        text = f"at the start, {names.of(name)} {manner_verb(story, name)} at {speed:.1f} m/s"
+        # What has only just been let go falls later.
+        verb = "[move]" if manner(story, name) == "fall" else manner_verb(story, name)
+        text = f"at the start, {names.of(name)} {verb} at {speed:.1f} m/s"
         out.append(sentence(agreeing(text, plural=story.nouns.is_plural(name))))
     return who, out
 

@@ -35,6 +35,8 @@ SIDES_OF_REGIONS = frozenset(
 )
 FALLING_SHARE = 0.3
 """What is in free fall gains speed downwards within this share of gravity."""
+FLIGHT_MPS = 2.0
+"""What is in free fall and goes along no faster than this falls; else it flies."""
 ROLLING_SHARE = 0.3
 """What rolls has a spin within this share of v/r."""
 
@@ -129,7 +131,8 @@ def _way_of_hitting(story: Story, hit: Hit) -> str:
     motion = story.motion
     k = motion.before(hit.time)
     down, speed = -float(motion.velocity[k, hit.a, 2]), float(motion.speed[k, hit.a])
-    if motion.position[k, hit.a, 2] > motion.position[k, hit.b, 2] and down > LANDING_SHARE * speed:
+    top = motion.position[k, hit.b, 2] + 0.5 * story.scene.bodies[hit.b].half_extents[2]
+    if motion.position[k, hit.a, 2] > top and down > LANDING_SHARE * speed:
         return "lands"
     return "strikes" if abs(down) > FLYING_SHARE * speed else "collision"
 
@@ -289,7 +292,7 @@ def manner(story: Story, name: str) -> str:
         pull = (motion.velocity[start, i, 2] - motion.velocity[later, i, 2]) / span
         if abs(pull / GRAVITY_MPS2 - 1.0) < FALLING_SHARE:
             flat = math.hypot(*motion.velocity[start, i, :2])
-            return "fly" if flat > 0.5 else "fall"
+            return "fly" if flat > FLIGHT_MPS else "fall"
     if body.roll_radius > 0.0:
         spin = float(np.linalg.norm(motion.spin[start, i, :2])) * body.roll_radius
         if abs(spin / max(float(motion.speed[start, i]), 1e-6) - 1.0) < ROLLING_SHARE:

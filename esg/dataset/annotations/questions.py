@@ -413,7 +413,7 @@ def _supposed(after: str, clause: Clause) -> str:
 def _change(asking: _Asking, amount: Amount, body: str) -> str | None:
     """What is supposed: `the ball were four times as heavy`; None if the body has no clear name."""
     if not body:
-        whole = {"gravity": "gravity", "friction": "everything"}
+        whole = {"gravity": "gravity", "friction": "all surfaces"}
         return f"{whole[amount.variable]} {amount.words}"
     if not asking.story.nouns.clear(body):
         return None

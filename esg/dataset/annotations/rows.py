@@ -82,6 +82,7 @@ def text_rows(
     seed = f"{common['scene_id']}/{common['seed']}"
     texts = captions(told, seed)
     names = told.motion.names
+    kept = [r["words"] for r in statements if r["source"] == "prompt" and r["kept"] and r["words"]]
     caption = {
         **common,
         "short": texts.short,
@@ -94,9 +95,7 @@ def text_rows(
         "hit_b": [names[h.b] for h in told.motion.hits],
         "hit_times_s": [h.time for h in told.motion.hits],
         "hit_impulses_ns": [h.impulse for h in told.motion.hits],
-        "statements": [
-            r["words"] for r in statements if r["source"] == "prompt" and r["kept"] and r["words"]
-        ],
+        "statements": list(dict.fromkeys(kept)),
     }
     asked = [
         {
