@@ -27,6 +27,10 @@ class TruthOptions:
     engines: str = ""
 
 
+TEXTS = TruthOptions()
+"""What every dataset gets: texts, and no other replays."""
+
+
 def spec_fields(options: TruthOptions) -> dict[str, Any]:
     """Fields of a dataset's specification.
 
