@@ -277,6 +277,11 @@ def command(spec: DatasetSpec) -> str:
     for name in ("seed", "drafter", "strategy", "engine", "device", "mcap", "previews", "batch"):
         if (value := getattr(spec, name)) != getattr(usual, name):
             parts.append(f"--{name} {value}")
+    for name, asked in (("what-if", spec.what_if), ("engines", spec.engines)):
+        if asked:
+            parts.append(f"--{name} {','.join(asked)}")
+    if spec.annotations != "all":
+        parts.append(f"--annotations {spec.annotations}")
     if spec.counterfactual:
         parts.append("--counterfactual")
     if spec.strict:

@@ -23,6 +23,8 @@ _MEASURED = re.compile(
 _POINTING = frozenset(("it", "him", "her", "them", "that", "this", "which", "another", "other",
                        "first", "second", "third", "next", "same", "behind", "front"))  # fmt: skip
 """Words of a label that only its prompt explains: the body's own name serves instead."""
+_PROPER = re.compile(r"\b(?:[A-Z]|\d+)$")
+"""What ends in a letter or a number is a name and has no article: ball A, car 2."""
 _AN = re.compile(r"^(?:[aeio]|u(?!ni|se|ti|su|ro|ku)|hour|heir|honest)", re.IGNORECASE)
 """What begins with the sound of a vowel, by its letters; `one` and `euro` do not."""
 _NOT_AN = re.compile(r"^(?:one|once|eu|ewe)", re.IGNORECASE)
@@ -102,9 +104,9 @@ class Nouns:
 
     def the(self, name: str) -> str:
         """The body as one that is known: `the red ball`, `one of the three pins`."""
-        n = self.several(name)
+        n, noun = self.several(name), self._noun[name]
         if n == 1:
-            return f"the {self._noun[name]}"
+            return noun if _PROPER.search(noun) else f"the {noun}"
         return f"one of the {number(n)} {plural(self._noun[name])}"
 
     def a(self, name: str) -> str:
@@ -114,7 +116,8 @@ class Nouns:
             return f"one of {number(n)} {plural(self._noun[name])}"
         if name == GROUND:
             return "the ground"
-        return self._noun[name] if self.is_plural(name) else with_article(self._noun[name])
+        bare = self.is_plural(name) or _PROPER.search(self._noun[name])
+        return self._noun[name] if bare else with_article(self._noun[name])
 
     def share(self, name: str, n: int) -> str:
         """Some of those that go by a phrase: `four of the six pins`, `all six pins`."""

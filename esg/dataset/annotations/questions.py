@@ -38,6 +38,8 @@ LEAST_SPEED_MPS = 0.5
 """Slower motion is not asked for its speed."""
 STRAIGHT_DEG, TURNED_DEG = 5.0, 30.0
 """Less is no turn, more is one."""
+SAME_EVENT_S = 0.3
+"""An event that an engine shows so much earlier or later than the recording is another."""
 SAME_TIME_S, LATE_S = 0.03, 0.1
 """A change that moves an event by less than the first in every engine leaves its time; by more than
 the second in every engine, it does not."""
@@ -429,6 +431,9 @@ def _of_event(
     k: int,
 ) -> Iterator[Question]:
     before = [bases[r["engine"]] for r in mine]
+    times = [b["event_times_s"][k] for b in before]
+    if any(t is None or abs(t - clause.time) > SAME_EVENT_S for t in times):
+        return  # what the caption tells is another one
     done = {r["completed"][k] for r in mine}
     if len(done) != 1 or not all(b["completed"][k] for b in before):
         return

@@ -122,6 +122,11 @@ def test_several_of_one_name_are_told_as_such() -> None:
     ]
 
 
+def test_what_has_a_letter_for_a_name_has_no_article() -> None:
+    nouns = Nouns(SimScene("s", (ball("ball_1", label="ball A"), ball("ball_2", label="car 2"))))
+    assert nouns.the("ball_1") == nouns.a("ball_1") == "ball A" and nouns.the("ball_2") == "car 2"
+
+
 def test_choices_depend_on_nothing_but_the_seed() -> None:
     one, two, other = (Chooser(s) for s in ("a", "a", "b"))
     drawn = [[c.below(100) for _ in range(8)] for c in (one, two, other)]

@@ -9,13 +9,17 @@ import pytest
 
 from esg.dataset.plan import DatasetSpec
 from esg.dataset.whatifs import outcomes, what_if_statistics
+from esg.dataset.whatifs.amounts import amount_named
 from esg.dataset.whatifs.options import TruthOptions, spec_fields
 from esg.dataset.whatifs.outcomes import Asked, alternatives, failed_rows
+from esg.dataset.whatifs.replaying import play
+from esg.dataset.whatifs.worlds import Part, changed_by, unchanged
 from esg.engines.manifest import Manifest
 from esg.engines.program import AdjustProperties, HoldVelocity, Program, SetVelocity
 from esg.engines.registry import get_engine
 from esg.engines.scene import SimScene
 from esg.metrics import SuiteEvent, SuiteScene
+from esg.metrics.models import EventVerdict
 from esg.outcomes import UserError
 from esg.store.tables import to_table, write_part
 from tests.metrics.worlds import DT, ball, body
@@ -105,6 +109,43 @@ def test_a_car_whose_brakes_fail_hits_the_post_all_the_same() -> None:
     found = rows(Asked(("friction",)), Manifest(scene, program, (), DT), expected)
     row = next(r for r in found.what_ifs if r["variable"] == "friction")
     assert row["completed"] == [False, True], row
+
+
+def test_a_car_at_twice_the_speed_hits_the_post_before_it_brakes() -> None:
+    scene = SimScene(
+        "s",
+        (ball("ball_1", position=(0.0, 0.0, 0.1)),
+         body("wall_1", position=(2.4, 0.0, 0.1), static=True)),
+    )  # fmt: skip
+    program = Program(
+        (HoldVelocity("ball_1", 0.0, 0.4, 4.0, 0.0, roll_radius=0.1),
+         AdjustProperties("ball_1", 0.4, braking=11.0)), 2.0,
+    )  # fmt: skip
+    expected = SuiteScene(id="s", prompt="p", events=(
+        SuiteEvent(id="e1", type="brakes", object="=ball_1"),
+        SuiteEvent(id="e2", type="collision", a="=ball_1", b="=wall_1", after=("e1",)),
+    ))  # fmt: skip
+    double = amount_named("speed", "double")
+    part = Part(scene, program, ("ball_1",), "s/0")
+    base, fast = unchanged(scene, program), changed_by(part, double)
+    played = play([base, fast], "physx", DT)
+    judged = {id(p): outcomes._judged(p, expected) for p in played}
+    assert [e.completed for e in judged[id(played[0])]] == [True, True]
+    loose = outcomes._without_order(played[:1], judged, expected)
+    found = outcomes._judged_freely(played[1], loose)
+    assert found[1].completed and (found[1].time_s or 9.0) < 0.4
+
+
+def test_a_second_hit_of_the_same_two_keeps_its_place() -> None:
+    twice = SuiteScene(id="s", prompt="p", events=(
+        SuiteEvent(id="e1", type="moves", object="=ball_1"),
+        SuiteEvent(id="e2", type="stops", object="=ball_1", after=("e1",)),
+    ))  # fmt: skip
+    early = [EventVerdict(id="e1", type="moves", completed=True, time_s=1.0),
+             EventVerdict(id="e2", type="stops", completed=True, time_s=9.0)]  # fmt: skip
+    (base,) = play([unchanged(balls().scene, balls().program)], "physx", DT)
+    loose = outcomes._without_order([base], {id(base): early}, twice)
+    assert loose.events[1].after == ("e1",)
 
 
 def test_what_cannot_be_changed_is_a_row_with_a_reason() -> None:
