@@ -68,7 +68,7 @@ def _make(job: BatchJob) -> BatchResult:
         spent = {s: 0.0 for s in SCENE_STAGES}
         for state in states:
             for entry in state.log:
-                spent[entry["stage"]] += float(entry["seconds"])
+                spent[entry["stage"]] = spent.get(entry["stage"], 0.0) + float(entry["seconds"])
         spent["replay"] += together_s
         spent["recordings"] = recordings_s
         if job.spec.render:
