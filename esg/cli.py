@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 import gc
 import os
 import sys
@@ -108,5 +109,31 @@ def main() -> None:
     sys.exit(code if isinstance(code, int) else 0)
 
 
+def run() -> None:
+    """The console script: `main`, and an end that does not take the libraries apart.
+
+    What is imported and cached goes with the process; Python would free it object by object, which
+    takes longer than a search.
+    """
+    code = [1]
+    atexit.register(_leave, code)  # the first to be registered is the last to be called
+    try:
+        main()
+    except SystemExit as error:
+        code[0] = error.code if isinstance(error.code, int) else int(error.code is not None)
+        raise
+
+
+def _leave(code: list[int]) -> None:
+    from esg.commands.console import silence
+
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            stream.flush()
+        except (AttributeError, OSError, ValueError):
+            silence()
+    os._exit(code[0])
+
+
 if __name__ == "__main__":
-    main()
+    run()

@@ -70,18 +70,11 @@ def generate(
         check_cache,
     )
     with live(1) as bar:
-        # A scene that is already in the store needs no scheduler: the answer comes at once.
         arguments = ([prompt], seed, drafter, strategy, device, close_loop, collision, traffic)
-        request = generate_requests(*arguments)[0]
-        state = recall(request)
+        state = recall(generate_requests(*arguments)[0])
         if state is None:
-            from flows.session import session
-
             note_first_use()
-            with session(processes=0) as call:
-                from flows.generate import generate as flow
-
-                state = call(flow, *arguments)[0]
+            state = _made(arguments)
         if state.user_error:
             raise UserError(state.reason)
         bar.show("writing")
@@ -97,6 +90,27 @@ def generate(
     else:
         print(describe(summary))
     return exit_code([state], recorded, strict=strict)
+
+
+def _made(arguments: tuple[Any, ...]) -> SceneState:
+    """Runs the stages: on the user's Prefect server if there is one, else without a scheduler."""
+    import os
+
+    from esg.guarded import run_guarded
+    from esg.limits import stage_limits
+    from esg.requests import generate_requests
+    from esg.settings import check_limits
+
+    if os.environ.get("PREFECT_API_URL"):
+        from flows.session import session
+
+        with session(processes=0) as call:
+            from flows.generate import generate as flow
+
+            return call(flow, *arguments)[0]
+    stage_limits()  # a mistake in them is told before anything starts
+    check_limits()
+    return run_guarded(generate_requests(*arguments)[0])
 
 
 def _pictures(channels: str) -> Settings:
