@@ -5,6 +5,7 @@ from __future__ import annotations
 import atexit
 import gc
 import os
+import signal
 import sys
 
 from esg import __version__
@@ -74,8 +75,14 @@ def main() -> None:
     from esg.commands.console import fail, flush, quiet_native_output, silence
     from esg.commands.parsing import parse
     from esg.commands.stopping import answer_signals, stopped
+    from esg.up.client import delegated
 
     gc.set_threshold(GC_THRESHOLD, 20, 20)
+    try:
+        if (code := delegated(sys.argv[1:])) is not None:
+            sys.exit(code)
+    except KeyboardInterrupt:
+        sys.exit(128 + signal.SIGINT)
     quiet_native_output()
     arguments = sys.argv[1:]
     as_json = "--json" in arguments

@@ -1,7 +1,8 @@
 """What code alone computes, kept on disk between processes: textures, encoded pictures.
 
-A value lies under a key made of everything that it depends on, behind the SHA-256 of its bytes: what
-a crash or a failing disk left damaged is made again. A cache that cannot be written costs time only.
+A value lies under a key made of everything that it depends on, behind the SHA-256 of its bytes:
+what a crash or a failing disk left damaged is made again. A cache that cannot be written costs time
+only.
 """
 
 from __future__ import annotations

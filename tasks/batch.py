@@ -18,6 +18,7 @@ from esg.pipeline import SceneState, crashed, may_pass
 from esg.workers import OutOfTime, WorkerDied
 from tasks.context import current
 
+
 def _retry(_: Task[Any, Any], __: TaskRun, state: State[Any]) -> bool:
     failure = state.result(raise_on_failure=False)
     return isinstance(failure, BaseException) and may_pass(failure)
