@@ -11,6 +11,7 @@ import contextlib
 from pathlib import Path
 import time
 
+from esg.beside import forking
 from esg.files import unwritable
 from esg.limits import StageTimeout, limited, place_in
 from esg.pipeline import (
@@ -58,8 +59,9 @@ def run_guarded(
         OSError: If the disk cannot be written, which is no fault of the scene.
     """
     state = SceneState(request)
-    for stage in STAGES:
-        state = _tried(stage, state, pause)
+    with forking():  # of a command whose other threads only wait
+        for stage in STAGES:
+            state = _tried(stage, state, pause)
     return state
 
 

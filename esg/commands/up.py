@@ -72,6 +72,7 @@ def _start(path: Path, idle_s: float) -> None:
     from esg.commands.console import progress
     from esg.outcomes import UserError
     from esg.up.client import asked
+    from esg.up.server import TAKEN_PLACE
 
     log = path.with_suffix(".log")
     command = [sys.executable, "-c", _BOOT, json.dumps(sys.path), str(path), str(idle_s)]
@@ -91,8 +92,8 @@ def _start(path: Path, idle_s: float) -> None:
     with progress(1, "loading what scenes need"):
         while asked("status", path) is None:
             code = process.poll()
-            # Code 1: another one has just been started.
-            if (code is not None and code != 1) or time.monotonic() > deadline:
+            # Another one that has just been started is waited for.
+            if code not in (None, TAKEN_PLACE) or time.monotonic() > deadline:
                 process.kill()
                 said = log.read_text("utf-8", "replace").strip().splitlines()[-1:]
                 raise UserError(f"the worker did not start: {' '.join(said) or log}", exit_code=1)

@@ -38,6 +38,8 @@ SAMPLES = (
     "A car collides with a trashbin, knocking it into a picnic table by the street side.",
 )
 """Scenes whose way through the stages loads what scenes need."""
+TAKEN_PLACE = 75
+"""Exit code of a worker where another one serves."""
 _PDEATHSIG = 1
 
 
@@ -66,6 +68,7 @@ class Worker:
         main: The command line: runs `sys.argv` and raises SystemExit.
         idle_s: It ends after so long without a command [s].
         stamp: Of the code that it loaded.
+        lock: Handle of the locked file that says that somebody serves there.
     """
 
     listener: socket.socket
@@ -73,6 +76,7 @@ class Worker:
     main: Callable[[], None]
     idle_s: float
     stamp: str
+    lock: int
     pid: int = field(default_factory=os.getpid)
     runs: dict[int, Run] = field(default_factory=dict)
     served: int = 0
@@ -90,14 +94,14 @@ def serve(main: Callable[[], None], path: Path, idle_s: float) -> int:
         idle_s: Without a command, it ends after so long [s].
 
     Returns:
-        0; 1 if another worker serves there.
+        0; `TAKEN_PLACE` if another worker serves there.
     """
     make_private(path.parent)
     with path.with_suffix(".lock").open("a") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
         except OSError:
-            return 1
+            return TAKEN_PLACE
         own = stamp()  # before anything is loaded: a file changed meanwhile makes it stale
         warm()
         path.unlink(missing_ok=True)  # of a worker that was killed: the lock is ours
@@ -108,7 +112,7 @@ def serve(main: Callable[[], None], path: Path, idle_s: float) -> int:
         finally:
             os.umask(before)
         listener.listen(16)
-        worker = Worker(listener, path, main, idle_s, own)
+        worker = Worker(listener, path, main, idle_s, own, lock.fileno())
         try:
             _loop(worker)
         finally:
@@ -310,6 +314,7 @@ def _become(
         os.setsid()
         waiting.close()
         worker.listener.close()
+        os.close(worker.lock)
         connection.close()
         for run in worker.runs.values():
             run.connection.close()
