@@ -36,6 +36,7 @@ def up(
         status: Tell whether it runs and what it has done; exit code 1 if it does not run.
         json: Print one JSON document.
     """
+    import json as codec
     import sys
 
     from esg.api.inputs import check_cache, checked, in_range
@@ -52,7 +53,11 @@ def up(
     if stop or status:
         return _told(asked("stop" if stop else "status", path), stop, json)
     make_private(path.parent)
-    if asked("status", path) is None:
+    found = asked("status", path)
+    if found is not None and not codec.loads(found)["current"]:
+        asked("stop", path)
+        found = None
+    if found is None:
         _start(path, 60.0 * idle)
     return _told(asked("status", path), False, json)
 
@@ -78,22 +83,28 @@ def _start(path: Path, idle_s: float) -> None:
     command = [sys.executable, "-c", _BOOT, json.dumps(sys.path), str(path), str(idle_s)]
     # A fork of a process that uses a GPU cannot use it: commands for one are never asked of it.
     environment = {**os.environ, "CUDA_VISIBLE_DEVICES": "", "PXR_WORK_THREAD_LIMIT": "1"}
-    with log.open("wb") as out:
-        process = subprocess.Popen(
-            command,
-            stdin=subprocess.DEVNULL,
-            stdout=out,
-            stderr=out,
-            env=environment,
-            cwd="/",
-            start_new_session=True,
-        )
+
+    def launched() -> subprocess.Popen[bytes]:
+        with log.open("wb") as out:
+            return subprocess.Popen(
+                command,
+                stdin=subprocess.DEVNULL,
+                stdout=out,
+                stderr=out,
+                env=environment,
+                cwd="/",
+                start_new_session=True,
+            )
+
+    process = launched()
     deadline = time.monotonic() + START_S
     with progress(1, "loading what scenes need"):
         while asked("status", path) is None:
             code = process.poll()
-            # Another one that has just been started is waited for.
-            if code not in (None, TAKEN_PLACE) or time.monotonic() > deadline:
+            if code == TAKEN_PLACE:  # another one starts, or finishes what it runs
+                time.sleep(1.0)
+                process = launched()
+            elif code is not None or time.monotonic() > deadline:
                 process.kill()
                 said = log.read_text("utf-8", "replace").strip().splitlines()[-1:]
                 raise UserError(f"the worker did not start: {' '.join(said) or log}", exit_code=1)
