@@ -77,7 +77,7 @@ def make(folder: Path) -> None:
             **common(EVENTS), "event_id": np.tile([f"e{i}" for i in range(EVENTS)], SCENES),
             "event_type": ["collision"] * (SCENES * EVENTS),
             "completed": rng.random(SCENES * EVENTS) < 0.9,
-            "time_s": rng.random(SCENES * EVENTS), "measured": ["{}"] * (SCENES * EVENTS),
+            "time_s": rng.random(SCENES * EVENTS), "measured": [[]] * (SCENES * EVENTS),
         },
         "constraints": {
             **common(2), "constraint_index": np.tile([0, 1], SCENES),

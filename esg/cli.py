@@ -18,7 +18,8 @@ that stay: Python's 700 cost a fifth of it."""
 
 EXTRAS = {
     "cma": "baselines", "coacd": "convex", "dask": "dask", "distributed": "dask",
-    "open_clip": "clip", "openai": "llm", "prefect_dask": "dask", "prefect_ray": "ray",
+    "open_clip": "clip", "openai": "llm", "opentelemetry": "observe",
+    "prefect_dask": "dask", "prefect_ray": "ray",
     "pydantic_ai": "llm", "ray": "ray", "torch": "clip",
 }  # fmt: skip
 """Packages that are not always installed, and the extra that brings them."""
@@ -75,6 +76,7 @@ def main() -> None:
     from esg.commands.console import fail, flush, quiet_native_output, silence
     from esg.commands.parsing import parse
     from esg.commands.stopping import answer_signals, stopped
+    from esg.telemetry.watching import watched
     from esg.up.client import delegated
 
     gc.set_threshold(GC_THRESHOLD, 20, 20)
@@ -88,7 +90,9 @@ def main() -> None:
     as_json = "--json" in arguments
     answer_signals(as_json)
     try:
-        code = parse(build_app(), arguments)()
+        call = parse(build_app(), arguments)
+        with watched(arguments):
+            code = call()
         flush()
     except UserError as error:
         code = fail(str(error), error.exit_code, as_json)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Generator, Sequence
 import contextlib
-import fcntl
 import json
 import os
 from pathlib import Path
 from typing import Any
 
 from esg.files import atomic_file
+from esg.paths import cache_dir
 from esg.pipeline import SceneState, failures
 from esg.scenefolder import is_scene_folder
 
@@ -70,11 +70,13 @@ def _kept(path: Path) -> list[dict[str, Any]]:
 
 @contextlib.contextmanager
 def _alone(folder: Path) -> Generator[None]:
-    """Waits until no other command rewrites the file, where the file system can lock a folder."""
-    handle = os.open(folder, os.O_RDONLY)
-    try:
-        with contextlib.suppress(OSError):
-            fcntl.flock(handle, fcntl.LOCK_EX)
+    """Waits until no other command of this machine's user rewrites the file."""
+    import hashlib
+
+    from filelock import FileLock
+
+    name = hashlib.sha256(os.fsencode(folder.resolve())).hexdigest()[:16]
+    place = cache_dir() / "locks" / f"failures-{name}.lock"
+    place.parent.mkdir(parents=True, exist_ok=True)
+    with FileLock(place):
         yield
-    finally:
-        os.close(handle)

@@ -66,19 +66,21 @@ def place_in(stage: str) -> Generator[None]:
     if limit is None:
         yield
         return
-    import fcntl
+    from filelock import FileLock, Timeout
 
     folder = cache_dir() / "limits"
     folder.mkdir(parents=True, exist_ok=True)
     while True:
         for k in range(limit):
-            with (folder / f"{stage}-{k}.lock").open("w") as file:
-                try:
-                    fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                except BlockingIOError:
-                    continue
+            place = FileLock(folder / f"{stage}-{k}.lock", timeout=0)
+            try:
+                place.acquire()
+            except Timeout:
+                continue
+            with contextlib.ExitStack() as held:
+                held.callback(place.release)
                 yield
-                return
+            return
         time.sleep(_WAIT_S)
 
 

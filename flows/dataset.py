@@ -8,14 +8,16 @@ import contextlib
 from contextvars import ContextVar
 from dataclasses import dataclass
 import os
+from pathlib import Path
 from typing import Any, Literal
 
-from prefect import flow
+from prefect import flow, tags
 from prefect.task_runners import ThreadPoolTaskRunner
 
 from esg.dataset.job import BatchJob, BatchResult
 from esg.outcomes import UserError
 from flows import artifacts
+from flows.naming import current_name, run_tags
 from tasks.dataset import dataset_batch
 
 Runner = Literal["process", "dask", "ray"]
@@ -47,7 +49,7 @@ def _work() -> Work:
     return _WORK.get()
 
 
-@flow(name="dataset", validate_parameters=False)
+@flow(name="dataset", flow_run_name=current_name, validate_parameters=False)
 def dataset(out: str, scenes: int) -> list[BatchResult]:
     """Makes all batches of a shard that are not done yet.
 
@@ -114,7 +116,9 @@ def with_runner(
         token = _WORK.set(Work(jobs, on_batch))
         try:
             out = str(jobs[0].out) if jobs else ""
-            return chosen(out=out, scenes=sum(len(job.scenes) for job in jobs))
+            how = jobs[0].spec.model_dump(include={"strategy", "engine", "device"}) if jobs else {}
+            with tags(*run_tags("dataset", how), Path(out).name):
+                return chosen(out=out, scenes=sum(len(job.scenes) for job in jobs))
         finally:
             _WORK.reset(token)
 

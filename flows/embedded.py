@@ -224,19 +224,16 @@ def prepare_template() -> Path:
 @contextlib.contextmanager
 def _alone(path: Path) -> Generator[None]:
     """Lets one command at a time into the body; the system lets go of a command that dies."""
+    from filelock import FileLock
+
+    lock = FileLock(path, timeout=TEMPLATE_WAIT_S, poll_interval=0.2)
+    # A file system without locks must not hang a command: each makes its own, the last one stays.
+    with contextlib.suppress(OSError):  # Timeout is one
+        lock.acquire()
     try:
-        import fcntl
-    except ImportError:  # no such locks: each makes its own, the last one stays
         yield
-        return
-    with path.open("a") as file:
-        deadline = time.monotonic() + TEMPLATE_WAIT_S
-        while time.monotonic() < deadline:  # a file system without locks must not hang a command
-            with contextlib.suppress(OSError):
-                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                break
-            time.sleep(0.2)
-        yield
+    finally:
+        lock.release()
 
 
 def _migrate(template: Path) -> None:

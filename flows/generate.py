@@ -8,10 +8,16 @@ from prefect import flow
 
 from esg.pipeline import SceneState
 from esg.requests import generate_requests
+from flows.naming import current_name
 from flows.scenes import run_all, task_runner
 
 
-@flow(name="generate", task_runner=task_runner(), validate_parameters=False)
+@flow(
+    name="generate",
+    flow_run_name=current_name,
+    task_runner=task_runner(),
+    validate_parameters=False,
+)
 def generate(
     prompts: Sequence[str],
     seed: int = 0,

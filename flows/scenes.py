@@ -10,6 +10,7 @@ from prefect.cache_policies import NO_CACHE
 from prefect.task_runners import ThreadPoolTaskRunner
 
 from esg.pipeline import STAGES, SceneRequest, SceneState
+from flows.naming import scene_names
 from tasks import stage_task
 from tasks.context import current
 
@@ -34,14 +35,14 @@ def run_all(requests: Sequence[SceneRequest]) -> list[SceneState]:
     states = [SceneState(r) for r in requests]
     lanes = max(1, current().pool.processes)
     if lanes == 1 or len(states) == 1:
-        return run_stages(states, "scenes")
+        return run_stages(states, scene_names(states))
     # Several batches a lane, because scenes differ in length; dealt out like cards, because
     # neighbours (the runs of one scene) take equally long.
     count = max(lanes, min(len(states), 2 * lanes), -(-len(states) // BATCH))
     dealt = [list(range(k, len(states), count)) for k in range(count)]
     runs = [
         _batch.with_options(task_run_name=f"batch {k + 1} of {count}").submit(
-            [states[i] for i in indices], f"batch {k + 1}"
+            [states[i] for i in indices], scene_names([states[i] for i in indices])
         )
         for k, indices in enumerate(dealt)
     ]

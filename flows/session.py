@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator
 import contextlib
+import inspect
 import os
 import signal
 import threading
@@ -14,6 +15,7 @@ from esg.limits import stage_limits
 from esg.settings import check_limits
 from esg.workers import WorkerPool
 from flows.embedded import prefect_api
+from flows.naming import run_tags
 from tasks.context import Watcher, run_context
 
 T = TypeVar("T")
@@ -58,12 +60,24 @@ def session(processes: int, watch: Watcher | None = None) -> Generator[Callable[
         url = {PREFECT_API_URL: os.environ["PREFECT_API_URL"]}
 
         def call(flow: Callable[..., T], *args: Any, **kwargs: Any) -> T:
+            from prefect import tags
+
             api.wait()
             # The heartbeat thread costs a second at the end of every flow run.
-            with temporary_settings({PREFECT_FLOWS_HEARTBEAT_FREQUENCY: None, **url}):
+            quiet = temporary_settings({PREFECT_FLOWS_HEARTBEAT_FREQUENCY: None, **url})
+            with quiet, tags(*_tags(flow, args, kwargs)):
                 return flow(*args, **kwargs)
 
         yield call
+
+
+def _tags(flow: Callable[..., Any], args: Any, kwargs: Any) -> list[str]:
+    """Tags of a run; none for what is no flow."""
+    if not (name := getattr(flow, "name", "")):
+        return []
+    bound = inspect.signature(flow).bind(*args, **kwargs)
+    bound.apply_defaults()
+    return run_tags(name, bound.arguments)
 
 
 @contextlib.contextmanager

@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
+from esg.commands.drafting import RULES, Drafting
+
 if TYPE_CHECKING:
     from esg.pipeline import SceneState
     from esg.view.capture import Settings
@@ -23,7 +25,7 @@ def generate(
     *,
     out: Path = Path("runs"),
     seed: int = 0,
-    drafter: Literal["rules", "llm"] = "rules",
+    drafting: Drafting = RULES,
     strategy: Strategy = "batched",
     device: str = "cpu",
     close_loop: Annotated[bool, Parameter(negative="")] = False,
@@ -39,7 +41,6 @@ def generate(
         prompt: English description of the scene.
         out: Folder that receives the scene folder.
         seed: Of every random choice.
-        drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
         strategy: How the physics is searched; none keeps the first guess.
         device: cpu or cuda:N.
         close_loop: Feed the verify engine's outcome error back to the search, three rounds at most.
@@ -52,29 +53,29 @@ def generate(
         json: Print one JSON document with outcome, metrics and paths.
     """
     from esg.api.inputs import check_cache, check_device, check_seed, checked, clean_prompt
-    from esg.commands.console import emit, note_first_use
+    from esg.commands.console import emit
+    from esg.commands.drafting import from_answers, tell_waiting
     from esg.commands.live import live
     from esg.failures import report_failures
     from esg.outcomes import UserError
-    from esg.pipeline import recall
-    from esg.requests import generate_requests
     from esg.runs import exit_code, record_run
     from esg.scenefolder import check_writable, publish
 
-    prompt, _, device, seed, pictures, _ = checked(
+    prompt, _, device, seed, pictures, *_ = checked(
         lambda: clean_prompt(prompt),
         lambda: check_writable(out),
         lambda: check_device(device),
         lambda: check_seed(seed),
         lambda: _pictures(render) if render else None,
+        drafting.check,
         check_cache,
     )
-    with live(1) as bar:
-        arguments = ([prompt], seed, drafter, strategy, device, close_loop, collision, traffic)
-        state = recall(generate_requests(*arguments)[0])
-        if state is None:
-            note_first_use()
-            state = _made(arguments)
+    found = drafting.gathered([prompt], [seed])
+    if found is not None and found.waiting:
+        return tell_waiting(found, json)
+    with from_answers(found), live(1) as bar:
+        who = drafting.drafter
+        state = _state(([prompt], seed, who, strategy, device, close_loop, collision, traffic))
         if state.user_error:
             raise UserError(state.reason)
         bar.show("writing")
@@ -92,15 +93,26 @@ def generate(
     return exit_code([state], recorded, strict=strict)
 
 
-def _made(arguments: tuple[Any, ...]) -> SceneState:
-    """Runs the stages: on the user's Prefect server if there is one, else without a scheduler."""
+def _state(arguments: tuple[Any, ...]) -> SceneState:
+    """The final state of the scene, as of `flows.generate`.
+
+    It is made on the user's Prefect server if there is one, else without a scheduler. One that is
+    already in the store is found there.
+    """
     import os
 
+    from esg.commands.console import note_first_use
     from esg.guarded import run_guarded
     from esg.limits import stage_limits
+    from esg.pipeline import recall
     from esg.requests import generate_requests
     from esg.settings import check_limits
 
+    request = generate_requests(*arguments)[0]
+    state = recall(request)
+    if state is not None:
+        return state
+    note_first_use()
     if os.environ.get("PREFECT_API_URL"):
         from flows.session import session
 
@@ -110,7 +122,7 @@ def _made(arguments: tuple[Any, ...]) -> SceneState:
             return call(flow, *arguments)[0]
     stage_limits()  # a mistake in them is told before anything starts
     check_limits()
-    return run_guarded(generate_requests(*arguments)[0])
+    return run_guarded(request)
 
 
 def _pictures(channels: str) -> Settings:

@@ -14,10 +14,12 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 
 if TYPE_CHECKING:
-    from esg.commands.cron import Cron
+    from cronsim import CronSim
 
 DEFAULT_SUITE = Path("paper")
 """The name of one that comes with the package."""
+FIELDS = 5
+_SOME_DAY = datetime.datetime(2024, 1, 1, tzinfo=datetime.UTC)
 
 
 def serve(
@@ -114,22 +116,35 @@ def check_when(cron: str | None, once: bool) -> None:
         check_cron(cron)
 
 
-def check_cron(text: str) -> Cron:
-    """Reads a cron expression.
+def check_cron(text: str, after: datetime.datetime = _SOME_DAY) -> CronSim:
+    """The times at which a cron expression fires.
+
+    Args:
+        text: Five fields.
+        after: The times come after this one.
 
     Raises:
-        UserError: If it is none.
+        UserError: If it is no such expression, or never fires.
     """
-    from esg.commands.cron import Cron
+    from cronsim import CronSim, CronSimError
+
     from esg.outcomes import UserError
 
-    try:
-        return Cron.parse(text)
-    except ValueError as error:
-        raise UserError(
-            f"--cron {text!r}: {error}; give minute, hour, day of month, month and day of week, "
-            'e.g. "0 3 * * *" for every night at three (UTC)'
-        ) from None
+    reason = "it never fires"
+    if len(text.split()) == FIELDS:  # the library takes a sixth, for seconds
+        try:
+            next(CronSim(text, _SOME_DAY))
+            return CronSim(text, after)
+        except CronSimError as error:
+            reason = str(error).lower()
+        except StopIteration:
+            pass
+    else:
+        reason = f"{len(text.split())} fields instead of five"
+    raise UserError(
+        f"--cron {text!r}: {reason}; give minute, hour, day of month, month and day of week, "
+        'e.g. "0 3 * * *" for every night at three (UTC)'
+    )
 
 
 def _once(options: dict[str, Any]) -> list[dict[str, Any]]:
@@ -162,7 +177,7 @@ def _serve(cron: str, options: dict[str, Any]) -> int:
         return _serve_on_server(cron, options)
     command = [sys.executable, "-m", "esg.cli", "serve", "--once", *arguments(options)]
     while True:
-        following = check_cron(cron).following(datetime.datetime.now(datetime.UTC))
+        following = next(check_cron(cron, datetime.datetime.now(datetime.UTC)))
         print(f"next run at {following:%Y-%m-%d %H:%M} UTC", flush=True)
         # In short steps: a clock that is set, or a machine that sleeps, must not lose a night.
         while datetime.datetime.now(datetime.UTC) < following:

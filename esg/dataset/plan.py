@@ -52,6 +52,36 @@ class Prompt(BaseModel):
     expect: str = ""
 
 
+class RenderSpec(BaseModel):
+    """What cameras see of every scene; see `esg.dataset.clips`.
+
+    Args:
+        channels: Of `esg.dataset.clips.encoding.CHANNELS`.
+        cameras: How many, 1 to 8.
+        size: Width and height [px], both even.
+        fps: Frames a second.
+        renderer: Of colours: raster, path or cycles.
+        samples: Rays a pixel; None for what the renderer takes by itself.
+        camera: `auto` for what the director chooses, one of its kinds, or `around`.
+        motion_blur: Colours are those of all the time the shutter is open.
+        lossless: Colours are kept as they are, in files that browsers do not play.
+        device: cpu or cuda:N.
+    """
+
+    model_config = ConfigDict(frozen=True, extra="forbid")
+
+    channels: tuple[str, ...] = ("rgb", "depth", "segmentation")
+    cameras: int = 1
+    size: tuple[int, int] = (256, 256)
+    fps: float = 24.0
+    renderer: str = "raster"
+    samples: int | None = None
+    camera: str = "auto"
+    motion_blur: bool = False
+    lossless: bool = False
+    device: str = "cpu"
+
+
 class DatasetSpec(BaseModel):
     """Everything a dataset depends on besides code.
 
@@ -68,6 +98,7 @@ class DatasetSpec(BaseModel):
         fps: Frames a second of the recorded trajectories.
         batch: Scenes a batch.
         strict: Whether `partial` scenes count as failed.
+        render: What cameras see; None for a dataset without clips.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -89,6 +120,7 @@ class DatasetSpec(BaseModel):
     fps: float = 60.0
     batch: int = 0
     strict: bool = False
+    render: RenderSpec | None = None
 
     @property
     def batch_size(self) -> int:
@@ -108,8 +140,9 @@ class DatasetSpec(BaseModel):
         return f"dataset-{hashlib.sha256(self.canonical().encode()).hexdigest()[:12]}"
 
     def canonical(self) -> str:
-        """Canonical JSON."""
-        return json.dumps(self.model_dump(mode="json"), sort_keys=True, separators=(",", ":"))
+        """Canonical JSON; what is not asked for is left out, as it was before there was such."""
+        data = self.model_dump(mode="json", exclude=None if self.render else {"render"})
+        return json.dumps(data, sort_keys=True, separators=(",", ":"))
 
     def differences(self, other: DatasetSpec) -> list[str]:
         """Fields in which two specifications differ, as `name: mine, not theirs`."""

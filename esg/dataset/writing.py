@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Mapping, Sequence
+import json
 from pathlib import Path
 import shutil
 import time
@@ -70,15 +71,17 @@ def _as_said(state: SceneState, statements: Sequence[Mapping[str, Any]]) -> bool
 
 
 def _columns(scene: PlannedScene, state: SceneState) -> dict[str, Any]:
-    manifest = None
+    from esg.store import shapes
+
+    manifest, expected = None, scene.request.suite_scene
     if "compile" in state.artifacts:
         manifest = (state.artifact("compile") / "manifest.json").read_text("utf-8")
     return {
         "rule": scene.rule or None,
         "pair": scene.pair or None,
         "changed": scene.changed or None,
-        "parameters": scene.parameters or None,
-        "expectation": scene.request.suite_scene or None,
+        "parameters": shapes.parameters(json.loads(scene.parameters)) if scene.parameters else None,
+        "expectation": shapes.expectation(json.loads(expected)) if expected else None,
         "manifest": manifest,
     }
 

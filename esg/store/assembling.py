@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from esg.files import atomic_file
+from esg.store.columns import value_bytes
 from esg.store.tables import (
     COLUMNS,
     COMPRESSION,
@@ -157,12 +158,14 @@ def _row_sizes(data: pa.Table) -> list[int]:
     total = pa.array([0] * data.num_rows, pa.int64())
     for column in data.columns:
         kind = column.type
-        if pa.types.is_string(kind):
+        if pa.types.is_struct(kind) and kind.get_field_index("bytes") >= 0:
+            column = pc.struct_field(column, "bytes")  # of a file, whose size is that of the row
+            kind = column.type
+        if pa.types.is_string(kind) or pa.types.is_binary(kind):
             size = pc.cast(pc.binary_length(column), pa.int64())
         elif pa.types.is_list(kind):
-            # Lists of names are short: a guess of their length will do.
-            width = 16 if pa.types.is_string(kind.value_type) else kind.value_type.bit_width // 8
-            size = pc.multiply(pc.cast(pc.list_value_length(column), pa.int64()), width)
+            lengths = pc.cast(pc.list_value_length(column), pa.int64())
+            size = pc.multiply(lengths, value_bytes(kind.value_type))
         else:
             continue
         total = pc.add(total, pc.fill_null(size, 0))
@@ -249,6 +252,7 @@ _ONE_ROW = {
     "statements": "a statement of a prompt or a suite and whether a scene's replay keeps it",
     "plausibility_checks": "a check of a scene's replay: measured value and limit",
     "timings": "a pipeline stage of a scene",
+    "clips": "what one camera saw of a scene: files, camera, boxes, tracks",
 }
 
 

@@ -1,19 +1,23 @@
 """Data that knows when it is damaged: digests of tables, checksums of recordings, the whole of it.
 
 Every page of a Parquet file has a checksum, and its footer the digest of all that the file says: a
-flipped bit in a footer changes types, counts or places without touching a page.
+flipped bit in a footer changes types, counts or places without touching a page. The footer itself
+is sealed by its hash, which stands before it where no reader looks: Arrow ends the process over
+some damaged footers instead of telling.
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator
 import hashlib
+import os
 from pathlib import Path
 import struct
 from typing import TYPE_CHECKING, Any
 import zlib
 
 from esg.outcomes import UserError
+from esg.store.columns import type_text
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -21,6 +25,8 @@ if TYPE_CHECKING:
 DIGEST_KEY = b"esg.digest"
 _MAGIC = b"\x89MCAP0\r\n"
 _FOOTER, _ATTACHMENT = 0x02, 0x09
+_SEAL, _PARQUET = b"ESGFOOT1", b"PAR1"
+_SEAL_BYTES = len(_SEAL) + 32
 
 
 def content_digest(data: pa.Table) -> bytes:
@@ -32,14 +38,10 @@ def content_digest(data: pa.Table) -> bytes:
     Returns:
         64 hex digits.
     """
-    import pyarrow as pa
-
     digest = hashlib.sha256()
     for name, column in zip(data.column_names, data.columns, strict=True):
-        kind = column.type
         # Parquet has its own name for what a list holds.
-        word = f"list of {kind.value_type}" if pa.types.is_list(kind) else str(kind)
-        digest.update(f"{name}: {word}, {len(column)}\n".encode())
+        digest.update(f"{name}: {type_text(column.type)}, {len(column)}\n".encode())
         _update(digest, column.combine_chunks())
     return digest.hexdigest().encode()
 
@@ -59,7 +61,10 @@ def _update(digest: Any, values: pa.Array) -> None:
         lengths = pc.fill_null(pc.list_value_length(values), -1)
         digest.update(lengths.to_numpy(zero_copy_only=False).tobytes())
         _update(digest, values.flatten())
-    elif pa.types.is_string(kind):
+    elif pa.types.is_struct(kind):
+        for field in values.flatten():
+            _update(digest, field)
+    elif pa.types.is_string(kind) or pa.types.is_binary(kind):
         lengths = pc.fill_null(pc.binary_length(values), -1)
         digest.update(lengths.to_numpy(zero_copy_only=False).tobytes())
         for text in values.cast(pa.binary()).to_pylist():
@@ -69,6 +74,41 @@ def _update(digest: Any, values: pa.Array) -> None:
         zero = False if pa.types.is_boolean(kind) else 0
         filled = pc.fill_null(plain, pa.scalar(zero, plain.type))
         digest.update(filled.to_numpy(zero_copy_only=False).tobytes())
+
+
+def seal_footer(path: Path) -> None:
+    """Puts the hash of a Parquet file's footer before it; readers of Parquet skip over it."""
+    with path.open("r+b") as file:
+        place, footer = _footer(file)
+        file.seek(place)
+        size = struct.pack("<I", len(footer))
+        file.write(_SEAL + hashlib.sha256(footer).digest() + footer + size + _PARQUET)
+
+
+def check_footer(path: Path) -> None:
+    """Compares a Parquet file's footer with its hash; a file without one passes.
+
+    Raises:
+        ValueError: If it does not fit, or the file is no Parquet.
+    """
+    with path.open("rb") as file:
+        place, footer = _footer(file)
+        file.seek(max(0, place - _SEAL_BYTES))
+        seal = file.read(min(place, _SEAL_BYTES))
+    if seal.startswith(_SEAL) and seal[len(_SEAL) :] != hashlib.sha256(footer).digest():
+        raise ValueError("the hash of its footer does not fit")
+
+
+def _footer(file: Any) -> tuple[int, bytes]:
+    """Where the footer of an open Parquet file begins, and the footer."""
+    end = file.seek(0, os.SEEK_END) - 8
+    file.seek(max(0, end))
+    tail = file.read(8)
+    size = struct.unpack("<I", tail[:4])[0] if len(tail) == 8 else 0
+    if tail[4:] != _PARQUET or not 0 < size <= end:
+        raise ValueError("it is cut off, or no Parquet")
+    file.seek(end - size)
+    return end - size, file.read(size)
 
 
 def check_recording(path: Path) -> None:

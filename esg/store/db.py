@@ -176,29 +176,21 @@ def first_line(error: BaseException) -> str:
 @contextlib.contextmanager
 def _lock(path: Path, db: Path) -> Generator[None]:
     """Holds the writers' lock; the system releases it when a writer dies."""
-    import fcntl
+    from filelock import FileLock, Timeout
 
-    with path.open("a") as file:
-        start, wait = time.monotonic(), _FIRST_WAIT_S
-        while True:
-            try:
-                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-                break
-            except OSError as error:
-                if error.errno not in (errno.EAGAIN, errno.EACCES):
-                    raise
-            if time.monotonic() - start > LOCK_WAIT_S:
-                raise UserError(
-                    f"{db} is being written by another process for more than {LOCK_WAIT_S:g} s; "
-                    "wait for it to end, then run again",
-                    exit_code=1,
-                )
-            time.sleep(wait)
-            wait = min(2 * wait, 1.0)
-        try:
-            yield
-        finally:
-            fcntl.flock(file, fcntl.LOCK_UN)
+    lock = FileLock(path, timeout=LOCK_WAIT_S, poll_interval=_FIRST_WAIT_S)
+    try:
+        lock.acquire()
+    except Timeout:
+        raise UserError(
+            f"{db} is being written by another process for more than {LOCK_WAIT_S:g} s; "
+            "wait for it to end, then run again",
+            exit_code=1,
+        ) from None
+    try:
+        yield
+    finally:
+        lock.release()
 
 
 def _settle(db: Path) -> None:

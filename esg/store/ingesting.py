@@ -5,13 +5,23 @@ from __future__ import annotations
 from collections.abc import Iterable, Sequence
 import contextlib
 from dataclasses import dataclass
+from itertools import groupby
 from pathlib import Path
 from typing import TYPE_CHECKING
 
 from esg.files import final_names
 from esg.outcomes import UserError
 from esg.store.db import apply_migrations, first_line, writing
-from esg.store.tables import ADDED_COLUMNS, COLUMNS, KEYS, part_files, read_table, table_of
+from esg.store.shapes import SHAPED, as_json_sql
+from esg.store.tables import (
+    ADDED_COLUMNS,
+    COLUMNS,
+    KEYS,
+    format_of,
+    part_files,
+    read_table,
+    table_of,
+)
 
 if TYPE_CHECKING:
     from duckdb import DuckDBPyConnection
@@ -19,9 +29,13 @@ if TYPE_CHECKING:
 _IN_PARQUET = {
     "trajectories": {n for n, k in COLUMNS["trajectories"].items() if k.startswith("list<")}
     - {"bodies"},
-    "scenes": {"expectation", "manifest"},
+    "scenes": {"expectation", "manifest", "preview"},
+    "clips": {n for n, k in COLUMNS["clips"].items() if "<" in k} - {"channels"},
 }
 """Columns too heavy for the database: they stay in the Parquet files."""
+
+_WITH_PROMPT = {"scenes", "clips"}
+"""Tables that have the prompt in the database too; all have it in Parquet."""
 
 
 @dataclass(frozen=True)
@@ -135,7 +149,8 @@ def _ingest(
     connection.execute("BEGIN")
     try:
         for table, found in wanted.items():
-            rows[table] = _upsert(connection, found, table)
+            alike = groupby(found, key=format_of)
+            rows[table] = sum(_upsert(connection, list(g), table, major) for major, g in alike)
         if marks:
             connection.executemany("INSERT OR REPLACE INTO ingested VALUES (?, ?, ?, ?)", marks)
         connection.execute("COMMIT")
@@ -146,16 +161,17 @@ def _ingest(
     return IngestReport(len(marks), len(files) - len(marks), rows)
 
 
-def _upsert(connection: DuckDBPyConnection, files: Sequence[Path], table: str) -> int:
-    """Replaces the rows of all keys that the files hold; the last row of a key wins."""
+def parquet_only(table: str) -> set[str]:
+    """Columns of a table that the database lacks."""
+    return _IN_PARQUET.get(table, set()) | (set() if table in _WITH_PROMPT else {"prompt"})
+
+
+def _upsert(connection: DuckDBPyConnection, files: Sequence[Path], table: str, major: int) -> int:
+    """Replaces the rows of all keys that files of one format hold; the last row of a key wins."""
     present = _columns_of(connection, files)
-    skipped = _IN_PARQUET.get(table, set()) | set(ADDED_COLUMNS.get(table, ())) - present
+    skipped = parquet_only(table) | set(ADDED_COLUMNS.get(table, ())) - present
     columns = {c: kind for c, kind in COLUMNS[table].items() if c not in skipped}
-    # The database keeps plain UTC: time zone types need a package that readers may lack.
-    read = ", ".join(
-        f'timezone(\'UTC\', "{c}") AS "{c}"' if kind == "timestamp" else f'"{c}"'
-        for c, kind in columns.items()
-    )
+    read = ", ".join(_read(table, c, kind, major) for c, kind in columns.items())
     names = ", ".join(f'"{c}"' for c in columns)
     if table == "trajectories":
         read, names = f"{read}, filename AS file", f"{names}, file"
@@ -189,6 +205,16 @@ def _upsert(connection: DuckDBPyConnection, files: Sequence[Path], table: str) -
     ).fetchone()
     connection.execute("DROP TABLE staging")
     return int(done[0]) if done else 0
+
+
+def _read(table: str, column: str, kind: str, major: int) -> str:
+    """SQL that reads a column as the database keeps it."""
+    if kind == "timestamp":
+        # The database keeps plain UTC: time zone types need a package that readers may lack.
+        return f'timezone(\'UTC\', "{column}") AS "{column}"'
+    if major > 1 and (table, column) in SHAPED:
+        return f'{as_json_sql(column, kind)} AS "{column}"'
+    return f'"{column}"'
 
 
 def _columns_of(connection: DuckDBPyConnection, files: Sequence[Path]) -> set[str]:

@@ -140,14 +140,13 @@ def make_record(
         split, family: Override those of the prompt (counterfactual pairs keep one family).
         extra: Further columns of the scene's row, such as rule, pair and manifest.
     """
-    common = _common(run, scene_id, seed)
+    common = {**_common(run, scene_id, seed), "prompt": prompt}
     documents = documents or {}
     family = prompt_family(prompt) if family is None else family
     split = split_of(family) if split is None else split
     scene: dict[str, Any] = {
         **common,
         "level": level,
-        "prompt": prompt,
         "family": family,
         "split": split,
         "drafter": drafter,

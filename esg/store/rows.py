@@ -7,6 +7,7 @@ import json
 from typing import TYPE_CHECKING, Any
 
 from esg.metrics.models import SceneVerdict
+from esg.store import shapes
 
 if TYPE_CHECKING:
     from esg.engines.scene import Rollout
@@ -30,7 +31,7 @@ def event_rows(
             "time_s": e.time_s,
             "bodies": list(e.bodies),
             "reason": e.reason,
-            "measured": json.dumps(e.measured, sort_keys=True),
+            "measured": shapes.measured(e.measured),
         }
         for i, e in enumerate(verdict.events)
     ]
@@ -93,7 +94,7 @@ def statement_rows(
             "stop": row.get("end"),
             "status": row["status"],
             "kept": row["kept"],
-            "measured": json.dumps(row["measured"], sort_keys=True),
+            "measured": shapes.measured(row["measured"]),
             "reason": row["reason"],
         }
         for source, rows in statements.items()

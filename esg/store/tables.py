@@ -13,7 +13,9 @@ from typing import TYPE_CHECKING, Any
 
 from esg.files import atomic_write
 from esg.outcomes import UserError
-from esg.store.checking import DIGEST_KEY, content_digest
+from esg.store.checking import DIGEST_KEY, check_footer, content_digest, seal_footer
+from esg.store.columns import arrow_type, features_metadata
+from esg.store.shapes import EXPECTATION, MEASURED, PARAMETERS, upgraded
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -21,7 +23,9 @@ if TYPE_CHECKING:
 
     from esg.store.records import SceneRecord
 
-FORMAT_VERSION = "1.4.0"
+FORMAT_VERSION = "2.0.0"
+READABLE = ("1", "2")
+"""Major versions of files that are read; those of 1 have JSON texts where 2 has types."""
 ROW_GROUP_SCENES = 100
 MOST_VALUES = 1_000_000_000
 """Of one file that is read: 8 GB of numbers. Our own have a tenth of it."""
@@ -37,11 +41,15 @@ KEYS: dict[str, tuple[str, ...]] = {
     "statements": ("scene_key", "engine", "source", "statement_id"),
     "plausibility_checks": ("scene_key", "engine", "check_name"),
     "timings": ("scene_key", "stage"),
+    "clips": ("scene_key", "camera"),
 }
 """Primary key of every table; `scene_key` is run, suite, scene and seed (esg.store.records)."""
 
 _RUN = {"run_id": "string"}
-_SCENE = {**_RUN, "scene_key": "string", "suite": "string", "scene_id": "string", "seed": "int64"}
+_SCENE = {
+    **_RUN, "scene_key": "string", "suite": "string", "scene_id": "string", "seed": "int64",
+    "prompt": "string",
+}  # fmt: skip
 
 COLUMNS: dict[str, dict[str, str]] = {
     "runs": {
@@ -50,7 +58,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "version": "string", "code_version": "string", "machine": "string",
     },
     "scenes": {
-        **_SCENE, "level": "string", "prompt": "string", "family": "string", "split": "string",
+        **_SCENE, "level": "string", "family": "string", "split": "string",
         "drafter": "string", "strategy": "string", "engine": "string", "device": "string",
         "dt_s": "float64", "proof": "string", "outcome": "string", "reason": "string",
         "verified": "bool", "slr": "bool", "max_penetration_m": "float64", "n_events": "int32",
@@ -59,9 +67,10 @@ COLUMNS: dict[str, dict[str, str]] = {
         "esg_draft": "string", "esg_resolve": "string", "esg_cast": "string",
         "esg_layout": "string", "esg_optimize": "string", "esg_sha256": "string",
         "artifacts": "string",
-        "rule": "string", "pair": "string", "changed": "string", "parameters": "string",
-        "expectation": "string", "manifest": "string",
+        "rule": "string", "pair": "string", "changed": "string", "parameters": PARAMETERS,
+        "expectation": EXPECTATION, "manifest": "string",
         "fully_understood": "bool", "statements_kept": "float64", "plausible": "bool",
+        "preview": "image",
     },
     "trajectories": {
         **_SCENE, "split": "string", "engine": "string", "dt_s": "float64", "fps": "float64",
@@ -75,7 +84,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         **_SCENE, "strategy": "string", "engine": "string", "dt_s": "float64",
         "event_id": "string", "event_index": "int32", "event_type": "string",
         "completed": "bool", "time_s": "float64", "bodies": "list<string>", "reason": "string",
-        "measured": "string",
+        "measured": MEASURED,
     },
     "constraints": {
         **_SCENE, "strategy": "string", "engine": "string", "constraint_index": "int32",
@@ -92,7 +101,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         **_SCENE, "strategy": "string", "engine": "string", "source": "string",
         "statement_id": "string", "statement_index": "int32", "says": "string",
         "words": "string", "start": "int32", "stop": "int32", "status": "string",
-        "kept": "bool", "measured": "string", "reason": "string",
+        "kept": "bool", "measured": MEASURED, "reason": "string",
     },
     "plausibility_checks": {
         **_SCENE, "strategy": "string", "engine": "string", "check_name": "string",
@@ -103,17 +112,45 @@ COLUMNS: dict[str, dict[str, str]] = {
         **_SCENE, "stage": "string", "stage_index": "int32", "seconds": "float64",
         "cached": "bool", "outcome": "string",
     },
+    "clips": {
+        **_SCENE, "split": "string", "camera": "int32", "camera_kind": "string",
+        "width": "int32", "height": "int32", "fps": "float64",
+        "n_frames": "int32", "time_s": "list<float32>", "renderer": "string", "samples": "int32",
+        "intrinsics": "struct<fx:float64,fy:float64,cx:float64,cy:float64>",
+        "camera_position_m": "list<float32>", "camera_quaternion_xyzw": "list<float32>",
+        "channels": "list<string>",
+        "files": "list<struct<channel:string,path:string,bytes:int64>>",
+        "objects": "list<struct<id:int32,name:string,label:string,category:string,static:bool>>",
+        "object_bounds_m": "list<float32>", "object_position_m": "list<float32>",
+        "object_quaternion_xyzw": "list<float32>",
+        "depth_offset": "list<float32>", "depth_scale": "list<float32>",
+        "flow_scale": "list<float32>", "backward_flow_scale": "list<float32>",
+        "boxes2d": "list<struct<frame:int32,id:int32,x0:int32,y0:int32,x1:int32,y1:int32,"
+        "visible_px:int32>>",
+        "boxes3d": "list<struct<frame:int32,id:int32,x_m:float32,y_m:float32,z_m:float32,"
+        "half_x_m:float32,half_y_m:float32,half_z_m:float32,qx:float32,qy:float32,qz:float32,"
+        "qw:float32>>",
+        "track_ids": "list<int32>", "track_point_m": "list<float32>",
+        "track_xy_px": "list<float32>", "track_visible": "list<bool>",
+    },
 }  # fmt: skip
-"""Column name to type of every table."""
+"""Column name to type of every table (esg.store.columns)."""
 
 ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
     "scenes": (
         "rule", "pair", "changed", "parameters", "expectation", "manifest", "esg_cast",
-        "fully_understood", "statements_kept", "plausible",
+        "fully_understood", "statements_kept", "plausible", "preview",
+    ),
+    **dict.fromkeys(
+        (
+            "trajectories", "metrics", "constraints", "coverage", "statements",
+            "plausibility_checks", "timings",
+        ),
+        ("prompt",),
     ),
 }  # fmt: skip
 """Columns that files of an older format lack (`esg_cast` is of 1.2, what became of statements of
-1.3, `plausible` of 1.4): they read as null."""
+1.3, `plausible` of 1.4, `preview` and the prompt on every row of 2.0): they read as null."""
 
 TABLES = tuple(COLUMNS)
 
@@ -123,27 +160,12 @@ def arrow_schema(table: str) -> pa.Schema:
     """The explicit Arrow schema of a table; its metadata name the table and the format."""
     import pyarrow as pa
 
-    types = {
-        "string": pa.string(),
-        "int16": pa.int16(),
-        "int32": pa.int32(),
-        "int64": pa.int64(),
-        "float32": pa.float32(),
-        "float64": pa.float64(),
-        "bool": pa.bool_(),
-        "timestamp": pa.timestamp("us", tz="UTC"),
-    }
-
-    def arrow(name: str) -> pa.DataType:
-        if name.startswith("list<"):
-            return pa.list_(types[name[5:-1]])
-        return types[name]
-
     fields = [
-        pa.field(name, arrow(kind), nullable=name not in KEYS[table])
+        pa.field(name, arrow_type(kind), nullable=name not in KEYS[table])
         for name, kind in COLUMNS[table].items()
     ]
     metadata = {b"esg.table": table.encode(), b"esg.format": FORMAT_VERSION.encode()}
+    metadata |= features_metadata(COLUMNS[table])
     return pa.schema(fields, metadata=metadata)
 
 
@@ -184,6 +206,7 @@ def write_part(data: pa.Table, path: Path, *, row_group: int = ROW_GROUP_SCENES)
             data, _local(temporary), compression=COMPRESSION, row_group_size=max(1, row_group),
             store_schema=True, write_page_checksum=True,
         )  # fmt: skip
+        seal_footer(temporary)
 
     atomic_write(path, write)
 
@@ -215,7 +238,8 @@ def write_tables(folder: Path, records: Iterable[SceneRecord], *, name: str) -> 
 
 def row_group_rows(table: str) -> int:
     """Rows a row group of a table."""
-    return ROW_GROUP_SCENES if table in ("scenes", "trajectories") else 100 * ROW_GROUP_SCENES
+    heavy = ("scenes", "trajectories", "clips")
+    return ROW_GROUP_SCENES if table in heavy else 100 * ROW_GROUP_SCENES
 
 
 def table_of(path: Path) -> str:
@@ -227,6 +251,7 @@ def table_of(path: Path) -> str:
     import pyarrow.parquet as pq
 
     try:
+        check_footer(Path(path))
         facts = pq.read_metadata(_local(path))
         metadata = facts.schema.to_arrow_schema().metadata or {}
         values = _values(facts)
@@ -242,11 +267,19 @@ def table_of(path: Path) -> str:
     if table not in COLUMNS:
         raise UserError(f"{path} is not a table of this project (no esg.table metadata)")
     version = metadata.get(b"esg.format", b"").decode("utf-8", "replace")
-    if version.split(".")[0] != FORMAT_VERSION.split(".")[0]:
+    if version.split(".")[0] not in READABLE:
         raise UserError(f"{path} has format {version}; this software reads {FORMAT_VERSION}")
     if values > MOST_VALUES:
         raise UserError(f"{path} says it holds {values} values, at most {MOST_VALUES} are read")
     return table
+
+
+def format_of(path: Path) -> int:
+    """Major version of the format of a file that `table_of` knows."""
+    import pyarrow.parquet as pq
+
+    metadata = pq.read_schema(_local(path)).metadata or {}
+    return int(metadata[b"esg.format"].split(b".")[0])
 
 
 def _values(facts: pq.FileMetaData) -> int:
@@ -281,6 +314,7 @@ def read_table(path: Path, columns: Sequence[str] | None = None) -> pa.Table:
         digest = (data.schema.metadata or {}).get(DIGEST_KEY)
         if columns is None and digest not in (None, content_digest(data)):
             raise ValueError("its digest does not fit")
+        data = upgraded(table, data, COLUMNS[table])
     except Exception as error:  # whatever the reader meets in a damaged file
         why = (str(error).splitlines() or [type(error).__name__])[0]
         raise UserError(f"{path} is damaged ({why}); delete it and run again") from None

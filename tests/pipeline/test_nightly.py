@@ -58,7 +58,7 @@ def test_what_is_no_cron_expression_is_refused(text: str) -> None:
 
 def following(text: str, moment: str) -> str:
     start = datetime.datetime.fromisoformat(f"{moment}:00+00:00")
-    return check_cron(text).following(start).strftime("%Y-%m-%dT%H:%M")
+    return next(check_cron(text, start)).strftime("%Y-%m-%dT%H:%M")
 
 
 @pytest.mark.parametrize(

@@ -8,6 +8,7 @@ import json
 from esg.fidelity import judged, statement_rows
 from esg.metrics import SuiteConstraint
 from esg.store.records import RunInfo, SceneRecord, make_record
+from tests.dataset.clips.synthetic import record as clip_record
 from tests.metrics.test_events import CHAIN, chain
 
 UTC = datetime.UTC
@@ -66,7 +67,7 @@ def record(
         {"name": "speed", "unit": "m/s", "ok": complete, "measured": 10.0 if complete else 94.6 + seed,
          "limit": 47.3, **ends},
     ]  # fmt: skip
-    return make_record(
+    made = make_record(
         run,
         scene_id=scene,
         seed=seed,
@@ -86,6 +87,8 @@ def record(
             {"stage": "replay", "seconds": 1.5, "cached": seed == 1},
         ),
     )
+    clip = clip_record(run.run_id, scene, seed=seed, suite=run.suite, split="")
+    return SceneRecord({**made.rows, "clips": [clip.row()]})
 
 
 def records(run: RunInfo, scenes: int = 3, seeds: int = 2) -> list[SceneRecord]:

@@ -8,6 +8,7 @@ import os
 from pathlib import Path
 import time
 
+import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
 
@@ -15,7 +16,7 @@ from esg.fidelity import statement_rows
 from esg.outcomes import UserError
 from esg.store import db as module
 from esg.store.db import migrate, migrations, query, snapshot
-from esg.store.ingesting import ingest, rebuild
+from esg.store.ingesting import ingest, parquet_only, rebuild
 from esg.store.records import SceneRecord, make_record
 from esg.store.tables import (
     ADDED_COLUMNS,
@@ -65,8 +66,7 @@ def test_migrations_are_numbered_and_reachable_from_schemas():
 def test_every_parquet_column_has_its_database_column(db):
     for table, columns in COLUMNS.items():
         found = {r[0] for r in query(db, f"DESCRIBE {table}").rows}
-        arrays = {c for c, k in columns.items() if k.startswith("list<float") or k == "list<int16>"}
-        assert set(columns) - arrays - {"expectation", "manifest"} <= found
+        assert set(columns) - parquet_only(table) == found - {"file"}
 
 
 def test_parts_of_format_1_0_are_still_ingested(tmp_path, parts):
@@ -87,12 +87,70 @@ def test_parts_of_format_1_0_are_still_ingested(tmp_path, parts):
     assert one(tmp_path / "b.duckdb", "SELECT count(*) FROM scenes")[0] == old.num_rows
 
 
+def as_format_1(source: Path, target: Path, texts: dict[str, list[str | None]]) -> Path:
+    """The same table as version 1.4 wrote it: JSON texts where there are types now."""
+    data = pq.read_table(source)
+    table = data.schema.metadata[b"esg.table"].decode()
+    for column, values in texts.items():
+        place = data.schema.get_field_index(column)
+        data = data.set_column(place, column, pa.array(values, pa.string()))
+    new = {"scenes": ["preview"]}.get(table, ["prompt"])
+    facts = {b"esg.table": table.encode(), b"esg.format": b"1.4.0"}
+    target.parent.mkdir(parents=True, exist_ok=True)
+    pq.write_table(data.drop_columns(new).replace_schema_metadata(facts), target)
+    return target
+
+
+def test_texts_of_format_1_read_as_types_and_are_ingested_beside_newer_files(tmp_path, parts):
+    source = {t: part_files(parts, t)[0] for t in ("metrics", "scenes")}
+    n = pq.read_metadata(source["metrics"]).num_rows
+    metrics = as_format_1(
+        source["metrics"],
+        tmp_path / "old" / "metrics.parquet",
+        {"measured": ['{"b": 2, "a": 1.5}'] * n},
+    )
+    asked = '{"id": "x", "events": [{"id": "e1", "type": "turns", "object": "car"}], "objects": ["car"]}'
+    m = pq.read_metadata(source["scenes"]).num_rows
+    scenes = as_format_1(
+        source["scenes"],
+        tmp_path / "old" / "scenes.parquet",
+        {
+            "parameters": ['{"mover": "car", "speed": 3}'] * m,
+            "expectation": [asked] * (m - 1) + [None],
+        },
+    )
+    read = read_table(metrics).to_pylist()[0]
+    assert read["measured"] == [{"name": "a", "value": 1.5}, {"name": "b", "value": 2.0}]
+    assert read["prompt"] is None
+    row = read_table(scenes).to_pylist()[0]
+    assert row["parameters"] == [
+        {"slot": "mover", "text": "car", "number": None},
+        {"slot": "speed", "text": None, "number": 3.0},
+    ]
+    assert row["expectation"]["objects"] == ["car"]
+    assert row["expectation"]["events"][0]["type"] == "turns"
+    assert read_table(scenes)["expectation"].null_count == 1
+
+    db, sql = (
+        tmp_path / "a.duckdb",
+        "SELECT DISTINCT json_extract(measured, '$.a')::DOUBLE FROM metrics",
+    )
+    ingest(db, [metrics, scenes])
+    assert query(db, sql).rows == [(1.5,)]
+    assert one(db, "SELECT count(json_extract(parameters, '$.speed')) FROM scenes")[0] == m
+    ingest(db, [metrics, source["metrics"]], force=True)
+    assert query(db, sql).rows == [(None,)]
+    assert one(db, "SELECT count(json_extract(measured, '$.impulse_ns')) FROM metrics")[0] > 0
+    ingest(db, [source["metrics"], metrics], force=True)
+    assert query(db, sql).rows == [(1.5,)]
+
+
 def test_ingest_is_idempotent(db, parts):
     before = counts(db)
     assert before == {
         "runs": 1, "scenes": 6, "trajectories": 6, "metrics": 12, "constraints": 12,
         "coverage": 12, "timings": 12, "statements": 18,
-            "plausibility_checks": 12,
+            "plausibility_checks": 12, "clips": 6,
     }  # fmt: skip
     again = ingest(db, [parts])
     assert (again.files, again.unchanged) == (0, len(TABLES))

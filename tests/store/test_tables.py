@@ -9,11 +9,14 @@ from pathlib import Path
 from hypothesis import given
 from hypothesis import strategies as st
 import numpy as np
+import pyarrow as pa
 import pytest
 
 from esg import files
 from esg.outcomes import UserError
 from esg.store.assembling import assemble
+from esg.store.checking import check_footer, content_digest
+from esg.store.columns import arrow_type
 from esg.store.records import prompt_family, split_of
 from esg.store.tables import (
     COLUMNS,
@@ -52,14 +55,15 @@ def test_parts_hold_what_was_recorded(tmp_path):
     assert {t: read_table(p).num_rows for t, p in paths.items()} == {
         "runs": 1, "scenes": 6, "trajectories": 6, "metrics": 12, "constraints": 12,
         "coverage": 12, "timings": 12, "statements": 18,
-        "plausibility_checks": 12,
+        "plausibility_checks": 12, "clips": 6,
     }  # fmt: skip
     scene = read_table(paths["scenes"]).to_pylist()[0]
     assert (scene["scene_key"], scene["n_events"]) == ("run-1/paper/S1/0", 2)
     assert scene["seconds"] == 2.0
     metric = read_table(paths["metrics"]).to_pylist()[0]
     assert metric["time_s"] == pytest.approx(0.4)
-    assert json.loads(metric["measured"])["impulse_ns"] == 1.0
+    assert {"name": "impulse_ns", "value": 1.0} in metric["measured"]
+    assert metric["prompt"] == scene["prompt"] != ""
 
 
 def test_trajectories_can_be_reshaped(tmp_path):
@@ -72,6 +76,47 @@ def test_trajectories_can_be_reshaped(tmp_path):
     assert position[-1, 0, 0] == pytest.approx(0.8)
     assert row["fps"] == pytest.approx(240.0)
     assert row["contact_a"] == [0, 1]
+
+
+def test_types_nest():
+    kind = arrow_type(
+        "list<struct<id: string, at: struct<x: float32, y: float32>, tags: list<string>>>"
+    )
+    at = pa.struct([("x", pa.float32()), ("y", pa.float32())])
+    assert kind == pa.list_(
+        pa.struct([("id", pa.string()), ("at", at), ("tags", pa.list_(pa.string()))])
+    )
+    assert arrow_type("image") == pa.struct([("bytes", pa.binary()), ("path", pa.string())])
+    with pytest.raises(ValueError):
+        arrow_type("list<colour>")
+
+
+@pytest.mark.parametrize(
+    "other",
+    [
+        [{"a": 1.0, "b": ["x"]}],  # a number
+        [{"a": 2.0, "b": ["y"]}],  # a text within
+        [{"a": 2.0, "b": None}],
+        [None],
+        None,
+    ],
+)
+def test_the_digest_knows_what_structs_hold(other):
+    kind = arrow_type("list<struct<a: float64, b: list<string>>>")
+    first = pa.table({"v": pa.array([[{"a": 2.0, "b": ["x"]}]], kind)})
+    assert content_digest(first) != content_digest(pa.table({"v": pa.array([other], kind)}))
+
+
+def test_a_footer_that_was_touched_is_told_before_it_is_parsed(tmp_path):
+    path = write_tables(tmp_path, [record(run_info(), "S1", 0)], name="p")["metrics"]
+    whole = path.read_bytes()
+    check_footer(path)
+    place = whole.index(b"ESGFOOT1")
+    assert path.stat().st_size - place > 200
+    for at in range(place + 8, len(whole), 7):
+        path.write_bytes(whole[:at] + bytes([whole[at] ^ 4]) + whole[at + 1 :])
+        with pytest.raises(UserError, match="damaged"):
+            read_table(path)
 
 
 def test_unknown_columns_are_refused():
@@ -115,7 +160,7 @@ def test_dataset_layout_info_and_card(tmp_path):
     trains = [n for n in names if n.startswith("train-")]
     assert trains[0] == f"train-00000-of-{len(trains):05d}.parquet"
     info = json.loads((out / "meta" / "info.json").read_text())
-    assert info["format_version"] == "1.4.0"
+    assert info["format_version"] == "2.0.0"
     assert info["rows"] == counts
     assert sum(info["scenes_per_split"].values()) == 24
     card = (out / "README.md").read_text()

@@ -6,6 +6,7 @@ Y becomes -Z. Readers that want the document's frame apply the inverse (x, y, z)
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import lru_cache
 import hashlib
@@ -234,20 +235,45 @@ def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:
         UserError: If a file cannot be written.
     """
     doc = effective(doc)
+    hashes: dict[str, str] = {}
+    for mesh in _meshes(doc):
+        _write(Path(folder) / mesh.path, mesh.glb)
+        if mesh.path == doc.asset_configurations[mesh.asset].mesh_path:
+            hashes[mesh.asset] = hashlib.sha256(mesh.glb).hexdigest()
+    _write_attribution(doc, Path(folder))
+    return hashes
+
+
+@dataclass(frozen=True)
+class MeshFile:
+    """One mesh of a scene.
+
+    Args:
+        path: Below the scene's folder.
+        asset: Id of its configuration.
+        glb: The file.
+    """
+
+    path: str
+    asset: str
+    glb: bytes
+
+
+def meshes_of(doc: EsgDocument) -> Iterator[MeshFile]:
+    """The files that `write_meshes` writes, one after the other."""
+    return _meshes(effective(doc))
+
+
+def _meshes(doc: EsgDocument) -> Iterator[MeshFile]:
     looks = appearances(doc)
     firsts = first_of_asset(doc, looks)
-    hashes: dict[str, str] = {}
     for key, config in doc.asset_configurations.items():
-        data = glb_bytes(config, firsts.get(key, USUAL))
-        _write(Path(folder) / config.mesh_path, data)
-        hashes[key] = hashlib.sha256(data).hexdigest()
+        yield MeshFile(config.mesh_path, key, glb_bytes(config, firsts.get(key, USUAL)))
     for name, node in doc.spatial_relation_graph.nodes.items():
         config = doc.asset_configurations.get(node.asset_id)
         if config is not None and looks[name] != firsts[node.asset_id]:
             path = node_mesh_path(config.mesh_path, name)
-            _write(Path(folder) / path, glb_bytes(config, looks[name]))
-    _write_attribution(doc, Path(folder))
-    return hashes
+            yield MeshFile(path, node.asset_id, glb_bytes(config, looks[name]))
 
 
 def _write(path: Path, data: bytes) -> None:

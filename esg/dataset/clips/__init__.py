@@ -1,0 +1,1 @@
+"""Clips of a dataset: what cameras saw of its scenes (docs/dataset/clips.md)."""
