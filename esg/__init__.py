@@ -16,6 +16,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from esg.api.costs import cost
     from esg.api.datasets import Dataset, load_dataset
     from esg.api.making import generate, generate_many
     from esg.api.scene import Replay, Scene, judge
@@ -26,6 +27,7 @@ __version__ = "0.2.0"
 
 _HOME = {
     "Dataset": "esg.api.datasets",
+    "cost": "esg.api.costs",
     "load_dataset": "esg.api.datasets",
     "generate": "esg.api.making",
     "generate_many": "esg.api.making",
@@ -49,6 +51,7 @@ __all__ = [
     "Trajectories",
     "UserError",
     "__version__",
+    "cost",
     "generate",
     "generate_many",
     "judge",

@@ -11,6 +11,7 @@ from dataclasses import replace
 import shutil
 import time
 
+from esg.costs.spent import core_time
 from esg.dataset.folder import batch_lock, mark_name, read_mark, write_mark
 from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.running import SCENE_STAGES, run_scenes
@@ -48,18 +49,26 @@ def _deliver(job: BatchJob, result: BatchResult) -> None:
 
 
 def _make(job: BatchJob) -> BatchResult:
-    start = time.perf_counter()
+    start, core_start = time.perf_counter(), core_time()
     with scratch_store(job.work / "artifacts", durable=False):
         states, together_s = run_scenes(job)
         result, recordings_s = write_batch(job, states)
     spent = {s: 0.0 for s in SCENE_STAGES}
+    cores = dict(spent)
     for state in states:
         for entry in state.log:
             spent[entry["stage"]] += float(entry["seconds"])
-    spent["replay"] += together_s
+            cores[entry["stage"]] += float(entry.get("core_seconds", 0.0))
+    spent["replay"] += together_s[0]
+    cores["replay"] += together_s[1]
     spent["recordings"] = recordings_s
     spent["batch"] = time.perf_counter() - start
-    result = replace(result, seconds={k: round(v, 4) for k, v in spent.items()})
+    cores["batch"] = core_time() - core_start
+    result = replace(
+        result,
+        seconds={k: round(v, 4) for k, v in spent.items()},
+        core_seconds={k: round(v, 4) for k, v in cores.items()},
+    )
     write_mark(job.out, result)
     if not job.keep_work:
         shutil.rmtree(job.work, ignore_errors=True)
