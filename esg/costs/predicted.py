@@ -28,7 +28,8 @@ class Measured:
         cores: That it had.
         seconds: From its start to its end; 0 where the machine had other work, so that only
             processor time says anything [s].
-        core_seconds: Of all its processes [s].
+        core_seconds: Of its batches, as `esg dataset` tells it; what starts a run (some 15 s) is
+            not in it [s].
         commit, date: Of the code and the run.
         about: The machine, the scenes and the command.
     """
@@ -131,14 +132,16 @@ def predict(
     own = [r for r in rows if r.kind == kind]
     if not own:
         raise UserError(f"--on {kind}: measured are {', '.join(kinds(rows)) or 'none'}")
-    fit = [r for r in own if r.render == render and r.use == "fit"]
+    known_fits = [r for r in own if r.render == render and r.use == "fit"]
+    latest = max((r.date for r in known_fits), default="")
+    fit = [r for r in known_fits if r.date == latest]
     if not fit:
         known = ", ".join(dict.fromkeys(r.render for r in own if r.render)) or "none"
         raise UserError(f"--render {render}: measured on {kind}: {known}")
     core_s = sum(r.core_seconds for r in fit) / sum(r.scenes for r in fit)
-    timed = [r for r in fit if r.seconds > 0.0]
+    timed = [r for r in known_fits if r.seconds > 0.0]
     room = sum(r.seconds * r.cores for r in timed)
     busy = min(1.0, sum(r.core_seconds for r in timed) / room) if room else 1.0
-    held_out = [r for r in own if r.render == render and r.use == "check"]
+    held_out = [r for r in own if r.render == render and r.use == "check" and r.date >= latest]
     errors = tuple(r.core_seconds / r.scenes / core_s - 1.0 for r in held_out)
     return Predicted(scenes, kind, fit[-1].cores, render, core_s, busy, errors, tuple(fit))

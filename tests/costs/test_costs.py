@@ -74,6 +74,15 @@ def test_a_prediction_scales_with_scenes_and_cores() -> None:
     assert found.errors == (pytest.approx(0.1),)
 
 
+def test_the_latest_run_counts_and_an_earlier_one_says_how_busy_cores_were() -> None:
+    old = Measured("box", "", "fit", 100, 4, 100.0, 360.0, "abc", "2026-11-21", "idle")
+    older_check = Measured("box", "", "check", 100, 4, 0.0, 900.0, "abc", "2026-11-21", "x")
+    found = predict(1, "box", rows=(old, older_check, run("fit", 100, 200.0)))
+    assert found.core_seconds == pytest.approx(2.0)
+    assert found.busy == pytest.approx(0.9)
+    assert found.errors == ()
+
+
 def test_rendering_is_a_price_of_its_own() -> None:
     rows = (run("fit", 10, 20.0), run("fit", 10, 80.0, render="raster"))
     assert predict(1, "box", "raster", rows).core_seconds == pytest.approx(8.0)
