@@ -18,6 +18,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from esg.api.costs import cost
     from esg.api.datasets import Dataset, load_dataset
+    from esg.api.judging import judge_trajectories
     from esg.api.making import generate, generate_many
     from esg.api.scene import Replay, Scene, judge
     from esg.api.trajectories import Contact, Track, Trajectories
@@ -29,6 +30,7 @@ _HOME = {
     "Dataset": "esg.api.datasets",
     "cost": "esg.api.costs",
     "load_dataset": "esg.api.datasets",
+    "judge_trajectories": "esg.api.judging",
     "generate": "esg.api.making",
     "generate_many": "esg.api.making",
     "Replay": "esg.api.scene",
@@ -55,6 +57,7 @@ __all__ = [
     "generate",
     "generate_many",
     "judge",
+    "judge_trajectories",
     "load_dataset",
 ]
 
