@@ -398,6 +398,7 @@ def _summary(
             "not_represented": facts.get("not_represented"),
             "splits": info["scenes_per_split"],
             "failures": f"{place}/failures.jsonl" if failed else None,
+            "cost": _cost(folder.path),
         }
     outcomes: dict[str, int] = {}
     for result in done.values():
@@ -413,11 +414,21 @@ def _summary(
         "not_represented": None,
         "splits": None,
         "failures": None,
+        "cost": None,
     }
+
+
+def _cost(folder: Path) -> dict[str, Any] | None:
+    """What the scenes of a finished dataset took; None where nobody wrote it down."""
+    import json
+
+    path = folder / "meta" / "timings.json"
+    return json.loads(path.read_bytes()).get("cost") if path.is_file() else None
 
 
 def describe(summary: dict[str, Any]) -> str:
     """The same for people."""
+    from esg.costs.spent import line
     from esg.fidelity import counted
 
     state = "complete" if summary["complete"] else "other shards are missing"
@@ -435,4 +446,6 @@ def describe(summary: dict[str, Any]) -> str:
         lines.append(f"  most often not shown: {counted(summary['not_represented'])}")
     if summary["failures"]:
         lines.append(f"  why: {summary['failures']}")
+    if summary.get("cost"):
+        lines.append(f"  {line(summary['cost'])}")
     return "\n".join(lines)

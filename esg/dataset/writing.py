@@ -193,7 +193,7 @@ def _preview(
     outcome = state.outcome.value if state.outcome else ""
     note = f"{outcome}  |  replayed in {rollout.engine} at {rate}"
     try:
-        preview(physical, rollout, verdict, doc, folder, note=note, film=False)
+        preview(physical, rollout, verdict, doc, folder, note=note)
         path = job.out / "previews" / f"{scene.scene_id}.png"
         atomic_write(path, lambda target: _copy(folder / "preview.png", target))
         return [path]
