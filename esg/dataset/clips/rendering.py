@@ -92,6 +92,21 @@ def render_scene(subject: Subject, spec: RenderSpec, out: Path) -> list[ClipReco
     replay = subject.load()
     settings = settings_of(spec, int(subject.common["seed"]))
     sight = sight_of(replay.scene, replay.rollout, replay.verdict, replay.doc, settings)
+    return draw_scene(sight, subject, spec, out)
+
+
+def draw_scene(sight: Sight, subject: Subject, spec: RenderSpec, out: Path) -> list[ClipRecord]:
+    """The same, once the cameras are directed.
+
+    Args:
+        sight: What they see.
+        subject: The scene.
+        spec: What to render.
+        out: Folder of the dataset.
+
+    Raises:
+        OSError: If the disk does not take it.
+    """
     place = f"clips/{subject.scene_id}"
     with whole_folder(out / place) as work, contextlib.ExitStack() as open_films:
         films: list[_Film] = []
@@ -195,7 +210,7 @@ class _Film:
             job.result()
 
     def _write(self, channel: str, numbers: range, views: Views) -> None:
-        self._writer.add({channel: _VALUES[channel](self._shot, numbers, views)})
+        self._writer.add({channel: VALUES[channel](self._shot, numbers, views)})
 
     def _mark(self, numbers: range, views: Views) -> None:
         """Boxes and tracks, which are columns."""
@@ -303,7 +318,7 @@ def _colors(_: Shot, __: range, views: Views) -> NDArray[np.uint8]:
     return views.rgb
 
 
-_VALUES: dict[str, Callable[[Shot, range, Views], NDArray[Any]]] = {
+VALUES: dict[str, Callable[[Shot, range, Views], NDArray[Any]]] = {
     "rgb": _colors,
     "depth": lambda _, __, views: views.depth,
     "segmentation": lambda _, __, views: truth.segment_ids(views.body),
@@ -315,4 +330,4 @@ _VALUES: dict[str, Callable[[Shot, range, Views], NDArray[Any]]] = {
     ),
 }
 """Frames of every channel, as `esg.dataset.clips.writing.Values` has them."""
-assert set(_VALUES) == set(PICTURES)
+assert set(VALUES) == set(PICTURES)
