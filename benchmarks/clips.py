@@ -37,7 +37,7 @@ from esg.view.seeing.witness import Sight, shots, sight_of
 
 
 def main() -> None:
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("scenes", nargs="+", type=Path)
     parser.add_argument("--size", type=even_size, default=(256, 256))
     parser.add_argument("--render", type=parse_channels, default=("rgb", "depth", "segmentation"))
