@@ -36,12 +36,20 @@ def finish(folder: DatasetFolder, spec: DatasetSpec, results: Mapping[int, Batch
         OSError: If the dataset cannot be written.
     """
     from esg.dataset.clips.writing import sweep_clips
+    from esg.dataset.duplicates import duplicates_in, marking
     from esg.store.assembling import assemble_tables, sweep_temporary
     from esg.store.tables import to_table, write_part
 
     out = folder.path
     write_part(to_table("runs", [folder.run().row()]), out / "parts" / "runs" / "run.parquet")
-    counts = assemble_tables(out / "parts", out)
+    repeated = duplicates_in(out / "parts")
+    write_lines(out / "meta" / "duplicates.jsonl", [vars(row) for row in repeated])
+    counts = assemble_tables(
+        out / "parts",
+        out,
+        left_out={row.scene_key for row in repeated} if spec.thin else (),
+        changed=marking(repeated),
+    )
     failed = [dict(row) for n in sorted(results) for row in results[n].failures]
     write_lines(
         out / "meta" / "crashes.jsonl",
@@ -71,13 +79,11 @@ def describe(
         counts: Rows by table and split.
         failed: Rows of `failures.jsonl`.
     """
-    from esg.dataset.card import card, statistics
+    from esg.dataset.card import write_card
     from esg.store.assembling import write_info
 
     write_lines(out / "failures.jsonl", failed)
-    facts = statistics(out, spec, failed)
-    with atomic_file(out / "README.md") as file:
-        file.write(card(spec, counts, facts).encode())
+    facts = write_card(out, spec, counts, failed)
     write_info(out, title, counts, {"statistics": facts})
 
 

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
 RENDER = "render"
 """What failures and timings call the pictures of a batch's scenes."""
+CROSSCHECK = "crosscheck"
+"""What timings call the checks of a sample of them."""
 
 
 @dataclass(frozen=True)

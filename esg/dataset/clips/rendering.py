@@ -63,11 +63,13 @@ class Subject:
         index: Of the scene in the dataset.
         common: run_id, scene_key, suite, scene_id, seed, split and prompt.
         load: Its replay.
+        camera: How the distribution has it filmed; empty: as the dataset is.
     """
 
     index: int
     common: Mapping[str, Any]
     load: Callable[[], Replay]
+    camera: str = ""
 
     @property
     def scene_id(self) -> str:
@@ -90,7 +92,8 @@ def render_scene(subject: Subject, spec: RenderSpec, out: Path) -> list[ClipReco
         OSError: If the disk does not take them.
     """
     replay = subject.load()
-    settings = settings_of(spec, int(subject.common["seed"]))
+    settings = settings_of(spec, int(subject.common["seed"]), subject.camera)
+    common = {**subject.common, **_setting(replay.doc)}
     sight = sight_of(replay.scene, replay.rollout, replay.verdict, replay.doc, settings)
     return draw_scene(sight, subject, spec, out)
 
@@ -118,13 +121,25 @@ def draw_scene(sight: Sight, subject: Subject, spec: RenderSpec, out: Path) -> l
                     film.add(numbers, views)
                 films.append(film)
         return [
-            film.finish(subject.common, camera, clip_folder(subject.scene_id, camera))
+            film.finish(common, camera, clip_folder(subject.scene_id, camera))
             for camera, film in enumerate(films)
         ]
 
 
-def settings_of(spec: RenderSpec, seed: int) -> Settings:
-    """What renderers are told; cameras, points and noise follow from the scene's seed."""
+def _setting(doc: EsgDocument) -> dict[str, str]:
+    """Where a scene is shown, and under which sky."""
+    around = doc.dressing
+    return {"place": around.place, "sky": around.sky} if around else {"place": "", "sky": ""}
+
+
+def settings_of(spec: RenderSpec, seed: int, camera: str = "") -> Settings:
+    """What renderers are told; cameras, points and noise follow from the scene's seed.
+
+    Args:
+        spec: Of the dataset.
+        seed: Of the scene.
+        camera: How to film the scene, where the dataset leaves it to the director.
+    """
     channels = tuple(c for name in spec.channels for c in (BOXES if name == "boxes" else (name,)))
     return Settings(
         channels=channels,
@@ -136,7 +151,7 @@ def settings_of(spec: RenderSpec, seed: int) -> Settings:
         renderer=spec.renderer,
         samples=spec.samples,
         motion_blur=spec.motion_blur,
-        camera=spec.camera,
+        camera=camera if camera and spec.camera == "auto" else spec.camera,
     )
 
 
