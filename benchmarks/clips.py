@@ -11,8 +11,9 @@ second. `--codecs` compares FFV1 with 16-bit PNG in zip on the first scene's cha
 from __future__ import annotations
 
 import argparse
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import replace
+from functools import partial
 import io
 import json
 from pathlib import Path
@@ -25,7 +26,7 @@ import numpy as np
 
 from esg.commands.clips import even_size, parse_channels
 from esg.dataset.clips.encoding import ChannelFile, codec_of, decoded
-from esg.dataset.clips.rendering import VALUES, Replay, Subject, draw_scene, settings_of
+from esg.dataset.clips.rendering import VALUES, Replay, draw_scene, settings_of
 from esg.dataset.clips.writing import CODED
 from esg.dataset.plan import RenderSpec
 from esg.graph import load_document
@@ -58,10 +59,12 @@ def main() -> None:
     )
     out: dict[str, Any] = {"size": args.size, "channels": args.render, "device": args.device}
     out["scenes"] = [measured(folder, spec, args.seconds, args.repeat) for folder in args.scenes]
-    drawn = sum(s["draw_s"] for s in out["scenes"])
-    written = sum(s["write_s"] for s in out["scenes"])
-    frames = sum(s["frames"] for s in out["scenes"])
+    names = ("draw_s", "write_s", "draw_cpu_s", "write_cpu_s", "frames")
+    drawn, written, drawn_cpu, written_cpu, frames = (
+        sum(s[name] for s in out["scenes"]) for name in names
+    )
     out["writing_share"] = round(written / drawn - 1, 4)
+    out["writing_share_cpu"] = round(written_cpu / drawn_cpu - 1, 4)
     out["frames_an_hour"] = round(frames / written * 3600)
     if args.codecs:
         out["codecs"] = codecs(args.scenes, spec, args.seconds)
@@ -77,23 +80,30 @@ def measured(folder: Path, spec: RenderSpec, seconds: float, repeat: int) -> dic
     sight = sight_of_folder(folder, spec, seconds)
     directed = time.perf_counter() - start
     discard(sight)  # compiles kernels, loads textures
-    draws: list[float] = []
-    writes: list[float] = []
+    draws: list[tuple[float, float]] = []
+    writes: list[tuple[float, float]] = []
     for _ in range(repeat):
-        start = time.perf_counter()
-        discard(sight)
-        draws.append(time.perf_counter() - start)
+        draws.append(_timed(lambda: discard(sight)))
         with tempfile.TemporaryDirectory() as place:
-            start = time.perf_counter()
-            draw_scene(sight, _subject(folder), spec, Path(place))
-            writes.append(time.perf_counter() - start)
+            written = partial(draw_scene, sight, _common(folder), spec, Path(place))
+            writes.append(_timed(written))
+    (draw, draw_cpu), (write, write_cpu) = min(draws), min(writes)
     return {
         "scene": folder.name,
         "frames": len(sight.frames) * spec.cameras,
         "direct_s": round(directed, 3),
-        "draw_s": round(min(draws), 3),
-        "write_s": round(min(writes), 3),
+        "draw_s": round(draw, 3),
+        "write_s": round(write, 3),
+        "draw_cpu_s": round(draw_cpu, 3),
+        "write_cpu_s": round(write_cpu, 3),
     }
+
+
+def _timed(run: Callable[[], object]) -> tuple[float, float]:
+    """Wall and processor time [s]."""
+    wall, processor = time.perf_counter(), time.process_time()
+    run()
+    return time.perf_counter() - wall, time.process_time() - processor
 
 
 def sight_of_folder(folder: Path, spec: RenderSpec, seconds: float) -> Sight:
@@ -120,14 +130,10 @@ def discard(sight: Sight) -> None:
             pass
 
 
-def _subject(folder: Path) -> Subject:
-    names = ("run_id", "scene_key", "suite", "split", "prompt")
-    common = {**dict.fromkeys(names, ""), "scene_id": folder.name, "seed": 0}
-
-    def load() -> Replay:
-        raise NotImplementedError
-
-    return Subject(0, common, load)
+def _common(folder: Path) -> dict[str, Any]:
+    """Columns of a scene that belongs to no dataset."""
+    names = ("run_id", "scene_key", "suite", "split", "prompt", "place", "sky")
+    return {**dict.fromkeys(names, ""), "scene_id": folder.name, "seed": 0}
 
 
 def codecs(folders: Sequence[Path], spec: RenderSpec, seconds: float) -> dict[str, Any]:

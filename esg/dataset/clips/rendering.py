@@ -95,22 +95,25 @@ def render_scene(subject: Subject, spec: RenderSpec, out: Path) -> list[ClipReco
     settings = settings_of(spec, int(subject.common["seed"]), subject.camera)
     common = {**subject.common, **_setting(replay.doc)}
     sight = sight_of(replay.scene, replay.rollout, replay.verdict, replay.doc, settings)
-    return draw_scene(sight, subject, spec, out)
+    return draw_scene(sight, common, spec, out)
 
 
-def draw_scene(sight: Sight, subject: Subject, spec: RenderSpec, out: Path) -> list[ClipRecord]:
+def draw_scene(
+    sight: Sight, common: Mapping[str, Any], spec: RenderSpec, out: Path
+) -> list[ClipRecord]:
     """The same, once the cameras are directed.
 
     Args:
         sight: What they see.
-        subject: The scene.
+        common: Columns of the scene.
         spec: What to render.
         out: Folder of the dataset.
 
     Raises:
         OSError: If the disk does not take it.
     """
-    place = f"clips/{subject.scene_id}"
+    scene_id = str(common["scene_id"])
+    place = f"clips/{scene_id}"
     with whole_folder(out / place) as work, contextlib.ExitStack() as open_films:
         films: list[_Film] = []
         with turn_on(spec.device):
@@ -121,7 +124,7 @@ def draw_scene(sight: Sight, subject: Subject, spec: RenderSpec, out: Path) -> l
                     film.add(numbers, views)
                 films.append(film)
         return [
-            film.finish(common, camera, clip_folder(subject.scene_id, camera))
+            film.finish(common, camera, clip_folder(scene_id, camera))
             for camera, film in enumerate(films)
         ]
 
