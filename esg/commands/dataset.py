@@ -13,6 +13,7 @@ from cyclopts import Parameter
 
 from esg.commands.clips import RenderOptions
 from esg.commands.drafting import RULES, Drafting
+from esg.dataset.whatifs.options import TEXTS, TruthOptions
 
 if TYPE_CHECKING:
     from esg.dataset.folder import DatasetFolder
@@ -42,6 +43,7 @@ def dataset(
     engine: Literal["physx", "rapier", "newton"] = "physx",
     device: str = "cpu",
     strict: Annotated[bool, Parameter(negative="")] = False,
+    truth: Annotated[TruthOptions, Parameter(name="*")] = TEXTS,
     rendering: RenderOptions | None = None,
     thin: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[bool, Parameter(negative="")] = False,
@@ -70,6 +72,7 @@ def dataset(
         engine: Engine of the replay: physx runs the emitted class.
         device: cpu or cuda:N.
         strict: Count scenes as failed that are partial (not all is shown) or not plausible.
+        truth: Captions, questions, other engines and what-ifs.
         rendering: What cameras see of every scene.
         thin: Leave near-duplicates out of the splits; without it they are marked.
         json: Print one JSON document with counts and paths.
@@ -78,14 +81,16 @@ def dataset(
     from esg.commands.clips import check_same, render_spec
     from esg.commands.console import progress
     from esg.dataset.plan import DatasetSpec, Shard
+    from esg.dataset.whatifs.options import spec_fields
 
     going_on = resume and prompts is None and sample is None
-    part, device, render, planned, out, _ = checked(
+    part, device, render, planned, out, beside, _ = checked(
         lambda: Shard.parse(shard),
         lambda: check_device(device),
         lambda: render_spec(rendering, device),
         lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
         lambda: _place(out),
+        lambda: spec_fields(truth),
         lambda: _check_numbers(seed, workers, batch, counterfactual),
     )
     folder, remote = opened(out)
@@ -97,7 +102,7 @@ def dataset(
         spec = DatasetSpec(
             **source, seed=seed, counterfactual=counterfactual, drafter=drafting.drafter,
             strategy=strategy, engine=engine, mcap=mcap, previews=previews, device=device,
-            batch=batch or 0, strict=strict, render=render, thin=thin,
+            batch=batch or 0, strict=strict, render=render, thin=thin, **beside,
         )  # fmt: skip
     with (
         folder.locked(part),

@@ -75,8 +75,9 @@ def _make(job: BatchJob) -> BatchResult:
         cores = dict(spent)
         for state in states:
             for entry in state.log:
-                spent[entry["stage"]] += float(entry["seconds"])
-                cores[entry["stage"]] += float(entry.get("core_seconds", 0.0))
+                name = entry["stage"]
+                spent[name] = spent.get(name, 0.0) + float(entry["seconds"])
+                cores[name] = cores.get(name, 0.0) + float(entry.get("core_seconds", 0.0))
         spent["replay"] += together_s[0]
         cores["replay"] += together_s[1]
         spent["recordings"] = recordings_s

@@ -32,13 +32,16 @@ def write_batch(
     Returns:
         Its result, and the time the recordings took [s].
     """
+    from esg.dataset.annotations.rows import annotated
+    from esg.dataset.running import replay_alternatives
     from esg.store.records import SceneRecord, record_of
     from esg.store.tables import write_tables
 
     records: list[SceneRecord] = []
     met: list[bool] = []
     verified: list[bool] = []
-    for scene, state in zip(job.scenes, states, strict=True):
+    elsewhere = replay_alternatives(job, states)
+    for scene, state, other in zip(job.scenes, states, elsewhere, strict=True):
         record = record_of(
             state,
             job.run,
@@ -49,7 +52,7 @@ def write_batch(
             family=scene.family,
             extra=_columns(scene, state),
         )
-        rows = {t: r for t, r in record.rows.items() if t != "runs"}
+        rows = annotated(job, state, other, dict(record.rows))
         # Everything but `timings` is the same whenever and however often a scene is made.
         row = {**rows["scenes"][0], "seconds": None, "cached_stages": None, "artifacts": None}
         met.append(bool(row["verified"]))

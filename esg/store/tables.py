@@ -41,6 +41,10 @@ KEYS: dict[str, tuple[str, ...]] = {
     "statements": ("scene_key", "engine", "source", "statement_id"),
     "plausibility_checks": ("scene_key", "engine", "check_name"),
     "timings": ("scene_key", "stage"),
+    "captions": ("scene_key",),
+    "questions": ("scene_key", "question_index"),
+    "engine_events": ("scene_key", "engine", "dt_s", "event_id"),
+    "what_ifs": ("scene_key", "variable", "engine"),
     "clips": ("scene_key", "camera"),
     "truth_checks": ("scene_key", "camera", "check_name"),
 }
@@ -71,6 +75,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "rule": "string", "pair": "string", "changed": "string", "parameters": PARAMETERS,
         "expectation": EXPECTATION, "manifest": "string",
         "fully_understood": "bool", "statements_kept": "float64", "plausible": "bool",
+        "engines_agree": "bool",
         "preview": "image", "duplicate_of": "string",
     },
     "trajectories": {
@@ -113,6 +118,31 @@ COLUMNS: dict[str, dict[str, str]] = {
         **_SCENE, "stage": "string", "stage_index": "int32", "seconds": "float64",
         "cached": "bool", "outcome": "string",
     },
+    "captions": {
+        **_SCENE, "short": "string", "medium": "string", "long": "string",
+        "event_ids": "list<string>", "event_texts": "list<string>",
+        "event_times_s": "list<float64>", "hit_a": "list<string>", "hit_b": "list<string>",
+        "hit_times_s": "list<float64>", "hit_impulses_ns": "list<float64>",
+        "statements": "list<string>",
+    },
+    "questions": {
+        **_SCENE, "question_index": "int32", "kind": "string", "question": "string",
+        "answer": "string", "choices": "list<string>", "value": "float64", "unit": "string",
+        "measure": "string", "arguments": "list<string>", "measured_by": "string",
+    },
+    "engine_events": {
+        **_SCENE, "engine": "string", "dt_s": "float64", "event_id": "string",
+        "event_index": "int32", "event_type": "string", "completed": "bool", "time_s": "float64",
+        "agrees": "bool", "reason": "string",
+    },
+    "what_ifs": {
+        **_SCENE, "variable": "string", "engine": "string", "pair": "string", "amount": "string",
+        "body": "string", "value_before": "float64", "value": "float64", "unit": "string",
+        "dt_s": "float64", "duration_s": "float64", "outcome": "string", "reason": "string",
+        "event_ids": "list<string>", "completed": "list<bool>", "event_times_s": "list<float64>",
+        "bodies": "list<string>", "final_position_m": "list<float32>", "apart_m": "float64",
+        "engines_apart_m": "float64", "agrees": "bool",
+    },
     "clips": {
         **_SCENE, "split": "string", "camera": "int32", "camera_kind": "string",
         "width": "int32", "height": "int32", "fps": "float64",
@@ -147,6 +177,7 @@ ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
     "scenes": (
         "rule", "pair", "changed", "parameters", "expectation", "manifest", "esg_cast",
         "fully_understood", "statements_kept", "plausible", "preview", "duplicate_of",
+        "engines_agree",
     ),
     **dict.fromkeys(
         (
@@ -157,7 +188,8 @@ ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
     ),
 }  # fmt: skip
 """Columns that files of an older format lack (`esg_cast` is of 1.2, what became of statements of
-1.3, `plausible` of 1.4, `preview` and the prompt on every row of 2.0): they read as null."""
+1.3, `plausible` of 1.4, `preview`, `engines_agree` and the prompt on every row of 2.0): they read
+as null."""
 
 TABLES = tuple(COLUMNS)
 
