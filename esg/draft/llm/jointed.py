@@ -11,6 +11,7 @@ from typing import Any
 
 from esg.draft import lexicon as lex
 from esg.draft.llm.names import slug
+from esg.draft.llm.prune import drop_event
 from esg.lexicon.articulations import Articulation, articulations
 from esg.lexicon.breakables import breakables
 
@@ -213,6 +214,49 @@ def _hand_over(raw: Json, named: str, part: str) -> None:
     for node in graph["nodes"]:
         if node["event"] in _JOINTED:
             node["participants"] = [part if p == named else p for p in node["participants"]]
+
+
+def leave_out_unjointed(raw: Json, prompt: str) -> list[str]:
+    """Leaves out what opens, closes or swings on no joint that a table knows, and owns up to it.
+
+    Nothing that a model could answer would mend it. A timeline of nothing else stays as it is.
+
+    Args:
+        raw: Document as JSON; changed in place.
+        prompt: The user's text, in which the thing is named.
+
+    Returns:
+        What was left out, in words.
+    """
+    graph, log = _graph(raw), list[str]()
+    held = {j[end] for j in raw["spatial_relation_graph"].get("joints") or ()
+            for end in ("child", "parent")}  # fmt: skip
+    gone = [
+        n
+        for n in graph.get("nodes", ())
+        if n["event"] in _JOINTED and not held & {*n.get("participants", ())}
+    ]
+    if not gone or len(graph["nodes"]) - len(gone) < 2:
+        return log
+    for node in gone:
+        drop_event(raw, node)
+        name = (node.get("participants") or ["it"])[0]
+        words = raw["spatial_relation_graph"]["nodes"].get(name, {}).get("label") or name
+        start = max(prompt.lower().find(words.lower()), 0)
+        note = f"what it is joined to is not known: no {node['event'].lower()}"
+        found = raw.setdefault("statements", [])
+        found.append(
+            {"id": f"s{len(found) + 1}", "predicate": "not_represented", "note": note,
+             "text": prompt[start : start + len(words)], "start": start, "end": start + len(words)}
+        )  # fmt: skip
+        log.append(f"{node['event']} of {name!r} left out: no table joins it to anything")
+    acting = {e["actor"] for e in graph["edges"]} | {
+        p for n in graph["nodes"] for p in n.get("participants", ())
+    }
+    actors = raw["timeline_system"]["actors"]
+    for name in [a for a in actors if a not in acting]:
+        del actors[name]
+    return log
 
 
 def let_break(raw: Json) -> list[str]:
