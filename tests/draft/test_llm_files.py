@@ -410,3 +410,25 @@ def test_another_model_drafts_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPat
         third = told("llm")
         (tmp_path / "x" / "cassette.jsonl").write_text("")
         assert told("llm") != third
+
+
+def test_auto_shows_what_the_rules_read_otherwise(tmp_path: Path) -> None:
+    """Warn in a batch, too, of a hit that only the model has."""
+    prompts, batch, out = tmp_path / "p.txt", tmp_path / "batch", tmp_path / "out"
+    prompts.write_text("A ball rolls past a box.\n")
+
+    def hitting(request: dict[str, Any]) -> str:
+        text = PERFECT(request)
+        tree = json.loads(text[text.find("{") : text.rfind("}") + 1])
+        for event in tree.get("events", ()):
+            if event["event"] == "Miss":
+                event["event"] = "Collision"
+        return json.dumps(tree)
+
+    for k in range(3):
+        draft_command(prompts=prompts, out=out, drafting=Drafting("auto", batch))
+        if requests(batch):
+            respond(batch, f"{k}.jsonl", hitting)
+    row = json.loads((out / "drafts.jsonl").read_text())
+    warnings = json.loads((out / row["document"]).read_bytes())["coverage"]["warnings"]
+    assert any('a hit of "ball" and "box"; the rules read none' in w for w in warnings)
