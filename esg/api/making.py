@@ -78,7 +78,13 @@ def generate_many(
         seed: Of every random choice in each of them.
         out: Folder that receives the scene folders.
         workers: Processes that work at once; 0 makes one scene after the other in this process.
-        drafter, strategy, device, engine, close_loop, collision, traffic: As of `generate`.
+        drafter: As of `generate`, like all that follow.
+        strategy: How the physics is searched.
+        device: cpu or cuda:N.
+        engine: Of the replay.
+        close_loop: Feed the replay's outcome error back to the search.
+        collision: What bodies collide with during the search.
+        traffic: Side of the road that vehicles keep to.
 
     Yields:
         One scene a prompt, whatever its outcome.
