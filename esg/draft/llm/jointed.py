@@ -1,4 +1,4 @@
-"""Doors, pendulums, drawers and what breaks: parts, joints and blows from the tables.
+"""Doors, pendulums, riders and what breaks: parts, joints and blows from the tables.
 
 A model names the thing and what happens to it; of which parts it is and how they move is a row of
 `esg/lexicon/articulations.csv`, what it bears one of `breakables.csv`, as for the rules drafter.
@@ -10,8 +10,10 @@ import re
 from typing import Any
 
 from esg.draft import lexicon as lex
+from esg.draft.document.riding import THROWN_OFF_MPS
 from esg.draft.llm.names import slug
 from esg.draft.llm.prune import drop_event
+from esg.graph.joints import FOOT, SEAT
 from esg.lexicon.articulations import Articulation, articulations
 from esg.lexicon.breakables import breakables
 
@@ -21,6 +23,9 @@ _OPEN = {"open": 1.0, "opened": 1.0, "half": 0.5, "ajar": 0.25}
 """Share of how far a thing opens at which it starts, by a word of its name."""
 _FREED = ("Release", "Drive")
 _JOINTED = ("Open", "Close", "Swing")
+_RIDERS = ("person", "animal", "robot")
+_LEAVES = ("Fall", "Jump", "Topple")
+"""Events of a rider after which he is not on it."""
 ANY_BLOW = (250.0, 10)
 """Speed [cm/s] and pieces of what is said to break and has no row: as stoneware."""
 
@@ -214,6 +219,76 @@ def _hand_over(raw: Json, named: str, part: str) -> None:
     for node in graph["nodes"]:
         if node["event"] in _JOINTED:
             node["participants"] = [part if p == named else p for p in node["participants"]]
+
+
+def seat_riders(raw: Json) -> list[str]:
+    """Joins who is on what is ridden, and has no motion of his own, to it until a jolt.
+
+    Args:
+        raw: Document as JSON, with the regions that carry things; changed in place.
+
+    Returns:
+        What was joined, in words.
+    """
+    graph = raw["spatial_relation_graph"]
+    timeline = _graph(raw)
+    ridden = lex.word_set("straddled or stood on")
+    joints: list[Json] = list(graph.get("joints") or ())
+    edges: list[Json] = timeline.get("edges", [])
+    left: list[Json] = [n for n in timeline.get("nodes", ()) if n["event"] in _LEAVES]
+    busy: set[str] = {j["child"] for j in joints} | {e["actor"] for e in edges}
+    for node in left:
+        busy |= {*node.get("participants", ())}
+    log: list[str] = []
+    for name in graph["nodes"]:
+        mount = _carrier(raw, name)
+        if mount is None or name in busy:
+            continue
+        kind, steed = _noun(raw, name), _noun(raw, mount)
+        if kind is None or kind.kind not in _RIDERS or steed is None or steed.name not in ridden:
+            continue
+        mass: float = raw["asset_requirement"][graph["nodes"][name]["asset_id"]]["expected_mass_kg"]
+        joints.append(
+            {
+                "id": f"{name}_seat",
+                "kind": "fixed",
+                "child": name,
+                "child_mount": FOOT,
+                "parent": mount,
+                "parent_mount": SEAT,
+                "break_impulse": round(THROWN_OFF_MPS * mass, 1),
+            }
+        )
+        log.append(f"{name} seated on {mount}")
+    if joints:
+        graph["joints"] = joints
+    return log
+
+
+def _carrier(raw: Json, name: str) -> str | None:
+    """The node in whose region another one is."""
+    graph = raw["spatial_relation_graph"]
+    region: Json | None = graph["semantic_regions"].get(
+        graph["nodes"][name].get("semantic_region") or ""
+    )
+    if region is None or region["region_type"] != "SUPPORT_SURFACE":
+        return None
+    carrier: str = region["parent_object"]
+    return carrier if carrier in graph["nodes"] and carrier != name else None
+
+
+def _noun(raw: Json, name: str) -> lex.Noun | None:
+    """The lexicon's noun of a node, by its category or its label."""
+    node = raw["spatial_relation_graph"]["nodes"][name]
+    asset: Json = raw["asset_requirement"].get(node["asset_id"], {})
+    table = lex.nouns()
+    texts: tuple[str, str] = (asset.get("asset_category", ""), node.get("label") or "")
+    for text in texts:
+        words = text.lower().replace("_", " ").split()
+        for k in range(len(words)):
+            if (found := table.get(" ".join(words[k:]))) is not None:
+                return found
+    return None
 
 
 def leave_out_unjointed(raw: Json, prompt: str) -> list[str]:
