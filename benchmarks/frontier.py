@@ -5,6 +5,7 @@
     python -m benchmarks.frontier DIR --variants single_shot no_validation full --of 60
     python -m benchmarks.frontier DIR --layouts --json FILE
     python -m benchmarks.frontier DIR --handout 8       # the requests, for eight who answer by hand
+    python -m benchmarks.frontier DIR --served --of 20  # of the server that ESG_LLM_… names
 
 200 prompts (`data/prompts/frontier.json`): 60 of `test`, 60 of `blind2`, 40 of each half of
 `public`, those with the least hashes of their ids. Nothing is asked here: whoever has a model
@@ -31,6 +32,7 @@ from benchmarks.drafting.corpus import PROMPTS, load
 from benchmarks.drafting.score import PAPER, Score, score_document
 from benchmarks.drafting.whole import summary
 from esg.draft import draft
+from esg.draft.llm.drafter import draft_llm_batch
 from esg.draft.llm.gathering import gather
 from esg.draft.llm.records import LlmDraft, Variant
 from esg.draft.llm.settings import load_settings
@@ -163,6 +165,7 @@ def _figures(made: Sequence[Made]) -> dict[str, Any]:
             "tokens_in": round(sum(c.input_tokens for c in calls) / n),
             "tokens_out": round(sum(c.output_tokens for c in calls) / n),
             "characters_out": round(sum(len(r.text) for c in calls for r in c.calls) / n),
+            "mended": mended(calls),
             "models": sorted({r.model for c in calls for r in c.calls if r.model}),
         }
         prices = [c.cost_usd for c in calls if c.cost_usd is not None]
@@ -171,6 +174,20 @@ def _figures(made: Sequence[Made]) -> dict[str, Any]:
     if tried:
         out["high_quality_given_usable"] = round(100.0 * sum(tried) / len(tried), 1)
     return out
+
+
+def mended(calls: Sequence[LlmDraft]) -> dict[str, dict[str, int]]:
+    """By code: how often a model was told of it, and how often the next answer was without."""
+    out: dict[str, dict[str, int]] = {}
+    for call in calls:
+        left = tuple({v.code for v in call.violations})
+        following = (*call.told[1:], left)[: len(call.told)]
+        for told, after in zip(call.told, following, strict=True):
+            for code in told:
+                row = out.setdefault(code, {"told": 0, "gone": 0})
+                row["told"] += 1
+                row["gone"] += code not in after
+    return dict(sorted(out.items(), key=lambda item: -item[1]["told"]))
 
 
 def _sayable(made: Sequence[Made]) -> float:
@@ -197,6 +214,7 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("folder", type=Path, help="a folder of request files a variant lies below")
     parser.add_argument("--variants", nargs="+", choices=get_args(Variant), default=["full"])
     parser.add_argument("--of", type=int, metavar="N", help="only N of the prompts, evenly")
+    parser.add_argument("--served", action="store_true", help="ask the configured server instead")
     parser.add_argument("--partial", action="store_true", help="score what is drafted by now")
     parser.add_argument("--layouts", action="store_true", help="high-quality given usable, too")
     parser.add_argument("--show", action="store_true", help="list misses of the opened prompts")
@@ -210,6 +228,10 @@ def main(argv: list[str] | None = None) -> int:
     for variant in args.variants:
         # The folder of `full` is of all prompts: fewer would drop the others' requests from it.
         asked = every if variant == "full" else rows
+        if args.served:
+            drafts = draft_llm_batch([r["prompt"] for r in rows], settings=config, variant=variant)
+            found[variant] = of_model(rows, drafts)
+            continue
         got = gather(
             [row["prompt"] for row in asked],
             args.folder / variant,
@@ -296,6 +318,9 @@ def _print(tables: dict[str, dict[str, dict[str, Any]]]) -> None:
         for part, row in sets.items():
             cells = "".join(f"{row[c] if row.get(c) is not None else '-':>13}" for c in columns)
             print(f"{name:<15}{part:<8}{cells}")
+    for name, sets in tables.items():
+        for code, row in sets["all"].get("mended", {}).items():
+            print(f"{name}: {code} told {row['told']} times, gone with the answer {row['gone']}")
     for name in tables:
         if name in PAPER:
             print(f"paper, {name}: usability {PAPER[name]}, high-quality {PAPER_HIGH[name]}")

@@ -31,6 +31,7 @@ def bench(
     strict: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[Path | None, Parameter(help="Write the results to this JSON file.")] = None,
     workers: int | None = None,
+    ablations: Annotated[list[str] | None, Parameter(consume_multiple=True, negative="")] = None,
 ) -> int:
     """Run every scene of a suite with several seeds and report SLR, ECR and PPA.
 
@@ -48,7 +49,16 @@ def bench(
         out: Folder of the scene folders; default runs/bench-SUITE-STRATEGY-ENGINE.
         strict: Count scenes as failed that are partial or not plausible.
         workers: Worker processes; default one a core.
+        ablations: Run the paper's ablations instead, all or those named: draft, assets, initial,
+            global, gradients, collision, optimization.
     """
+    if ablations is not None:
+        from esg.commands.ablating import ablate
+
+        return ablate(
+            suite, ablations, runs=runs, seed=seed, engine=engine, device=device, out=out,
+            json=json, workers=workers,
+        )  # fmt: skip
     from esg.api import inputs
     from esg.commands.drafting import from_answers, tell_waiting
     from esg.commands.live import live

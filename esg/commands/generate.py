@@ -12,7 +12,7 @@ from esg.commands.drafting import RULES, Drafting
 
 if TYPE_CHECKING:
     from esg.pipeline import SceneState
-    from esg.view.capture import Settings
+    from esg.view.seeing.wanted import Settings
 
 Strategy = Literal["batched", "hybrid", "fd", "ad", "none"]
 Collision = Literal["exact", "proxy", "sdf"]

@@ -8,7 +8,7 @@ materials that several files hold stand in it once. The same input gives the sam
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -75,6 +75,7 @@ def scene_glb(
     *,
     setting: Setting | None = None,
     world: int = 0,
+    manifest: Mapping[str, Any] | None = None,
 ) -> bytes:
     """The replayed scene as an animated GLB.
 
@@ -84,6 +85,8 @@ def scene_glb(
         folder: Scene folder with the meshes; a body without a readable one shows its collision.
         setting: Ground, dressing, light and cameras; None: the bodies alone.
         world: World of the rollout.
+        manifest: The physical scene as JSON, for the scene's `extras`: what a judge cannot see in
+            meshes (docs/judging.md). None: it is left out.
     """
     document = Document({"asset": {"version": "2.0", "generator": "esg-scenes"}, "scene": 0})
     library: dict[str, tuple[list[dict[str, Any]], list[int]]] = {}
@@ -109,6 +112,8 @@ def scene_glb(
         roots += _surroundings(document, setting)
         roots += [_view(document, view, rollout.time) for view in setting.views]
     document.data["scenes"] = [{"name": scene.scene_id, "nodes": roots}]
+    if manifest is not None:
+        document.data["scenes"][0]["extras"] = {"manifest": manifest}
     if document.channels:
         document.data["animations"] = [
             {"name": "replay", "channels": document.channels, "samplers": document.samplers}

@@ -51,7 +51,7 @@ from esg.compile.visuals.usd_looks import (
 from esg.engines.breaking import hidden, whole_of_fragments
 from esg.engines.joint_rules import BREAK_WINDOW_S
 from esg.engines.joints import WORLD, Joint
-from esg.engines.manifest import Manifest
+from esg.engines.manifest import Manifest, carried_json
 from esg.engines.physx_engine import position_iterations
 from esg.engines.scene import FRAGMENT, Body, Rollout, Shape, SimScene
 from esg.engines.wheels import wheel_angles
@@ -141,6 +141,8 @@ def physics_layer(
     world = UsdGeom.Xform.Define(stage, "/World").GetPrim()
     stage.SetDefaultPrim(world)
     world.SetCustomDataByKey("esg:scene_id", json.dumps(scene.scene_id))
+    # What a judge cannot see in colliders: regions, words, ground (docs/judging.md).
+    world.SetCustomDataByKey("esg:manifest", json.dumps(carried_json(manifest)))
     world.SetCustomDataByKey("esg:watch", json.dumps([list(p) for p in manifest.watch]))
     physics = UsdPhysics.Scene.Define(stage, "/World/PhysicsScene")
     strength = float(np.linalg.norm(scene.gravity))

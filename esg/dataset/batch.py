@@ -10,12 +10,17 @@ from __future__ import annotations
 from dataclasses import replace
 import shutil
 import time
+from typing import TYPE_CHECKING
 
 from esg.dataset.folder import batch_lock, mark_name, read_mark, write_mark
-from esg.dataset.job import BatchJob, BatchResult
-from esg.dataset.running import SCENE_STAGES, run_scenes
+from esg.dataset.job import CROSSCHECK, RENDER, BatchJob, BatchResult
+from esg.dataset.running import SCENE_STAGES, rendered_scenes, run_scenes
 from esg.dataset.writing import write_batch
 from esg.pipeline import scratch_store
+from esg.store.tables import part_files, to_table, write_part
+
+if TYPE_CHECKING:
+    from esg.dataset.clips.batch import Rendered
 
 
 def make_batch(job: BatchJob) -> BatchResult:
@@ -40,27 +45,78 @@ def make_batch(job: BatchJob) -> BatchResult:
 
 def _deliver(job: BatchJob, result: BatchResult) -> None:
     """Brings a batch to where the dataset is, its mark last."""
-    from esg.dataset.remote import Remote
+    from esg.dataset.remote import Remote, is_media
 
-    remote, mark = Remote(job.url), mark_name(job.number)
+    whole, mark = Remote(job.url), mark_name(job.number)
+    # Of a dataset that is only rendered, marks and parts are kept apart until all is done.
+    remote = whole if job.source is None else whole.below(job.out.name)
     if not remote.has(mark):
-        remote.push(job.out, [*result.files, mark])
+        whole.push(job.out, [n for n in result.files if is_media(n)])
+        remote.push(job.out, [*(n for n in result.files if not is_media(n)), mark])
 
 
 def _make(job: BatchJob) -> BatchResult:
     start = time.perf_counter()
-    with scratch_store(job.work / "artifacts", durable=False):
-        states, together_s = run_scenes(job)
-        result, recordings_s = write_batch(job, states)
-    spent = {s: 0.0 for s in SCENE_STAGES}
-    for state in states:
-        for entry in state.log:
-            spent[entry["stage"]] += float(entry["seconds"])
-    spent["replay"] += together_s
-    spent["recordings"] = recordings_s
+    if job.source is not None:
+        result, spent = _only_rendered(job)
+    else:
+        with scratch_store(job.work / "artifacts", durable=False):
+            states, together_s = run_scenes(job)
+            rendered = rendered_scenes(job, states)
+            result, recordings_s = write_batch(job, states, rendered)
+        result, checks_s = _checked(job, result, rendered)
+        spent = {s: 0.0 for s in SCENE_STAGES}
+        for state in states:
+            for entry in state.log:
+                spent[entry["stage"]] += float(entry["seconds"])
+        spent["replay"] += together_s
+        spent["recordings"] = recordings_s
+        if job.spec.render:
+            spent |= {RENDER: rendered.seconds, CROSSCHECK: checks_s}
     spent["batch"] = time.perf_counter() - start
     result = replace(result, seconds={k: round(v, 4) for k, v in spent.items()})
     write_mark(job.out, result)
     if not job.keep_work:
         shutil.rmtree(job.work, ignore_errors=True)
     return result
+
+
+def _only_rendered(job: BatchJob) -> tuple[BatchResult, dict[str, float]]:
+    """Clips of scenes that a finished dataset holds."""
+    rendered = rendered_scenes(job, [])
+    rows = [row for found in rendered.rows.values() for row in found]
+    files = list(rendered.files)
+    if rows:
+        part = job.out / "parts" / "clips" / f"{job.name}.parquet"
+        write_part(to_table("clips", rows), part)
+        files.append(part)
+    result = BatchResult(
+        number=job.number,
+        scenes=len(job.scenes),
+        verified=0,
+        outcomes={},
+        failures=rendered.failures,
+        crashes=rendered.crashes,
+        files={p.relative_to(job.out).as_posix(): p.stat().st_size for p in files},
+    )
+    result, checks_s = _checked(job, result, rendered)
+    return result, {RENDER: rendered.seconds, CROSSCHECK: checks_s}
+
+
+def _checked(job: BatchJob, result: BatchResult, rendered: Rendered) -> tuple[BatchResult, float]:
+    """The result with the checks of a sample of its clips, and how long they took [s]."""
+    from esg.dataset.crosscheck import check_batch
+
+    start = time.perf_counter()
+    rows = [row for found in rendered.rows.values() for row in found]
+    told = {
+        table: part_files(job.source, table)
+        if job.source is not None
+        else [job.out / "parts" / table / f"{job.name}.parquet"]
+        for table in ("scenes", "trajectories")
+    }
+    part = check_batch(job.out, rows, job.name, told) if rows else None
+    if part is None:
+        return result, 0.0
+    files = {**result.files, part.relative_to(job.out).as_posix(): part.stat().st_size}
+    return replace(result, files=files), time.perf_counter() - start

@@ -15,7 +15,8 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict
 
-from esg.dataset.grammar import GRAMMAR_VERSION, Distribution, sample_scenes
+from esg.dataset.distribution import Distribution
+from esg.dataset.grammar import GRAMMAR_VERSION, sample_scenes
 from esg.outcomes import UserError
 from esg.pipeline import SceneRequest
 from esg.store.records import prompt_family, split_of
@@ -81,6 +82,18 @@ class RenderSpec(BaseModel):
     lossless: bool = False
     device: str = "cpu"
 
+    def options(self) -> list[str]:
+        """As on the command line of `esg dataset`, without what is default."""
+        usual, out = RenderSpec(), [f"--render {','.join(self.channels)}"]
+        if self.size != usual.size:
+            out.append(f"--size {self.size[0]}x{self.size[1]}")
+        for name in ("cameras", "fps", "renderer", "samples", "camera"):
+            if (value := getattr(self, name)) != getattr(usual, name):
+                out.append(f"--{name} {value:g}" if name == "fps" else f"--{name} {value}")
+        if self.motion_blur:
+            out.append("--motion-blur")
+        return [*out, *(["--lossless"] if self.lossless else [])]
+
 
 class DatasetSpec(BaseModel):
     """Everything a dataset depends on besides code.
@@ -99,6 +112,7 @@ class DatasetSpec(BaseModel):
         batch: Scenes a batch.
         strict: Whether `partial` scenes count as failed.
         render: What cameras see; None for a dataset without clips.
+        thin: Whether near-duplicates are left out of all splits.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -121,6 +135,7 @@ class DatasetSpec(BaseModel):
     batch: int = 0
     strict: bool = False
     render: RenderSpec | None = None
+    thin: bool = False
 
     @property
     def batch_size(self) -> int:
@@ -141,7 +156,8 @@ class DatasetSpec(BaseModel):
 
     def canonical(self) -> str:
         """Canonical JSON; what is not asked for is left out, as it was before there was such."""
-        data = self.model_dump(mode="json", exclude=None if self.render else {"render"})
+        unasked = {name for name in ("render", "thin") if not getattr(self, name)}
+        data = self.model_dump(mode="json", exclude=unasked)
         return json.dumps(data, sort_keys=True, separators=(",", ":"))
 
     def differences(self, other: DatasetSpec) -> list[str]:
@@ -164,7 +180,8 @@ class PlannedScene:
         rule: Rule of the grammar, or empty.
         pair: Id of the counterfactual pair's base scene, or empty.
         changed: What this scene changes of its base; empty for a base.
-        parameters: JSON of the grammar's slots, or empty.
+        parameters: JSON of the grammar's slots and of what was drawn beside them, or empty.
+        camera: How the distribution has it filmed; empty: as the dataset is.
     """
 
     index: int
@@ -177,6 +194,7 @@ class PlannedScene:
     pair: str = ""
     changed: str = ""
     parameters: str = ""
+    camera: str = ""
 
 
 @dataclass(frozen=True)
@@ -241,6 +259,7 @@ def plan_scenes(spec: DatasetSpec, prompts: Sequence[Prompt] = ()) -> list[Plann
                 pair=base if spec.counterfactual else "",
                 changed=scene.changed,
                 parameters=json.dumps(dict(scene.values), sort_keys=True),
+                camera=scene.camera,
             )
         )
     return out

@@ -42,6 +42,7 @@ KEYS: dict[str, tuple[str, ...]] = {
     "plausibility_checks": ("scene_key", "engine", "check_name"),
     "timings": ("scene_key", "stage"),
     "clips": ("scene_key", "camera"),
+    "truth_checks": ("scene_key", "camera", "check_name"),
 }
 """Primary key of every table; `scene_key` is run, suite, scene and seed (esg.store.records)."""
 
@@ -70,7 +71,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "rule": "string", "pair": "string", "changed": "string", "parameters": PARAMETERS,
         "expectation": EXPECTATION, "manifest": "string",
         "fully_understood": "bool", "statements_kept": "float64", "plausible": "bool",
-        "preview": "image",
+        "preview": "image", "duplicate_of": "string",
     },
     "trajectories": {
         **_SCENE, "split": "string", "engine": "string", "dt_s": "float64", "fps": "float64",
@@ -132,6 +133,12 @@ COLUMNS: dict[str, dict[str, str]] = {
         "qw:float32>>",
         "track_ids": "list<int32>", "track_point_m": "list<float32>",
         "track_xy_px": "list<float32>", "track_visible": "list<bool>",
+        "place": "string", "sky": "string",
+    },
+    "truth_checks": {
+        **_SCENE, "camera": "int32", "check_name": "string", "unit": "string",
+        "samples": "int64", "p50": "float64", "p90": "float64", "p99": "float64",
+        "worst": "float64", "limit_value": "float64", "ok": "bool", "note": "string",
     },
 }  # fmt: skip
 """Column name to type of every table (esg.store.columns)."""
@@ -139,7 +146,7 @@ COLUMNS: dict[str, dict[str, str]] = {
 ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
     "scenes": (
         "rule", "pair", "changed", "parameters", "expectation", "manifest", "esg_cast",
-        "fully_understood", "statements_kept", "plausible", "preview",
+        "fully_understood", "statements_kept", "plausible", "preview", "duplicate_of",
     ),
     **dict.fromkeys(
         (
@@ -339,6 +346,31 @@ def part_files(folder: Path, table: str | None = None) -> list[Path]:
     """Finished Parquet files below a folder, in name order; temporary ones are not looked at."""
     pattern = f"{table}/*.parquet" if table else "*/*.parquet"
     return sorted(p for p in Path(folder).glob(pattern) if not p.name.startswith("."))
+
+
+def iter_batches(
+    paths: Iterable[Path], columns: Sequence[str], *, rows: int = ROW_GROUP_SCENES
+) -> Iterator[pa.RecordBatch]:
+    """Some columns of several files, few rows in memory at a time.
+
+    Args:
+        paths: The files.
+        columns: Which every version of their table has.
+        rows: At a time.
+
+    Raises:
+        UserError: If a file is damaged, with its path.
+    """
+    import pyarrow.parquet as pq
+
+    for path in paths:
+        table_of(path)
+        try:
+            with pq.ParquetFile(_local(path), page_checksum_verification=True) as file:
+                yield from file.iter_batches(batch_size=rows, columns=list(columns))
+        except Exception as error:  # whatever the reader meets in a damaged file
+            why = (str(error).splitlines() or [type(error).__name__])[0]
+            raise UserError(f"{path} is damaged ({why}); delete it and run again") from None
 
 
 def iter_rows(paths: Iterable[Path]) -> Iterator[dict[str, Any]]:

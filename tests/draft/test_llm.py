@@ -201,6 +201,7 @@ def test_rounds_are_bounded() -> None:
     client = Spoiled("assets", change(heavy), times=99)
     result = run(CHAIN, client, max_rounds=3)
     assert result.outcome is Outcome.INVALID_DRAFT and result.rounds == 3
+    assert result.told == (("UNIT_MASS",),) * 3
     assert [v.code for v in result.violations] == ["UNIT_MASS"]
     assert "UNIT_MASS" in result.reason
     assert client.stages().count("scene") == 4

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+import contextlib
 import json
 from pathlib import Path
 from typing import Any
@@ -352,3 +353,39 @@ def test_auto_falls_back_on_the_rules(tmp_path: Path) -> None:
     assert row["outcome"] == "solved" and row["drafter"] == "rules"
     assert "unusable" in row["model_failed"]
     assert draft_command(prompts=prompts, out=out, drafting=Drafting("llm", batch)) == 3
+
+
+@pytest.mark.parametrize("at", range(5))
+def test_interrupted_anywhere_it_goes_on(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, at: int
+) -> None:
+    """Leave whole files behind when a write is interrupted, and end as if nothing had happened."""
+    from esg.draft.llm import requestfiles
+
+    model = by(ScriptedModel(0.4, 0.1))
+    whole, broken = tmp_path / "whole", tmp_path / "broken"
+    finish(whole, answer=model, settings=LlmSettings(max_rounds=8))
+    real = requestfiles.write_whole
+
+    def interrupted(count: list[int]) -> Callable[[Path, str], None]:
+        def write(path: Path, text: str) -> None:
+            count[0] += 1
+            if count[0] == at + 1:
+                raise KeyboardInterrupt
+            real(path, text)
+
+        return write
+
+    for k in range(12):
+        monkeypatch.setattr(requestfiles, "write_whole", interrupted([0]))
+        with contextlib.suppress(KeyboardInterrupt):
+            gather(PROMPTS, broken, settings=LlmSettings(max_rounds=8))
+        monkeypatch.setattr(requestfiles, "write_whole", real)
+        for path in broken.glob("*.jsonl"):
+            for text in path.read_text().splitlines():
+                json.loads(text)
+        if not gather(PROMPTS, broken, settings=LlmSettings(max_rounds=8)).requests:
+            break
+        respond(broken, f"answers-{k}.jsonl", model)
+    names = ("requests.jsonl", "asked.jsonl", "cassette.jsonl", "problems.jsonl")
+    assert {n: files(broken)[n] for n in names} == {n: files(whole)[n] for n in names}

@@ -380,12 +380,11 @@ def small_model() -> Path | None:
 
 
 @pytest.mark.slow
-def test_a_small_local_model_answers_every_stage() -> None:
-    """Drive a 135 M parameter model on a real llama.cpp server through all four stages.
+def test_a_small_local_model_answers() -> None:
+    """Drive a 135 M parameter model on a real llama.cpp server with the short shape.
 
     Such a model keeps the grammar and little else, so the draft may break rules; what is proved is
-    the path: schemas closed over settled names, four readable replies, tokens counted, an outcome,
-    and no object named that does not exist.
+    the path: one readable reply, tokens counted, an outcome.
     """
     xllamacpp = pytest.importorskip("xllamacpp")
     weights = small_model()
@@ -405,19 +404,15 @@ def test_a_small_local_model_answers_every_stage() -> None:
         attempts=1,
         max_rounds=0,
         max_tokens=700,
-        max_items=2,
+        max_items=3,
         max_text=40,
         concurrency=1,
+        profile="small",
     )
     result = draft_llm_batch(["A ball hits a box."], settings=config)[0]
-    stages = [c.stage for c in result.calls]
-    assert stages == ["expansion", "assets", "spatial", "timeline"], result.reason
+    assert [c.stage for c in result.calls] == ["small"], result.reason
     assert all(c.input_tokens > 0 and c.output_tokens > 0 for c in result.calls)
     assert result.document is not None or result.reason
-    open_names = ("REF_ASSET", "REF_NAMED_REGION")
-    unknown = [v for v in result.violations if v.code.startswith("REF_")]
-    unknown = [v for v in unknown if v.code not in open_names]
-    assert not unknown, unknown
 
 
 @pytest.mark.slow

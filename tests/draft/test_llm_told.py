@@ -68,8 +68,7 @@ def test_examples_are_faultless(example: dict[str, Any]) -> None:
         (made,) = draft_llm_batch(
             [example["prompt"]], settings=config, client=model, variant=variant
         )
-        assert made.outcome is Outcome.SOLVED or variant != "full", made.reason
-        assert made.document is not None
+        assert made.outcome is Outcome.SOLVED, (variant, made.reason)
     (made,) = draft_llm_batch([example["prompt"]], settings=config, client=model)
     assert made.document is not None and made.document.coverage.warnings == ()
     assert not any("read as" in r or "dropped" in r for r in made.repairs)
@@ -304,3 +303,60 @@ def test_disagreement_on_who_hits_whom_is_shown() -> None:
     assert len(told) == 2 and any('"ball" and "vase"' in t for t in told)
     assert disagreements(one, draft("A blue ball hits two boxes.")) == ()
     assert replies_of(one)["timeline"] is not None
+
+
+def test_a_small_model_is_asked_once_in_plain_words() -> None:
+    """Draft from things and acts: sizes of the lexicon, motions by the event, chains as told."""
+    answer = {
+        "things": [
+            {"name": "bowling ball"},
+            {"name": "crate"},
+            {"name": "vase", "on": "table"},
+            {"name": "table"},
+        ],
+        "acts": [
+            {"who": "bowling ball", "does": "hits", "whom": "crate", "speed_m_s": 5.0},
+            {"who": "crate", "does": "hits", "whom": "table"},
+            {"who": "vase", "does": "falls"},
+        ],
+    }
+    model = Told({"small": answer})
+    config = LlmSettings(base_url="http://127.0.0.1:9/v1", model="m", profile="small")
+    prompt = "A bowling ball at 5 m/s hits a crate into a table, and the vase on it falls."
+    (made,) = draft_llm_batch([prompt], settings=config, client=model)
+    assert made.outcome is Outcome.SOLVED, made.reason
+    assert [c.stage for c in model.calls] == ["small"] and made.rounds == 0
+    assert len(instructions("small")) < 1200 and "$defs" in model.calls[0].schema
+    doc = made.document
+    assert doc is not None and doc.timeline_system is not None
+    ball = doc.asset_requirement["bowling_ball"]
+    assert ball.shape == "sphere" and 5.0 <= ball.expected_mass_kg <= 8.0
+    told = [(n.event.value, n.participants) for n in doc.timeline_system.sequence_graph.nodes[1:]]
+    assert told == [
+        ("Collision", ("bowling_ball", "crate")),
+        ("Collision", ("crate", "table")),
+        ("Fall", ("vase",)),
+    ]
+    edges = doc.timeline_system.sequence_graph.edges
+    assert edges[0].params.speed == 500.0 and edges[0].speed_is_prescribed
+    assert edges[1].event is EdgeEvent.INERTIAL_CONNECTOR and edges[1].from_ == "e1"
+    assert any(e.from_ == "vase" and e.to == "table" for e in
+               doc.spatial_relation_graph.edges.binary_relations)  # fmt: skip
+
+
+def test_a_small_model_is_told_what_is_wrong() -> None:
+    """Send violations back to the one short request."""
+
+    class Learning(Told):
+        async def complete(self, call: Call) -> Reply:
+            self.calls.append(call)
+            falls = {"who": "ball", "does": "hits", "whom": "ball"}
+            good = {"who": "ball", "does": "hits", "whom": "box"}
+            acts = [good if len(self.calls) > 1 else falls]
+            return Reply(json.dumps({"things": [{"name": "ball"}, {"name": "box"}], "acts": acts}))
+
+    model = Learning({})
+    config = LlmSettings(base_url="http://127.0.0.1:9/v1", model="m", profile="small")
+    (made,) = draft_llm_batch(["A ball hits a box."], settings=config, client=model)
+    assert made.outcome is Outcome.SOLVED and made.rounds == 1
+    assert "EVENT_PARTICIPANTS" in model.calls[1].messages[-1][1]

@@ -88,7 +88,13 @@ def record(
         ),
     )
     clip = clip_record(run.run_id, scene, seed=seed, suite=run.suite, split="")
-    return SceneRecord({**made.rows, "clips": [clip.row()]})
+    checked = {
+        "check_name": "flow", "camera": 0, "unit": "px", "samples": 4, "p50": 0.01, "p90": 0.02,
+        "p99": 0.03, "worst": 0.04, "limit_value": 0.1, "ok": True, "note": "",
+    }  # fmt: skip
+    place = {k: made.rows["scenes"][0][k] for k in ("run_id", "scene_key", "suite", "scene_id")}
+    checked |= {**place, "seed": seed}
+    return SceneRecord({**made.rows, "clips": [clip.row()], "truth_checks": [checked]})
 
 
 def records(run: RunInfo, scenes: int = 3, seeds: int = 2) -> list[SceneRecord]:

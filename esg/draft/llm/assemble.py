@@ -69,7 +69,8 @@ def assemble(
         prompt: The user's text.
         seed: Enters the scene id.
         replies: One reply a stage.
-        repair: False builds what was said, errors included (ablation without validation).
+        repair: False builds what was said, errors included (ablation without validation); what the
+            form of the replies leaves to code is filled in all the same.
     """
     work = _Work({}, Names("object", repair=repair), repair)
     digest = hashlib.sha256(f"{prompt}\0{seed}\0llm".encode()).hexdigest()[:8]
@@ -103,9 +104,9 @@ def assemble(
         logs += _time(work, timeline, events)
     stated = replies.spatial.statements if timeline is None else timeline.statements
     logs.append(state(work.raw, prompt, stated, work.objects, events))
-    if work.repair:
-        logs += [join_parts(work.raw), let_break(work.raw)]
-        face(work.raw)
+    # What a reply leaves to code by its form is no repair: it is filled in without one, too.
+    logs += [join_parts(work.raw), let_break(work.raw)]
+    face(work.raw, once=work.repair)
     return work.raw, tuple(unique(text for log in logs for text in log))
 
 
@@ -220,8 +221,7 @@ def _space(work: _Work, reply: SpatialReply) -> None:
             )
     for g in reply.group_relations:
         graph["edges"]["multi_relations"].append(_group(work, g))
-    if work.repair:
-        _regions(work, names)
+    _regions(work, names)
     work.log += names.log
 
 
@@ -255,6 +255,8 @@ def _regions(work: _Work, names: Names) -> None:
     }
     for name, node in nodes.items():
         inside = regions.get(node.get("semantic_region") or "")
+        if not work.repair and node.get("semantic_region"):
+            continue
         if node.get("is_structural") or (inside and inside["parent_object"] != name):
             continue
         parent, relation = support.get(name, (work.base, "on"))

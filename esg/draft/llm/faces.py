@@ -15,11 +15,12 @@ TOLD, ASSUMED = 1.0, 0.5
 """Confidence of a face that a motion asks for, and of a default (`esg.commands.generate`)."""
 
 
-def face(raw: Json) -> None:
-    """Gives everything that faces nothing, and has to, its one `face`; further ones are dropped.
+def face(raw: Json, *, once: bool = True) -> None:
+    """Gives everything that faces nothing, and has to, its one `face`.
 
     Args:
         raw: Document as JSON; changed in place.
+        once: Whether further ones of a thing are dropped.
     """
     graph = raw["spatial_relation_graph"]
     edges: list[Json] = graph["edges"]["binary_relations"]
@@ -27,7 +28,7 @@ def face(raw: Json) -> None:
     kept: list[Json] = []
     for edge in edges:
         if edge["relation_type"] == "face":
-            if edge["from"] in seen:
+            if once and edge["from"] in seen:
                 continue
             seen.add(edge["from"])
         kept.append(edge)

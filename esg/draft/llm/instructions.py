@@ -16,6 +16,7 @@ _PARTS = {
     "scene": ("shared", "scene", "examples:scene"),
     "timeline": ("shared", "timeline", "examples:timeline"),
     "single_shot": ("shared", "single_shot", "scene", "timeline", "examples:single_shot"),
+    "small": ("small",),
     "visual": ("shared", "visual"),
 }
 

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from esg.graph.models import EdgeEvent, ForceDirection, NodeEvent
-from esg.graph.rules_events import OWN_FIELDS, PAIRS, SINGLES
+from esg.graph.rules_events import OWN_FIELDS, SINGLES
 from esg.graph.rules_segments import GUIDED_TO, LEADS_TO, ONLY
 
 Json = dict[str, Any]
@@ -17,7 +17,8 @@ Json = dict[str, Any]
 _ALONG_JOINTS = {"Open": "Drive", "Close": "Drive", "Swing": "Release"}
 _LED_BY = {e.value: m.value for e, m in LEADS_TO.items()} | _ALONG_JOINTS
 """Point events that one type of segment of their own participant brings about."""
-_TWO = {e.value for e in PAIRS}
+_ON_GROUND = {NodeEvent.BOUNCE.value, NodeEvent.PLACED.value}
+"""Events of two that happen on the ground where no other place is told."""
 _ONE = {e.value for e in SINGLES}
 _GUIDED_TO = {e.value for e in GUIDED_TO}
 _ANY_3D = ForceDirection.ANY_3D.value
@@ -55,7 +56,7 @@ def _participants(node: Json, base: str | None, log: list[str]) -> None:
     if kind in _ONE and len(people) > 1:
         log.append(f"{kind} {node['id']!r} is of {people[0]!r} alone")
         node["participants"] = people[:1]
-    if kind in _TWO and len(people) == 1 and base is not None and people[0] != base:
+    if kind in _ON_GROUND and len(people) == 1 and base is not None and people[0] != base:
         log.append(f"{kind} {node['id']!r} is with {base!r}")
         node["participants"] = [people[0], base]
 

@@ -18,6 +18,7 @@ VARIANTS: tuple[Variant, ...] = ("full", "no_validation", "single_shot")
 
 STAGES = ("scene", "timeline")
 """The requests of a scene: what is there and where, then what happens."""
+UNREADABLE = "UNREADABLE"
 MAX_TOLD = 25
 """Violations told to the model at a time."""
 _OF_TIMELINE = ("/timeline_system", "/statements")
@@ -51,6 +52,8 @@ class LlmDraft:
         cost_usd: None when the settings name no prices.
         requests: Requests sent to the server, repetitions included.
         waiting: Whether it waits for an answer to a request file.
+        told: Codes of what was wrong, told to the model round by round; UNREADABLE for a reply that
+            could not be read.
     """
 
     prompt: str
@@ -66,6 +69,7 @@ class LlmDraft:
     cost_usd: float | None = None
     requests: int = 0
     waiting: bool = False
+    told: tuple[tuple[str, ...], ...] = ()
 
 
 def impossible(prompt: str) -> list[str]:

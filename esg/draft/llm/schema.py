@@ -7,6 +7,7 @@ import copy
 from functools import cache
 from typing import Any
 
+from esg.draft.llm.small import SmallReply
 from esg.draft.llm.stages import REPLIES
 from esg.untyped import is_list, is_object
 
@@ -99,7 +100,8 @@ def schema_of(stage: str) -> dict[str, Any]:
 
     What may be left out is not also offered as null; titles and defaults tell a model nothing.
     """
-    return _short(REPLIES[stage].model_json_schema())
+    shape = SmallReply if stage == "small" else REPLIES[stage]
+    return _short(shape.model_json_schema())
 
 
 def _short(schema: Any) -> Any:

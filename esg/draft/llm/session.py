@@ -15,6 +15,7 @@ from esg.draft.llm.names import slug
 from esg.draft.llm.prune import pruned
 from esg.draft.llm.records import (
     STAGES,
+    UNREADABLE,
     CallRecord,
     LlmDraft,
     Variant,
@@ -23,6 +24,7 @@ from esg.draft.llm.records import (
 )
 from esg.draft.llm.schema import bounded, schema_of, settled
 from esg.draft.llm.settings import LlmSettings
+from esg.draft.llm.small import SmallReply, closed, parts_of
 from esg.draft.llm.stages import (
     ExpansionReply,
     Part,
@@ -59,6 +61,7 @@ class Session:
     patient: PatientClient
     rounds: int = 0
     calls: list[CallRecord] = field(default_factory=list[CallRecord])
+    told: list[tuple[str, ...]] = field(default_factory=list[tuple[str, ...]])
     repairs: tuple[str, ...] = ()
     notes: tuple[str, ...] = ()
     answers: dict[str, Part] = field(default_factory=dict[str, Part])
@@ -109,6 +112,7 @@ class Session:
             cost_usd=self._cost(tokens_in, tokens_out),
             requests=self.patient.requests - before,
             waiting=waiting,
+            told=tuple(self.told),
         )
 
     def _screen(self) -> None:
@@ -130,7 +134,9 @@ class Session:
         return (tokens_in * price_in + tokens_out * price_out) / 1e6
 
     async def _work(self) -> None:
-        if self.variant == "single_shot":
+        if self._is_small:
+            await self._small()
+        elif self.variant == "single_shot":
             whole = await self._ask("single_shot", WholeReply, self._request("single_shot"))
             self.answers["scene"] = SceneReply(
                 expansion=whole.expansion, assets=whole.assets, spatial=whole.spatial
@@ -146,9 +152,11 @@ class Session:
         self._build()
         while self.variant == "full" and self.violations and self.rounds < self.settings.max_rounds:
             self.rounds += 1
-            for stage, told in complaints(self.violations, self.answers).items():
-                await self._stage(stage, told)
-            if self._expansion.is_dynamic and "timeline" not in self.answers:
+            self.told.append(tuple(sorted({v.code for v in self.violations})))
+            told = complaints(self.violations, () if self._is_small else self.answers)
+            for stage, complaint in told.items():
+                await (self._small(complaint) if self._is_small else self._stage(stage, complaint))
+            if not self._is_small and self._expansion.is_dynamic and "timeline" not in self.answers:
                 await self._stage("timeline")
             self._build()
         if self.variant == "full" and self.violations:
@@ -161,6 +169,19 @@ class Session:
             # An earlier stage may have revised what this one was told.
             self.talks[stage][0] = ("user", self._request(stage))
         self.answers[stage] = await self._ask(stage, shapes[stage], text)
+
+    @property
+    def _is_small(self) -> bool:
+        return self.settings.profile == "small"
+
+    async def _small(self, complaint: str = "") -> None:
+        """One short request for all; the other stages' answers follow from it in code."""
+        text = complaint or self._request("small")
+        scene, timeline = parts_of(await self._ask("small", SmallReply, text))
+        self.answers = {k: v for k, v in self.answers.items() if k != "timeline"}
+        self.answers["scene"] = scene
+        if timeline is not None:
+            self.answers["timeline"] = timeline
 
     async def _ask(self, stage: str, shape: type[_ANSWER], text: str) -> _ANSWER:
         """Asks until the reply can be read; each repetition costs a round."""
@@ -177,6 +198,7 @@ class Session:
                 if self.variant != "full" or self.rounds >= self.settings.max_rounds:
                     raise Failed(f"the {stage} reply is unusable. {error}") from None
                 self.rounds += 1
+                self.told.append((UNREADABLE,))
                 text = f"{error}\nAnswer again with the whole corrected JSON object."
 
     async def _complete(
@@ -203,6 +225,8 @@ class Session:
     def _schema(self, stage: str) -> Any:
         """Schema of a stage; with validation, references are closed lists of settled names."""
         schema = schema_of(stage)
+        if stage == "small":
+            return closed(schema, self.prompt)
         if self.variant != "full" or stage != "timeline":
             return schema
         names: list[str] = []

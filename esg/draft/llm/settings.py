@@ -41,6 +41,8 @@ class LlmSettings(BaseSettings):
     """Scenes of a batch in work at a time."""
     max_tokens: int = Field(8192, ge=64)
     """Longest reply."""
+    profile: Literal["large", "small"] = "large"
+    """`small` asks once, in a short shape, for models under a few billion parameters."""
     max_items: int | None = Field(None, ge=1)
     """Longest list of a reply (maxItems of its schema): small local models ramble without it."""
     max_text: int | None = Field(None, ge=20)
@@ -134,8 +136,8 @@ def identity() -> str:
         return ""
     told = config.model_dump(
         mode="json",
-        include={"model", "max_rounds", "max_tokens", "max_items", "max_text", "temperature",
-                 "image_model", "vision_model"},
+        include={"model", "profile", "max_rounds", "max_tokens", "max_items", "max_text",
+                 "temperature", "image_model", "vision_model"},
     )  # fmt: skip
     replies = b""
     if config.cassette is not None and config.cassette_mode == "replay":
