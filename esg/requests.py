@@ -42,6 +42,7 @@ def bench_requests(
     device: str,
     close_loop: bool = False,
     collision: str = "exact",
+    drafter: str = "rules",
     without: str = "",
     only: Sequence[str] = (),
 ) -> list[SceneRequest]:
@@ -55,6 +56,7 @@ def bench_requests(
         SceneRequest(
             prompt=scene.prompt,
             seed=seed + run,
+            drafter=drafter,
             strategy=strategy,
             engine=engine,
             device=device,

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager
 import os
 from pathlib import Path
 import shutil
@@ -10,11 +11,15 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
+from esg.commands.clips import RenderOptions
+from esg.commands.drafting import RULES, Drafting
+
 if TYPE_CHECKING:
     from esg.dataset.folder import DatasetFolder
     from esg.dataset.job import BatchJob, BatchResult
     from esg.dataset.plan import DatasetSpec, Prompt
     from esg.dataset.remote import Remote
+    from esg.draft.llm.gathering import Gathered
 
 
 def dataset(
@@ -32,11 +37,12 @@ def dataset(
     batch: int | None = None,
     mcap: Literal["all", "failed", "sample", "none"] = "none",
     previews: Literal["all", "sample", "none"] = "sample",
-    drafter: Literal["rules", "llm"] = "rules",
+    drafting: Drafting = RULES,
     strategy: Literal["batched", "hybrid", "fd", "ad", "none"] = "batched",
     engine: Literal["physx", "rapier", "newton"] = "physx",
     device: str = "cpu",
     strict: Annotated[bool, Parameter(negative="")] = False,
+    rendering: RenderOptions | None = None,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Make a dataset of proven scenes: Parquet tables, splits, a dataset card.
@@ -59,58 +65,83 @@ def dataset(
         batch: Scenes a batch; default by the dataset's size, more on a GPU.
         mcap: Which scenes get an MCAP recording; sample means every 50th.
         previews: Which scenes get a picture.
-        drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
         strategy: How the physics is searched; none keeps the first guess.
         engine: Engine of the replay: physx runs the emitted class.
         device: cpu or cuda:N.
         strict: Count scenes as failed that are partial (not all is shown) or not plausible.
+        rendering: What cameras see of every scene.
         json: Print one JSON document with counts and paths.
     """
-    from esg.api.inputs import check_cache, check_device, check_workers, checked
+    from esg.api.inputs import check_device, checked
+    from esg.commands.clips import check_same, render_spec
     from esg.commands.console import progress
     from esg.dataset.plan import DatasetSpec, Shard
 
     going_on = resume and prompts is None and sample is None
-    part, device, planned, out, *_ = checked(
+    part, device, render, planned, out, _ = checked(
         lambda: Shard.parse(shard),
         lambda: check_device(device),
+        lambda: render_spec(rendering, device),
         lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
         lambda: _place(out),
-        lambda: _seed(seed),
-        lambda: check_workers(workers, 1),
-        lambda: _check_batch(batch, counterfactual),
-        check_cache,
+        lambda: _check_numbers(seed, workers, batch, counterfactual),
     )
-    folder, remote = _opened(out)
+    folder, remote = opened(out)
     if going_on and (found := folder.spec()) is not None:
         spec, texts = found, folder.prompts()
+        check_same(render, spec.render, folder.label)
     else:
         texts, source = planned or _source(prompts, sample, counterfactual, distribution)
-        options: dict[str, Any] = {
-            "seed": seed, "counterfactual": counterfactual, "drafter": drafter,
-            "strategy": strategy, "engine": engine, "mcap": mcap, "previews": previews,
-            "device": device, "batch": batch or 0, "strict": strict,
-        }  # fmt: skip
-        spec = DatasetSpec(**source, **options)
+        spec = DatasetSpec(
+            **source, seed=seed, counterfactual=counterfactual, drafter=drafting.drafter,
+            strategy=strategy, engine=engine, mcap=mcap, previews=previews, device=device,
+            batch=batch or 0, strict=strict, render=render,
+        )  # fmt: skip
     with folder.locked(part), progress(spec.n, "starting") as bar:
-        run = folder.begin(spec, texts, resume=resume)
-        options = {"runner": runner, "workers": workers, "bar": bar, "remote": remote}
-        summary = _build(folder, spec, texts, run, part.batches(spec), **options)
-    return _told(summary, json)
+        with _answered(spec, texts, part.batches(spec), drafting) as (asked, numbers):
+            run = folder.begin(spec, texts, resume=resume)
+            summary = _build(folder, spec, texts, run, numbers, runner, workers, bar, remote)
+    return _told(summary, json, asked)
 
 
-def _told(summary: dict[str, Any], as_json: bool) -> int:
+@contextmanager
+def _answered(
+    spec: DatasetSpec, texts: Sequence[Prompt], numbers: list[int], drafting: Drafting
+) -> Generator[tuple[Gathered | None, list[int]]]:
+    """The drafts of a shard's scenes from request files, and the batches of which none waits."""
+    if drafting.llm_batch is None:
+        yield None, numbers
+        return
+    from esg.commands.drafting import from_answers
+    from esg.dataset.plan import plan_scenes
+
+    Drafting(spec.drafter, drafting.llm_batch).check()  # type: ignore[arg-type]  # cyclopts checked
+    scenes, size = plan_scenes(spec, texts), spec.batch_size
+    mine = [(n, s.request) for n in numbers for s in scenes[n * size : (n + 1) * size]]
+    found = drafting.gathered([r.prompt for _, r in mine], [r.seed for _, r in mine])
+    assert found is not None
+    held = {n for (n, _), made in zip(mine, found.drafts, strict=True) if made.waiting}
+    with from_answers(found):
+        yield found, [n for n in numbers if n not in held]
+
+
+def _told(summary: dict[str, Any], as_json: bool, asked: Gathered | None = None) -> int:
     """Prints what was made; returns the exit code."""
     from esg.commands.console import emit
 
+    waiting = asked.waiting if asked is not None else 0
+    if asked is not None:
+        summary = {**summary, "waiting": waiting, "waiting_for": asked.data()}
     if as_json:
         emit(summary)
     else:
         print(describe(summary))
-    return 3 if summary["failed"] else 0
+        if asked is not None and waiting:
+            print(asked.text())
+    return 3 if summary["failed"] or waiting else 0
 
 
-def _opened(out: str) -> tuple[DatasetFolder, Remote | None]:
+def opened(out: str) -> tuple[DatasetFolder, Remote | None]:
     """The local folder of a dataset, and the place it goes to if that is a URL."""
     from esg.dataset.folder import DatasetFolder
     from esg.dataset.remote import Remote, is_url, staging_folder
@@ -167,19 +198,22 @@ def _source(
     return [], {"source": "sample", "n": sample, "distribution": mix}
 
 
-def _seed(seed: int) -> int:
+def _check_numbers(seed: int, workers: int | None, batch: int | None, counterfactual: bool) -> None:
+    """Checks numbers as typed, and that the cache can be written."""
+    from esg.api.inputs import check_cache, check_workers, checked, in_range
+
+    checked(
+        lambda: in_range("--seed", seed, 0, 2**31 - 1),
+        lambda: check_workers(workers, 1),
+        lambda: None if batch is None else in_range("--batch", batch, 1, 4096),
+        lambda: _check_pairs(batch, counterfactual),
+        check_cache,
+    )
+
+
+def _check_pairs(batch: int | None, counterfactual: bool) -> None:
     from esg.outcomes import UserError
 
-    if not 0 <= seed < 2**31:
-        raise UserError(f"--seed {seed}: choose 0 to {2**31 - 1}")
-    return seed
-
-
-def _check_batch(batch: int | None, counterfactual: bool) -> None:
-    from esg.outcomes import UserError
-
-    if batch is not None and not 1 <= batch <= 4096:
-        raise UserError(f"--batch {batch}: choose 1 to 4096")
     if batch is not None and counterfactual and batch % 2:
         raise UserError(f"--batch {batch}: choose an even number, so that no pair is parted")
 
@@ -197,7 +231,7 @@ def _build(
 ) -> dict[str, Any]:
     from esg.dataset.finish import clean, finish
     from esg.dataset.folder import finish_lock
-    from esg.outcomes import UserError
+    from esg.dataset.remote import is_media
 
     if folder.finished():
         clean(folder.path)
@@ -209,22 +243,16 @@ def _build(
     left = [n for n in numbers if n not in done]
     if left:
         jobs = _jobs(folder, spec, texts, run, left, remote)
-        try:
-            for result in _make(jobs, runner, workers, bar):
-                done[result.number] = result
-        except OSError as error:
-            raise UserError(
-                f"{error.filename or folder.path}: {error.strerror or error}; finished batches are "
-                "kept, run the same command with --resume to go on",
-                exit_code=1,
-            ) from None
+        for result in make_batches(jobs, runner, workers, bar):
+            done[result.number] = result
     everything = folder.done(range(spec.n_batches), remote)
     if len(everything) < spec.n_batches:
         return _summary(folder, spec, done, remote)
     bar.show("putting together")
     with finish_lock(folder.path):
         if remote is not None:
-            remote.pull(folder.path, [f for r in everything.values() for f in r.files])
+            parts = [f for r in everything.values() for f in r.files if not is_media(f)]
+            remote.pull(folder.path, parts)
         if not folder.finished():
             finish(folder, spec, everything)
         summary = _summary(folder, spec, {}, remote)
@@ -267,8 +295,22 @@ def _jobs(
     ]
 
 
-def _make(jobs: list[BatchJob], runner: str, workers: int | None, bar: Any) -> list[BatchResult]:
+def make_batches(
+    jobs: list[BatchJob], runner: str, workers: int | None, bar: Any
+) -> list[BatchResult]:
+    """Makes batches in the processes of a runner.
+
+    Args:
+        jobs: At least one.
+        runner: process, dask or ray.
+        workers: Batches at once; default one a core.
+        bar: Shows how far it is.
+
+    Raises:
+        UserError: If a disk does not take them; finished batches are kept.
+    """
     from esg.commands.console import note_first_use
+    from esg.outcomes import UserError
     from esg.progress import StageEvent, listening
     from esg.workers import default_processes
     from flows.session import session
@@ -288,7 +330,14 @@ def _make(jobs: list[BatchJob], runner: str, workers: int | None, bar: Any) -> l
     with listening(show), session(count if runner == "process" else 0) as call:
         from flows.dataset import with_runner
 
-        return call(with_runner(runner, count), jobs, batch_done)  # type: ignore[arg-type]  # checked by cyclopts
+        try:
+            return call(with_runner(runner, count), jobs, batch_done)  # type: ignore[arg-type]  # checked by cyclopts
+        except OSError as error:
+            raise UserError(
+                f"{error.filename or jobs[0].out}: {error.strerror or error}; finished batches are "
+                "kept, run the same command with --resume to go on",
+                exit_code=1,
+            ) from None
 
 
 def _sharing_cores(job: BatchJob, workers: int) -> BatchJob:
@@ -362,6 +411,8 @@ def describe(summary: dict[str, Any]) -> str:
     from esg.fidelity import counted
 
     state = "complete" if summary["complete"] else "other shards are missing"
+    if summary.get("waiting"):
+        state = f"{summary['waiting']} wait for answers, with the other scenes of their batches"
     lines = [
         f"{summary['scenes']} of {summary['planned']} scenes in {summary['folder']} ({state})",
         f"  {summary['verified']} verified, {summary['partial']} partial, "

@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
-if TYPE_CHECKING:
-    from esg.view.capture import Settings
+from esg.commands.clips import MAX_CAMERAS, BatchOptions, RenderOptions, directed_by, drawn_by
 
-MAX_CAMERAS = 8
-MAX_SAMPLES = 65536
+if TYPE_CHECKING:
+    from esg.view.seeing.wanted import Settings
 
 
 def render(
@@ -22,7 +21,7 @@ def render(
     size: str = "256x256",
     fps: float = 24.0,
     cameras: int = 1,
-    camera: str = "around",
+    camera: str = "",
     format: Literal["png", "parquet"] = "png",
     device: str = "cpu",
     seed: int = 0,
@@ -30,50 +29,62 @@ def render(
     samples: int | None = None,
     motion_blur: Annotated[bool, Parameter(negative="")] = False,
     out: Path | None = None,
+    batches: BatchOptions | None = None,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Render a finished scene with exact depth, normals, masks, flow, boxes and tracks.
 
+    Of a finished dataset, all replayed scenes that lack clips get them (docs/dataset/clips.md).
+
     Args:
-        scene: Scene folder, or id of one below ./runs.
-        channels: Of rgb, depth, normal, segmentation, flow, boxes2d, boxes3d, tracks; or all.
+        scene: Scene folder, or id of one below ./runs; or a dataset's folder or URL.
+        channels: Of rgb, depth, normal, segmentation, flow, backward_flow, object_coordinates,
+            boxes2d, boxes3d (boxes: both), tracks; or all.
         size: Width x height in pixels.
         fps: Frames a second.
         cameras: How many, 1 to 8.
         camera: around (they stand around the whole action), or a director's that stay close: auto,
-            static, tracking, dolly, orbit or dash (from a vehicle).
-        format: png writes files, parquet shards of rows.
+            static, tracking, dolly, orbit or dash (from a vehicle). Default around, of a dataset
+            auto.
+        format: png writes files, parquet shards of rows; a dataset's clips are films.
         device: cpu or cuda:N.
-        seed: Of the points that tracks follow, of noise and of clouds.
+        seed: Of the points that tracks follow, of noise and of clouds; scenes of a dataset have
+            their own.
         renderer: Of colours: raster (fast), path (Mitsuba), cycles (a Blender on this machine); the
             other channels are exact with all of them.
         samples: Rays a pixel; default what suits the renderer.
         motion_blur: Let the shutter be open for half of the time between frames.
         out: Folder to write; default render in the scene folder.
+        batches: How a dataset is worked through.
         json: Print one JSON document: the folder and what is in it.
     """
     from esg.api.inputs import check_device, check_seed, checked, find_scene
+    from esg.commands.clips import is_dataset, only_for_datasets
     from esg.commands.console import emit
     from esg.scenefolder import check_writable
 
-    chosen, (renderer, samples), camera, device, seed, folder, _ = checked(
+    if is_dataset(scene):
+        from esg.commands.adding import render_dataset
+
+        wanted = RenderOptions(
+            channels, cameras, size, fps, renderer, samples, camera or "auto", motion_blur
+        )
+        own = {"--format": format != "png", "--seed": seed != 0, "--out": out is not None}
+        return render_dataset(scene, wanted, batches or BatchOptions(), device, own, as_json=json)
+    chosen, (renderer, samples), camera, device, seed, folder, *_ = checked(
         lambda: settings(channels, size, fps, cameras, format),
         lambda: drawn_by(renderer, samples),
-        lambda: directed_by(camera),
+        lambda: directed_by(camera or "around"),
         lambda: check_device(device),
         lambda: check_seed(seed),
         lambda: find_scene(scene),
         lambda: None if out is None else check_writable(out),
+        lambda: only_for_datasets(batches),
     )
     chosen = replace(
-        chosen,
-        camera=camera,
-        device=device,
-        seed=seed,
-        renderer=renderer,
-        samples=samples,
+        chosen, camera=camera, device=device, seed=seed, renderer=renderer, samples=samples,
         motion_blur=motion_blur,
-    )
+    )  # fmt: skip
     result = run(folder, out or folder / "render", chosen)
     if json:
         emit(result)
@@ -91,7 +102,7 @@ def settings(
         UserError: Naming the options and what they take.
     """
     from esg.api.inputs import checked, in_range
-    from esg.view.capture import Settings, parse_channels, parse_size
+    from esg.view.seeing.wanted import Settings, parse_channels, parse_size
 
     names, pixels, *_ = checked(
         lambda: parse_channels(channels),
@@ -100,38 +111,6 @@ def settings(
         lambda: in_range("--cameras", cameras, 1, MAX_CAMERAS),
     )
     return Settings(names, pixels, fps, cameras, format)
-
-
-def directed_by(camera: str) -> str:
-    """A checked kind of camera.
-
-    Raises:
-        UserError: Naming those there are.
-    """
-    from esg.outcomes import UserError
-    from esg.view.director.paths import KINDS
-
-    known = ("around", "auto", *KINDS)
-    if camera not in known:
-        raise UserError(f"--camera {camera!r}: choose from {', '.join(known)}")
-    return camera
-
-
-def drawn_by(renderer: str, samples: int | None) -> tuple[str, int | None]:
-    """Checked renderer and its rays a pixel.
-
-    Raises:
-        UserError: Naming the options and what they take, or what the renderer lacks here.
-    """
-    from esg.api.inputs import checked, in_range
-    from esg.view.renderers.kinds import kind_named
-
-    kind, _ = checked(
-        lambda: kind_named(renderer),
-        lambda: None if samples is None else in_range("--samples", samples, 1, MAX_SAMPLES),
-    )
-    kind.version()
-    return renderer, samples
 
 
 def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:
@@ -154,7 +133,8 @@ def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:
     from esg.outcomes import UserError
     from esg.report.replays import replays_of
     from esg.report.run import read_scene
-    from esg.view.capture import capture, frame_indices
+    from esg.view.capture import capture
+    from esg.view.seeing.witness import frame_indices
     from esg.view.truth_sheet import truth_sheet
 
     entry = read_scene(folder)
