@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 
 from esg.commands.clips import RenderOptions
+from esg.commands.drawing import DrawOptions
 
 if TYPE_CHECKING:
     from esg.dataset.folder import DatasetFolder
@@ -27,8 +28,7 @@ def dataset(
     shard: str = "1/1",
     resume: Annotated[bool, Parameter(negative="")] = False,
     seed: int = 0,
-    distribution: Path | None = None,
-    counterfactual: Annotated[bool, Parameter(negative="")] = False,
+    draw: Annotated[DrawOptions, Parameter(name="*")] = DrawOptions(),  # noqa: B008  # frozen
     runner: Literal["process", "dask", "ray"] = "process",
     workers: int | None = None,
     batch: int | None = None,
@@ -40,7 +40,6 @@ def dataset(
     device: str = "cpu",
     strict: Annotated[bool, Parameter(negative="")] = False,
     rendering: RenderOptions | None = None,
-    thin: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Make a dataset of proven scenes: Parquet tables, splits, a dataset card.
@@ -56,8 +55,7 @@ def dataset(
         shard: i/n makes the i-th of n parts; whoever finishes last puts the dataset together.
         resume: Go on with the dataset in --out.
         seed: Of every random choice.
-        distribution: YAML file with the shares of what is sampled (docs/dataset.md).
-        counterfactual: Sample pairs of scenes that differ in one parameter.
+        draw: What is drawn and kept.
         runner: Where batches run: worker processes, a Dask or a Ray cluster.
         workers: Batches at once; default one a core.
         batch: Scenes a batch; default by the dataset's size, more on a GPU.
@@ -69,7 +67,6 @@ def dataset(
         device: cpu or cuda:N.
         strict: Count scenes as failed that are partial (not all is shown) or not plausible.
         rendering: What cameras see of every scene.
-        thin: Leave near-duplicates out of the splits; without it they are marked.
         json: Print one JSON document with counts and paths.
     """
     from esg.api.inputs import check_device, checked
@@ -82,20 +79,20 @@ def dataset(
         lambda: Shard.parse(shard),
         lambda: check_device(device),
         lambda: render_spec(rendering, device),
-        lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
+        lambda: None if going_on else _source(prompts, sample, draw),
         lambda: _place(out),
-        lambda: _check_numbers(seed, workers, batch, counterfactual),
+        lambda: _check_numbers(seed, workers, batch, draw.counterfactual),
     )
     folder, remote = opened(out)
     if going_on and (found := folder.spec()) is not None:
         spec, texts = found, folder.prompts()
         check_same(render, spec.render, folder.label)
     else:
-        texts, source = planned or _source(prompts, sample, counterfactual, distribution)
+        texts, source = planned or _source(prompts, sample, draw)
         spec = DatasetSpec(
-            **source, seed=seed, counterfactual=counterfactual, drafter=drafter,
+            **source, seed=seed, counterfactual=draw.counterfactual, drafter=drafter,
             strategy=strategy, engine=engine, mcap=mcap, previews=previews, device=device,
-            batch=batch or 0, strict=strict, render=render, thin=thin,
+            batch=batch or 0, strict=strict, render=render, thin=draw.thin,
         )  # fmt: skip
     with folder.locked(part), progress(spec.n, "starting") as bar:
         run = folder.begin(spec, texts, resume=resume)
@@ -137,7 +134,7 @@ def _place(out: str) -> str:
 
 
 def _source(
-    prompts: Path | None, sample: int | None, counterfactual: bool, distribution: Path | None
+    prompts: Path | None, sample: int | None, draw: DrawOptions
 ) -> tuple[list[Prompt], dict[str, Any]]:
     """The prompts of a file, and what the specification says about the source."""
     import hashlib
@@ -152,8 +149,9 @@ def _source(
     if (prompts is None) == (sample is None):
         raise UserError("give either --prompts FILE or --sample N")
     if prompts is not None:
-        for given, name in ((counterfactual, "--counterfactual"), (distribution, "--distribution")):
-            if given:
+        given = {"--counterfactual": draw.counterfactual, "--distribution": draw.distribution}
+        for name, value in given.items():
+            if value:
                 raise UserError(f"{name} belongs to --sample; a prompts file says it all itself")
         texts = read_prompts(prompts)
         digest = hashlib.sha256(prompts_text(texts).encode()).hexdigest()
@@ -162,8 +160,8 @@ def _source(
     if not 1 <= sample <= MAX_SCENES:
         raise UserError(f"--sample {sample}: choose 1 to {MAX_SCENES}")
     mix = Distribution()
-    if distribution is not None:
-        path = existing_file(distribution, "--distribution")
+    if draw.distribution is not None:
+        path = existing_file(draw.distribution, "--distribution")
         try:
             mix = load_distribution(read_limited(path, MAX_CHARACTERS).decode(), str(path))
         except UnicodeDecodeError:
