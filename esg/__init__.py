@@ -17,6 +17,7 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from esg.api.datasets import Dataset, load_dataset
+    from esg.api.judging import judge_trajectories
     from esg.api.making import generate, generate_many
     from esg.api.scene import Replay, Scene, judge
     from esg.api.trajectories import Contact, Track, Trajectories
@@ -27,6 +28,7 @@ __version__ = "0.2.0"
 _HOME = {
     "Dataset": "esg.api.datasets",
     "load_dataset": "esg.api.datasets",
+    "judge_trajectories": "esg.api.judging",
     "generate": "esg.api.making",
     "generate_many": "esg.api.making",
     "Replay": "esg.api.scene",
@@ -52,6 +54,7 @@ __all__ = [
     "generate",
     "generate_many",
     "judge",
+    "judge_trajectories",
     "load_dataset",
 ]
 

@@ -72,6 +72,7 @@ class SceneRequest:
         collision: What bodies collide with during the search: exact, proxy or sdf.
         traffic: Side of the road that vehicles keep to: right or left.
         document: A scene graph (JSON) of `prompt` that somebody has changed, in place of a draft.
+        without: What is left out for an ablation: global, initial or generation; empty: nothing.
     """
 
     prompt: str
@@ -86,6 +87,7 @@ class SceneRequest:
     collision: str = "exact"
     traffic: str = "right"
     document: str = ""
+    without: str = ""
 
     @property
     def choreographed(self) -> bool:

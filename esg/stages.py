@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 DOCUMENT = "esg.json"
 ROLLOUT = "rollout.npz"
 REPLAY_RATE_HZ = 240
+LEFT_OUT = {"resolve": ("generation",), "layout": ("global", "initial")}
+"""What an ablation leaves out of a stage (`SceneRequest.without`)."""
 CLOSED_ROUNDS = 3
 """Most rounds of the closed loop, where it is asked for."""
 
@@ -43,8 +45,14 @@ class Spec:
 def configuration(stage: str, request: SceneRequest) -> dict[str, Any]:
     """The part of a request that a stage's result depends on."""
     values: dict[str, Any] = {name: getattr(request, name) for name in SPECS[stage].options}
+    if request.without in LEFT_OUT.get(stage, ()):
+        values["without"] = request.without
     if stage == "replay":
         values["proof"] = proof_kind(request.engine)
+    if stage == "draft" and request.drafter != "rules" and not request.document:
+        from esg.draft.llm.settings import identity
+
+        values["model"] = identity()  # another model, or other recorded replies: another draft
     return values
 
 
@@ -162,7 +170,11 @@ def _draft(state: SceneState, folder: Path) -> None:
 def _resolve(state: SceneState, folder: Path) -> None:
     from esg.assets import resolve
 
-    write_doc(resolve(load_doc(state, "draft"), seed=state.request.seed), folder)
+    request = state.request
+    doc = resolve(
+        load_doc(state, "draft"), seed=request.seed, retrieval_only=request.without == "generation"
+    )
+    write_doc(doc, folder)
 
 
 def _cast(state: SceneState, folder: Path) -> None:
@@ -172,12 +184,19 @@ def _cast(state: SceneState, folder: Path) -> None:
 
 
 def _layout(state: SceneState, folder: Path) -> None:
-    from esg.layout import solve, stored_hints
+    from esg.layout import LayoutConfig, solve, stored_hints
 
+    without = state.request.without
+    config = LayoutConfig()
+    if without == "global":
+        # Greedy: what was placed first stays where it is, and nobody starts again.
+        config = LayoutConfig(refine=False, rounds=1)
+    elif without == "initial":
+        config = LayoutConfig(sample_init=False, preference=False, rounds=1)
     doc = load_doc(state, "cast")
     told = doc.choreography if state.request.choreographed else None
     hints = None if told is None else stored_hints(told)
-    write_doc(solve(doc, seed=state.request.seed, hints=hints), folder)
+    write_doc(solve(doc, seed=state.request.seed, hints=hints, config=config), folder)
 
 
 def _optimize(state: SceneState, folder: Path) -> None:

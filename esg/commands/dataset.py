@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager
 import os
 from pathlib import Path
 import shutil
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 
 from esg.commands.clips import RenderOptions
+from esg.commands.drafting import RULES, Drafting
 from esg.commands.drawing import DrawOptions
 
 if TYPE_CHECKING:
@@ -18,6 +20,7 @@ if TYPE_CHECKING:
     from esg.dataset.job import BatchJob, BatchResult
     from esg.dataset.plan import DatasetSpec, Prompt
     from esg.dataset.remote import Remote
+    from esg.draft.llm.gathering import Gathered
 
 
 def dataset(
@@ -34,7 +37,7 @@ def dataset(
     batch: int | None = None,
     mcap: Literal["all", "failed", "sample", "none"] = "none",
     previews: Literal["all", "sample", "none"] = "sample",
-    drafter: Literal["rules", "llm"] = "rules",
+    drafting: Drafting = RULES,
     strategy: Literal["batched", "hybrid", "fd", "ad", "none"] = "batched",
     engine: Literal["physx", "rapier", "newton"] = "physx",
     device: str = "cpu",
@@ -61,7 +64,6 @@ def dataset(
         batch: Scenes a batch; default by the dataset's size, more on a GPU.
         mcap: Which scenes get an MCAP recording; sample means every 50th.
         previews: Which scenes get a picture.
-        drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
         strategy: How the physics is searched; none keeps the first guess.
         engine: Engine of the replay: physx runs the emitted class.
         device: cpu or cuda:N.
@@ -90,25 +92,55 @@ def dataset(
     else:
         texts, source = planned or _source(prompts, sample, draw)
         spec = DatasetSpec(
-            **source, seed=seed, counterfactual=draw.counterfactual, drafter=drafter,
+            **source, seed=seed, counterfactual=draw.counterfactual, drafter=drafting.drafter,
             strategy=strategy, engine=engine, mcap=mcap, previews=previews, device=device,
             batch=batch or 0, strict=strict, render=render, thin=draw.thin,
         )  # fmt: skip
-    with folder.locked(part), progress(spec.n, "starting") as bar:
+    with (
+        folder.locked(part),
+        progress(spec.n, "starting") as bar,
+        _answered(spec, texts, part.batches(spec), drafting) as (asked, numbers),
+    ):
         run = folder.begin(spec, texts, resume=resume)
-        summary = _build(folder, spec, texts, run, part.batches(spec), runner, workers, bar, remote)
-    return _told(summary, json)
+        summary = _build(folder, spec, texts, run, numbers, runner, workers, bar, remote)
+    return _told(summary, json, asked)
 
 
-def _told(summary: dict[str, Any], as_json: bool) -> int:
+@contextmanager
+def _answered(
+    spec: DatasetSpec, texts: Sequence[Prompt], numbers: list[int], drafting: Drafting
+) -> Generator[tuple[Gathered | None, list[int]]]:
+    """The drafts of a shard's scenes from request files, and the batches of which none waits."""
+    if drafting.llm_batch is None:
+        yield None, numbers
+        return
+    from esg.commands.drafting import from_answers
+    from esg.dataset.plan import plan_scenes
+
+    Drafting(spec.drafter, drafting.llm_batch).check()  # type: ignore[arg-type]  # cyclopts checked
+    scenes, size = plan_scenes(spec, texts), spec.batch_size
+    mine = [(n, s.request) for n in numbers for s in scenes[n * size : (n + 1) * size]]
+    found = drafting.gathered([r.prompt for _, r in mine], [r.seed for _, r in mine])
+    assert found is not None
+    held = {n for (n, _), made in zip(mine, found.drafts, strict=True) if made.waiting}
+    with from_answers(found):
+        yield found, [n for n in numbers if n not in held]
+
+
+def _told(summary: dict[str, Any], as_json: bool, asked: Gathered | None = None) -> int:
     """Prints what was made; returns the exit code."""
     from esg.commands.console import emit
 
+    waiting = asked.waiting if asked is not None else 0
+    if asked is not None:
+        summary = {**summary, "waiting": waiting, "waiting_for": asked.data()}
     if as_json:
         emit(summary)
     else:
         print(describe(summary))
-    return 3 if summary["failed"] else 0
+        if asked is not None and waiting:
+            print(asked.text())
+    return 3 if summary["failed"] or waiting else 0
 
 
 def opened(out: str) -> tuple[DatasetFolder, Remote | None]:
@@ -382,6 +414,8 @@ def describe(summary: dict[str, Any]) -> str:
     from esg.fidelity import counted
 
     state = "complete" if summary["complete"] else "other shards are missing"
+    if summary.get("waiting"):
+        state = f"{summary['waiting']} wait for answers, with the other scenes of their batches"
     lines = [
         f"{summary['scenes']} of {summary['planned']} scenes in {summary['folder']} ({state})",
         f"  {summary['verified']} verified, {summary['partial']} partial, "

@@ -28,7 +28,7 @@ from esg.view.framing import (
     pose,
     viewpoint,
 )
-from esg.view.moments import failures, moments_of
+from esg.view.moments import as_seen, failures, moments_of
 from esg.view.parts import ground_parts
 from esg.view.pieces import Part
 from esg.view.render import SAMPLES, Renderer
@@ -77,6 +77,7 @@ def preview(
     Returns:
         Path of the sheet.
     """
+    scene = as_seen(scene, doc)
     moments = moments_of(scene, rollout, verdict, doc)
     scenery = scenery_of(scene, rollout, doc)
     finder = Renderer(scenery.parts, scenery.n_bodies, *PANEL_PX)
@@ -102,7 +103,9 @@ def preview(
     panels: list[Panel] = []
     since = 0.0
     for moment, shot, image in zip(moments, shots, images, strict=True):
-        trails = _trails(rollout, moment.focus, since, moment.time)
+        held = {scene.index(j.child) for j in scene.joints if j.kind == "fixed"}
+        paths = [i for i in moment.focus if i not in held]
+        trails = _trails(rollout, paths, since, moment.time)
         specks = [] if panels else [corners_of(scene, rollout, shot.frame, i) for i in moment.focus]
         image = draw_trail(image, shot.camera, trails, specks)
         panels.append(Panel(image, moment.title, moment.caption))
