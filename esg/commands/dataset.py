@@ -47,9 +47,8 @@ def dataset(
 ) -> int:
     """Make a dataset of proven scenes: Parquet tables, splits, a dataset card.
 
-    Give --prompts or --sample. A folder that holds an unfinished dataset is continued with
-    --resume: finished scenes are kept, the rest is made. A failing scene never stops the others;
-    failures.jsonl says which failed and why, and the exit code is 3.
+    Give --prompts or --sample. --resume goes on with an unfinished dataset: finished scenes are
+    kept. A failing scene never stops the others; failures.jsonl says why, and the exit code is 3.
 
     Args:
         out: Folder of the dataset, or a URL such as s3://bucket/name.
