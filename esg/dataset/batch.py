@@ -13,6 +13,7 @@ import time
 
 from esg.dataset.folder import batch_lock, mark_name, read_mark, write_mark
 from esg.dataset.job import BatchJob, BatchResult
+from esg.dataset.meshes import BUFFERS
 from esg.dataset.running import SCENE_STAGES, run_scenes
 from esg.dataset.writing import write_batch
 from esg.pipeline import scratch_store
@@ -44,7 +45,9 @@ def _deliver(job: BatchJob, result: BatchResult) -> None:
 
     remote, mark = Remote(job.url), mark_name(job.number)
     if not remote.has(mark):
-        remote.push(job.out, [*result.files, mark])
+        # A buffer's name is its content: what other batches brought is not brought again.
+        there = {n for n in result.files if n.startswith(BUFFERS) and remote.has(n)}
+        remote.push(job.out, [*(n for n in result.files if n not in there), mark])
 
 
 def _make(job: BatchJob) -> BatchResult:

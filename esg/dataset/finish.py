@@ -53,7 +53,7 @@ def finish(folder: DatasetFolder, spec: DatasetSpec, results: Mapping[int, Batch
     facts = statistics(out, spec, failed)
     with atomic_file(out / "README.md") as file:
         file.write(card(spec, counts, facts).encode())
-    for name in ("mcap", "previews"):
+    for name in ("mcap", "previews", "meshes"):
         sweep_temporary(out / name)
     write_info(out, spec.name(), counts, {"statistics": facts})
     clean(out)

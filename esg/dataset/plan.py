@@ -98,6 +98,7 @@ class DatasetSpec(BaseModel):
         fps: Frames a second of the recorded trajectories.
         batch: Scenes a batch.
         strict: Whether `partial` scenes count as failed.
+        meshes: Whether the meshes that manifests name are packed beside them.
         render: What cameras see; None for a dataset without clips.
     """
 
@@ -120,6 +121,7 @@ class DatasetSpec(BaseModel):
     fps: float = 60.0
     batch: int = 0
     strict: bool = False
+    meshes: bool = True
     render: RenderSpec | None = None
 
     @property

@@ -252,6 +252,7 @@ _ONE_ROW = {
     "statements": "a statement of a prompt or a suite and whether a scene's replay keeps it",
     "plausibility_checks": "a check of a scene's replay: measured value and limit",
     "timings": "a pipeline stage of a scene",
+    "meshes": "a mesh that a scene's manifest names: glTF, its buffer in `meshes/buffers`",
     "clips": "what one camera saw of a scene: files, camera, boxes, tracks",
 }
 

@@ -30,6 +30,7 @@ _IN_PARQUET = {
     "trajectories": {n for n, k in COLUMNS["trajectories"].items() if k.startswith("list<")}
     - {"bodies"},
     "scenes": {"expectation", "manifest", "preview"},
+    "meshes": {"gltf"},
     "clips": {n for n, k in COLUMNS["clips"].items() if "<" in k} - {"channels"},
 }
 """Columns too heavy for the database: they stay in the Parquet files."""

@@ -41,6 +41,7 @@ KEYS: dict[str, tuple[str, ...]] = {
     "statements": ("scene_key", "engine", "source", "statement_id"),
     "plausibility_checks": ("scene_key", "engine", "check_name"),
     "timings": ("scene_key", "stage"),
+    "meshes": ("scene_key", "mesh"),
     "clips": ("scene_key", "camera"),
 }
 """Primary key of every table; `scene_key` is run, suite, scene and seed (esg.store.records)."""
@@ -111,6 +112,10 @@ COLUMNS: dict[str, dict[str, str]] = {
     "timings": {
         **_SCENE, "stage": "string", "stage_index": "int32", "seconds": "float64",
         "cached": "bool", "outcome": "string",
+    },
+    "meshes": {
+        **_SCENE, "mesh": "string", "asset": "string", "gltf": "string", "buffer": "string",
+        "bytes": "int64", "license": "string", "attribution": "string",
     },
     "clips": {
         **_SCENE, "split": "string", "camera": "int32", "camera_kind": "string",

@@ -88,7 +88,12 @@ def record(
         ),
     )
     clip = clip_record(run.run_id, scene, seed=seed, suite=run.suite, split="")
-    return SceneRecord({**made.rows, "clips": [clip.row()]})
+    place = ("run_id", "scene_key", "suite", "scene_id", "seed", "prompt")
+    mesh = {
+        **{k: made.rows["scenes"][0][k] for k in place},
+        "mesh": "meshes/ball_1.glb", "asset": "ball", "gltf": "{}", "buffer": None, "bytes": 20,
+    }  # fmt: skip
+    return SceneRecord({**made.rows, "clips": [clip.row()], "meshes": [mesh]})
 
 
 def records(run: RunInfo, scenes: int = 3, seeds: int = 2) -> list[SceneRecord]:
