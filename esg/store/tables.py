@@ -80,6 +80,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "linear_velocity_mps": "list<float32>", "angular_velocity_radps": "list<float32>",
         "contact_time_s": "list<float32>", "contact_a": "list<int16>", "contact_b": "list<int16>",
         "contact_impulse_ns": "list<float32>", "contact_depth_m": "list<float32>",
+        "contact_point_m": "list<float32>", "contact_normal": "list<float32>",
     },
     "metrics": {
         **_SCENE, "strategy": "string", "engine": "string", "dt_s": "float64",
@@ -146,16 +147,18 @@ ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
         "rule", "pair", "changed", "parameters", "expectation", "manifest", "esg_cast",
         "fully_understood", "statements_kept", "plausible", "preview",
     ),
+    "trajectories": ("prompt", "contact_point_m", "contact_normal"),
     **dict.fromkeys(
         (
-            "trajectories", "metrics", "constraints", "coverage", "statements",
+            "metrics", "constraints", "coverage", "statements",
             "plausibility_checks", "timings",
         ),
         ("prompt",),
     ),
 }  # fmt: skip
 """Columns that files of an older format lack (`esg_cast` is of 1.2, what became of statements of
-1.3, `plausible` of 1.4, `preview` and the prompt on every row of 2.0): they read as null."""
+1.3, `plausible` of 1.4, `preview`, where contacts are and the prompt on every row of 2.0): they
+read as null."""
 
 TABLES = tuple(COLUMNS)
 

@@ -1,4 +1,4 @@
-"""Layouts: a finished dataset again, in the files that training code reads (docs/dataset/layouts.md).
+"""Layouts: a finished dataset again, as training code reads it (docs/dataset/layouts.md).
 
 `registry` has them by name, `building` writes them, `source` is what they are written from.
 """

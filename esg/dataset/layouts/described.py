@@ -89,5 +89,5 @@ def archive(values: Mapping[str, NDArray[Any]], *, packed: bool = False) -> byte
             entry = zipfile.ZipInfo(f"{name}.npy")  # as of 1980, whenever it is
             entry.compress_type = kind
             with file.open(entry, "w", force_zip64=True) as target:
-                np.lib.format.write_array(target, np.ascontiguousarray(array), allow_pickle=False)
+                np.lib.format.write_array(target, np.asarray(array, order="C"), allow_pickle=False)
     return out.getvalue()

@@ -142,9 +142,7 @@ def _plan(source: Source) -> Plan:
     )  # fmt: skip
 
 
-def _grouped(
-    episodes: Sequence[Episode], sizes: Sequence[int], most: int
-) -> list[list[Episode]]:
+def _grouped(episodes: Sequence[Episode], sizes: Sequence[int], most: int) -> list[list[Episode]]:
     out: list[list[Episode]] = [[]]
     size = 0
     for episode, weight in zip(episodes, sizes, strict=True):

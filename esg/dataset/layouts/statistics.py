@@ -1,4 +1,4 @@
-"""Least, most, mean and spread of an episode's features, and of all together, as LeRobot has them."""
+"""Least, most, mean and spread of features, of an episode and of all, as LeRobot has them."""
 
 from __future__ import annotations
 

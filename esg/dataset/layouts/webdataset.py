@@ -32,7 +32,10 @@ def write(source: Source, folder: LayoutFolder) -> dict[str, Any]:
         for index, samples in enumerate(_shards(source.samples(split, TABLES))):
             name = SHARD.format(split=split, index=index)
             folder.add(name, partial(_tar, samples))
-            counts[split] = {"samples": counts[split]["samples"] + len(samples), "shards": index + 1}
+            counts[split] = {
+                "samples": counts[split]["samples"] + len(samples),
+                "shards": index + 1,
+            }
     return {"splits": counts}
 
 

@@ -16,13 +16,6 @@ from esg.outcomes import UserError
 from tests.dataset.layouts.sets import make_set
 
 
-@pytest.fixture(scope="module")
-def whole(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    out = make_set(tmp_path_factory.mktemp("sets") / "whole")
-    add_layouts(out, LAYOUTS, print)
-    return out
-
-
 @pytest.fixture
 def copy(whole: Path, tmp_path: Path) -> Path:
     return Path(shutil.copytree(whole, tmp_path / "copy"))
@@ -72,6 +65,7 @@ def test_an_interrupted_layout_goes_on_after_its_last_whole_file(name, copy, who
 
     def dying(path, write):
         if len(written) == len(names) // 2:
+            path.parent.mkdir(parents=True, exist_ok=True)
             (path.parent / f".{path.name}.1.tmp").write_bytes(b"half")
             raise KeyboardInterrupt
         written.append(path.name)
