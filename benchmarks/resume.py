@@ -1,6 +1,7 @@
-"""Kills a dataset run at random moments until it is done and compares it with an uninterrupted one.
+r"""Kills a dataset run at random moments until it is done; compares it with an uninterrupted one.
 
-    python -m benchmarks.resume --scenes 60 --kills 20 [--out FOLDER] [--workers 2] [--seed 0]
+    python -m benchmarks.resume --scenes 60 --kills 20 [--out FOLDER] [--workers 2] [--seed 0] \
+        [--render '--render rgb,depth --size 64x64']
 
 Every kill is a SIGKILL, by turns of the command, of one of its workers, or of both, at a random
 moment; the command is then started again with --resume. At the end both datasets must hold the same
@@ -36,6 +37,7 @@ def main() -> int:
     parser.add_argument("--longest", type=float, default=30.0, help="latest kill [s]")
     parser.add_argument("--out", type=Path, help="keep the two datasets here")
     parser.add_argument("--kill-seed", type=int, default=0, help="of moments and victims")
+    parser.add_argument("--render", default="", help="options of clips, as one text")
     parser.add_argument("--no-finish", action="store_true", help="stop after the kills")
     args = parser.parse_args()
     with contextlib.ExitStack() as stack:
@@ -44,6 +46,7 @@ def main() -> int:
         command = [
             *(sys.executable, "-m", "esg.cli", "dataset", "--sample", str(args.scenes)),
             *("--seed", str(args.seed), "--workers", str(args.workers), "--mcap", "sample"),
+            *args.render.split(),
         ]
         killed = folder / "killed"
         made = interrupted(command, killed, args)

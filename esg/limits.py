@@ -25,6 +25,8 @@ from esg.settings import STAGE_S
 from esg.workers import OUT_OF_TIME
 
 VARIABLE = "ESG_STAGE_LIMITS"
+LIMITED = (*STAGES, "render")
+"""Stages of scenes, and the pictures of a dataset's scenes."""
 _WAIT_S = 0.05
 _INTERRUPTS = 10
 """So many times, once a second, a stage that ran out of time is asked to end."""
@@ -48,8 +50,8 @@ def stage_limits(text: str | None = None) -> Mapping[str, int]:
     problems: list[str] = []
     for pair in filter(None, (p.strip() for p in text.split(","))):
         stage, _, number = (p.strip() for p in pair.partition("="))
-        if stage not in STAGES:
-            problems.append(f"{pair!r}: no stage {stage!r}; stages are {', '.join(STAGES)}")
+        if stage not in LIMITED:
+            problems.append(f"{pair!r}: no stage {stage!r}; stages are {', '.join(LIMITED)}")
         elif not number.isdecimal() or len(number) > 4 or not 1 <= int(number) <= 1024:
             problems.append(f"{pair!r}: give a number from 1 to 1024, e.g. {stage}=2")
         else:
@@ -60,9 +62,15 @@ def stage_limits(text: str | None = None) -> Mapping[str, int]:
 
 
 @contextlib.contextmanager
-def place_in(stage: str) -> Generator[None]:
-    """Waits for a place in a stage and keeps it for the body; without a limit, at once."""
-    limit = stage_limits().get(stage)
+def place_in(stage: str, *, where: str = "", most: int | None = None) -> Generator[None]:
+    """Waits for a place in a stage and keeps it for the body; without a limit, at once.
+
+    Args:
+        stage: What the body does.
+        where: Places that are apart, such as devices.
+        most: The limit if none is set.
+    """
+    limit = stage_limits().get(stage, most)
     if limit is None:
         yield
         return
@@ -72,7 +80,7 @@ def place_in(stage: str) -> Generator[None]:
     folder.mkdir(parents=True, exist_ok=True)
     while True:
         for k in range(limit):
-            place = FileLock(folder / f"{stage}-{k}.lock", timeout=0)
+            place = FileLock(folder / f"{stage}{where}-{k}.lock", timeout=0)
             try:
                 place.acquire()
             except Timeout:

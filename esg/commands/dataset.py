@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
+from esg.commands.clips import RenderOptions
+
 if TYPE_CHECKING:
     from esg.dataset.folder import DatasetFolder
     from esg.dataset.job import BatchJob, BatchResult
@@ -37,6 +39,7 @@ def dataset(
     engine: Literal["physx", "rapier", "newton"] = "physx",
     device: str = "cpu",
     strict: Annotated[bool, Parameter(negative="")] = False,
+    rendering: RenderOptions | None = None,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Make a dataset of proven scenes: Parquet tables, splits, a dataset card.
@@ -64,16 +67,19 @@ def dataset(
         engine: Engine of the replay: physx runs the emitted class.
         device: cpu or cuda:N.
         strict: Count scenes as failed that are partial (not all is shown) or not plausible.
+        rendering: What cameras see of every scene.
         json: Print one JSON document with counts and paths.
     """
     from esg.api.inputs import check_cache, check_device, check_workers, checked
+    from esg.commands.clips import check_same, render_spec
     from esg.commands.console import progress
     from esg.dataset.plan import DatasetSpec, Shard
 
     going_on = resume and prompts is None and sample is None
-    part, device, planned, out, *_ = checked(
+    part, device, render, planned, out, *_ = checked(
         lambda: Shard.parse(shard),
         lambda: check_device(device),
+        lambda: render_spec(rendering, device),
         lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
         lambda: _place(out),
         lambda: _seed(seed),
@@ -81,15 +87,16 @@ def dataset(
         lambda: _check_batch(batch, counterfactual),
         check_cache,
     )
-    folder, remote = _opened(out)
+    folder, remote = opened(out)
     if going_on and (found := folder.spec()) is not None:
         spec, texts = found, folder.prompts()
+        check_same(render, spec.render, folder.label)
     else:
         texts, source = planned or _source(prompts, sample, counterfactual, distribution)
         options: dict[str, Any] = {
             "seed": seed, "counterfactual": counterfactual, "drafter": drafter,
             "strategy": strategy, "engine": engine, "mcap": mcap, "previews": previews,
-            "device": device, "batch": batch or 0, "strict": strict,
+            "device": device, "batch": batch or 0, "strict": strict, "render": render,
         }  # fmt: skip
         spec = DatasetSpec(**source, **options)
     with folder.locked(part), progress(spec.n, "starting") as bar:
@@ -110,7 +117,7 @@ def _told(summary: dict[str, Any], as_json: bool) -> int:
     return 3 if summary["failed"] else 0
 
 
-def _opened(out: str) -> tuple[DatasetFolder, Remote | None]:
+def opened(out: str) -> tuple[DatasetFolder, Remote | None]:
     """The local folder of a dataset, and the place it goes to if that is a URL."""
     from esg.dataset.folder import DatasetFolder
     from esg.dataset.remote import Remote, is_url, staging_folder
@@ -197,7 +204,7 @@ def _build(
 ) -> dict[str, Any]:
     from esg.dataset.finish import clean, finish
     from esg.dataset.folder import finish_lock
-    from esg.outcomes import UserError
+    from esg.dataset.remote import is_media
 
     if folder.finished():
         clean(folder.path)
@@ -209,22 +216,16 @@ def _build(
     left = [n for n in numbers if n not in done]
     if left:
         jobs = _jobs(folder, spec, texts, run, left, remote)
-        try:
-            for result in _make(jobs, runner, workers, bar):
-                done[result.number] = result
-        except OSError as error:
-            raise UserError(
-                f"{error.filename or folder.path}: {error.strerror or error}; finished batches are "
-                "kept, run the same command with --resume to go on",
-                exit_code=1,
-            ) from None
+        for result in make_batches(jobs, runner, workers, bar):
+            done[result.number] = result
     everything = folder.done(range(spec.n_batches), remote)
     if len(everything) < spec.n_batches:
         return _summary(folder, spec, done, remote)
     bar.show("putting together")
     with finish_lock(folder.path):
         if remote is not None:
-            remote.pull(folder.path, [f for r in everything.values() for f in r.files])
+            parts = [f for r in everything.values() for f in r.files if not is_media(f)]
+            remote.pull(folder.path, parts)
         if not folder.finished():
             finish(folder, spec, everything)
         summary = _summary(folder, spec, {}, remote)
@@ -267,8 +268,22 @@ def _jobs(
     ]
 
 
-def _make(jobs: list[BatchJob], runner: str, workers: int | None, bar: Any) -> list[BatchResult]:
+def make_batches(
+    jobs: list[BatchJob], runner: str, workers: int | None, bar: Any
+) -> list[BatchResult]:
+    """Makes batches in the processes of a runner.
+
+    Args:
+        jobs: At least one.
+        runner: process, dask or ray.
+        workers: Batches at once; default one a core.
+        bar: Shows how far it is.
+
+    Raises:
+        UserError: If a disk does not take them; finished batches are kept.
+    """
     from esg.commands.console import note_first_use
+    from esg.outcomes import UserError
     from esg.progress import StageEvent, listening
     from esg.workers import default_processes
     from flows.session import session
@@ -288,7 +303,14 @@ def _make(jobs: list[BatchJob], runner: str, workers: int | None, bar: Any) -> l
     with listening(show), session(count if runner == "process" else 0) as call:
         from flows.dataset import with_runner
 
-        return call(with_runner(runner, count), jobs, batch_done)  # type: ignore[arg-type]  # checked by cyclopts
+        try:
+            return call(with_runner(runner, count), jobs, batch_done)  # type: ignore[arg-type]  # checked by cyclopts
+        except OSError as error:
+            raise UserError(
+                f"{error.filename or jobs[0].out}: {error.strerror or error}; finished batches are "
+                "kept, run the same command with --resume to go on",
+                exit_code=1,
+            ) from None
 
 
 def _sharing_cores(job: BatchJob, workers: int) -> BatchJob:

@@ -10,7 +10,7 @@ from cyclopts import Parameter
 
 if TYPE_CHECKING:
     from esg.pipeline import SceneState
-    from esg.view.capture import Settings
+    from esg.view.wanted import Settings
 
 Strategy = Literal["batched", "hybrid", "fd", "ad", "none"]
 Collision = Literal["exact", "proxy", "sdf"]

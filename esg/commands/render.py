@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
+from esg.commands.clips import BatchOptions
+
 if TYPE_CHECKING:
-    from esg.view.capture import Settings
+    from esg.view.wanted import Settings
 
 MAX_CAMERAS = 8
 MAX_SAMPLES = 65536
@@ -22,7 +24,7 @@ def render(
     size: str = "256x256",
     fps: float = 24.0,
     cameras: int = 1,
-    camera: str = "around",
+    camera: str = "",
     format: Literal["png", "parquet"] = "png",
     device: str = "cpu",
     seed: int = 0,
@@ -30,40 +32,61 @@ def render(
     samples: int | None = None,
     motion_blur: Annotated[bool, Parameter(negative="")] = False,
     out: Path | None = None,
+    batches: BatchOptions | None = None,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Render a finished scene with exact depth, normals, masks, flow, boxes and tracks.
 
+    Of a finished dataset, all replayed scenes get clips (docs/dataset/clips.md); those that have
+    them are kept.
+
     Args:
-        scene: Scene folder, or id of one below ./runs.
-        channels: Of rgb, depth, normal, segmentation, flow, boxes2d, boxes3d, tracks; or all.
+        scene: Scene folder, or id of one below ./runs; or a dataset's folder or URL.
+        channels: Of rgb, depth, normal, segmentation, flow, backward_flow, object_coordinates,
+            boxes2d, boxes3d (boxes: both), tracks; or all.
         size: Width x height in pixels.
         fps: Frames a second.
         cameras: How many, 1 to 8.
         camera: around (they stand around the whole action), or a director's that stay close: auto,
-            static, tracking, dolly, orbit or dash (from a vehicle).
-        format: png writes files, parquet shards of rows.
+            static, tracking, dolly, orbit or dash (from a vehicle). Default around, of a dataset
+            auto.
+        format: png writes files, parquet shards of rows; a dataset's clips are films.
         device: cpu or cuda:N.
-        seed: Of the points that tracks follow, of noise and of clouds.
+        seed: Of the points that tracks follow, of noise and of clouds; scenes of a dataset have
+            their own.
         renderer: Of colours: raster (fast), path (Mitsuba), cycles (a Blender on this machine); the
             other channels are exact with all of them.
         samples: Rays a pixel; default what suits the renderer.
         motion_blur: Let the shutter be open for half of the time between frames.
         out: Folder to write; default render in the scene folder.
+        batches: How a dataset is worked through.
         json: Print one JSON document: the folder and what is in it.
     """
     from esg.api.inputs import check_device, check_seed, checked, find_scene
+    from esg.commands.clips import (
+        RenderOptions,
+        is_dataset,
+        only_for_datasets,
+        render_dataset,
+    )
     from esg.commands.console import emit
     from esg.scenefolder import check_writable
 
-    chosen, (renderer, samples), camera, device, seed, folder, _ = checked(
+    if is_dataset(scene):
+        options = RenderOptions(
+            channels, cameras, size, fps, renderer, samples, camera or "auto", motion_blur
+        )
+        own = {"--format": format != "png", "--seed": seed != 0, "--out": out is not None}
+        return render_dataset(scene, options, batches or BatchOptions(), device, own, as_json=json)
+    chosen, (renderer, samples), camera, device, seed, folder, *_ = checked(
         lambda: settings(channels, size, fps, cameras, format),
         lambda: drawn_by(renderer, samples),
-        lambda: directed_by(camera),
+        lambda: directed_by(camera or "around"),
         lambda: check_device(device),
         lambda: check_seed(seed),
         lambda: find_scene(scene),
         lambda: None if out is None else check_writable(out),
+        lambda: only_for_datasets(batches),
     )
     chosen = replace(
         chosen,
@@ -91,7 +114,7 @@ def settings(
         UserError: Naming the options and what they take.
     """
     from esg.api.inputs import checked, in_range
-    from esg.view.capture import Settings, parse_channels, parse_size
+    from esg.view.wanted import Settings, parse_channels, parse_size
 
     names, pixels, *_ = checked(
         lambda: parse_channels(channels),
@@ -154,8 +177,9 @@ def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:
     from esg.outcomes import UserError
     from esg.report.replays import replays_of
     from esg.report.run import read_scene
-    from esg.view.capture import capture, frame_indices
+    from esg.view.capture import capture
     from esg.view.truth_sheet import truth_sheet
+    from esg.view.witness import frame_indices
 
     entry = read_scene(folder)
     if entry.problems:

@@ -12,11 +12,12 @@ import shutil
 import time
 
 from esg.dataset.folder import batch_lock, mark_name, read_mark, write_mark
-from esg.dataset.job import BatchJob, BatchResult
+from esg.dataset.job import RENDER, BatchJob, BatchResult
 from esg.dataset.meshes import BUFFERS
-from esg.dataset.running import SCENE_STAGES, run_scenes
+from esg.dataset.running import SCENE_STAGES, rendered_scenes, run_scenes
 from esg.dataset.writing import write_batch
 from esg.pipeline import scratch_store
+from esg.store.tables import to_table, write_part
 
 
 def make_batch(job: BatchJob) -> BatchResult:
@@ -41,29 +42,60 @@ def make_batch(job: BatchJob) -> BatchResult:
 
 def _deliver(job: BatchJob, result: BatchResult) -> None:
     """Brings a batch to where the dataset is, its mark last."""
-    from esg.dataset.remote import Remote
+    from esg.dataset.remote import Remote, is_media
 
-    remote, mark = Remote(job.url), mark_name(job.number)
+    whole, mark = Remote(job.url), mark_name(job.number)
+    # Of a dataset that is only rendered, marks and parts are kept apart until all is done.
+    remote = whole if job.source is None else whole.below(job.out.name)
     if not remote.has(mark):
         # A buffer's name is its content: what other batches brought is not brought again.
-        there = {n for n in result.files if n.startswith(BUFFERS) and remote.has(n)}
-        remote.push(job.out, [*(n for n in result.files if n not in there), mark])
+        there = {n for n in result.files if n.startswith(BUFFERS) and whole.has(n)}
+        whole.push(job.out, [n for n in result.files if is_media(n)])
+        rest = [n for n in result.files if not is_media(n) and n not in there]
+        remote.push(job.out, [*rest, mark])
 
 
 def _make(job: BatchJob) -> BatchResult:
     start = time.perf_counter()
-    with scratch_store(job.work / "artifacts", durable=False):
-        states, together_s = run_scenes(job)
-        result, recordings_s = write_batch(job, states)
-    spent = {s: 0.0 for s in SCENE_STAGES}
-    for state in states:
-        for entry in state.log:
-            spent[entry["stage"]] += float(entry["seconds"])
-    spent["replay"] += together_s
-    spent["recordings"] = recordings_s
+    if job.source is not None:
+        result, spent = _only_rendered(job)
+    else:
+        with scratch_store(job.work / "artifacts", durable=False):
+            states, together_s = run_scenes(job)
+            rendered = rendered_scenes(job, states)
+            result, recordings_s = write_batch(job, states, rendered)
+        spent = {s: 0.0 for s in SCENE_STAGES}
+        for state in states:
+            for entry in state.log:
+                spent[entry["stage"]] += float(entry["seconds"])
+        spent["replay"] += together_s
+        spent["recordings"] = recordings_s
+        if job.spec.render:
+            spent[RENDER] = rendered.seconds
     spent["batch"] = time.perf_counter() - start
     result = replace(result, seconds={k: round(v, 4) for k, v in spent.items()})
     write_mark(job.out, result)
     if not job.keep_work:
         shutil.rmtree(job.work, ignore_errors=True)
     return result
+
+
+def _only_rendered(job: BatchJob) -> tuple[BatchResult, dict[str, float]]:
+    """Clips of scenes that a finished dataset holds."""
+    rendered = rendered_scenes(job, [])
+    rows = [row for found in rendered.rows.values() for row in found]
+    files = list(rendered.files)
+    if rows:
+        part = job.out / "parts" / "clips" / f"{job.name}.parquet"
+        write_part(to_table("clips", rows), part)
+        files.append(part)
+    result = BatchResult(
+        number=job.number,
+        scenes=len(job.scenes),
+        verified=0,
+        outcomes={},
+        failures=rendered.failures,
+        crashes=rendered.crashes,
+        files={p.relative_to(job.out).as_posix(): p.stat().st_size for p in files},
+    )
+    return result, {RENDER: rendered.seconds}

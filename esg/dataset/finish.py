@@ -2,16 +2,19 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 import json
 from pathlib import Path
 import shutil
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from esg.dataset.folder import INFO, DatasetFolder
 from esg.dataset.job import BatchResult
 from esg.dataset.plan import DatasetSpec
 from esg.files import atomic_file
+
+if TYPE_CHECKING:
+    from esg.store.assembling import Counts
 
 SCAFFOLD = ("parts", "marks", "locks", "work")
 """Folders that only an unfinished dataset has."""
@@ -32,15 +35,14 @@ def finish(folder: DatasetFolder, spec: DatasetSpec, results: Mapping[int, Batch
         UserError: If a part is damaged, with its path.
         OSError: If the dataset cannot be written.
     """
-    from esg.dataset.card import card, statistics
-    from esg.store.assembling import assemble_tables, sweep_temporary, write_info
+    from esg.dataset.clips.writing import sweep_clips
+    from esg.store.assembling import assemble_tables, sweep_temporary
     from esg.store.tables import to_table, write_part
 
     out = folder.path
     write_part(to_table("runs", [folder.run().row()]), out / "parts" / "runs" / "run.parquet")
     counts = assemble_tables(out / "parts", out)
     failed = [dict(row) for n in sorted(results) for row in results[n].failures]
-    write_lines(out / "failures.jsonl", failed)
     write_lines(
         out / "meta" / "crashes.jsonl",
         [
@@ -50,13 +52,33 @@ def finish(folder: DatasetFolder, spec: DatasetSpec, results: Mapping[int, Batch
         ],
     )
     write_json(out / "meta" / "timings.json", timings(results))
+    for name in ("mcap", "previews", "meshes"):
+        sweep_temporary(out / name)
+    sweep_clips(out / "clips")
+    describe(out, spec, spec.name(), counts, failed)
+    clean(out)
+
+
+def describe(
+    out: Path, spec: DatasetSpec, title: str, counts: Counts, failed: Sequence[Mapping[str, Any]]
+) -> None:
+    """Writes `failures.jsonl`, the card and, last, `meta/info.json` of a dataset's tables.
+
+    Args:
+        out: Folder of the dataset.
+        spec: Its specification.
+        title: What `meta/info.json` calls it.
+        counts: Rows by table and split.
+        failed: Rows of `failures.jsonl`.
+    """
+    from esg.dataset.card import card, statistics
+    from esg.store.assembling import write_info
+
+    write_lines(out / "failures.jsonl", failed)
     facts = statistics(out, spec, failed)
     with atomic_file(out / "README.md") as file:
         file.write(card(spec, counts, facts).encode())
-    for name in ("mcap", "previews", "meshes"):
-        sweep_temporary(out / name)
-    write_info(out, spec.name(), counts, {"statistics": facts})
-    clean(out)
+    write_info(out, title, counts, {"statistics": facts})
 
 
 def clean(out: Path) -> None:
@@ -83,14 +105,14 @@ def timings(results: Mapping[int, BatchResult]) -> dict[str, Any]:
     }
 
 
-def write_lines(path: Path, rows: list[dict[str, Any]]) -> None:
+def write_lines(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:
     """Writes JSON Lines; without rows there is no file."""
     if not rows:
         path.unlink(missing_ok=True)
         return
     with atomic_file(path) as file:
         for row in rows:
-            file.write((json.dumps(row, sort_keys=True, ensure_ascii=False) + "\n").encode())
+            file.write((json.dumps(dict(row), sort_keys=True, ensure_ascii=False) + "\n").encode())
 
 
 def write_json(path: Path, value: Any) -> None:

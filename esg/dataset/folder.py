@@ -135,7 +135,11 @@ class DatasetFolder:
         there = set(remote.names("marks"))
         wanted = [n for n in numbers if mark_name(n) in there]
         remote.pull(self.path, [mark_name(n) for n in wanted])
-        found = ((n, read_mark(self.path, n, parts=False)) for n in wanted)
+        return self.marked(wanted)
+
+    def marked(self, numbers: Sequence[int]) -> dict[int, BatchResult]:
+        """Results by their marks alone, wherever their files are by now."""
+        found = ((n, read_mark(self.path, n, parts=False)) for n in numbers)
         return {n: result for n, result in found if result is not None}
 
     def run(self) -> RunInfo:

@@ -14,6 +14,10 @@ if TYPE_CHECKING:
     from esg.store.records import RunInfo
 
 
+RENDER = "render"
+"""What failures and timings call the pictures of a batch's scenes."""
+
+
 @dataclass(frozen=True)
 class BatchJob:
     """One batch; small, so that it can travel to any machine.
@@ -30,6 +34,8 @@ class BatchJob:
         processes: That plan and measure beside the one that simulates, where searches run together.
         together: Whether the searches of the batch share launches; None: on a GPU.
         url: Where finished batches go (esg.dataset.remote); empty: they stay in `out`.
+        source: A finished dataset that holds the scenes, which are only rendered; None: they are
+            made.
     """
 
     number: int
@@ -43,6 +49,7 @@ class BatchJob:
     processes: int = 1
     together: bool | None = None
     url: str = ""
+    source: Path | None = None
 
     @property
     def searches_together(self) -> bool:

@@ -81,6 +81,18 @@ class RenderSpec(BaseModel):
     lossless: bool = False
     device: str = "cpu"
 
+    def options(self) -> list[str]:
+        """As on the command line of `esg dataset`, without what is default."""
+        usual, out = RenderSpec(), [f"--render {','.join(self.channels)}"]
+        if self.size != usual.size:
+            out.append(f"--size {self.size[0]}x{self.size[1]}")
+        for name in ("cameras", "fps", "renderer", "samples", "camera"):
+            if (value := getattr(self, name)) != getattr(usual, name):
+                out.append(f"--{name} {value:g}" if name == "fps" else f"--{name} {value}")
+        if self.motion_blur:
+            out.append("--motion-blur")
+        return [*out, *(["--lossless"] if self.lossless else [])]
+
 
 class DatasetSpec(BaseModel):
     """Everything a dataset depends on besides code.

@@ -19,6 +19,7 @@ from esg.outcomes import UserError
 
 _FIRST = ("meta/plan.json", "meta/prompts.jsonl", "meta/run.json")
 _INFO = "meta/info.json"
+_TOLD = ("README.md", "failures.jsonl", "meta/timings.json")
 
 
 def is_url(text: str) -> bool:
@@ -42,6 +43,11 @@ def checked_place(text: str) -> str:
             f"--out {text}: a URL has two slashes ({scheme}://...), a folder is meant by ./{text}"
         )
     return text
+
+
+def is_media(name: str) -> bool:
+    """Whether a file of a dataset is one of a clip's: they are large, and no table."""
+    return name.startswith("clips/") and name.count("/") > 1
 
 
 def staging_folder(url: str) -> Path:
@@ -83,6 +89,11 @@ class Remote:
         except (ImportError, ValueError):
             raise UserError(f"--out {url}: {first}") from None
         return fs.PyFileSystem(fs.FSSpecHandler(found)), path
+
+    def below(self, folder: str) -> Remote:
+        """A folder of this one."""
+        path, query, rest = self.url.partition("?")
+        return Remote(f"{path.rstrip('/')}/{folder}{query}{rest}")
 
     def has(self, name: str) -> bool:
         """Whether an object exists.
@@ -165,21 +176,48 @@ class Remote:
         self.push(folder, [n for n in reversed(_FIRST) if (folder / n).is_file()])
 
     def push_dataset(self, folder: Path) -> None:
-        """Uploads a finished dataset, `meta/info.json` last, and removes its scaffold there."""
+        """Uploads a finished dataset, `meta/info.json` last, and removes its scaffold there.
+
+        Files of clips came with their batches.
+        """
         names = [
             p.relative_to(folder).as_posix()
             for p in sorted(folder.rglob("*"))
             if p.is_file() and not p.name.startswith(".")
         ]
-        self.push(folder, [n for n in names if n != _INFO])
+        self.push(folder, [n for n in names if n != _INFO and not is_media(n)])
         self.push(folder, [_INFO])
         self._remove_scaffold()
 
+    def pull_tables(self, folder: Path, tables: Iterable[str]) -> None:
+        """Downloads tables of a finished dataset, without the files of clips."""
+        wanted = [n for table in tables for n in self.names(table) if not is_media(n)]
+        self.pull(folder, [*wanted, *(n for n in _TOLD if self.has(n))])
+
+    def push_clips(self, folder: Path, tables: Iterable[str], scaffold: str) -> None:
+        """Uploads what tells of a dataset's new clips, whose files came with their batches.
+
+        Args:
+            folder: Of the dataset on this machine.
+            tables: That may have changed.
+            scaffold: Folder of the rendering, which is removed.
+        """
+        files = [p for table in tables for p in sorted((folder / table).glob("*.parquet"))]
+        names = [p.relative_to(folder).as_posix() for p in files]
+        told = [n for n in _TOLD if (folder / n).is_file()]
+        self.push(folder, [*names, *told, _FIRST[0], _INFO])
+        self._remove(self.names(scaffold))
+        stale = [n for n in self.names("clips") if not is_media(n) and n not in names]
+        self._remove(stale)
+
+    def _remove(self, names: Iterable[str]) -> None:
+        for name in names:
+            with self._explained():
+                self._fs.delete_file(self._path(name))
+
     def _remove_scaffold(self) -> None:
         for scaffold in ("parts", "marks"):
-            with self._explained():
-                for name in self.names(scaffold):
-                    self._fs.delete_file(self._path(name))
+            self._remove(self.names(scaffold))
 
     def _path(self, name: str) -> str:
         return f"{self._base.rstrip('/')}/{name}".rstrip("/")

@@ -16,6 +16,7 @@ import threading
 import time
 from typing import TYPE_CHECKING
 
+from esg.dataset.job import RENDER
 from esg.files import unwritable
 from esg.limits import place_in
 from esg.pipeline import (
@@ -31,11 +32,13 @@ from esg.pipeline import (
 from esg.workers import OUT_OF_TIME
 
 if TYPE_CHECKING:
+    from esg.dataset.clips.batch import Rendered
     from esg.dataset.job import BatchJob
     from esg.graph.models import EsgDocument
 
 SCENE_STAGES = STAGES[: STAGES.index("dress")]
-"""Datasets keep trajectories, not scene folders: what only pictures need is left out."""
+"""Datasets keep trajectories, not scene folders: what only pictures need is left out, and done as
+part of rendering by datasets that are rendered (esg.dataset.clips)."""
 
 RETRIES = 2
 _BACKOFF_S = 0.5
@@ -54,8 +57,8 @@ def run_scenes(job: BatchJob) -> tuple[list[SceneState], float]:
     states = [SceneState(s.request) for s in job.scenes]
     dead = dead_scenes(job)
     for i, scene in enumerate(job.scenes):
-        if scene.index in dead:
-            stage, reason = dead[scene.index]
+        stage, reason = dead.get(scene.index, (RENDER, ""))
+        if stage != RENDER:
             states[i] = crashed(states[i], RuntimeError(reason), stage)
     for stage in SCENE_STAGES:
         if len(job.scenes) == 1:
@@ -180,8 +183,33 @@ def _compile_together(states: Sequence[SceneState]) -> None:
 def try_scene(job: BatchJob, position: int) -> None:
     """Runs one scene of a batch alone; if it ends the process, it is the one (`mark_dead`)."""
     (job.work / _REACHED).unlink(missing_ok=True)
+    alone = replace(job, scenes=(job.scenes[position],))
     with scratch_store(job.work / "artifacts", durable=False):
-        run_scenes(replace(job, scenes=(job.scenes[position],)))
+        states = [] if job.source else run_scenes(alone)[0]
+        rendered_scenes(alone, states)
+
+
+def rendered_scenes(job: BatchJob, states: Sequence[SceneState]) -> Rendered:
+    """The pictures of a batch's scenes, if it is to have any.
+
+    Args:
+        job: The batch.
+        states: Of its scenes; none where a finished dataset holds them.
+
+    Raises:
+        OSError: If they cannot be written; finished scenes are kept.
+    """
+    from esg.dataset.clips.batch import Rendered, render_batch
+    from esg.dataset.clips.subjects import made_subjects, told_subjects
+
+    if job.spec.render is None:
+        return Rendered()
+    if len(job.scenes) == 1:
+        job.work.mkdir(parents=True, exist_ok=True)
+        (job.work / _REACHED).write_text(RENDER)
+    dead = {k: reason for k, (stage, reason) in dead_scenes(job).items() if stage == RENDER}
+    subjects = told_subjects(job) if job.source else made_subjects(job, states)
+    return render_batch(job, job.spec.render, subjects, dead)
 
 
 def mark_dead(job: BatchJob, index: int, reason: str) -> None:
@@ -196,7 +224,7 @@ def _reached(job: BatchJob) -> str:
     """The stage in which the scene that was tried last ended its worker."""
     with contextlib.suppress(OSError, ValueError):
         stage = (job.work / _REACHED).read_text("utf-8")
-        if stage in SCENE_STAGES:
+        if stage in (*SCENE_STAGES, RENDER):
             return stage
     return SCENE_STAGES[0]
 

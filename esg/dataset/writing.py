@@ -8,16 +8,30 @@ import json
 from pathlib import Path
 import shutil
 import time
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.plan import SAMPLE_EVERY, PlannedScene
 from esg.outcomes import Outcome
 from esg.pipeline import SceneState, failures, implausible
 
+if TYPE_CHECKING:
+    from esg.dataset.clips.batch import Rendered
 
-def write_batch(job: BatchJob, states: Sequence[SceneState]) -> tuple[BatchResult, float]:
-    """Writes all files of a batch; returns its result and the time the recordings took [s]."""
+
+def write_batch(
+    job: BatchJob, states: Sequence[SceneState], rendered: Rendered
+) -> tuple[BatchResult, float]:
+    """Writes all files of a batch but its clips, which are there.
+
+    Args:
+        job: The batch.
+        states: Of its scenes, ended.
+        rendered: Their clips.
+
+    Returns:
+        Its result, and the time the recordings took [s].
+    """
     from esg.store.records import SceneRecord, record_of
     from esg.store.tables import write_tables
 
@@ -45,7 +59,8 @@ def write_batch(job: BatchJob, states: Sequence[SceneState]) -> tuple[BatchResul
         met.append(bool(row["verified"]))
         row["verified"] = met[-1] and _as_said(state, rows["statements"])
         verified.append(row["verified"])
-        records.append(SceneRecord({**rows, "scenes": [row]}))
+        clips = rendered.rows.get(scene.scene_id, [])
+        records.append(SceneRecord({**rows, "scenes": [row], "clips": clips}))
     written = list(packed)
     start = time.perf_counter()
     for scene, state, record, good in zip(job.scenes, states, records, met, strict=True):
@@ -59,14 +74,17 @@ def write_batch(job: BatchJob, states: Sequence[SceneState]) -> tuple[BatchResul
         scenes=len(states),
         verified=sum(verified),
         outcomes=dict(Counter(s.outcome.value if s.outcome else "unfinished" for s in states)),
-        failures=_failures(job, states, met),
+        failures=[*_failures(job, states, met), *_unseen(job, rendered)],
         crashes={
             scene.scene_id: entry["traceback"]
             for scene, state in zip(job.scenes, states, strict=True)
             for entry in state.log
             if "traceback" in entry
+        }
+        | rendered.crashes,
+        files={
+            p.relative_to(job.out).as_posix(): p.stat().st_size for p in (*written, *rendered.files)
         },
-        files={p.relative_to(job.out).as_posix(): p.stat().st_size for p in written},
     )
     return result, recordings_s
 
@@ -140,6 +158,12 @@ def _failures(
             }
         out.append({**row, "index": scene.index, "rule": scene.rule, "level": scene.level})
     return out
+
+
+def _unseen(job: BatchJob, rendered: Rendered) -> list[dict[str, Any]]:
+    """Scenes that could not be rendered."""
+    facts = {s.scene_id: {"rule": s.rule, "level": s.level} for s in job.scenes}
+    return [{**row, **facts[row["scene"]]} for row in rendered.failures]
 
 
 def unmet(state: SceneState) -> str:

@@ -84,13 +84,18 @@ def assemble_tables(
     tables: Sequence[str] = TABLES,
     max_bytes: int = MAX_FILE_BYTES,
     scenes_per_file: int | None = None,
+    scenes: Path | None = None,
 ) -> Counts:
     """The split files alone (`assemble`); returns rows by table and split.
+
+    Args:
+        parts, out, tables, max_bytes, scenes_per_file: As of `assemble`.
+        scenes: Where table `scenes` is that says the splits; default among the parts.
 
     Raises:
         UserError: If a part is damaged, with its path.
     """
-    splits = _scene_splits(parts)
+    splits = _scene_splits(scenes or parts)
     counts: Counts = {}
     for table in tables:
         files = part_files(parts, table)

@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 import json
 from pathlib import Path
 from typing import Any
 
-from esg.view import png16
+from esg.view import codes, png16
+from esg.view.wanted import PICTURES
 
-PICTURES = ("rgb", "depth", "normal", "segmentation", "flow")
 ROWS_PER_SHARD = 512
 
 
@@ -103,18 +103,29 @@ def _schema(row: dict[str, Any]) -> Any:
 def read_capture(folder: Path) -> Iterator[dict[str, Any]]:
     """Rows of a capture of either container, decoded: camera, frame, time_s and every channel.
 
+    Depth comes in metres; the other pictures as their manifest says.
+
     Args:
         folder: Written by `capture`.
     """
     manifest = json.loads((folder / "manifest.json").read_bytes())
     channels = [c for c in manifest["channels"] if c in PICTURES]
+
+    def pictures(camera: int, frame: int, data: Mapping[str, bytes]) -> dict[str, Any]:
+        out = {c: png16.decode(data[c]) for c in channels}
+        if "depth" in out:
+            facts = manifest["cameras"][camera]
+            offset, scale = facts["depth_offset"][frame], facts["depth_scale"][frame]
+            out["depth"] = codes.depth_metres(out["depth"], offset, scale)
+        return out
+
     if manifest["container"] == "parquet":
         import pyarrow.parquet as pq
 
         for name in manifest["shards"]:
             for batch in pq.ParquetFile(folder / name).iter_batches(64):
                 for row in batch.to_pylist():
-                    yield {**row, **{c: png16.decode(row[c]) for c in channels}}
+                    yield {**row, **pictures(row["camera"], row["frame"], row)}
         return
     for number in range(len(manifest["cameras"])):
         base = folder / f"camera_{number}"
@@ -125,6 +136,9 @@ def read_capture(folder: Path) -> Iterator[dict[str, Any]]:
                 tables[name] = [json.loads(line) for line in lines]
         for frame, time_s in enumerate(manifest["time_s"]):
             row: dict[str, Any] = {"camera": number, "frame": frame, "time_s": time_s}
-            for name in channels:
-                row[name] = png16.decode((base / name / f"{frame:05d}.png").read_bytes())
+            row |= pictures(
+                number,
+                frame,
+                {c: (base / c / f"{frame:05d}.png").read_bytes() for c in channels},
+            )
             yield {**row, **{name: rows[frame][name] for name, rows in tables.items()}}

@@ -6,7 +6,9 @@ Pixels are counted as in the pictures: x right, y down, the centre of the first 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+from functools import lru_cache
 import math
 from typing import Any
 
@@ -18,6 +20,7 @@ from esg.view.camera import Camera, box_corners
 from esg.view.worlds import GROUND, NOTHING
 
 Floats = NDArray[np.float64]
+Poses = tuple[Floats, Floats]
 TRACKS_PER_BODY = 16
 
 
@@ -74,43 +77,96 @@ class Pinhole:
 def flow(
     camera: Pinhole,
     depth: NDArray[Any],
-    body: NDArray[Any],
-    now: tuple[Floats, Floats],
-    later: tuple[Floats, Floats],
+    mover: NDArray[Any],
+    now: Poses,
+    later: Poses,
     camera_later: Pinhole | None = None,
 ) -> NDArray[np.float32]:
-    """Where each pixel's surface will be in the next picture, as a shift [px], shape [H, L, 2].
+    """Where each pixel's surface is in another picture, as a shift [px], shape [H, L, 2].
 
     Args:
         camera: Of the first picture.
-        depth: Of the first picture [m], shape [H, L].
-        body: Bodies of the first picture, shape [H, L].
-        now: Positions [m] and quaternions of all bodies, shapes [B, 3] and [B, 4].
-        later: The same at the next picture.
-        camera_later: Of the next picture; None if the camera stands still.
+        depth: Of the first picture [m], 0 for the sky, which is endlessly far, shape [H, L].
+        mover: What moves as one in the first picture, negative for the world, shape [H, L].
+        now: Positions [m] and quaternions of all movers, shapes [B, 3] and [B, 4].
+        later: The same at the other picture.
+        camera_later: Of the other picture; None if the camera stands still.
 
     Returns:
-        Zero where nothing was hit, and on the ground under a camera that stands still.
+        NaN for what is then behind the camera.
     """
     out = np.zeros((*depth.shape, 2), np.float32)
-    world = camera.unproject(depth)
-    if camera_later is not None:
-        fixed = (body < 0) & (depth > 0)
-        before, _ = camera.project(world[fixed])
-        after, ahead = camera_later.project(world[fixed])
-        out[fixed] = np.where(ahead[:, None] > 0, after - before, 0.0)
-    mask = body >= 0
-    if not mask.any():
-        return out
-    index = body[mask]
-    points = world[mask]
-    inverse = now[1][index] * np.array([-1.0, -1.0, -1.0, 1.0])
-    local = quat_rotate(inverse, points - now[0][index])
-    moved = quat_rotate(later[1][index], local) + later[0][index]
-    before, _ = camera.project(points)
-    after, ahead = (camera_later or camera).project(moved)
-    out[mask] = np.where(ahead[:, None] > 0, after - before, 0.0)
+    other = camera_later or camera
+    unproject = np.linalg.inv(camera.matrix)
+    back, shift = _inverse(camera.world_to_camera)
+    ahead_of, ahead_by = other.world_to_camera[:3, :3], other.world_to_camera[:3, 3]
+    for index, mask in _masks(mover):
+        turn, move = np.eye(3), np.zeros(3)
+        if index >= 0:
+            before, after = _matrix(now[1][index]), _matrix(later[1][index])
+            turn = after @ before.T
+            move = later[0][index] - turn @ now[0][index]
+        rests = np.abs(turn - np.eye(3)).max() < 1e-12 and np.abs(move).max() < 1e-12
+        if rests and camera_later is None:
+            continue
+        # Of a pixel u with depth z, z * (a u + b / z) is its place in the other picture.
+        a = other.matrix @ ahead_of @ turn @ back @ unproject
+        b = other.matrix @ (ahead_of @ (turn @ shift + move) + ahead_by)
+        rays = _pixels(depth.shape)[mask]
+        z = depth[mask].astype(float)
+        inverse = np.divide(1.0, z, out=np.zeros_like(z), where=z > 0)
+        place = rays @ a.T + inverse[:, None] * b
+        ahead = place[:, 2:] > 0
+        found = place[:, :2] / np.where(ahead, place[:, 2:], 1.0) - rays[:, :2]
+        out[mask] = np.where(ahead, found, np.nan)
     return out
+
+
+def body_points(
+    camera: Pinhole, depth: NDArray[Any], mover: NDArray[Any], now: Poses
+) -> NDArray[np.float32]:
+    """Points of all pixels in the axes of what they are on [m], 0 in the world, shape [H, L, 3].
+
+    Args:
+        camera: Of the picture.
+        depth: Of the picture [m], shape [H, L].
+        mover: What moves as one, negative for the world, shape [H, L].
+        now: Positions [m] and quaternions of all movers, shapes [B, 3] and [B, 4].
+    """
+    out = np.zeros((*depth.shape, 3), np.float32)
+    unproject = np.linalg.inv(camera.matrix)
+    back, shift = _inverse(camera.world_to_camera)
+    for index, mask in _masks(mover):
+        if index < 0:
+            continue
+        turn = _matrix(now[1][index]).T
+        rays = _pixels(depth.shape)[mask] * depth[mask][:, None]
+        out[mask] = rays @ (turn @ back @ unproject).T + turn @ (shift - now[0][index])
+    return out
+
+
+def _masks(mover: NDArray[Any]) -> Iterator[tuple[int, NDArray[np.bool_]]]:
+    """What is in a picture: -1 for all of the world, then every mover, and where."""
+    counts = np.bincount(np.maximum(mover, -1).ravel() + 1)
+    for index in np.flatnonzero(counts) - 1:
+        yield int(index), mover == index if index >= 0 else mover < 0
+
+
+@lru_cache(maxsize=4)
+def _pixels(shape: tuple[int, int]) -> Floats:
+    """Homogeneous centres of all pixels, shape [H, L, 3]."""
+    x, y = np.meshgrid(np.arange(shape[1]) + 0.5, np.arange(shape[0]) + 0.5)
+    return np.stack([x, y, np.ones(shape)], axis=-1, dtype=np.float64)
+
+
+def _matrix(quaternion: Floats) -> Floats:
+    return np.asarray(quat_rotate(np.tile(quaternion, (3, 1)), np.eye(3)).T, np.float64)
+
+
+def _inverse(rigid: Floats) -> tuple[Floats, Floats]:
+    """Rotation and translation of the inverse of a rigid transform."""
+    back = rigid[:3, :3].T
+    return back, -back @ rigid[:3, 3]
 
 
 def boxes_2d(body: NDArray[Any]) -> list[dict[str, Any]]:
@@ -144,21 +200,28 @@ def boxes_3d(
         quaternion: (x, y, z, w), shape [B, 4].
     """
     out: list[dict[str, Any]] = []
+    centers = box_centers(half_extents, offsets, position, quaternion)
     for index, (half, offset) in enumerate(zip(half_extents, offsets, strict=True)):
-        center = offset + np.array([0.0, 0.0, half[2]])
         corners = box_corners(position[index], quaternion[index], tuple(half), offset)
         pixels, depth = camera.project(corners)
-        world = position[index] + quat_rotate(quaternion[index], center)
         out.append(
             {
                 "body": index,
-                "center_m": _list(world),
+                "center_m": _list(centers[index]),
                 "half_extents_m": _list(half),
                 "quaternion_xyzw": _list(quaternion[index]),
                 "corners_px": [_list(p, 2) for p in pixels] if (depth > 0).all() else [],
             }
         )
     return out
+
+
+def box_centers(
+    half_extents: Floats, offsets: Floats, position: Floats, quaternion: Floats
+) -> Floats:
+    """Centres of the bodies' boxes in the world [m], shape [B, 3]; arguments as of `boxes_3d`."""
+    local = offsets + half_extents * np.array([0.0, 0.0, 1.0])
+    return position + quat_rotate(quaternion, local)
 
 
 def sample_points(

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.view.capture import DEPTH_UNIT_M, decode_flow
+from esg.view.capture import decode_flow
 from esg.view.containers import read_capture
 from esg.view.lettering import font, lettered
 from esg.view.sheet import Panel, write_sheet
@@ -52,7 +52,7 @@ def _pictures(
     if "rgb" in row:
         out.append(("rgb", base, "8-bit colour"))
     if "depth" in row:
-        depth = row["depth"] * DEPTH_UNIT_M
+        depth = row["depth"]
         known = depth[depth > 0]
         low, high = np.percentile(known, (1, 90)) if len(known) else (0, 1)
         out.append(("depth", _ramp(depth, low, high), f"{low:.1f} to {high:.1f} m and beyond"))
@@ -63,10 +63,14 @@ def _pictures(
         ids = row["segmentation"]
         found = [names.get(int(i), "ground") for i in np.unique(ids) if i > 0]
         out.append(("segmentation", _palette(ids), ", ".join(found)))
-    if "flow" in row:
-        shift, known = decode_flow(row["flow"])
-        size = float(np.hypot(*np.moveaxis(shift, -1, 0))[known].max(initial=0.0))
-        out.append(("flow", _wheel(shift, known, size), f"up to {size:.1f} px to the next frame"))
+    for name, way in (("flow", "to the next frame"), ("backward_flow", "to the frame before")):
+        if name in row:
+            shift, known = decode_flow(row[name])
+            size = float(np.hypot(*np.moveaxis(shift, -1, 0))[known].max(initial=0.0))
+            out.append((name, _wheel(shift, known, size), f"up to {size:.1f} px {way}"))
+    if "object_coordinates" in row:
+        shown = (row["object_coordinates"] >> 8).astype(np.uint8)
+        out.append(("object_coordinates", shown, "share of each body's bounds"))
     if "boxes2d" in row:
         count = len(row["boxes2d"])
         out.append(("boxes2d", _boxes_2d(base, row["boxes2d"], names), f"{count} bodies in view"))

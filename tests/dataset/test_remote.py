@@ -32,7 +32,7 @@ def quick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     monkeypatch.setenv("ESG_TEST_CALLS", str(tmp_path / "calls"))
     monkeypatch.setenv("ESG_CACHE_DIR", str(tmp_path / "cache"))
     monkeypatch.setattr(module, "_compile_together", lambda states: None)
-    monkeypatch.setattr(command, "_make", lambda jobs, *_: [make_batch(j) for j in jobs])
+    monkeypatch.setattr(command, "make_batches", lambda jobs, *_: [make_batch(j) for j in jobs])
     fakes.install()
     (tmp_path / "p.txt").write_text("\n".join(TEXTS))
     yield
@@ -100,12 +100,12 @@ def test_another_machine_goes_on_where_one_stopped(
     bucket: str, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Two of three batches are there; the machine that made them is lost with its folder."""
-    monkeypatch.setattr(command, "_make", lambda jobs, *_: [make_batch(j) for j in jobs[:2]])
+    monkeypatch.setattr(command, "make_batches", lambda jobs, *_: [make_batch(j) for j in jobs[:2]])
     run(bucket, tmp_path, shard="1/1")
     assert len(Remote(bucket).names("marks")) == 2
     shutil.rmtree(staging_folder(bucket))
     before = len(fakes.calls())
-    monkeypatch.setattr(command, "_make", lambda jobs, *_: [make_batch(j) for j in jobs])
+    monkeypatch.setattr(command, "make_batches", lambda jobs, *_: [make_batch(j) for j in jobs])
     with pytest.raises(UserError, match="add --resume"):
         run(bucket, tmp_path)
     assert run(bucket, tmp_path, resume=True) == 3

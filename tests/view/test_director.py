@@ -9,11 +9,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from esg.view import capture as captures
 from esg.view import scenery as sceneries
 from esg.view.camera import Camera
 from esg.view.cameras import Takes, directed
-from esg.view.capture import Settings, capture
+from esg.view.capture import capture
 from esg.view.containers import read_capture
 from esg.view.director.acting import AFTER_S
 from esg.view.director.lens import FILL_LEAST, FILL_MOST, SAFE, extent, framed
@@ -32,6 +31,7 @@ from esg.view.director.staging import azimuth_of, direct
 from esg.view.director.takes import Take, standing
 from esg.view.film.shooting import shots_of
 from esg.view.truth import Pinhole, flow
+from esg.view.wanted import Settings
 from tests.view.plays import (
     PLAYS,
     Play,
@@ -219,7 +219,7 @@ def test_flow_of_a_camera_that_moves() -> None:
 def test_ground_truth_by_the_director(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Every camera has its kind, lens and extrinsics of every frame, and masks fit them."""
     play = NAMED["ball_and_box"]
-    monkeypatch.setattr(captures, "scene_parts", lambda *_: parts_of(play))
+    monkeypatch.setattr("esg.view.witness.scene_parts", lambda *_: parts_of(play))
     monkeypatch.setattr(sceneries, "body_parts", lambda *_: parts_of(play)[1:])
     settings = Settings(("segmentation",), (96, 54), 4.0, 2, camera="tracking")
     world = (scene_of(play), rollout_of(play), verdict_of(play), document_of(play))

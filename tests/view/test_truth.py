@@ -18,14 +18,15 @@ import trimesh
 from esg.assets.looks import Look
 from esg.outcomes import UserError
 from esg.view import capture as capturing
-from esg.view import png16, truth
+from esg.view import codes, png16, truth
 from esg.view.camera import Camera
-from esg.view.capture import Settings, capture, decode_flow, parse_channels, parse_size
+from esg.view.capture import capture, decode_flow
 from esg.view.containers import read_capture
 from esg.view.pieces import Part
 from esg.view.surroundings import Sky, Surroundings
 from esg.view.truth import Pinhole
 from esg.view.truth_sheet import truth_sheet
+from esg.view.wanted import CHANNELS, Settings, parse_channels, parse_size
 from esg.view.worlds import GROUND, NOTHING, WorldRenderer
 from tests.report.folders import rollout, scene
 
@@ -208,15 +209,17 @@ def test_png_keeps_every_bit(kind: type, shape: tuple[int, ...]) -> None:
 
 
 def test_encodings_say_what_their_text_says() -> None:
-    """Depth in millimetres with its two special values; flow and normals come back."""
-    depth = capturing.encode_depth(np.array([[0.0, 1.2344, 65.534, 80.0]]))
-    assert depth.tolist() == [[0, 1234, 65534, 65535]]
-    shift = np.array([[[1.25, -3.5], [600.0, 0.0]]])
-    back, known = decode_flow(capturing.encode_flow(shift, (1, 2)))
-    assert known.tolist() == [[True, False]]
+    """Depth is never cut off; flow and normals come back."""
+    metres = np.array([[0.0, 1.2344, 65.534, 300.0, 1900.0]])
+    found, offset, scale = codes.depth_codes(metres)
+    assert found[0, 0] == 0 and found[0, 1:].min() >= 1
+    back = np.exp(float(offset) + float(scale) * found[0, 1:].astype(float))
+    assert np.abs(back / metres[0, 1:] - 1).max() < math.log(1900 / 1.2344) / 2 / 65000
+    shift = np.array([[[1.25, -3.5], [600.0, 0.0], [np.nan, np.nan]]])
+    back, known = decode_flow(capturing.encode_flow(shift))
+    assert known.tolist() == [[True, False, False]]
     assert np.allclose(back[0, 0], [1.25, -3.5])
-    assert not decode_flow(capturing.encode_flow(None, (1, 2)))[1].any()
-    normal = capturing.encode_normal(np.array([[[0.0, 0.0, 1.0], [0.0, 0.0, 0.0]]]))
+    normal = codes.normal_codes(np.array([[[0.0, 0.0, 1.0], [0.0, 0.0, 0.0]]]))
     assert normal.tolist() == [[[32767, 32767, 65534], [0, 0, 0]]]
 
 
@@ -237,7 +240,7 @@ def staged(monkeypatch: pytest.MonkeyPatch) -> Any:
 
 def test_both_containers_hold_the_same(tmp_path: Path, staged: Any) -> None:
     """Every channel of every frame and camera, in order, with times and cameras in the manifest."""
-    settings = Settings(capturing.CHANNELS, (48, 36), fps=8.0)
+    settings = Settings(CHANNELS, (48, 36), fps=8.0)
     cameras = [Camera((0.0, -6.0, 1.5), (0.0, 0.0, 1.0)), Camera((5.0, 1.0, 3.0), (0, 0, 1.0))]
     found = []
     for container in ("png", "parquet"):
@@ -295,7 +298,7 @@ def test_a_capture_replaces_only_a_capture(tmp_path: Path, staged: Any) -> None:
 def test_options_are_checked_all_at_once() -> None:
     """Every unknown channel is named, sizes say what they take."""
     assert parse_channels("rgb, depth,rgb") == ("rgb", "depth")
-    assert parse_channels("all") == capturing.CHANNELS
+    assert parse_channels("all") == CHANNELS
     with pytest.raises(UserError, match="'rbg', 'dept'"):
         parse_channels("rbg,dept,flow")
     with pytest.raises(UserError, match="no channel"):

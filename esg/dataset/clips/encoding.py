@@ -134,6 +134,7 @@ class ChannelFile:
         stream.codec_context.thread_count = 1
         stream.codec_context.flags |= Flags.bitexact
         self._stream = stream
+        self._open = True
 
     def add(self, frames: Pictures) -> None:
         """Encodes frames, shape [F, H, L] or [F, H, L, 3].
@@ -146,11 +147,14 @@ class ChannelFile:
             self._container.mux(self._stream.encode(picture))
 
     def close(self) -> None:
-        """Writes what is left.
+        """Writes what is left; does nothing the second time.
 
         Raises:
             OSError: If the disk does not take it.
         """
+        if not self._open:
+            return
+        self._open = False
         try:
             self._container.mux(self._stream.encode())
         finally:

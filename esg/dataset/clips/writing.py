@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from esg.dataset.clips.encoding import PICTURES, ChannelFile, Pictures, codec_of
 from esg.dataset.clips.records import ClipFile, ClipRecord
-from esg.files import explained, sync_file, sync_folder, temporary_name
+from esg.files import TEMPORARY, explained, sync_file, sync_folder, temporary_name
 from esg.view import codes
 
 Values = Mapping[str, NDArray[Any]]
@@ -55,17 +55,22 @@ class ClipWriter:
             self._files[channel] = ChannelFile(self._paths[channel], codec, size, fps)
             self.scales |= {name: [] for name in SCALES.get(channel, ())}
 
+    @property
+    def channels(self) -> tuple[str, ...]:
+        """What is written."""
+        return tuple(self._files)
+
     def add(self, values: Values) -> None:
-        """Encodes the next frames of all channels.
+        """Encodes the next frames of some channels; each may have a thread of its own.
 
         Raises:
             OSError: If the disk does not take them.
         """
-        for channel, file in self._files.items():
-            frames, scales = _CODED[channel](values[channel])
+        for channel, given in values.items():
+            frames, scales = _CODED[channel](given)
             for name, found in zip(SCALES.get(channel, ()), scales, strict=True):
                 self.scales[name] += found
-            file.add(frames)
+            self._files[channel].add(frames)
 
     def close(self) -> dict[str, Path]:
         """Writes what is left; returns the files by channel.
@@ -160,7 +165,7 @@ def write_clip(
     size = (record.width, record.height)
     with whole_folder(out / place) as folder:
         writer = ClipWriter(folder, record.channels, size, record.fps, lossless=lossless)
-        writer.add(values)
+        writer.add({channel: values[channel] for channel in writer.channels})
         paths = writer.close()
         return filed(record, writer.scales, paths, place)
 
@@ -203,3 +208,9 @@ def whole_folder(path: Path) -> Generator[Path]:
         raise explained(error, path) from error
     finally:
         shutil.rmtree(temporary, ignore_errors=True)
+
+
+def sweep_clips(folder: Path) -> None:
+    """Removes what killed writers left of scenes' folders."""
+    for path in folder.glob(f".*{TEMPORARY}"):
+        shutil.rmtree(path, ignore_errors=True)

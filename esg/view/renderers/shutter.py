@@ -37,19 +37,38 @@ def poses_at(
     time = np.asarray(rollout.time, float)
     around = (np.arange(INSTANTS) / (INSTANTS - 1) - 0.5) * open_s
     wanted = np.clip(time[list(frames)][:, None] + around, time[0], time[-1])
-    right = np.clip(np.searchsorted(time, wanted), 1, len(time) - 1)
-    share = (wanted - time[right - 1]) / (time[right] - time[right - 1])
+    return Poses(*at_times(rollout, wanted), _between(time, angles, wanted))
 
-    def between(values: NDArray[Any]) -> NDArray[np.float64]:
-        before, after = values[right - 1].astype(float), values[right].astype(float)
-        s = share.reshape(*share.shape, *[1] * (before.ndim - 2))
-        return before + s * (after - before)
 
-    turned = np.array(quaternion, float)
+def at_times(
+    rollout: Rollout, wanted: NDArray[Any]
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+    """Poses of the first world at any times, between those of the frames.
+
+    Args:
+        rollout: Motion of all bodies.
+        wanted: Times within it [s], shape [...].
+
+    Returns:
+        Positions [m] and quaternions, shapes [..., B, 3] and [..., B, 4].
+    """
+    time = np.asarray(rollout.time, float)
+    position, turned = rollout.position[0], np.array(rollout.quaternion[0], float)
     # Of the two quaternions of an orientation, the one next to that of the frame before.
     flips = np.sum(turned[1:] * turned[:-1], axis=-1, keepdims=True) < 0
     signs = np.cumprod(
         np.concatenate([np.ones_like(flips[:1], float), np.where(flips, -1.0, 1.0)]), axis=0
     )
-    q = between(turned * signs)
-    return Poses(between(position), q / np.linalg.norm(q, axis=-1, keepdims=True), between(angles))
+    q = _between(time, turned * signs, wanted)
+    q /= np.maximum(np.linalg.norm(q, axis=-1, keepdims=True), 1e-12)
+    return _between(time, position, wanted), q
+
+
+def _between(
+    time: NDArray[np.float64], values: NDArray[Any], wanted: NDArray[Any]
+) -> NDArray[np.float64]:
+    """Values of shape [T, ...] at times [s], linearly between the frames."""
+    right = np.clip(np.searchsorted(time, wanted), 1, len(time) - 1)
+    share = (wanted - time[right - 1]) / (time[right] - time[right - 1])
+    before, after = values[right - 1].astype(float), values[right].astype(float)
+    return before + share.reshape(*share.shape, *[1] * (values.ndim - 1)) * (after - before)
