@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 
 from esg.commands.clips import RenderOptions
+from esg.commands.layouts import LayoutOptions
 
 if TYPE_CHECKING:
     from esg.dataset.folder import DatasetFolder
@@ -40,6 +41,7 @@ def dataset(
     device: str = "cpu",
     strict: Annotated[bool, Parameter(negative="")] = False,
     rendering: RenderOptions | None = None,
+    layouts: LayoutOptions | None = None,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Make a dataset of proven scenes: Parquet tables, splits, a dataset card.
@@ -68,18 +70,22 @@ def dataset(
         device: cpu or cuda:N.
         strict: Count scenes as failed that are partial (not all is shown) or not plausible.
         rendering: What cameras see of every scene.
+        layouts: How the dataset is laid out.
         json: Print one JSON document with counts and paths.
     """
     from esg.api.inputs import check_cache, check_device, check_workers, checked
     from esg.commands.clips import check_same, render_spec
     from esg.commands.console import progress
+    from esg.commands.layouts import check_layouts, check_rendered
+    from esg.dataset.layouts.building import want_layouts
     from esg.dataset.plan import DatasetSpec, Shard
 
     going_on = resume and prompts is None and sample is None
-    part, device, render, planned, out, *_ = checked(
+    part, device, render, names, planned, out, *_ = checked(
         lambda: Shard.parse(shard),
         lambda: check_device(device),
         lambda: render_spec(rendering, device),
+        lambda: check_layouts(layouts),
         lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
         lambda: _place(out),
         lambda: _seed(seed),
@@ -97,10 +103,13 @@ def dataset(
             "seed": seed, "counterfactual": counterfactual, "drafter": drafter,
             "strategy": strategy, "engine": engine, "mcap": mcap, "previews": previews,
             "device": device, "batch": batch or 0, "strict": strict, "render": render,
+            "meshes": layouts is None or layouts.meshes,
         }  # fmt: skip
         spec = DatasetSpec(**source, **options)
+    check_rendered(folder, spec, names)
     with folder.locked(part), progress(spec.n, "starting") as bar:
         run = folder.begin(spec, texts, resume=resume)
+        want_layouts(folder.path, names)
         options = {"runner": runner, "workers": workers, "bar": bar, "remote": remote}
         summary = _build(folder, spec, texts, run, part.batches(spec), **options)
     return _told(summary, json)
@@ -202,13 +211,18 @@ def _build(
     bar: Any,
     remote: Remote | None,
 ) -> dict[str, Any]:
+    from esg.commands.layouts import lay_out, push_layouts
     from esg.dataset.finish import clean, finish
     from esg.dataset.folder import finish_lock
     from esg.dataset.remote import is_media
 
     if folder.finished():
         clean(folder.path)
-        return _summary(folder, spec, {}, remote)
+        summary = _summary(folder, spec, {}, remote)
+        if lay_out(folder, remote, bar.show) and remote is not None:
+            push_layouts(folder, remote)
+            shutil.rmtree(folder.path, ignore_errors=True)
+        return summary
     if remote is not None:
         remote.push_beginning(folder.path)
     done = folder.done(numbers, remote)
@@ -229,6 +243,7 @@ def _build(
         if not folder.finished():
             finish(folder, spec, everything)
         summary = _summary(folder, spec, {}, remote)
+        lay_out(folder, remote, bar.show)
         if remote is not None:
             remote.push_dataset(folder.path)
             shutil.rmtree(folder.path, ignore_errors=True)
@@ -339,6 +354,8 @@ def _summary(
     import json
 
     from esg.dataset.folder import INFO
+    from esg.dataset.layouts.building import wanted_layouts
+    from esg.dataset.layouts.registry import CANONICAL
 
     place = remote.url if remote else str(folder.path)
     base = {
@@ -360,6 +377,7 @@ def _summary(
             "outcomes": facts["outcomes"],
             "not_represented": facts.get("not_represented"),
             "splits": info["scenes_per_split"],
+            "layouts": [CANONICAL, *wanted_layouts(folder.path)],
             "failures": f"{place}/failures.jsonl" if failed else None,
         }
     outcomes: dict[str, int] = {}

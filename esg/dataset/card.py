@@ -281,6 +281,8 @@ def command(spec: DatasetSpec) -> str:
         parts.append("--counterfactual")
     if spec.strict:
         parts.append("--strict")
+    if not spec.meshes:
+        parts.append("--no-meshes")
     if spec.render is not None:
         parts += spec.render.options()
     return " ".join([*parts, "--out FOLDER"])

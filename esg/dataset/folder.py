@@ -2,6 +2,7 @@
 
 meta/plan.json          the specification: what a resumed run must agree with
 meta/prompts.jsonl      the prompts, if they came from a file
+meta/layouts.json       layouts that it was asked to have (esg.dataset.layouts)
 meta/run.json           when it began, software and machine (no part of the dataset)
 parts/<table>/*.parquet finished batches; removed when the dataset is put together
 marks/*.json            one a finished batch: the whole protocol of resuming
@@ -9,6 +10,7 @@ locks/, .lock-*         empty files that running processes hold
 mcap/, previews/        recordings of scenes that get one
 meshes/buffers/         what meshes are made of, once each (esg.dataset.meshes)
 scenes/, trajectories/, ...  the dataset (esg.dataset.finish)
+layouts/                the dataset again, as training code reads it
 failures.jsonl, README.md, meta/info.json
 """
 

@@ -137,7 +137,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "half_x_m:float32,half_y_m:float32,half_z_m:float32,qx:float32,qy:float32,qz:float32,"
         "qw:float32>>",
         "track_ids": "list<int32>", "track_point_m": "list<float32>",
-        "track_xy_px": "list<float32>", "track_visible": "list<bool>",
+        "track_xy_px": "list<float32>", "track_visible": "list<bool>", "video": "video",
     },
 }  # fmt: skip
 """Column name to type of every table (esg.store.columns)."""
@@ -349,12 +349,20 @@ def part_files(folder: Path, table: str | None = None) -> list[Path]:
     return sorted(p for p in Path(folder).glob(pattern) if not p.name.startswith("."))
 
 
-def iter_rows(paths: Iterable[Path]) -> Iterator[dict[str, Any]]:
-    """Rows of several files, one row group in memory at a time."""
+def iter_rows(
+    paths: Iterable[Path], columns: Sequence[str] | None = None
+) -> Iterator[dict[str, Any]]:
+    """Rows of several files, one row group in memory at a time.
+
+    Args:
+        paths: The files.
+        columns: Only these, which every version of the table has; default all.
+    """
+    wanted = None if columns is None else list(columns)
     import pyarrow.parquet as pq
 
     for path in paths:
         table_of(path)
         with pq.ParquetFile(_local(path)) as file:
-            for batch in file.iter_batches(batch_size=ROW_GROUP_SCENES):
+            for batch in file.iter_batches(batch_size=ROW_GROUP_SCENES, columns=wanted):
                 yield from batch.to_pylist()

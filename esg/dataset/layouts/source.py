@@ -13,7 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from esg.dataset.clips.reading import Clip
-from esg.dataset.clips.records import ClipRecord
+from esg.dataset.clips.records import PLAIN_COLUMNS, ClipRecord
 from esg.store.assembling import SPLITS
 from esg.store.checking import DIGEST_KEY
 from esg.store.tables import COLUMNS, part_files
@@ -63,7 +63,8 @@ class Source:
             tables: Others whose rows of the scene are wanted.
         """
         scenes = _scenes(self.folder, "scenes", split, _SCENE_COLUMNS)
-        others = {t: _Joined(_scenes(self.folder, t, split)) for t in ("clips", *tables)}
+        others = {t: _Joined(_scenes(self.folder, t, split)) for t in tables}
+        others["clips"] = _Joined(_scenes(self.folder, "clips", split, PLAIN_COLUMNS))
         for key, rows in scenes:
             found = {table: joined.of(key) for table, joined in others.items()}
             for row in found.pop("clips"):

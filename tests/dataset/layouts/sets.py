@@ -42,7 +42,7 @@ def _scene(out: Path, run: RunInfo, number: int, cameras: int) -> SceneRecord:
     manifest = manifest_to_json(world.scene, world.program, dt=DT)
     split = SPLITS[number % len(SPLITS)]
     scene = {**rows["scenes"][0], "manifest": manifest_bytes(manifest).decode(), "split": split}
-    clips = [_clip(out, scene, camera).row() for camera in range(cameras)]
+    clips = [_clip(out, scene, camera).row(out) for camera in range(cameras)]
     rows |= {"scenes": [scene], "clips": clips, "meshes": []}
     return SceneRecord({table: found for table, found in rows.items() if table != "runs"})
 

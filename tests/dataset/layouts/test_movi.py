@@ -143,7 +143,10 @@ def test_collisions_while_the_camera_films(whole, sample):
     assert found["events/collisions/frame"].tolist() == [0, 4]
     assert found["events/collisions/force"] == pytest.approx([240.0, 240.0], rel=1e-3)
     row = dict(sample.more["trajectories"][0])
-    row |= {"contact_point_m": [1.0, 0.0, 3.0, 2.0, 0.0, 3.0], "contact_normal": [0.0, 0.0, 1.0] * 2}
+    row |= {
+        "contact_point_m": [1.0, 0.0, 3.0, 2.0, 0.0, 3.0],
+        "contact_normal": [0.0, 0.0, 1.0] * 2,
+    }
     told = replace(sample, clip=replace(sample.clip, record=later), more={"trajectories": [row]})
     found = fields(told)
     assert found["events/collisions/position"].tolist() == [[1.0, 0.0, 3.0], [2.0, 0.0, 3.0]]
