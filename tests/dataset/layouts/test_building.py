@@ -13,6 +13,7 @@ from esg.dataset.layouts.building import add_layouts, missing_layouts, want_layo
 from esg.dataset.layouts.registry import LAYOUTS, chosen
 from esg.dataset.layouts.source import Source
 from esg.outcomes import UserError
+from esg.store.verifying import verify
 from tests.dataset.layouts.sets import make_set
 
 
@@ -126,3 +127,16 @@ def test_a_full_disk_is_told_and_what_is_whole_stays(copy, monkeypatch):
     assert told.value.exit_code == 1
     names = {p.name for p in (copy / "layouts" / "webdataset").iterdir() if p.name[0] != "."}
     assert names == {"train-000000.tar", "validation-000000.tar"}
+
+
+def test_verification_knows_the_files_of_layouts(copy):
+    """They are other projects' formats, whose files have no checksums of ours."""
+    assert verify(None, [copy]).problems == ()
+    path = copy / "layouts" / "movi" / "test" / "0000004_camera_1.npz"
+    data = bytearray(path.read_bytes())
+    data[len(data) // 2] ^= 1
+    path.write_bytes(data)
+    (problem,) = verify(None, [copy]).problems
+    assert problem.startswith(f"{path} is damaged; delete {copy / 'layouts' / 'movi'}")
+    (copy / "layouts" / "lerobot" / "layout.json").write_text("[]")
+    assert len(verify(None, [copy]).problems) == 2
