@@ -42,6 +42,7 @@ def bench_requests(
     device: str,
     close_loop: bool = False,
     collision: str = "exact",
+    drafter: str = "rules",
 ) -> list[SceneRequest]:
     """The scene runs of a benchmark; arguments as of `flows.benchmark`."""
     from esg.metrics import load_suite
@@ -50,6 +51,7 @@ def bench_requests(
         SceneRequest(
             prompt=scene.prompt,
             seed=seed + run,
+            drafter=drafter,
             strategy=strategy,
             engine=engine,
             device=device,

@@ -45,6 +45,10 @@ def configuration(stage: str, request: SceneRequest) -> dict[str, Any]:
     values: dict[str, Any] = {name: getattr(request, name) for name in SPECS[stage].options}
     if stage == "replay":
         values["proof"] = proof_kind(request.engine)
+    if stage == "draft" and request.drafter != "rules" and not request.document:
+        from esg.draft.llm.settings import identity
+
+        values["model"] = identity()  # another model, or other recorded replies: another draft
     return values
 
 

@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 import contextlib
+import os
 from pathlib import Path
 import re
 from typing import Any
+from urllib.parse import quote
 
 from prefect.artifacts import (
     create_link_artifact,
@@ -14,6 +16,8 @@ from prefect.artifacts import (
     create_table_artifact,
 )
 
+REPORTS_URL = "ESG_REPORTS_URL"
+"""Where the folder of the nights (`--out`) is served, e.g. by `python -m http.server -d`."""
 MAX_ROWS = 200
 """Rows of an artifact at most: it is a summary, the data are in Parquet."""
 
@@ -44,15 +48,30 @@ def failures(name: str, rows: Sequence[Mapping[str, Any]]) -> None:
         )
 
 
-def report_link(name: str, path: Path) -> None:
-    """A link to a report on disk; call it inside a flow."""
+def report_link(name: str, path: Path, out: Path) -> None:
+    """A link to a report; call it inside a flow.
+
+    Args:
+        name: Of the run.
+        path: Of the report.
+        out: The folder that `ESG_REPORTS_URL` serves, if that is set.
+    """
+    link, where = _address(path.resolve(), out.resolve())
     with contextlib.suppress(Exception):
         create_link_artifact(
-            link=path.resolve().as_uri(),
-            link_text="Report",
-            key=artifact_name(name, "report"),
-            description="Open on the machine that wrote it",
+            link=link, link_text="Report", key=artifact_name(name, "report"), description=where
         )
+
+
+def _address(path: Path, out: Path) -> tuple[str, str]:
+    """Where a browser finds a file, and what to say about that.
+
+    Browsers do not follow links from a page of a server to files, so a server's links need one too.
+    """
+    base = os.environ.get(REPORTS_URL, "").strip().rstrip("/")
+    if base and path.is_relative_to(out):
+        return f"{base}/{quote(path.relative_to(out).as_posix())}", "Opens from here"
+    return path.as_uri(), f"Copy into a browser on the machine that wrote it, or set {REPORTS_URL}"
 
 
 def _cell(value: Any) -> Any:

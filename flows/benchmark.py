@@ -28,6 +28,7 @@ def benchmark(
     device: str = "cpu",
     close_loop: bool = False,
     collision: str = "exact",
+    drafter: str = "rules",
 ) -> list[SceneState]:
     """Runs a suite.
 
@@ -40,12 +41,13 @@ def benchmark(
         device: cpu or cuda:N.
         close_loop: Whether the verify engine's outcome error is fed back to the search.
         collision: What bodies collide with during the search: exact, proxy or sdf.
+        drafter: rules, llm or auto.
 
     Returns:
         Final states, all runs of the first scene first.
     """
     states = run_all(
-        bench_requests(suite, runs, seed, strategy, engine, device, close_loop, collision)
+        bench_requests(suite, runs, seed, strategy, engine, device, close_loop, collision, drafter)
     )
     name = f"bench-{Path(suite).stem}"
     artifacts.table(name, [_row(s) for s in states], f"{suite}, {runs} runs, {strategy}, {engine}")

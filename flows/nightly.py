@@ -47,7 +47,7 @@ def nightly(
     """Runs suites, ingests, compares with the last good run and writes the reports.
 
     Args:
-        suites: Paths of suite files.
+        suites: Paths of suite files, or names of those that come with the package.
         out: Folder; every suite gets `SUITE/DATE` below it.
         database: The run database; default that of the command line.
         runs: Seeds a scene.
@@ -77,7 +77,7 @@ def nightly(
                 states, suite, runs, Path(out), Path(database) if database else None
             )
         results.append(found)
-        _show(found, states)
+        _show(found, states, Path(out))
     bad = [r.suite for r in results if r.regressed]
     lost = [r.suite for r in results if not r.run_id]
     if bad and raise_on_regression:
@@ -113,7 +113,7 @@ def _workers(count: int, store: Path | None) -> Generator[None]:
         yield
 
 
-def _show(result: NightlyResult, states: Sequence[SceneState]) -> None:
+def _show(result: NightlyResult, states: Sequence[SceneState], out: Path) -> None:
     name = f"nightly-{result.suite}"
     artifacts.table(name, [result.summary], f"{result.suite}: {result.verdict}")
     artifacts.failures(name, failures(states))
@@ -121,4 +121,4 @@ def _show(result: NightlyResult, states: Sequence[SceneState]) -> None:
         what = f"{result.partial} partial scene runs; words that are most often not shown"
         artifacts.table(f"{name}-words", result.not_represented, what)
     if result.report:
-        artifacts.report_link(name, Path(result.report))
+        artifacts.report_link(name, Path(result.report), out)

@@ -17,7 +17,7 @@ def generate(
     seed: int = 0,
     *,
     out: str | Path = "runs",
-    drafter: Literal["rules", "llm"] = "rules",
+    drafter: Literal["rules", "llm", "auto"] = "rules",
     strategy: Literal["batched", "hybrid", "fd", "ad", "none"] = "batched",
     device: str = "cpu",
     engine: Engine = "physx",
@@ -34,7 +34,8 @@ def generate(
         prompt: English description of the scene.
         seed: Of every random choice: the same prompt and seed give the same scene.
         out: Folder that receives the scene folder.
-        drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
+        drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint; auto asks the model
+            if one is configured and answers, else the rules.
         strategy: How the physics is searched; none keeps the first guess.
         device: cpu or cuda:N.
         engine: Of the replay: physx runs the emitted class, rapier and newton its program.
@@ -62,7 +63,7 @@ def generate_many(
     *,
     out: str | Path = "runs",
     workers: int = 0,
-    drafter: Literal["rules", "llm"] = "rules",
+    drafter: Literal["rules", "llm", "auto"] = "rules",
     strategy: Literal["batched", "hybrid", "fd", "ad", "none"] = "batched",
     device: str = "cpu",
     engine: Engine = "physx",
@@ -77,7 +78,13 @@ def generate_many(
         seed: Of every random choice in each of them.
         out: Folder that receives the scene folders.
         workers: Processes that work at once; 0 makes one scene after the other in this process.
-        drafter, strategy, device, engine, close_loop, collision, traffic: As of `generate`.
+        drafter: As of `generate`, like all that follow.
+        strategy: How the physics is searched.
+        device: cpu or cuda:N.
+        engine: Of the replay.
+        close_loop: Feed the replay's outcome error back to the search.
+        collision: What bodies collide with during the search.
+        traffic: Side of the road that vehicles keep to.
 
     Yields:
         One scene a prompt, whatever its outcome.

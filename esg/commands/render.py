@@ -8,13 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
-from esg.commands.clips import BatchOptions
+from esg.commands.clips import MAX_CAMERAS, BatchOptions, RenderOptions, directed_by, drawn_by
 
 if TYPE_CHECKING:
-    from esg.view.wanted import Settings
-
-MAX_CAMERAS = 8
-MAX_SAMPLES = 65536
+    from esg.view.seeing.wanted import Settings
 
 
 def render(
@@ -37,8 +34,7 @@ def render(
 ) -> int:
     """Render a finished scene with exact depth, normals, masks, flow, boxes and tracks.
 
-    Of a finished dataset, all replayed scenes get clips (docs/dataset/clips.md); those that have
-    them are kept.
+    Of a finished dataset, all replayed scenes that lack clips get them (docs/dataset/clips.md).
 
     Args:
         scene: Scene folder, or id of one below ./runs; or a dataset's folder or URL.
@@ -63,21 +59,18 @@ def render(
         json: Print one JSON document: the folder and what is in it.
     """
     from esg.api.inputs import check_device, check_seed, checked, find_scene
-    from esg.commands.clips import (
-        RenderOptions,
-        is_dataset,
-        only_for_datasets,
-        render_dataset,
-    )
+    from esg.commands.clips import is_dataset, only_for_datasets
     from esg.commands.console import emit
     from esg.scenefolder import check_writable
 
     if is_dataset(scene):
-        options = RenderOptions(
+        from esg.commands.adding import render_dataset
+
+        wanted = RenderOptions(
             channels, cameras, size, fps, renderer, samples, camera or "auto", motion_blur
         )
         own = {"--format": format != "png", "--seed": seed != 0, "--out": out is not None}
-        return render_dataset(scene, options, batches or BatchOptions(), device, own, as_json=json)
+        return render_dataset(scene, wanted, batches or BatchOptions(), device, own, as_json=json)
     chosen, (renderer, samples), camera, device, seed, folder, *_ = checked(
         lambda: settings(channels, size, fps, cameras, format),
         lambda: drawn_by(renderer, samples),
@@ -89,14 +82,9 @@ def render(
         lambda: only_for_datasets(batches),
     )
     chosen = replace(
-        chosen,
-        camera=camera,
-        device=device,
-        seed=seed,
-        renderer=renderer,
-        samples=samples,
+        chosen, camera=camera, device=device, seed=seed, renderer=renderer, samples=samples,
         motion_blur=motion_blur,
-    )
+    )  # fmt: skip
     result = run(folder, out or folder / "render", chosen)
     if json:
         emit(result)
@@ -114,7 +102,7 @@ def settings(
         UserError: Naming the options and what they take.
     """
     from esg.api.inputs import checked, in_range
-    from esg.view.wanted import Settings, parse_channels, parse_size
+    from esg.view.seeing.wanted import Settings, parse_channels, parse_size
 
     names, pixels, *_ = checked(
         lambda: parse_channels(channels),
@@ -123,38 +111,6 @@ def settings(
         lambda: in_range("--cameras", cameras, 1, MAX_CAMERAS),
     )
     return Settings(names, pixels, fps, cameras, format)
-
-
-def directed_by(camera: str) -> str:
-    """A checked kind of camera.
-
-    Raises:
-        UserError: Naming those there are.
-    """
-    from esg.outcomes import UserError
-    from esg.view.director.paths import KINDS
-
-    known = ("around", "auto", *KINDS)
-    if camera not in known:
-        raise UserError(f"--camera {camera!r}: choose from {', '.join(known)}")
-    return camera
-
-
-def drawn_by(renderer: str, samples: int | None) -> tuple[str, int | None]:
-    """Checked renderer and its rays a pixel.
-
-    Raises:
-        UserError: Naming the options and what they take, or what the renderer lacks here.
-    """
-    from esg.api.inputs import checked, in_range
-    from esg.view.renderers.kinds import kind_named
-
-    kind, _ = checked(
-        lambda: kind_named(renderer),
-        lambda: None if samples is None else in_range("--samples", samples, 1, MAX_SAMPLES),
-    )
-    kind.version()
-    return renderer, samples
 
 
 def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:
@@ -178,8 +134,8 @@ def run(folder: Path, out: Path, chosen: Settings) -> dict[str, Any]:
     from esg.report.replays import replays_of
     from esg.report.run import read_scene
     from esg.view.capture import capture
+    from esg.view.seeing.witness import frame_indices
     from esg.view.truth_sheet import truth_sheet
-    from esg.view.witness import frame_indices
 
     entry = read_scene(folder)
     if entry.problems:

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING
 if TYPE_CHECKING:
     from esg.graph.models import EsgDocument
 
-DRAFTERS = ("rules", "llm")
+DRAFTERS = ("rules", "llm", "auto")
 
 
 def draft(prompt: str, *, seed: int = 0, drafter: str = "rules") -> EsgDocument:
@@ -16,7 +16,8 @@ def draft(prompt: str, *, seed: int = 0, drafter: str = "rules") -> EsgDocument:
     Args:
         prompt: English description of a scene, up to 20,000 characters.
         seed: Enters the scene id and provenance.
-        drafter: "rules" (embedded default) or "llm" (needs a configured model).
+        drafter: "rules" (embedded default), "llm" (needs a configured model) or "auto" (the model
+            if one is configured and answers, else the rules).
 
     Returns:
         The document with assets required, spatial graph, timeline (None if nothing moves) and the
@@ -29,6 +30,8 @@ def draft(prompt: str, *, seed: int = 0, drafter: str = "rules") -> EsgDocument:
         from esg.draft.rules import draft_rules as run
     elif drafter == "llm":
         from esg.draft.llm.drafter import draft_llm as run
+    elif drafter == "auto":
+        from esg.draft.llm.auto import draft_auto as run
     else:
         from esg.outcomes import UserError
 

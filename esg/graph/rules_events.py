@@ -23,7 +23,7 @@ JOINTED = frozenset({E.OPEN, E.CLOSE, E.SWING})
 """What happens to a joint."""
 SINGLES = JOINTED | {E.BREAK, E.POSITION_AT, E.ENTER_REGION, E.HEADING_REACHED, E.PICKED_UP, E.SPIN}
 
-_OWN_FIELDS: dict[str, tuple[NodeEvent, ...]] = {
+OWN_FIELDS: dict[str, tuple[NodeEvent, ...]] = {
     "position_cm": (E.POSITION_AT,),
     "region": (E.ENTER_REGION,),
     "turn_direction": (E.HEADING_REACHED,),
@@ -204,7 +204,7 @@ def _mover(ctx: Context, where: str, node: TimelineNode) -> None:
 
 def _fields(ctx: Context, where: str, node: TimelineNode) -> None:
     """Checks that a point event has the fields of its own type and no other's."""
-    for field, owners in _OWN_FIELDS.items():
+    for field, owners in OWN_FIELDS.items():
         value = getattr(node, field)
         if value is None and node.event is _NEEDED.get(field) and ctx.parsed.intact(*_NODES):
             ctx.add(

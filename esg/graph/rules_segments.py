@@ -35,7 +35,7 @@ LIMITS: dict[str, tuple[float, float, str]] = {
     "height_cm": (1.0, 1000.0, "cm"),
     "opening": (-2e4, 2e4, "degrees or cm"),
 }
-_ONLY: dict[str, frozenset[EdgeEvent]] = {
+ONLY: dict[str, frozenset[EdgeEvent]] = {
     "damping": frozenset({M.BRAKE}),
     "elevation_deg": frozenset({M.TOWARD}),
     "turn_degrees": frozenset({M.TURN}),
@@ -301,7 +301,7 @@ def check_parameters(
                 f"Use {limits[0]:g} to {limits[1]:g} {limits[2]}.",
             )
     connector = edge.event is M.INERTIAL_CONNECTOR
-    for name, kinds in _ONLY.items():
+    for name, kinds in ONLY.items():
         value = getattr(params, name)
         if value is not None and not connector and edge.event not in kinds:
             ctx.add(

@@ -19,12 +19,13 @@ import numpy as np
 from esg.engines.scene import Rollout, SimScene
 from esg.files import explained, refused
 from esg.outcomes import UserError
-from esg.view import codes, png16, truth
+from esg.view import png16, truth
 from esg.view.camera import Camera
 from esg.view.containers import FileSink, ParquetSink
 from esg.view.renderers.kinds import kind_named
-from esg.view.wanted import PICTURES, Settings
-from esg.view.witness import Shot, Sight, shots, sight_of
+from esg.view.seeing import codes
+from esg.view.seeing.wanted import PICTURES, Settings
+from esg.view.seeing.witness import Shot, Sight, shots, sight_of
 from esg.view.worlds import Views
 
 if TYPE_CHECKING:

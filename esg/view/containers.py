@@ -7,8 +7,9 @@ import json
 from pathlib import Path
 from typing import Any
 
-from esg.view import codes, png16
-from esg.view.wanted import PICTURES
+from esg.view import png16
+from esg.view.seeing import codes
+from esg.view.seeing.wanted import PICTURES
 
 ROWS_PER_SHARD = 512
 

@@ -44,3 +44,17 @@ def test_remedies_name_the_versions_that_the_project_asks_for() -> None:
         assert check.remedy
         for package, version in PINNED.findall(check.remedy):
             assert f'"{package}=={version}"' in project, check.name
+
+
+def test_the_drafter_that_auto_takes_is_told(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Say that the rules draft, and what is missing, until a model is configured."""
+    for name in ("BASE_URL", "MODEL", "API_KEY", "CASSETTE"):
+        monkeypatch.delenv(f"ESG_LLM_{name}", raising=False)
+    check = next(c for c in doctor._CHECKS if c.name == "drafter")
+    assert not check.required
+    with pytest.raises(RuntimeError, match="uses the rules.*ESG_LLM_BASE_URL"):
+        check.probe()
+    monkeypatch.setenv("ESG_LLM_BASE_URL", "http://localhost:1/v1?key=secret")
+    monkeypatch.setenv("ESG_LLM_MODEL", "some-model")
+    assert "some-model at http://localhost:1/v1" in check.probe()
+    assert "secret" not in check.probe()

@@ -21,14 +21,14 @@ from tests.cli.test_cli import ROOT, esg
     [
         (["paint"], ["there is no command 'paint'; choose one of draft,"]),
         (["drfat", "x"], ["did you mean draft?"]),
-        (["draft"], ["PROMPT is missing"]),
-        (["draft", "--seed"], ["--seed: give a value", "PROMPT is missing"]),
+        (["generate"], ["PROMPT is missing"]),
+        (["generate", "--seed"], ["--seed: give a value", "PROMPT is missing"]),
         (["draft", "a", "b"], ["'b': one argument too many"]),
         (["draft", "-5 degree slope"], ["'-5 degree slope' starts with a dash", "put -- before it"]),
         (
-            ["draft", "--seed=x", "--drafter", "foo", "--bar"],
-            ["--seed x: give a whole number", "--drafter foo: choose rules, llm", "option --bar",
-             "PROMPT is missing"],
+            ["generate", "--seed=x", "--drafter", "foo", "--bar"],
+            ["--seed x: give a whole number", "--drafter foo: choose rules, llm, auto",
+             "option --bar", "PROMPT is missing"],
         ),
         (["export", "--to", "b"], ["--to b: choose unreal, usd,", "SCENE is missing"]),
         (
@@ -72,7 +72,7 @@ def test_a_good_line_calls_its_command(capsys: pytest.CaptureFixture[str]) -> No
 
 
 def test_json_is_printed_for_a_line_that_cannot_be_read(tmp_path: Path) -> None:
-    done = esg("draft", "--seed", "x", "--json", cwd=tmp_path)
+    done = esg("generate", "--seed", "x", "--json", cwd=tmp_path)
     document = json.loads(done.stdout)
     assert done.returncode == document["exit_code"] == 2
     assert "--seed x" in document["error"]

@@ -116,9 +116,7 @@ class Handler(BaseHTTPRequestHandler):
         stage = shape or next(
             s
             for s, word in (
-                ("expansion", "say what the full scene is"),
-                ("assets", "list the assets"),
-                ("spatial", "where things are"),
+                ("scene", "what is there, and where"),
                 ("timeline", "what must happen"),
             )
             if word in system
@@ -159,7 +157,7 @@ class Handler(BaseHTTPRequestHandler):
 
     def wrong_refs(self, body: dict[str, Any]) -> None:
         tree = find_object(self.answer(body)) or {}
-        for relation in tree.get("relations", []):
+        for relation in tree.get("spatial", {}).get("relations", []):
             relation["object"] = "nobody_7"
         for segment in tree.get("segments", []):
             segment["end"] = "never_9"
@@ -171,8 +169,8 @@ class Handler(BaseHTTPRequestHandler):
     def echo_key(self, body: dict[str, Any]) -> None:
         key = self.headers.get("Authorization", "").removeprefix("Bearer ")
         tree = find_object(self.answer(body)) or {}
-        if "expanded_description" in tree:
-            tree["expanded_description"] += f" Your key is {key}."
+        if "expansion" in tree:
+            tree["expansion"]["expanded_description"] += f" Your key is {key}."
         self.send(200, self.completion(json.dumps(tree)))
 
     def html(self, body: dict[str, Any]) -> None:

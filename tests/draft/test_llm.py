@@ -25,7 +25,14 @@ from esg.draft.llm.schema import bounded, schema_of, settled
 from esg.draft.llm.scripted import FAULTS, ScriptedModel, replies_of
 from esg.draft.llm.segments import sound_segments
 from esg.draft.llm.settings import LlmSettings
-from esg.draft.llm.stages import REPLIES, UnreadableReply, find_object, read_reply
+from esg.draft.llm.stages import (
+    REPLIES,
+    SpatialReply,
+    UnreadableReply,
+    WholeReply,
+    find_object,
+    read_reply,
+)
 from esg.graph import EsgDocument, canonical_json, verify
 from esg.outcomes import Outcome, UserError
 
@@ -50,11 +57,15 @@ def run(prompt: str, client: Any, **more: Any) -> LlmDraft:
 
 
 class Spoiled:
-    """A perfect model whose answers to one stage are spoiled the first `times` times."""
+    """A perfect model whose answers to one stage are spoiled the first `times` times.
+
+    The stage may be a part of one ("assets"): then `spoil` gets and gives that part.
+    """
 
     def __init__(self, stage: str, spoil: Any, times: int = 1) -> None:
         self.inner = ScriptedModel(0.0, 0.0)
-        self.stage, self.spoil, self.times = stage, spoil, times
+        self.part = stage if stage in ("expansion", "assets", "spatial") else ""
+        self.stage, self.spoil, self.times = "scene" if self.part else stage, spoil, times
         self.calls: list[Call] = []
 
     async def complete(self, call: Call) -> Reply:
@@ -64,6 +75,10 @@ class Spoiled:
             return reply
         self.times -= 1
         text = json.dumps(json.loads(find_text(reply.text)))
+        if self.part:
+            tree = json.loads(text)
+            tree[self.part] = json.loads(self.spoil(json.dumps(tree[self.part])))
+            return Reply(json.dumps(tree), reply.input_tokens, reply.output_tokens)
         return Reply(self.spoil(text), reply.input_tokens, reply.output_tokens)
 
     def stages(self) -> list[str]:
@@ -107,16 +122,15 @@ def test_a_faultless_model_is_assembled_without_loss(prompt: str) -> None:
 
 
 def test_stages_are_asked_in_order_and_see_what_is_settled() -> None:
-    """Ask expansion, assets, spatial, timeline, each with the answers before it."""
+    """Ask for the scene, then for its timeline with the scene before it."""
     client = Spoiled("none", None)
     run(CHAIN, client)
-    assert client.stages() == list(STAGES)
-    assert "Settled assets" in client.calls[3].messages[0][1]
-    assert "Settled spatial" in client.calls[3].messages[0][1]
-    assert [c.schema == schema_of(c.stage) for c in client.calls] == [True, True, False, False]
-    names = client.calls[3].schema["$defs"]["ObjectName"]["enum"]
+    assert client.stages() == list(STAGES) == ["scene", "timeline"]
+    assert "Settled scene" in client.calls[1].messages[0][1]
+    assert [c.schema == schema_of(c.stage) for c in client.calls] == [True, False]
+    names = client.calls[1].schema["$defs"]["ObjectName"]["enum"]
     assert len(names) == len(set(names)) and all(
-        f'"{n}"' in client.calls[3].messages[0][1] for n in names
+        f'"{n}"' in client.calls[1].messages[0][1] for n in names
     )
 
 
@@ -124,7 +138,7 @@ def test_static_scene_has_no_timeline() -> None:
     """Do not ask for the timeline of a static scene."""
     client = Spoiled("none", None)
     result = run("A table with a vase.", client)
-    assert client.stages() == ["expansion", "assets", "spatial"]
+    assert client.stages() == ["scene"]
     assert result.document is not None and result.document.timeline_system is None
 
 
@@ -150,9 +164,9 @@ def test_revision_sees_what_was_revised_before_it() -> None:
         async def complete(self, call: Call) -> Reply:
             reply = await super().complete(call)
             tree = json.loads(find_text(reply.text))
-            if call.stage == "assets":
+            if call.stage == "scene":
                 first = len(call.messages) == 1
-                tree["assets"][1]["mass_kg"] = -1.0 if first else 1234.5
+                tree["assets"]["assets"][1]["mass_kg"] = -1.0 if first else 1234.5
             elif call.stage == "timeline" and len(call.messages) == 1:
                 tree["events"][0]["latest_s"] = tree["events"][-1]["latest_s"] + 5.0
             return Reply(json.dumps(tree), 1, 1)
@@ -160,7 +174,7 @@ def test_revision_sees_what_was_revised_before_it() -> None:
     client = Twice("none", None)
     result = run(CHAIN, client)
     assert result.outcome is Outcome.SOLVED and result.rounds == 1
-    assert client.stages() == [*STAGES, "assets", "timeline"]
+    assert client.stages() == [*STAGES, "scene", "timeline"]
     assert "1234.5" in client.calls[-1].messages[0][1]
 
 
@@ -187,9 +201,10 @@ def test_rounds_are_bounded() -> None:
     client = Spoiled("assets", change(heavy), times=99)
     result = run(CHAIN, client, max_rounds=3)
     assert result.outcome is Outcome.INVALID_DRAFT and result.rounds == 3
+    assert result.told == (("UNIT_MASS",),) * 3
     assert [v.code for v in result.violations] == ["UNIT_MASS"]
     assert "UNIT_MASS" in result.reason
-    assert client.stages().count("assets") == 4
+    assert client.stages().count("scene") == 4
 
 
 @pytest.mark.parametrize(
@@ -198,16 +213,19 @@ def test_rounds_are_bounded() -> None:
         (lambda text: text[: len(text) // 2], "complete JSON object"),
         (lambda text: "no idea", "complete JSON object"),
         (lambda text: "[]", "complete JSON object"),
-        (change(lambda tree: tree.pop("objects")), "/objects"),
-        (change(lambda tree: tree["assets"][0].update(length_cm="long")), "/assets/0/length_cm"),
+        (change(lambda tree: tree["assets"].pop("objects")), "/assets/objects"),
+        (
+            change(lambda tree: tree["assets"]["assets"][0].update(length_cm="long")),
+            "/assets/0/length_cm",
+        ),
     ],
 )
 def test_unreadable_reply_is_asked_for_again(spoil: Any, word: str) -> None:
     """Say what could not be read, and go on with the second answer."""
-    client = Spoiled("assets", spoil)
+    client = Spoiled("scene", spoil)
     result = run(CHAIN, client)
     assert result.outcome is Outcome.SOLVED and result.rounds == 1
-    assert word in client.calls[2].messages[-1][1]
+    assert word in client.calls[1].messages[-1][1]
 
 
 def test_variants_do_less() -> None:
@@ -220,7 +238,7 @@ def test_variants_do_less() -> None:
     for variant, stage in (("no_validation", "timeline"), ("single_shot", "single_shot")):
         client = Spoiled(stage, change(dangle))
         result = run(CHAIN, client, variant=variant)
-        assert len(client.calls) == (4 if variant == "no_validation" else 1)
+        assert len(client.calls) == (2 if variant == "no_validation" else 1)
         assert result.rounds == 0 and result.repairs == ()
         assert "REF_EDGE_ACTOR" in {v.code for v in result.violations}
         assert result.outcome is Outcome.INVALID_DRAFT and result.document is not None
@@ -419,7 +437,7 @@ def test_names() -> None:
 
 def test_read_reply() -> None:
     """Find the object in a fence, map synonyms, and never take an inner object for the whole."""
-    shape = REPLIES["spatial"]
+    shape = SpatialReply
     text = (
         'Sure!\n```json\n{"regions": [{"name": "r", "type": "support surface", "parent": "a"}],'
         '"placements": [], "relations": [{"subject": "a", "relation": "Next to", "object": "b"}]}'
@@ -443,8 +461,9 @@ def test_group_of_equal_objects() -> None:
     name = counted[0]["name"]
     (replies["timeline"] or {})["events"][0]["participants"][1] = name
     (replies["spatial"] or {})["placements"] = [{"object": name, "region": "Nowhere"}]
-    parts = {s: REPLIES[s].model_validate(replies[s]) for s in STAGES}
-    raw, _ = assemble(prompt, 0, Replies(**parts))  # type: ignore[arg-type]
+    whole = WholeReply.model_validate(replies)
+    parts = Replies(whole.expansion, whole.assets, whole.spatial, whole.timeline)
+    raw, _ = assemble(prompt, 0, parts)
     assert verify(raw) == ()
     members = [n for n, v in raw["spatial_relation_graph"]["nodes"].items() if v.get("group")]
     assert len(members) == counted[0]["count"]
@@ -474,7 +493,7 @@ def test_bounded_schemas_end() -> None:
             for x in node.values():
                 walk(x)
 
-    for stage in ("expansion", "assets", "spatial", "timeline", "single_shot"):
+    for stage in ("scene", "timeline", "single_shot"):
         walk(bounded(schema_of(stage), 2, 40))
         assert bounded(schema_of(stage), None, None) == schema_of(stage)
 
@@ -500,16 +519,14 @@ def test_later_stages_can_only_name_what_is_settled() -> None:
     people = {"$ref": "#/$defs/ObjectName"}
     assert defs["EventPart"]["properties"]["participants"]["items"] == people
     assert defs["ActorPart"]["properties"]["object"] == people
-    assert defs["SegmentPart"]["properties"]["target"]["anyOf"] == [people, {"type": "null"}]
+    assert defs["SegmentPart"]["properties"]["target"] == people
+    assert defs["StatementPart"]["properties"]["target"]["items"] == people
     assert defs["SegmentPart"]["properties"]["end"] == {"$ref": "#/$defs/EventName"}
     assert refs(shape) <= set(defs)
-    space = settled(schema_of("spatial"), ["ball_1"])
-    assert "EventName" not in space["$defs"] and refs(space) <= set(space["$defs"])
-    closed = json.dumps(bounded(space, 2, 40)["$defs"]["PlacementPart"]["properties"]["object"])
+    closed = json.dumps(bounded(shape, 2, 40)["$defs"]["ActorPart"]["properties"]["object"])
     assert "maxLength" not in closed
-    for stage in ("expansion", "assets", "visual"):
-        assert settled(schema_of(stage), ["ball_1"], 2) == schema_of(stage)
-    assert settled(schema_of("spatial"), [f"b_{k}" for k in range(500)]) == schema_of("spatial")
+    many = [f"b_{k}" for k in range(500)]
+    assert settled(schema_of("timeline"), many) == schema_of("timeline")
 
 
 def test_segments_get_ids_and_events_of_their_own() -> None:

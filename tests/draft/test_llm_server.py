@@ -59,15 +59,15 @@ def always(name: str) -> Any:
 
 
 def test_a_well_behaved_server() -> None:
-    """Draft with four requests, each with the stage's JSON Schema and the key in its header."""
+    """Draft with two requests, each with the stage's JSON Schema and the key in its header."""
     with serve() as server:
         doc = draft_llm(CHAIN, settings=settings(server))
     assert verify(doc) == ()
-    assert len(server.bodies) == 4 and set(server.keys) == {f"Bearer {SECRET}"}
+    assert len(server.bodies) == 2 and set(server.keys) == {f"Bearer {SECRET}"}
     names = [b["response_format"]["json_schema"]["name"] for b in server.bodies]
-    assert names == ["expansion", "assets", "spatial", "timeline"]
+    assert names == ["scene", "timeline"]
     assert all(b["temperature"] == 0.0 and b["seed"] == 0 for b in server.bodies)
-    assert doc.provenance[0].config["input_tokens"] == 400
+    assert doc.provenance[0].config["input_tokens"] == 200
 
 
 @pytest.mark.parametrize(
@@ -81,7 +81,7 @@ def test_a_well_behaved_server() -> None:
         ("silence",),
         ("endless",),
         ("trickle",),
-        ("ok", "silence", "error_429"),
+        ("ok", "silence"),
     ],
 )
 def test_passing_trouble_is_overcome(names: tuple[str, ...]) -> None:
@@ -90,7 +90,7 @@ def test_passing_trouble_is_overcome(names: tuple[str, ...]) -> None:
         result = draft_llm_batch([CHAIN], settings=settings(server))[0]
     assert result.outcome is Outcome.SOLVED, result.reason
     assert result.rounds == 0 and result.requests == len(server.bodies)
-    assert len(server.bodies) == 4 + sum(n != "ok" for n in names)
+    assert len(server.bodies) == 2 + sum(n != "ok" for n in names)
 
 
 @pytest.mark.parametrize(
@@ -134,14 +134,14 @@ def test_lasting_trouble_is_an_outcome(name: str, kind: str) -> None:
 @pytest.mark.parametrize("name", ["cut", "wrong_refs", "prose"])
 def test_bad_replies_are_told_and_bounded(name: str) -> None:
     """Overcome one bad reply; give an outcome when every reply is bad."""
-    with serve(script("ok", "ok", name)) as server:
+    with serve(script("ok", name)) as server:
         result = draft_llm_batch([CHAIN], settings=settings(server))[0]
         assert result.outcome is Outcome.SOLVED, result.reason
         assert result.rounds >= 1
     with serve(always(name)) as server:
         result = draft_llm_batch([CHAIN], settings=settings(server, max_rounds=2))[0]
         assert result.outcome is Outcome.INVALID_DRAFT and result.reason
-        assert len(server.bodies) <= 4 + 2 * 4
+        assert len(server.bodies) <= 2 + 2 * 2
 
 
 def test_server_without_json_schema() -> None:
@@ -150,7 +150,7 @@ def test_server_without_json_schema() -> None:
         result = draft_llm_batch([CHAIN], settings=settings(server))[0]
     assert result.outcome is Outcome.SOLVED, result.reason
     kinds = [b.get("response_format", {}).get("type", "text") for b in server.bodies]
-    assert kinds == ["json_schema", "json_object", "text", "text", "text", "text"]
+    assert kinds == ["json_schema", "json_object", "text", "text"]
     assert "JSON Schema" in server.bodies[-1]["messages"][0]["content"]
 
 
@@ -260,14 +260,14 @@ def test_cache_pays_once(tmp_path: Path) -> None:
         config = settings(server, cache=tmp_path / "cache")
         first = draft_llm(CHAIN, settings=config)
         assert canonical_json(draft_llm(CHAIN, settings=config)) == canonical_json(first)
-        assert len(server.bodies) == 4
+        assert len(server.bodies) == 2
         files = sorted((tmp_path / "cache").rglob("*.json"))
-        assert len(files) == 4
+        assert len(files) == 2
         files[0].write_text("{")
         draft_llm(CHAIN, settings=config)
-        assert len(server.bodies) == 5
+        assert len(server.bodies) == 3
         draft_llm(CHAIN, settings=config, seed=1)
-        assert len(server.bodies) == 9
+        assert len(server.bodies) == 5
     assert not list((tmp_path / "cache").rglob("*.tmp"))
 
 
@@ -334,7 +334,7 @@ def test_visual_priors_enter_softly(tmp_path: Path, monkeypatch: pytest.MonkeyPa
     assert preference.anchor == "back" and preference.weight <= 0.4
     image = next((tmp_path / "images").iterdir())
     assert image.read_bytes() == llm_server.PNG
-    content = server.bodies[5]["messages"][-1]["content"]
+    content = server.bodies[3]["messages"][-1]["content"]
     assert any(part["type"] == "image_url" for part in content)
 
 
@@ -380,12 +380,11 @@ def small_model() -> Path | None:
 
 
 @pytest.mark.slow
-def test_a_small_local_model_answers_every_stage() -> None:
-    """Drive a 135 M parameter model on a real llama.cpp server through all four stages.
+def test_a_small_local_model_answers() -> None:
+    """Drive a 135 M parameter model on a real llama.cpp server with the short shape.
 
     Such a model keeps the grammar and little else, so the draft may break rules; what is proved is
-    the path: schemas closed over settled names, four readable replies, tokens counted, an outcome,
-    and no object named that does not exist.
+    the path: one readable reply, tokens counted, an outcome.
     """
     xllamacpp = pytest.importorskip("xllamacpp")
     weights = small_model()
@@ -405,19 +404,15 @@ def test_a_small_local_model_answers_every_stage() -> None:
         attempts=1,
         max_rounds=0,
         max_tokens=700,
-        max_items=2,
+        max_items=3,
         max_text=40,
         concurrency=1,
+        profile="small",
     )
     result = draft_llm_batch(["A ball hits a box."], settings=config)[0]
-    stages = [c.stage for c in result.calls]
-    assert stages == ["expansion", "assets", "spatial", "timeline"], result.reason
+    assert [c.stage for c in result.calls] == ["small"], result.reason
     assert all(c.input_tokens > 0 and c.output_tokens > 0 for c in result.calls)
     assert result.document is not None or result.reason
-    open_names = ("REF_ASSET", "REF_NAMED_REGION")
-    unknown = [v for v in result.violations if v.code.startswith("REF_")]
-    unknown = [v for v in unknown if v.code not in open_names]
-    assert not unknown, unknown
 
 
 @pytest.mark.slow

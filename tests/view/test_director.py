@@ -30,8 +30,8 @@ from esg.view.director.review import IN_VIEW, UNOBSCURED
 from esg.view.director.staging import azimuth_of, direct
 from esg.view.director.takes import Take, standing
 from esg.view.film.shooting import shots_of
+from esg.view.seeing.wanted import Settings
 from esg.view.truth import Pinhole, flow
-from esg.view.wanted import Settings
 from tests.view.plays import (
     PLAYS,
     Play,
@@ -219,7 +219,7 @@ def test_flow_of_a_camera_that_moves() -> None:
 def test_ground_truth_by_the_director(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """Every camera has its kind, lens and extrinsics of every frame, and masks fit them."""
     play = NAMED["ball_and_box"]
-    monkeypatch.setattr("esg.view.witness.scene_parts", lambda *_: parts_of(play))
+    monkeypatch.setattr("esg.view.seeing.witness.scene_parts", lambda *_: parts_of(play))
     monkeypatch.setattr(sceneries, "body_parts", lambda *_: parts_of(play)[1:])
     settings = Settings(("segmentation",), (96, 54), 4.0, 2, camera="tracking")
     world = (scene_of(play), rollout_of(play), verdict_of(play), document_of(play))

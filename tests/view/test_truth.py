@@ -18,15 +18,16 @@ import trimesh
 from esg.assets.looks import Look
 from esg.outcomes import UserError
 from esg.view import capture as capturing
-from esg.view import codes, png16, truth
+from esg.view import png16, truth
 from esg.view.camera import Camera
 from esg.view.capture import capture, decode_flow
 from esg.view.containers import read_capture
 from esg.view.pieces import Part
+from esg.view.seeing import codes
+from esg.view.seeing.wanted import CHANNELS, Settings, parse_channels, parse_size
 from esg.view.surroundings import Sky, Surroundings
 from esg.view.truth import Pinhole
 from esg.view.truth_sheet import truth_sheet
-from esg.view.wanted import CHANNELS, Settings, parse_channels, parse_size
 from esg.view.worlds import GROUND, NOTHING, WorldRenderer
 from tests.report.folders import rollout, scene
 

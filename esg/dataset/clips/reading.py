@@ -14,7 +14,7 @@ from esg.dataset.clips.encoding import decoded
 from esg.dataset.clips.records import PLAIN_COLUMNS, ClipRecord
 from esg.outcomes import UserError
 from esg.store.tables import iter_rows, part_files
-from esg.view import codes
+from esg.view.seeing import codes
 
 
 @dataclass(frozen=True)

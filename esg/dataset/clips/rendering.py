@@ -24,8 +24,8 @@ from esg.dataset.clips.writing import ClipWriter, clip_folder, filed, whole_fold
 from esg.limits import place_in
 from esg.view import truth
 from esg.view.renderers.kinds import kind_named
-from esg.view.wanted import BOXES, PICTURES, Settings
-from esg.view.witness import Shot, Sight, shots, sight_of
+from esg.view.seeing.wanted import BOXES, PICTURES, Settings
+from esg.view.seeing.witness import Shot, Sight, shots, sight_of
 from esg.view.worlds import Views
 
 if TYPE_CHECKING:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from esg.dataset.clips.encoding import PICTURES, ChannelFile, Pictures, codec_of
 from esg.dataset.clips.records import ClipFile, ClipRecord
 from esg.files import TEMPORARY, explained, sync_file, sync_folder, temporary_name
-from esg.view import codes
+from esg.view.seeing import codes
 
 Values = Mapping[str, NDArray[Any]]
 """Frames by channel: `rgb` uint8 [F, H, L, 3]; `depth` [m], 0 nothing, [F, H, L]; `segmentation`

@@ -10,16 +10,21 @@ from dataclasses import dataclass, field
 import hashlib
 from typing import Any
 
+from esg.draft.llm.faces import face
+from esg.draft.llm.jointed import join_parts, let_break
+from esg.draft.llm.mending import mend
 from esg.draft.llm.names import Names, slug, unique
-from esg.draft.llm.segments import sound_segments
+from esg.draft.llm.segments import open_times, sound_segments
 from esg.draft.llm.stages import (
     AssetsReply,
+    EventPart,
     ExpansionReply,
     GroupRelationPart,
     SegmentPart,
     SpatialReply,
     TimelineReply,
 )
+from esg.draft.llm.stated import state
 from esg.graph.models import EdgeEvent, ForceDirection, NodeEvent, Role
 
 Json = dict[str, Any]
@@ -64,7 +69,8 @@ def assemble(
         prompt: The user's text.
         seed: Enters the scene id.
         replies: One reply a stage.
-        repair: False builds what was said, errors included (ablation without validation).
+        repair: False builds what was said, errors included (ablation without validation); what the
+            form of the replies leaves to code is filled in all the same.
     """
     work = _Work({}, Names("object", repair=repair), repair)
     digest = hashlib.sha256(f"{prompt}\0{seed}\0llm".encode()).hexdigest()[:8]
@@ -93,8 +99,14 @@ def assemble(
     _objects(work, replies.assets)
     _space(work, replies.spatial)
     logs = [work.log, work.objects.log]
+    events = Names("event", repair=work.repair)
     if timeline is not None:
-        logs += _time(work, timeline)
+        logs += _time(work, timeline, events)
+    stated = replies.spatial.statements if timeline is None else timeline.statements
+    logs.append(state(work.raw, prompt, stated, work.objects, events))
+    # What a reply leaves to code by its form is no repair: it is filled in without one, too.
+    logs += [join_parts(work.raw), let_break(work.raw)]
+    face(work.raw, once=work.repair)
     return work.raw, tuple(unique(text for log in logs for text in log))
 
 
@@ -209,8 +221,7 @@ def _space(work: _Work, reply: SpatialReply) -> None:
             )
     for g in reply.group_relations:
         graph["edges"]["multi_relations"].append(_group(work, g))
-    if work.repair:
-        _regions(work, names)
+    _regions(work, names)
     work.log += names.log
 
 
@@ -244,6 +255,8 @@ def _regions(work: _Work, names: Names) -> None:
     }
     for name, node in nodes.items():
         inside = regions.get(node.get("semantic_region") or "")
+        if not work.repair and node.get("semantic_region"):
+            continue
         if node.get("is_structural") or (inside and inside["parent_object"] != name):
             continue
         parent, relation = support.get(name, (work.base, "on"))
@@ -268,9 +281,8 @@ def _regions(work: _Work, names: Names) -> None:
         node["semantic_region"] = region
 
 
-def _time(work: _Work, reply: TimelineReply) -> list[list[str]]:
+def _time(work: _Work, reply: TimelineReply, events: Names) -> list[list[str]]:
     objects = work.objects
-    events = Names("event", repair=work.repair)
     events.add(START, "start", "scene_start", "SceneStart")
     for e in reply.events:
         if e.event is NodeEvent.SCENE_START:
@@ -287,15 +299,12 @@ def _time(work: _Work, reply: TimelineReply) -> list[list[str]]:
         if e.event is NodeEvent.SCENE_START:
             continue
         people = unique(n for p in e.participants for n in _people(work, p, e.event))
-        fixed = e.earliest_s == e.latest_s
         nodes.append(
             {
                 "id": slug(e.id),
                 "event": e.event.value,
                 "participants": people,
-                "timestamp": e.earliest_s if fixed else None,
-                "window": None if fixed else [e.earliest_s, e.latest_s],
-                "time_is_prescribed": e.time_is_prescribed,
+                **_when(e),
                 "constraints": [
                     {
                         "quantity": c.quantity,
@@ -310,6 +319,7 @@ def _time(work: _Work, reply: TimelineReply) -> list[list[str]]:
                 "region": None if e.region is None else _named_region(work, e.region),
                 "turn_direction": e.turn_direction,
                 "turn_degrees": e.turn_degrees,
+                "times": e.times,
                 "description": e.description,
             }
         )
@@ -317,11 +327,26 @@ def _time(work: _Work, reply: TimelineReply) -> list[list[str]]:
     if work.repair:
         edges = sound_segments(nodes, edges, log)
         _missing_actors(nodes, edges, actors, objects, log)
+        log += mend(nodes, edges, actors, work.base)
+    open_times(nodes, edges)
     work.raw["timeline_system"] = {
         "actors": actors,
         "sequence_graph": {"nodes": nodes, "edges": edges},
     }
     return [events.log, log]
+
+
+def _when(e: EventPart) -> Json:
+    """Its time; neither of both where the model left it open."""
+    if e.earliest_s is None and e.latest_s is None:
+        return {"timestamp": None, "window": None, "time_is_prescribed": False}
+    low = e.earliest_s if e.earliest_s is not None else e.latest_s
+    high = e.latest_s if e.latest_s is not None else low
+    return {
+        "timestamp": low if low == high else None,
+        "window": None if low == high else [low, high],
+        "time_is_prescribed": e.time_is_prescribed,
+    }
 
 
 def _actor(
@@ -352,8 +377,14 @@ def _segment(work: _Work, s: SegmentPart, events: Names) -> Json:
     params: Json = {p.name: p.low if p.low == p.high else [p.low, p.high] for p in s.parameters}
     if s.motion is EdgeEvent.TURN:
         params["turn_direction"], params["turn_degrees"] = s.turn_direction, s.turn_degrees
+    elif s.motion is EdgeEvent.SPIN and s.turn_direction is not None:
+        params["turn_direction"] = s.turn_direction
     if s.spin is not None:
         params["spin"] = s.spin
+    if s.backward:
+        params["backward"] = True
+    if s.motion is EdgeEvent.GUIDE and s.holds_on:
+        params["release"] = False
     if work.repair and s.motion is EdgeEvent.INERTIAL_CONNECTOR:
         params = {}
     return {

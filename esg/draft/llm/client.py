@@ -31,6 +31,7 @@ class Call:
         temperature: None sends none.
         max_tokens: Longest reply.
         images: PNG or JPEG bytes that accompany the last message.
+        round: Revisions of the scene before it: who is told the same once more may answer anew.
     """
 
     stage: str
@@ -42,6 +43,7 @@ class Call:
     temperature: float | None = 0.0
     max_tokens: int = 8192
     images: tuple[bytes, ...] = ()
+    round: int = 0
 
     @property
     def key(self) -> str:
@@ -56,6 +58,7 @@ class Call:
             "temperature": self.temperature,
             "max_tokens": self.max_tokens,
             "images": [hashlib.sha256(i).hexdigest() for i in self.images],
+            "round": self.round,
         }
         return hashlib.sha256(json.dumps(parts, sort_keys=True).encode()).hexdigest()
 
@@ -68,12 +71,14 @@ class Reply:
         text: Raw text.
         input_tokens, output_tokens: As the server counts them; 0 if it does not.
         cut_off: Whether the reply stopped at the length limit.
+        model: Name by which the model reports itself; "" if it does not.
     """
 
     text: str
     input_tokens: int = 0
     output_tokens: int = 0
     cut_off: bool = False
+    model: str = ""
 
 
 class ModelFailure(Exception):
@@ -93,6 +98,10 @@ class ModelFailure(Exception):
         self.kind = kind
         self.retryable = retryable
         self.retry_after_s = retry_after_s
+
+
+class Waiting(Exception):
+    """The request is written down and its answer has not come yet (request files)."""
 
 
 class Client(Protocol):
@@ -186,6 +195,7 @@ class EndpointClient:
             response.usage.input_tokens or 0,
             response.usage.output_tokens or 0,
             response.finish_reason == "length",
+            response.model_name or "",
         )
 
     def _model(self, name: str) -> Any:

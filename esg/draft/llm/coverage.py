@@ -9,19 +9,34 @@ from __future__ import annotations
 import re
 
 from esg.draft.llm.names import slug
-from esg.graph.models import Coverage, CoverageItem, EsgDocument, Quantity
+from esg.graph.models import Coverage, CoverageItem, EsgDocument, Predicate, Quantity
 from esg.graph.violations import pointer
 
 TOLERANCE = 0.02
+_PRONOUNS = frozenset(
+    ("it", "they", "them", "he", "him", "she", "her", "this", "that", "these", "those", "one",
+     "ones", "both")
+)  # fmt: skip
 
 
 def cover(prompt: str, doc: EsgDocument) -> Coverage:
     """Where each noun, event and quantity of the prompt went; a warning for each that is absent."""
     items = [*_objects(prompt, doc), *_events(prompt, doc), *_quantities(prompt, doc)]
+    items = [_owned(i, doc) for i in items]
     items.sort(key=lambda i: (i.start, i.end, i.kind))
     missed = [i for i in items if i.status == "not_understood"]
     warnings = [f'The {i.kind} "{i.text}" is not in the draft.' for i in missed]
     return Coverage(items=tuple(items), warnings=tuple(dict.fromkeys(warnings)))
+
+
+def _owned(item: CoverageItem, doc: EsgDocument) -> CoverageItem:
+    """An absent word as ignored, where a statement says of it that it is not represented."""
+    if item.status != "not_understood":
+        return item
+    for s in doc.statements or ():
+        if s.predicate is Predicate.NOT_REPRESENTED and s.start <= item.start and item.end <= s.end:
+            return item.model_copy(update={"status": "ignored", "note": s.note})
+    return item
 
 
 def _item(prompt: str, start: int, end: int, kind: str, where: str) -> CoverageItem:
@@ -60,6 +75,8 @@ def _objects(prompt: str, doc: EsgDocument) -> list[CoverageItem]:
         if kind != "object" or any(a < end and start < b for a, b in found):
             continue
         words = prompt[start:end].lower().split()
+        if words[-1] in _PRONOUNS:
+            continue  # it stands for something that is told by its name
         again = (w for (a, b), w in found.items() if prompt[a:b].lower().split()[-1] == words[-1])
         items.append(_item(prompt, start, end, "object", next(again, "")))
     return items

@@ -22,7 +22,8 @@ from esg.draft.llm.client import (
     Reply,
     import_pydantic_ai,
 )
-from esg.draft.llm.records import STAGES, VARIANTS, CallRecord, LlmDraft, Variant, instructions
+from esg.draft.llm.instructions import instructions
+from esg.draft.llm.records import STAGES, VARIANTS, CallRecord, LlmDraft, Variant
 from esg.draft.llm.session import Session
 from esg.draft.llm.settings import LlmSettings, load_settings, require_endpoint
 from esg.draft.llm.store import CachingClient, CassetteClient
@@ -69,7 +70,7 @@ def draft_llm(
 def draft_llm_batch(
     prompts: Sequence[str],
     *,
-    seed: int = 0,
+    seed: int | Sequence[int] = 0,
     settings: LlmSettings | None = None,
     variant: Variant = "full",
     client: Client | None = None,
@@ -78,7 +79,7 @@ def draft_llm_batch(
 
     Args:
         prompts: English descriptions.
-        seed: As in `draft_llm`.
+        seed: As in `draft_llm`; one for all, or one a prompt.
         settings: As in `draft_llm`.
         variant: As in `draft_llm`.
         client: Asked instead of the configured server (tests, other transports).
@@ -95,11 +96,13 @@ def draft_llm_batch(
     if client is None and not (config.cassette and config.cassette_mode == "replay"):
         require_endpoint(config)
         import_pydantic_ai()
-    return _run(_batch(list(prompts), seed, config, variant, client))
+    seeds = [seed] * len(prompts) if isinstance(seed, int) else seed
+    asked = list(zip(prompts, seeds, strict=True))
+    return _run(_batch(asked, config, variant, client))
 
 
 async def _batch(
-    prompts: list[str], seed: int, settings: LlmSettings, variant: Variant, client: Client | None
+    asked: list[tuple[str, int]], settings: LlmSettings, variant: Variant, client: Client | None
 ) -> tuple[LlmDraft, ...]:
     replaying = settings.cassette is not None and settings.cassette_mode == "replay"
     endpoint = EndpointClient(settings) if client is None and not replaying else None
@@ -112,14 +115,14 @@ async def _batch(
     if settings.cache is not None:
         stack = CachingClient(stack, settings.cache, settings.secret)
 
-    async def one(prompt: str) -> LlmDraft:
+    async def one(prompt: str, seed: int) -> LlmDraft:
         async with gate:
             result = await Session(prompt, seed, settings, variant, stack, patient).run()
         made = result.document
         return result if made is None else replace(result, document=recorded(made))
 
     try:
-        return tuple(await asyncio.gather(*(one(p) for p in prompts)))
+        return tuple(await asyncio.gather(*(one(*a) for a in asked)))
     finally:
         if endpoint is not None:
             await endpoint.aclose()

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Container
 from dataclasses import dataclass
-from importlib import resources
 from typing import Literal
 
 from esg.graph.models import EsgDocument
@@ -17,28 +16,23 @@ Variant = Literal["full", "no_validation", "single_shot"]
 VARIANTS: tuple[Variant, ...] = ("full", "no_validation", "single_shot")
 """The paper's ablation: hierarchical with validation, hierarchical without, one reply."""
 
-STAGES = ("expansion", "assets", "spatial", "timeline")
+STAGES = ("scene", "timeline")
+"""The requests of a scene: what is there and where, then what happens."""
+UNREADABLE = "UNREADABLE"
 MAX_TOLD = 25
 """Violations told to the model at a time."""
-
-_OWNERS = (
-    ("/asset_requirement", "assets"),
-    ("/spatial_relation_graph/nodes", "assets"),
-    ("/spatial_relation_graph", "spatial"),
-    ("/timeline_system", "timeline"),
-    ("/scene_definition", "expansion"),
-)
-_SPATIAL_CODES = ("REGION_MISSING", "REF_REGION", "FACE_MISSING", "REGION_CYCLE")
+_OF_TIMELINE = ("/timeline_system", "/statements")
 
 
 @dataclass(frozen=True)
 class CallRecord:
-    """One reply as it came: stage, raw text, tokens."""
+    """One reply as it came: stage, raw text, tokens, the model's own name."""
 
     stage: str
     text: str
     input_tokens: int
     output_tokens: int
+    model: str = ""
 
 
 @dataclass(frozen=True)
@@ -57,6 +51,9 @@ class LlmDraft:
         input_tokens, output_tokens: Sums over the calls, cached replies included.
         cost_usd: None when the settings name no prices.
         requests: Requests sent to the server, repetitions included.
+        waiting: Whether it waits for an answer to a request file.
+        told: Codes of what was wrong, told to the model round by round; UNREADABLE for a reply that
+            could not be read.
     """
 
     prompt: str
@@ -71,17 +68,8 @@ class LlmDraft:
     output_tokens: int = 0
     cost_usd: float | None = None
     requests: int = 0
-
-
-def instructions(stage: str) -> str:
-    """Instructions of a stage: the shared part and the stage's own."""
-    folder = resources.files("esg.draft") / "prompts"
-    shared = (folder / "shared.md").read_text(encoding="utf-8")
-    if stage == "single_shot":
-        parts = [(folder / f"{s}.md").read_text(encoding="utf-8") for s in STAGES]
-        own = (folder / "single_shot.md").read_text(encoding="utf-8")
-        return "\n\n".join([shared, own, *parts])
-    return shared + "\n\n" + (folder / f"{stage}.md").read_text(encoding="utf-8")
+    waiting: bool = False
+    told: tuple[tuple[str, ...], ...] = ()
 
 
 def impossible(prompt: str) -> list[str]:
@@ -106,27 +94,23 @@ def complaints(violations: tuple[Violation, ...], answered: Container[str]) -> d
 
     Args:
         violations: Of the last draft.
-        answered: Stages that have answered; a missing timeline is the expansion's doing.
+        answered: Stages that have answered; a missing timeline is the scene's doing.
     """
     grouped: dict[str, list[Violation]] = {}
     for v in violations:
-        owner = next((s for prefix, s in _OWNERS if v.pointer.startswith(prefix)), "spatial")
-        if v.code in _SPATIAL_CODES:
-            owner = "spatial"
-        if owner == "timeline" and "timeline" not in answered:
-            owner = "expansion"
-        grouped.setdefault(owner, []).append(v)
-    out: dict[str, str] = {}
-    for stage in STAGES:
-        if stage not in grouped:
-            continue
-        lines = [f"- {v.message} {v.remedy} ({v.code})" for v in grouped[stage][:MAX_TOLD]]
-        hidden = len(grouped[stage]) - len(lines)
-        more = f"\n- and {hidden} more of the same kind" if hidden > 0 else ""
-        out[stage] = (
-            "Your answer breaks these rules:\n"
-            + "\n".join(lines)
-            + more
-            + "\nAnswer again with the whole corrected JSON object."
-        )
-    return out
+        late = v.pointer.startswith(_OF_TIMELINE) and "timeline" in answered
+        grouped.setdefault("timeline" if late else "scene", []).append(v)
+    return {stage: _told(grouped[stage]) for stage in STAGES if stage in grouped}
+
+
+def _told(violations: list[Violation]) -> str:
+    """The complaint about some violations: place, what is wrong, what would satisfy the rule."""
+    lines = [f"- {v.pointer}: {v.message} {v.remedy} ({v.code})" for v in violations[:MAX_TOLD]]
+    hidden = len(violations) - len(lines)
+    more = f"\n- and {hidden} more of the same kind" if hidden > 0 else ""
+    return (
+        "The document made of your answer breaks these rules (places are of the document):\n"
+        + "\n".join(lines)
+        + more
+        + "\nAnswer again with the whole corrected JSON object."
+    )

@@ -4,8 +4,10 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 import copy
+from functools import cache
 from typing import Any
 
+from esg.draft.llm.small import SmallReply
 from esg.draft.llm.stages import REPLIES
 from esg.untyped import is_list, is_object
 
@@ -39,6 +41,7 @@ _OBJECT_FIELDS: dict[str, tuple[str, ...]] = {
     "PlacementPart": ("object",),
     "RelationPart": ("subject", "object"),
     "GroupRelationPart": ("subjects", "targets"),
+    "StatementPart": ("target",),
     "ActorPart": ("object",),
     "ConstraintPart": ("object", "to"),
     "EventPart": ("participants",),
@@ -83,16 +86,38 @@ def settled(schema: dict[str, Any], objects: Sequence[str], events: int | None =
 
 
 def _refer(properties: dict[str, Any], name: str, target: str) -> None:
-    """Replaces a text, an optional text or a list of texts by (a list of) one definition."""
+    """Replaces a text or a list of texts by (a list of) one definition."""
     old, new = properties[name], {"$ref": f"#/$defs/{target}"}
     if old.get("type") == "array":
         old["items"] = new
-    elif "anyOf" in old:
-        old["anyOf"] = [new if a.get("type") == "string" else a for a in old["anyOf"]]
     else:
         properties[name] = new
 
 
+@cache
 def schema_of(stage: str) -> dict[str, Any]:
-    """JSON Schema of a stage's reply."""
-    return REPLIES[stage].model_json_schema()
+    """JSON Schema of a stage's reply, as short as it can be said: it is sent with every request.
+
+    What may be left out is not also offered as null; titles and defaults tell a model nothing.
+    """
+    shape = SmallReply if stage == "small" else REPLIES[stage]
+    return _short(shape.model_json_schema())
+
+
+def _short(schema: Any) -> Any:
+    if is_list(schema):
+        return [_short(x) for x in schema]
+    if not is_object(schema):
+        return schema
+    out = {
+        k: {name: _short(x) for name, x in v.items()} if k in ("properties", "$defs") else _short(v)
+        for k, v in schema.items()
+        if k not in ("title", "default")
+    }
+    choices = [c for c in out.get("anyOf", ()) if c != {"type": "null"}]
+    if len(choices) == 1:
+        del out["anyOf"]
+        out = {**choices[0], **out}
+    if out.get("type") == "object" or "enum" in out:
+        out.pop("description", None)  # docstrings are for people
+    return out

@@ -21,6 +21,13 @@ from esg.draft.llm.stages import ParameterName
 from esg.graph.models import EsgDocument, Quantity
 
 Json = dict[str, Any]
+_PARTS = {
+    "scene": ("expansion", "assets", "spatial"),
+    "timeline": ("timeline",),
+    "single_shot": ("expansion", "assets", "spatial", "timeline"),
+    "visual": ("visual",),
+}
+"""What the answer of each stage consists of."""
 Fault = Callable[[Json, np.random.Generator], None]
 
 
@@ -55,17 +62,13 @@ class ScriptedModel:
         if match is None:
             return "I see no scene description."
         replies = self._known(match.group(1))
-        parts = ("expansion", "assets", "spatial", "timeline")
         corrected = len(messages) > 1
         rate = self.relapse_rate if corrected else self.fault_rate
         digest = hashlib.sha256(json.dumps([stage, seed, list(map(list, messages))]).encode())
         rng = np.random.default_rng(int.from_bytes(digest.digest()[:8], "little"))
-        if stage == "single_shot":
-            body: Json = {p: replies[p] for p in parts}
-            stages = [p for p in parts if body[p] is not None]
-        else:
-            body = {stage: replies.get(stage)}
-            stages = [stage]
+        parts = _PARTS[stage]
+        body: Json = {p: replies[p] for p in parts}
+        stages = [p for p in parts if body[p] is not None]
         body = json.loads(json.dumps(body))
         text_fault = False
         for part in stages:
@@ -76,7 +79,7 @@ class ScriptedModel:
                     text_fault = True
                 else:
                     faults[k](body[part], rng)
-        text = json.dumps(body if stage == "single_shot" else body[stage])
+        text = json.dumps(body if len(parts) > 1 else body[stage])
         if text_fault:
             return text[: int(len(text) * rng.uniform(0.3, 0.9))]
         return text if rng.random() < 0.7 else f"Here it is:\n```json\n{text}\n```"
@@ -94,7 +97,7 @@ class ScriptedModel:
 
 def replies_of(doc: EsgDocument) -> dict[str, Json | None]:
     """A document in the shapes of the stages' replies (the inverse of assembling)."""
-    scene, graph = doc.scene_definition, doc.spatial_relation_graph
+    scene = doc.scene_definition
     parameters = scene.scene_parameters
     return {
         "expansion": {
@@ -103,7 +106,6 @@ def replies_of(doc: EsgDocument) -> dict[str, Json | None]:
             "scene_type": parameters.scene_type,
             "environment": parameters.environment,
             "allow_supplementary": parameters.allow_supplementary,
-            "implied_objects": [n for n, v in graph.nodes.items() if not v.mentioned],
         },
         "assets": {
             "assets": [
@@ -201,6 +203,7 @@ def _spatial(doc: EsgDocument) -> Json:
             }
             for m in graph.edges.multi_relations
         ],
+        "statements": _statements(doc) if doc.timeline_system is None else [],
     }
 
 
@@ -239,6 +242,7 @@ def _timeline(doc: EsgDocument) -> Json | None:
                 "region": n.region,
                 "turn_direction": n.turn_direction,
                 "turn_degrees": n.turn_degrees,
+                "times": n.times,
                 "description": n.description,
             }
         )
@@ -263,6 +267,8 @@ def _timeline(doc: EsgDocument) -> Json | None:
                 "turn_direction": e.params.turn_direction,
                 "turn_degrees": turn[0] if turn else None,
                 "spin": e.params.spin,
+                "backward": e.params.backward or False,
+                "holds_on": e.params.release is False,
             }
         )
     return {
@@ -276,7 +282,31 @@ def _timeline(doc: EsgDocument) -> Json | None:
         ],
         "events": events,
         "segments": segments,
+        "statements": _statements(doc),
     }
+
+
+def _statements(doc: EsgDocument) -> list[Json]:
+    out: list[Json] = []
+    for s in doc.statements or ():
+        low, high = _ends(s.value) or (None, None)
+        out.append(
+            {
+                "says": s.predicate.value,
+                "words": s.text,
+                "object": list(s.object),
+                "target": list(s.target),
+                "direction": s.direction,
+                "side": s.side,
+                "quantity": s.quantity if s.quantity != "count" else None,
+                "low": low,
+                "high": high,
+                "noun": s.noun,
+                "when": s.when,
+                "missing": s.note or None,
+            }
+        )
+    return out
 
 
 def _pick(items: list[Any], rng: np.random.Generator) -> Any:

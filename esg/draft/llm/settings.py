@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import hashlib
+import json
 from pathlib import Path
 from typing import Literal
 from urllib.parse import urlsplit
@@ -39,6 +41,8 @@ class LlmSettings(BaseSettings):
     """Scenes of a batch in work at a time."""
     max_tokens: int = Field(8192, ge=64)
     """Longest reply."""
+    profile: Literal["large", "small"] = "large"
+    """`small` asks once, in a short shape, for models under a few billion parameters."""
     max_items: int | None = Field(None, ge=1)
     """Longest list of a reply (maxItems of its schema): small local models ramble without it."""
     max_text: int | None = Field(None, ge=20)
@@ -119,3 +123,27 @@ def require_endpoint(settings: LlmSettings) -> None:
             f"{ENV_PREFIX}BASE_URL holds a user or password; give the key in {ENV_PREFIX}API_KEY, "
             "where it is kept out of logs and artifacts."
         )
+
+
+def identity() -> str:
+    """What decides about a model's drafts beside prompt and seed, as a hash; "" without a model.
+
+    Raises:
+        UserError: If a setting is unusable.
+    """
+    config = load_settings()
+    if config.base_url is None and config.cassette is None:
+        return ""
+    told = config.model_dump(
+        mode="json",
+        include={"model", "profile", "max_rounds", "max_tokens", "max_items", "max_text",
+                 "temperature", "image_model", "vision_model"},
+    )  # fmt: skip
+    replies = b""
+    if config.cassette is not None and config.cassette_mode == "replay":
+        try:
+            replies = config.cassette.read_bytes()
+        except OSError:
+            replies = b"unreadable"
+    text = json.dumps(told, sort_keys=True).encode()
+    return hashlib.sha256(text + b"\0" + replies).hexdigest()[:16]

@@ -13,13 +13,16 @@ from typing import Any, Literal, TypeVar
 from pydantic import BaseModel, ConfigDict, Field, ValidationError
 
 from esg.graph.models import (
+    Direction,
     EdgeEvent,
     ForceDirection,
     MultiRelationType,
     NodeEvent,
+    Predicate,
     RegionType,
     RelationType,
     Role,
+    Side,
 )
 from esg.untyped import is_list, is_object
 
@@ -31,7 +34,7 @@ class Part(BaseModel):
 
 
 class ExpansionReply(Part):
-    """The scene in full, and what the prompt implies."""
+    """The scene in full."""
 
     expanded_description: str
     is_dynamic: bool
@@ -40,7 +43,6 @@ class ExpansionReply(Part):
     allow_supplementary: bool = Field(
         True, description="false when the prompt forbids further objects"
     )
-    implied_objects: list[str] = []
 
 
 class AssetPart(Part):
@@ -109,13 +111,40 @@ class GroupRelationPart(Part):
     description: str = ""
 
 
-class SpatialReply(Part):
-    """Regions, which object is in which, and relations."""
+StatedQuantity = Literal["speed", "deceleration", "distance", "height", "length", "width", "angle"]
 
-    regions: list[RegionPart]
-    placements: list[PlacementPart]
+
+class StatementPart(Part):
+    says: Predicate
+    words: str = Field(description="exact words of the description")
+    object: list[str] = []
+    target: list[str] = []
+    direction: Direction | None = None
+    side: Side | None = None
+    quantity: StatedQuantity | None = None
+    low: float | None = None
+    high: float | None = None
+    noun: str | None = None
+    when: str = Field("throughout", description="start, end, throughout, an event id, or from..to")
+    missing: str | None = Field(None, description="not_represented: what the scene lacks")
+
+
+class SpatialReply(Part):
+    """Where things are: relations, and regions where relations do not tell them."""
+
+    regions: list[RegionPart] = []
+    placements: list[PlacementPart] = []
     relations: list[RelationPart] = []
     group_relations: list[GroupRelationPart] = []
+    statements: list[StatementPart] = Field([], description="only of a scene that is not dynamic")
+
+
+class SceneReply(Part):
+    """The first request: everything but the timeline."""
+
+    expansion: ExpansionReply
+    assets: AssetsReply
+    spatial: SpatialReply
 
 
 class ActorPart(Part):
@@ -139,14 +168,15 @@ class EventPart(Part):
     id: str
     event: NodeEvent
     participants: list[str]
-    earliest_s: float
-    latest_s: float
+    earliest_s: float | None = Field(None, description="left out: in the order of the segments")
+    latest_s: float | None = None
     time_is_prescribed: bool = False
     constraints: list[ConstraintPart] = []
     position_cm: list[float] | None = Field(None, min_length=3, max_length=3)
     region: str | None = Field(None, description="EnterRegion: object/region name")
     turn_direction: Literal["left", "right"] | None = None
     turn_degrees: float | None = None
+    times: int | None = None
     description: str = ""
 
 
@@ -158,6 +188,10 @@ ParameterName = Literal[
     "elevation_deg",
     "turn_rate_deg_s",
     "duration",
+    "lift_cm",
+    "clearance_cm",
+    "height_cm",
+    "opening",
 ]
 
 
@@ -179,14 +213,17 @@ class SegmentPart(Part):
     turn_direction: Literal["left", "right"] | None = None
     turn_degrees: float | None = None
     spin: Literal["roll", "slide", "none"] | None = None
+    backward: bool = False
+    holds_on: bool = Field(False, description="Guide: does not let go at its end")
 
 
 class TimelineReply(Part):
-    """Actors, point events and the motions between them."""
+    """Actors, point events, the motions between them, and what else is stated."""
 
     actors: list[ActorPart]
     events: list[EventPart]
     segments: list[SegmentPart]
+    statements: list[StatementPart] = []
 
 
 class WholeReply(Part):
@@ -219,9 +256,7 @@ class VisualReply(Part):
 
 
 REPLIES: dict[str, type[Part]] = {
-    "expansion": ExpansionReply,
-    "assets": AssetsReply,
-    "spatial": SpatialReply,
+    "scene": SceneReply,
     "timeline": TimelineReply,
     "single_shot": WholeReply,
     "visual": VisualReply,
@@ -287,6 +322,7 @@ _CHOICES: dict[str, tuple[str, ...]] = {
     "role": tuple(r.value for r in Role),
     "force_direction": tuple(f.value for f in ForceDirection),
     "scene_type": ("indoor", "outdoor"),
+    "says": tuple(p.value for p in Predicate),
 }
 
 ReplyT = TypeVar("ReplyT", bound=Part)

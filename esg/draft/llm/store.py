@@ -4,21 +4,22 @@ from __future__ import annotations
 
 from contextlib import suppress
 from dataclasses import asdict
+from functools import lru_cache
 import json
-import os
 from pathlib import Path
-import tempfile
 from typing import Any, Literal
 
 from esg.draft.llm.client import Call, Client, ModelFailure, Reply
+from esg.files import atomic_file
 from esg.outcomes import UserError
 from esg.strangers.scrubbing import scrub
 
 VERSION = 1
 
 
-def _record(call: Call, reply: Reply, secret: str) -> str:
-    record = {
+def record_of(call: Call, reply: Reply, secret: str) -> dict[str, Any]:
+    """A recorded reply with its request, without the key."""
+    return {
         "version": VERSION,
         "key": call.key,
         "stage": call.stage,
@@ -26,7 +27,10 @@ def _record(call: Call, reply: Reply, secret: str) -> str:
         "messages": [[role, scrub(text, secret)] for role, text in call.messages],
         "reply": {**asdict(reply), "text": scrub(reply.text, secret)},
     }
-    return json.dumps(record, sort_keys=True, ensure_ascii=False)
+
+
+def _record(call: Call, reply: Reply, secret: str) -> str:
+    return json.dumps(record_of(call, reply, secret), sort_keys=True, ensure_ascii=False)
 
 
 def _reply(record: Any) -> Reply:
@@ -36,6 +40,7 @@ def _reply(record: Any) -> Reply:
         int(reply["input_tokens"]),
         int(reply["output_tokens"]),
         bool(reply["cut_off"]),
+        str(reply.get("model", "")),
     )
 
 
@@ -71,10 +76,8 @@ def write_whole(path: Path, text: str) -> None:
     """
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        handle, name = tempfile.mkstemp(dir=path.parent, suffix=".tmp")
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-        os.replace(name, path)
+        with atomic_file(path) as file:
+            file.write(text.encode())
     except OSError as error:
         raise UserError(f"{path} cannot be written: {error.strerror}.", exit_code=1) from None
 
@@ -137,6 +140,16 @@ def read_cassette(path: Path, *, missing_ok: bool = False) -> dict[str, Any]:
     """
     if missing_ok and not path.exists():
         return {}
+    try:
+        stamp = path.stat()
+    except OSError as error:
+        raise UserError(f"Cassette {path} cannot be read: {error}.") from None
+    return dict(_records(path, stamp.st_mtime_ns, stamp.st_size))
+
+
+@lru_cache(maxsize=4)
+def _records(path: Path, changed_ns: int, size: int) -> dict[str, Any]:
+    """The records of a file as it was then: a dataset's scenes all read the same one."""
     try:
         lines = path.read_text(encoding="utf-8").splitlines()
     except (OSError, UnicodeDecodeError) as error:

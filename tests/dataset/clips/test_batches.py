@@ -12,8 +12,9 @@ import numpy as np
 import pytest
 
 from esg import stages
-from esg.commands import dataset as command
-from esg.commands.clips import BatchOptions, RenderOptions, render_dataset
+from esg.commands import adding as adding_command
+from esg.commands.adding import render_dataset
+from esg.commands.clips import BatchOptions, RenderOptions
 from esg.dataset import running as module
 from esg.dataset.batch import make_batch
 from esg.dataset.clips import adding as adding_module
@@ -23,6 +24,7 @@ from esg.dataset.clips.reading import read_clips
 from esg.dataset.clips.rendering import Replay
 from esg.dataset.finish import finish
 from esg.dataset.folder import DatasetFolder
+from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.plan import DatasetSpec, Prompt, RenderSpec, plan_scenes
 from esg.dataset.running import mark_dead
 from esg.engines.scene import Rollout
@@ -45,10 +47,14 @@ def quick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     monkeypatch.setattr(module, "_BACKOFF_S", 0.0)
     monkeypatch.setattr(module, "_compile_together", lambda states: None)
     monkeypatch.setattr(stages, "load_doc", lambda state: None)
-    monkeypatch.setattr(command, "make_batches", lambda jobs, *_: [make_batch(j) for j in jobs])
+    monkeypatch.setattr(adding_command, "make_batches", one_by_one)
     fakes.install()
     stand_ins.install(monkeypatch)
     yield
+
+
+def one_by_one(jobs: list[BatchJob], *_: object) -> list[BatchResult]:
+    return [make_batch(job) for job in jobs]
 
 
 def build(out: Path, texts: list[str], render: RenderSpec | None = SPEC) -> None:
@@ -343,7 +349,7 @@ def test_clips_are_part_of_what_a_resumed_run_must_repeat(tmp_path: Path) -> Non
 
 def test_frames_that_a_recording_lacks_lie_between_those_it_has() -> None:
     """24 a second out of 60 a second, evenly; 24 out of 240 as they are."""
-    from esg.view.witness import at_rate
+    from esg.view.seeing.witness import at_rate
 
     world = stand_ins.chain(0.4, 0.8)
     rollout: Rollout = world.rollout()

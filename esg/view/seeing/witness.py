@@ -28,8 +28,8 @@ from esg.view.renderers.kinds import kind_named
 from esg.view.renderers.records import Quality, Scenery
 from esg.view.renderers.shutter import at_times, poses_at
 from esg.view.scenery import scenery_of, seen_from
+from esg.view.seeing.wanted import Settings
 from esg.view.truth import Pinhole, Poses
-from esg.view.wanted import Settings
 from esg.view.worlds import Views
 
 if TYPE_CHECKING:
