@@ -14,6 +14,7 @@ from cyclopts import Parameter
 from esg.commands.clips import RenderOptions
 from esg.commands.drafting import RULES, Drafting
 from esg.commands.drawing import DrawOptions
+from esg.commands.layouts import LayoutOptions
 from esg.dataset.whatifs.options import TEXTS, TruthOptions
 
 if TYPE_CHECKING:
@@ -45,6 +46,7 @@ def dataset(
     strict: Annotated[bool, Parameter(negative="")] = False,
     truth: Annotated[TruthOptions, Parameter(name="*")] = TEXTS,
     rendering: RenderOptions | None = None,
+    layouts: LayoutOptions | None = None,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Make a dataset of proven scenes: Parquet tables, splits, a dataset card.
@@ -71,19 +73,23 @@ def dataset(
         strict: Count scenes as failed that are partial (not all is shown) or not plausible.
         truth: Captions, questions, other engines and what-ifs.
         rendering: What cameras see of every scene.
+        layouts: How the dataset is laid out.
         json: Print one JSON document with counts and paths.
     """
     from esg.api.inputs import check_device, checked
     from esg.commands.clips import check_same, render_spec
     from esg.commands.console import progress
+    from esg.commands.layouts import check_layouts, check_rendered
+    from esg.dataset.layouts.building import want_layouts
     from esg.dataset.plan import DatasetSpec, Shard
     from esg.dataset.whatifs.options import spec_fields
 
     going_on = resume and prompts is None and sample is None
-    part, device, render, planned, out, beside, _ = checked(
+    part, device, render, names, planned, out, beside, _ = checked(
         lambda: Shard.parse(shard),
         lambda: check_device(device),
         lambda: render_spec(rendering, device),
+        lambda: check_layouts(layouts),
         lambda: None if going_on else _source(prompts, sample, draw),
         lambda: _place(out),
         lambda: spec_fields(truth),
@@ -98,14 +104,17 @@ def dataset(
         spec = DatasetSpec(
             **source, seed=seed, counterfactual=draw.counterfactual, drafter=drafting.drafter,
             strategy=strategy, engine=engine, mcap=mcap, previews=previews, device=device,
-            batch=batch or 0, strict=strict, render=render, thin=draw.thin, **beside,
+            batch=batch or 0, strict=strict, render=render, thin=draw.thin,
+            meshes=layouts is None or layouts.meshes, **beside,
         )  # fmt: skip
+    check_rendered(folder, spec, names)
     with (
         folder.locked(part),
         progress(spec.n, "starting") as bar,
         _answered(spec, texts, part.batches(spec), drafting) as (asked, numbers),
     ):
         run = folder.begin(spec, texts, resume=resume)
+        want_layouts(folder.path, names)
         summary = _build(folder, spec, texts, run, numbers, runner, workers, bar, remote)
     return _told(summary, json, asked)
 
@@ -236,13 +245,18 @@ def _build(
     bar: Any,
     remote: Remote | None,
 ) -> dict[str, Any]:
+    from esg.commands.layouts import lay_out, push_layouts
     from esg.dataset.finish import clean, finish
     from esg.dataset.folder import finish_lock
     from esg.dataset.remote import is_media
 
     if folder.finished():
         clean(folder.path)
-        return _summary(folder, spec, {}, remote)
+        summary = _summary(folder, spec, {}, remote)
+        if lay_out(folder, remote, bar.show) and remote is not None:
+            push_layouts(folder, remote)
+            shutil.rmtree(folder.path, ignore_errors=True)
+        return summary
     if remote is not None:
         remote.push_beginning(folder.path)
     done = folder.done(numbers, remote)
@@ -263,6 +277,7 @@ def _build(
         if not folder.finished():
             finish(folder, spec, everything)
         summary = _summary(folder, spec, {}, remote)
+        lay_out(folder, remote, bar.show)
         if remote is not None:
             remote.push_dataset(folder.path)
             shutil.rmtree(folder.path, ignore_errors=True)
@@ -373,6 +388,8 @@ def _summary(
     import json
 
     from esg.dataset.folder import INFO
+    from esg.dataset.layouts.building import wanted_layouts
+    from esg.dataset.layouts.registry import CANONICAL
 
     place = remote.url if remote else str(folder.path)
     base = {
@@ -394,6 +411,7 @@ def _summary(
             "outcomes": facts["outcomes"],
             "not_represented": facts.get("not_represented"),
             "splits": info["scenes_per_split"],
+            "layouts": [CANONICAL, *wanted_layouts(folder.path)],
             "failures": f"{place}/failures.jsonl" if failed else None,
             "cost": _cost(folder.path),
         }

@@ -15,6 +15,7 @@ from typing import TYPE_CHECKING
 from esg.costs.spent import core_time
 from esg.dataset.folder import batch_lock, mark_name, read_mark, write_mark
 from esg.dataset.job import CROSSCHECK, RENDER, BatchJob, BatchResult
+from esg.dataset.meshes import BUFFERS
 from esg.dataset.running import SCENE_STAGES, rendered_scenes, run_scenes
 from esg.dataset.writing import write_batch
 from esg.pipeline import scratch_store
@@ -52,8 +53,11 @@ def _deliver(job: BatchJob, result: BatchResult) -> None:
     # Of a dataset that is only rendered, marks and parts are kept apart until all is done.
     remote = whole if job.source is None else whole.below(job.out.name)
     if not remote.has(mark):
+        # A buffer's name is its content: what other batches brought is not brought again.
+        there = {n for n in result.files if n.startswith(BUFFERS) and whole.has(n)}
         whole.push(job.out, [n for n in result.files if is_media(n)])
-        remote.push(job.out, [*(n for n in result.files if not is_media(n)), mark])
+        rest = [n for n in result.files if not is_media(n) and n not in there]
+        remote.push(job.out, [*rest, mark])
 
 
 def _make(job: BatchJob) -> BatchResult:

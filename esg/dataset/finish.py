@@ -61,7 +61,7 @@ def finish(folder: DatasetFolder, spec: DatasetSpec, results: Mapping[int, Batch
         ],
     )
     write_json(out / "meta" / "timings.json", timings(results))
-    for name in ("mcap", "previews"):
+    for name in ("mcap", "previews", "meshes"):
         sweep_temporary(out / name)
     sweep_clips(out / "clips")
     describe(out, spec, spec.name(), counts, failed)

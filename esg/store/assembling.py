@@ -270,6 +270,7 @@ _ONE_ROW = {
     "questions": "a question about a scene, with its measured answer",
     "engine_events": "an event of a scene in one engine at one step",
     "what_ifs": "a scene with one variable changed, replayed in one engine",
+    "meshes": "a mesh that a scene's manifest names: glTF, its buffer in `meshes/buffers`",
     "clips": "what one camera saw of a scene: files, camera, boxes, tracks",
     "truth_checks": "a check of a clip's ground truth against geometry: residuals and limit",
 }

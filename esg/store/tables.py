@@ -45,6 +45,7 @@ KEYS: dict[str, tuple[str, ...]] = {
     "questions": ("scene_key", "question_index"),
     "engine_events": ("scene_key", "engine", "dt_s", "event_id"),
     "what_ifs": ("scene_key", "variable", "engine"),
+    "meshes": ("scene_key", "mesh"),
     "clips": ("scene_key", "camera"),
     "truth_checks": ("scene_key", "camera", "check_name"),
 }
@@ -85,6 +86,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "linear_velocity_mps": "list<float32>", "angular_velocity_radps": "list<float32>",
         "contact_time_s": "list<float32>", "contact_a": "list<int16>", "contact_b": "list<int16>",
         "contact_impulse_ns": "list<float32>", "contact_depth_m": "list<float32>",
+        "contact_point_m": "list<float32>", "contact_normal": "list<float32>",
     },
     "metrics": {
         **_SCENE, "strategy": "string", "engine": "string", "dt_s": "float64",
@@ -143,6 +145,10 @@ COLUMNS: dict[str, dict[str, str]] = {
         "bodies": "list<string>", "final_position_m": "list<float32>", "apart_m": "float64",
         "engines_apart_m": "float64", "agrees": "bool",
     },
+    "meshes": {
+        **_SCENE, "mesh": "string", "asset": "string", "gltf": "string", "buffer": "string",
+        "bytes": "int64", "license": "string", "attribution": "string",
+    },
     "clips": {
         **_SCENE, "split": "string", "camera": "int32", "camera_kind": "string",
         "width": "int32", "height": "int32", "fps": "float64",
@@ -163,7 +169,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "qw:float32>>",
         "track_ids": "list<int32>", "track_point_m": "list<float32>",
         "track_xy_px": "list<float32>", "track_visible": "list<bool>",
-        "place": "string", "sky": "string",
+        "place": "string", "sky": "string", "video": "video",
     },
     "truth_checks": {
         **_SCENE, "camera": "int32", "check_name": "string", "unit": "string",
@@ -179,17 +185,18 @@ ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
         "fully_understood", "statements_kept", "plausible", "preview", "duplicate_of",
         "engines_agree",
     ),
+    "trajectories": ("prompt", "contact_point_m", "contact_normal"),
     **dict.fromkeys(
         (
-            "trajectories", "metrics", "constraints", "coverage", "statements",
+            "metrics", "constraints", "coverage", "statements",
             "plausibility_checks", "timings",
         ),
         ("prompt",),
     ),
 }  # fmt: skip
 """Columns that files of an older format lack (`esg_cast` is of 1.2, what became of statements of
-1.3, `plausible` of 1.4, `preview`, `engines_agree` and the prompt on every row of 2.0): they read
-as null."""
+1.3, `plausible` of 1.4, `preview`, `engines_agree`, where contacts are and the prompt on every
+row of 2.0): they read as null."""
 
 TABLES = tuple(COLUMNS)
 
@@ -405,12 +412,20 @@ def iter_batches(
             raise UserError(f"{path} is damaged ({why}); delete it and run again") from None
 
 
-def iter_rows(paths: Iterable[Path]) -> Iterator[dict[str, Any]]:
-    """Rows of several files, one row group in memory at a time."""
+def iter_rows(
+    paths: Iterable[Path], columns: Sequence[str] | None = None
+) -> Iterator[dict[str, Any]]:
+    """Rows of several files, one row group in memory at a time.
+
+    Args:
+        paths: The files.
+        columns: Only these, which every version of the table has; default all.
+    """
+    wanted = None if columns is None else list(columns)
     import pyarrow.parquet as pq
 
     for path in paths:
         table_of(path)
         with pq.ParquetFile(_local(path)) as file:
-            for batch in file.iter_batches(batch_size=ROW_GROUP_SCENES):
+            for batch in file.iter_batches(batch_size=ROW_GROUP_SCENES, columns=wanted):
                 yield from batch.to_pylist()
