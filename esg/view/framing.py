@@ -23,7 +23,7 @@ if TYPE_CHECKING:
 PANEL_PX = (480, 320)
 ACTION_LEAD_S, ACTION_TAIL_S = 0.6, 0.4
 """Fixed cameras keep in view what happens so long before the first event and after the last."""
-SPECK = 60.0
+SPECK = 20.0
 """What is so many times as large as what meets it is shown in part: else that is a few pixels."""
 ROOM_ALONE = 0.9
 """Room on every side of a single body, in its own sizes."""

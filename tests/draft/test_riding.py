@@ -106,6 +106,8 @@ def test_a_bicycle_in_a_park_needs_no_road() -> None:
     assert not any(n.startswith("road") for n in doc.spatial_relation_graph.nodes)
     ways = [s for s in doc.statements or () if s.predicate is Predicate.MOVES]
     assert [(s.direction, s.target) for s in ways] == [("across", ("ground_1",))]
+    toy = clean("A child rides a tricycle into a sandbox.")
+    assert not any(n.startswith("road") for n in toy.spatial_relation_graph.nodes)
     on_a_road = clean("A man rides a bicycle and hits a cone.")
     assert any(n.startswith("road") for n in on_a_road.spatial_relation_graph.nodes)
 

@@ -194,7 +194,9 @@ def test_sheet_and_film_are_the_same_with_one_thread_and_two(
         monkeypatch.setattr(previews, "_threads", lambda n=threads: n)
         folder = tmp_path / str(threads)
         folder.mkdir()
-        previews.preview(scene(), rollout(), verdict(EVENT), DOC, folder)
+        shown = (scene(), rollout(), verdict(EVENT), DOC, folder)
+        previews.preview(*shown)
+        assert previews.film(*shown) == []
         made.append({p.name: p.read_bytes() for p in folder.iterdir()})
     assert made[0].keys() == {"preview.png", "preview.mp4"}
     assert made[0] == made[1]
@@ -299,7 +301,8 @@ def test_a_scene_is_recorded_without_its_film(
 
     monkeypatch.setattr(previews, "write_scene_film", refuse)
     monkeypatch.setattr(previews, "write_sheet", sheet)
-    previews.preview(scene(), rollout(), verdict(EVENT), DOC, tmp_path)
+    shown = (scene(), rollout(), verdict(EVENT), DOC, tmp_path)
+    previews.preview(*shown, lost=lambda: previews.film(*shown))
     assert [p.name for p in tmp_path.iterdir()] == ["preview.png"]
     assert notes == [["no film: no space left"]]
 

@@ -25,6 +25,8 @@ _AT_THE_FOOT_CM = (0.0, 6.0)
 _OFF_ROAD = frozenset({"bicycle", "tricycle", "unicycle", "scooter", "kick scooter", "segway",
                        "snowmobile", "moped", "motorcycle"})  # fmt: skip
 """Vehicles that need no road where the prompt says on what else they go."""
+_TOYS = frozenset({"tricycle", "unicycle", "snowmobile"})
+"""Vehicles that go on no road."""
 CROSSING_DEG = 60.0
 """Smallest turn of a vehicle that needs a crossing road."""
 
@@ -164,7 +166,8 @@ def _add_context(scene: Scene, reasons: list[str]) -> None:
         return
     ground = entities.get(GROUND)
     light = all(e.noun.name in _OFF_ROAD for e in entities.values() if e.noun.kind == "vehicle")
-    if light and ground is not None and ground.mentioned:
+    never = all(e.noun.name in _TOYS for e in entities.values() if e.noun.kind == "vehicle")
+    if never or (light and ground is not None and ground.mentioned):
         return  # "rides a bicycle through the park"
     dynamic = bool(timeline.nodes) or any(t.motion for t in timeline.tracks.values())
     paved = _find(scene, "road", "parking lot") is not None
