@@ -3,6 +3,8 @@
 COMMANDS: dict[str, tuple[str, str]] = {
     "draft": ("esg.commands.draft:draft", "Draft the scene graph of a prompt (stage 1 only)."),
     "generate": ("esg.commands.generate:generate", "Generate and prove one scene from a prompt."),
+    "up": ("esg.commands.up:up", "Keep a warm worker that makes single scenes at once."),
+    "cost": ("esg.commands.cost:cost", "Predict what a dataset costs from measured runs."),
     "bench": ("esg.commands.bench:bench", "Run a benchmark suite over several seeds."),
     "dataset": (
         "esg.commands.dataset:dataset",

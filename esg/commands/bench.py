@@ -110,10 +110,13 @@ def _published(states: list[SceneState], out: Path, strict: bool) -> None:
 
 def _beside(states: list[SceneState], drafter: str, close_loop: bool) -> dict[str, Any]:
     """What a run tells beside its figures."""
+    from esg.costs.spent import spent
+
     out: dict[str, Any] = {
         "missed": missed(states),
         "not_kept": not_kept(states),
         "implausible": implausible(states),
+        "cost": spent(s.log for s in states).to_json(),
     }
     if drafter != "rules":
         out["drafter"] = drafter
@@ -141,6 +144,7 @@ def _states(total: int, processes: int, arguments: tuple[Any, ...]) -> list[Scen
 
 def _tell(result: dict[str, Any], states: list[SceneState], out: Path) -> None:
     """Prints the results: the table, what was missed, what the closed loop changed."""
+    from esg.costs.spent import line
     from esg.metrics import comparison_table
     from esg.pipeline import STAGES
 
@@ -155,6 +159,7 @@ def _tell(result: dict[str, Any], states: list[SceneState], out: Path) -> None:
             "tolerances"
         )
     cached = sum(s.cached_stages for s in states)
+    print(line(result["cost"]))
     print(f"{cached} of {len(states) * len(STAGES)} stages from cache; scenes in {out}")
 
 

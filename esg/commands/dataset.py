@@ -13,6 +13,9 @@ from cyclopts import Parameter
 
 from esg.commands.clips import RenderOptions
 from esg.commands.drafting import RULES, Drafting
+from esg.commands.drawing import DrawOptions
+from esg.commands.layouts import LayoutOptions
+from esg.dataset.whatifs.options import TEXTS, TruthOptions
 
 if TYPE_CHECKING:
     from esg.dataset.folder import DatasetFolder
@@ -30,8 +33,7 @@ def dataset(
     shard: str = "1/1",
     resume: Annotated[bool, Parameter(negative="")] = False,
     seed: int = 0,
-    distribution: Path | None = None,
-    counterfactual: Annotated[bool, Parameter(negative="")] = False,
+    draw: Annotated[DrawOptions, Parameter(name="*")] = DrawOptions(),  # noqa: B008  # frozen
     runner: Literal["process", "dask", "ray"] = "process",
     workers: int | None = None,
     batch: int | None = None,
@@ -42,14 +44,15 @@ def dataset(
     engine: Literal["physx", "rapier", "newton"] = "physx",
     device: str = "cpu",
     strict: Annotated[bool, Parameter(negative="")] = False,
+    truth: Annotated[TruthOptions, Parameter(name="*")] = TEXTS,
     rendering: RenderOptions | None = None,
+    layouts: LayoutOptions | None = None,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Make a dataset of proven scenes: Parquet tables, splits, a dataset card.
 
-    Give --prompts or --sample. A folder that holds an unfinished dataset is continued with
-    --resume: finished scenes are kept, the rest is made. A failing scene never stops the others;
-    failures.jsonl says which failed and why, and the exit code is 3.
+    Give --prompts or --sample. --resume goes on with an unfinished dataset: finished scenes are
+    kept. A failing scene never stops the others; failures.jsonl says why, and the exit code is 3.
 
     Args:
         out: Folder of the dataset, or a URL such as s3://bucket/name.
@@ -58,8 +61,7 @@ def dataset(
         shard: i/n makes the i-th of n parts; whoever finishes last puts the dataset together.
         resume: Go on with the dataset in --out.
         seed: Of every random choice.
-        distribution: YAML file with the shares of what is sampled (docs/dataset.md).
-        counterfactual: Sample pairs of scenes that differ in one parameter.
+        draw: What is drawn and kept.
         runner: Where batches run: worker processes, a Dask or a Ray cluster.
         workers: Batches at once; default one a core.
         batch: Scenes a batch; default by the dataset's size, more on a GPU.
@@ -69,38 +71,51 @@ def dataset(
         engine: Engine of the replay: physx runs the emitted class.
         device: cpu or cuda:N.
         strict: Count scenes as failed that are partial (not all is shown) or not plausible.
+        truth: Captions, questions, other engines and what-ifs.
         rendering: What cameras see of every scene.
+        layouts: How the dataset is laid out.
         json: Print one JSON document with counts and paths.
     """
     from esg.api.inputs import check_device, checked
     from esg.commands.clips import check_same, render_spec
     from esg.commands.console import progress
+    from esg.commands.layouts import check_layouts, check_rendered
+    from esg.dataset.layouts.building import want_layouts
     from esg.dataset.plan import DatasetSpec, Shard
+    from esg.dataset.whatifs.options import spec_fields
 
     going_on = resume and prompts is None and sample is None
-    part, device, render, planned, out, _ = checked(
+    part, device, render, names, planned, out, beside, _ = checked(
         lambda: Shard.parse(shard),
         lambda: check_device(device),
         lambda: render_spec(rendering, device),
-        lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
+        lambda: check_layouts(layouts),
+        lambda: None if going_on else _source(prompts, sample, draw),
         lambda: _place(out),
-        lambda: _check_numbers(seed, workers, batch, counterfactual),
+        lambda: spec_fields(truth),
+        lambda: _check_numbers(seed, workers, batch, draw.counterfactual),
     )
     folder, remote = opened(out)
     if going_on and (found := folder.spec()) is not None:
         spec, texts = found, folder.prompts()
         check_same(render, spec.render, folder.label)
     else:
-        texts, source = planned or _source(prompts, sample, counterfactual, distribution)
+        texts, source = planned or _source(prompts, sample, draw)
         spec = DatasetSpec(
-            **source, seed=seed, counterfactual=counterfactual, drafter=drafting.drafter,
+            **source, seed=seed, counterfactual=draw.counterfactual, drafter=drafting.drafter,
             strategy=strategy, engine=engine, mcap=mcap, previews=previews, device=device,
-            batch=batch or 0, strict=strict, render=render,
+            batch=batch or 0, strict=strict, render=render, thin=draw.thin,
+            meshes=layouts is None or layouts.meshes, **beside,
         )  # fmt: skip
-    with folder.locked(part), progress(spec.n, "starting") as bar:
-        with _answered(spec, texts, part.batches(spec), drafting) as (asked, numbers):
-            run = folder.begin(spec, texts, resume=resume)
-            summary = _build(folder, spec, texts, run, numbers, runner, workers, bar, remote)
+    check_rendered(folder, spec, names)
+    with (
+        folder.locked(part),
+        progress(spec.n, "starting") as bar,
+        _answered(spec, texts, part.batches(spec), drafting) as (asked, numbers),
+    ):
+        run = folder.begin(spec, texts, resume=resume)
+        want_layouts(folder.path, names)
+        summary = _build(folder, spec, texts, run, numbers, runner, workers, bar, remote)
     return _told(summary, json, asked)
 
 
@@ -164,13 +179,13 @@ def _place(out: str) -> str:
 
 
 def _source(
-    prompts: Path | None, sample: int | None, counterfactual: bool, distribution: Path | None
+    prompts: Path | None, sample: int | None, draw: DrawOptions
 ) -> tuple[list[Prompt], dict[str, Any]]:
     """The prompts of a file, and what the specification says about the source."""
     import hashlib
 
     from esg.api.inputs import existing_file
-    from esg.dataset.grammar import Distribution, load_distribution
+    from esg.dataset.distribution import Distribution, load_distribution
     from esg.dataset.plan import MAX_SCENES, prompts_text, read_prompts
     from esg.files import read_limited
     from esg.outcomes import UserError
@@ -179,8 +194,9 @@ def _source(
     if (prompts is None) == (sample is None):
         raise UserError("give either --prompts FILE or --sample N")
     if prompts is not None:
-        for given, name in ((counterfactual, "--counterfactual"), (distribution, "--distribution")):
-            if given:
+        given = {"--counterfactual": draw.counterfactual, "--distribution": draw.distribution}
+        for name, value in given.items():
+            if value:
                 raise UserError(f"{name} belongs to --sample; a prompts file says it all itself")
         texts = read_prompts(prompts)
         digest = hashlib.sha256(prompts_text(texts).encode()).hexdigest()
@@ -189,8 +205,8 @@ def _source(
     if not 1 <= sample <= MAX_SCENES:
         raise UserError(f"--sample {sample}: choose 1 to {MAX_SCENES}")
     mix = Distribution()
-    if distribution is not None:
-        path = existing_file(distribution, "--distribution")
+    if draw.distribution is not None:
+        path = existing_file(draw.distribution, "--distribution")
         try:
             mix = load_distribution(read_limited(path, MAX_CHARACTERS).decode(), str(path))
         except UnicodeDecodeError:
@@ -229,13 +245,18 @@ def _build(
     bar: Any,
     remote: Remote | None,
 ) -> dict[str, Any]:
+    from esg.commands.layouts import lay_out, push_layouts
     from esg.dataset.finish import clean, finish
     from esg.dataset.folder import finish_lock
     from esg.dataset.remote import is_media
 
     if folder.finished():
         clean(folder.path)
-        return _summary(folder, spec, {}, remote)
+        summary = _summary(folder, spec, {}, remote)
+        if lay_out(folder, remote, bar.show) and remote is not None:
+            push_layouts(folder, remote)
+            shutil.rmtree(folder.path, ignore_errors=True)
+        return summary
     if remote is not None:
         remote.push_beginning(folder.path)
     done = folder.done(numbers, remote)
@@ -256,6 +277,7 @@ def _build(
         if not folder.finished():
             finish(folder, spec, everything)
         summary = _summary(folder, spec, {}, remote)
+        lay_out(folder, remote, bar.show)
         if remote is not None:
             remote.push_dataset(folder.path)
             shutil.rmtree(folder.path, ignore_errors=True)
@@ -366,6 +388,8 @@ def _summary(
     import json
 
     from esg.dataset.folder import INFO
+    from esg.dataset.layouts.building import wanted_layouts
+    from esg.dataset.layouts.registry import CANONICAL
 
     place = remote.url if remote else str(folder.path)
     base = {
@@ -387,7 +411,9 @@ def _summary(
             "outcomes": facts["outcomes"],
             "not_represented": facts.get("not_represented"),
             "splits": info["scenes_per_split"],
+            "layouts": [CANONICAL, *wanted_layouts(folder.path)],
             "failures": f"{place}/failures.jsonl" if failed else None,
+            "cost": _cost(folder.path),
         }
     outcomes: dict[str, int] = {}
     for result in done.values():
@@ -403,11 +429,21 @@ def _summary(
         "not_represented": None,
         "splits": None,
         "failures": None,
+        "cost": None,
     }
+
+
+def _cost(folder: Path) -> dict[str, Any] | None:
+    """What the scenes of a finished dataset took; None where nobody wrote it down."""
+    import json
+
+    path = folder / "meta" / "timings.json"
+    return json.loads(path.read_bytes()).get("cost") if path.is_file() else None
 
 
 def describe(summary: dict[str, Any]) -> str:
     """The same for people."""
+    from esg.costs.spent import line
     from esg.fidelity import counted
 
     state = "complete" if summary["complete"] else "other shards are missing"
@@ -425,4 +461,6 @@ def describe(summary: dict[str, Any]) -> str:
         lines.append(f"  most often not shown: {counted(summary['not_represented'])}")
     if summary["failures"]:
         lines.append(f"  why: {summary['failures']}")
+    if summary.get("cost"):
+        lines.append(f"  {line(summary['cost'])}")
     return "\n".join(lines)

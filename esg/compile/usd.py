@@ -48,7 +48,7 @@ from esg.compile.visuals.usd_looks import (
     quatd,
     triangles,
 )
-from esg.engines.breaking import hidden
+from esg.engines.breaking import hidden, whole_of_fragments
 from esg.engines.joint_rules import BREAK_WINDOW_S
 from esg.engines.joints import WORLD, Joint
 from esg.engines.manifest import Manifest, carried_json
@@ -206,10 +206,11 @@ def _seen(
     library: dict[str, str] = {}
     out: list[tuple[str, str]] = []
     lifts = {} if setting is None else drawn_lifts(scene, setting.covered)
+    wholes = whole_of_fragments(scene)
     for index, body in enumerate(scene.bodies):
         if setting is not None and body.name in setting.covered:
             continue
-        key, data = mesh_of(body, folder)
+        key, data = mesh_of(body, folder, wholes.get(body.name))
         if data is None:
             continue
         if key not in library:
