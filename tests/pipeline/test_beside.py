@@ -9,8 +9,8 @@ import time
 
 import pytest
 
-from esg import beside as module
-from esg.beside import beside, forking
+from esg.machine import beside as module
+from esg.machine.beside import beside, forking
 
 
 @pytest.fixture
