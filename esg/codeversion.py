@@ -43,6 +43,7 @@ SOURCES: dict[str, tuple[str, ...]] = {
     "layout": ("layout", "assets"),
     "optimize": (
         *_SIMULATION,
+        "machine/kept.py",
         "layout",
         "assets",
         "metrics/__init__.py",
@@ -63,6 +64,7 @@ SOURCES: dict[str, tuple[str, ...]] = {
     "judge": ("metrics", "engines", "dynamics", "draft/document/coverage.py"),
     "dress": ("dressing", "engines", "assets/looks.py"),
     "record": (
+        "machine",
         "view",
         "dressing",
         "store",

@@ -338,9 +338,9 @@ def _dress(state: SceneState, folder: Path) -> None:
 
 def _record(state: SceneState, folder: Path) -> None:
     from esg.assets import write_meshes
-    from esg.beside import beside
     from esg.compile.export import export, thinned
     from esg.engines.rollout_file import load_rollout
+    from esg.machine.beside import beside
     from esg.store.mcap_log import write_mcap
     from esg.view.preview import film, preview
     from esg.view.setting import setting_of

@@ -12,8 +12,8 @@ from prefect.runtime import task_run
 from prefect.states import Completed
 from prefect.tasks import Task, exponential_backoff
 
+from esg.alone.guarded import RETRIES, guarded_stage
 from esg.files import unwritable
-from esg.guarded import RETRIES, guarded_stage
 from esg.pipeline import SceneState, crashed, may_pass
 from esg.workers import OutOfTime, WorkerDied
 from tasks.context import current

@@ -101,8 +101,8 @@ def _state(arguments: tuple[Any, ...]) -> SceneState:
     """
     import os
 
+    from esg.alone.guarded import run_guarded
     from esg.commands.console import note_first_use
-    from esg.guarded import run_guarded
     from esg.limits import stage_limits
     from esg.pipeline import recall
     from esg.requests import generate_requests

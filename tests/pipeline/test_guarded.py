@@ -7,7 +7,7 @@ import errno
 
 import pytest
 
-from esg import guarded
+from esg.alone import guarded
 from esg.outcomes import Outcome
 from esg.pipeline import STAGES, SceneRequest, SceneState
 

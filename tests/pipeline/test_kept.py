@@ -7,10 +7,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from esg import kept as module
 from esg.assets import textures
 from esg.assets.gltf import surfaces
-from esg.kept import kept, version_of
+from esg.machine import kept as module
+from esg.machine.kept import kept, version_of
 
 
 @pytest.fixture(autouse=True)

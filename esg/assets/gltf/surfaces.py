@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 
 from esg.assets.looks import Color, Look
 from esg.assets.textures import KEPT, linear, maps, srgb, version
-from esg.kept import kept, version_of
+from esg.machine.kept import kept, version_of
 
 PICTURE_PX = 256
 """Edge of a picture in an exported file."""

@@ -11,7 +11,7 @@ import zlib
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.kept import kept, version_of
+from esg.machine.kept import kept, version_of
 
 if TYPE_CHECKING:
     from esg.assets.textures.recipe import Recipe

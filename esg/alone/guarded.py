@@ -11,9 +11,9 @@ import contextlib
 from pathlib import Path
 import time
 
-from esg.beside import forking
 from esg.files import unwritable
 from esg.limits import StageTimeout, limited, place_in
+from esg.machine.beside import forking
 from esg.pipeline import (
     STAGES,
     SceneRequest,

@@ -1,0 +1,1 @@
+"""One scene by itself: stages as plain functions, without a scheduler."""

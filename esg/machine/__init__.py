@@ -1,0 +1,1 @@
+"""What this machine offers a scene: a cache between processes, a second core."""
