@@ -16,7 +16,9 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from esg.api.costs import cost
     from esg.api.datasets import Dataset, load_dataset
+    from esg.api.judging import judge_trajectories
     from esg.api.making import generate, generate_many
     from esg.api.scene import Replay, Scene, judge
     from esg.api.trajectories import Contact, Track, Trajectories
@@ -26,7 +28,9 @@ __version__ = "0.2.0"
 
 _HOME = {
     "Dataset": "esg.api.datasets",
+    "cost": "esg.api.costs",
     "load_dataset": "esg.api.datasets",
+    "judge_trajectories": "esg.api.judging",
     "generate": "esg.api.making",
     "generate_many": "esg.api.making",
     "Replay": "esg.api.scene",
@@ -49,9 +53,11 @@ __all__ = [
     "Trajectories",
     "UserError",
     "__version__",
+    "cost",
     "generate",
     "generate_many",
     "judge",
+    "judge_trajectories",
     "load_dataset",
 ]
 

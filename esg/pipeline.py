@@ -21,6 +21,7 @@ import time
 import traceback
 from typing import TYPE_CHECKING, Any
 
+from esg.costs.spent import core_time
 from esg.outcomes import Outcome, UserError
 from esg.paths import cache_dir
 from esg.progress import StageEvent, emit
@@ -72,6 +73,7 @@ class SceneRequest:
         collision: What bodies collide with during the search: exact, proxy or sdf.
         traffic: Side of the road that vehicles keep to: right or left.
         document: A scene graph (JSON) of `prompt` that somebody has changed, in place of a draft.
+        without: What is left out for an ablation: global, initial or generation; empty: nothing.
     """
 
     prompt: str
@@ -86,6 +88,7 @@ class SceneRequest:
     collision: str = "exact"
     traffic: str = "right"
     document: str = ""
+    without: str = ""
 
     @property
     def choreographed(self) -> bool:
@@ -209,7 +212,7 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
 
     if state.ended or stage in state.artifacts:
         return state
-    start = time.perf_counter()
+    start, core_start = time.perf_counter(), core_time()
     entry: dict[str, Any] = {"stage": stage, "cached": False}
     emit(StageEvent(state.request.name or state.request.prompt, stage, "started",
                     state.request.seed))  # fmt: skip
@@ -240,6 +243,7 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
         entry["error"] = state.reason
         entry["traceback"] = scrub_all(traceback.format_exc())
     entry["seconds"] = round(time.perf_counter() - start, 4)
+    entry["core_seconds"] = round(core_time() - core_start, 4)
     if state.outcome is not None:
         entry["outcome"] = state.outcome.value
     state = replace(state, log=(*state.log, entry))

@@ -43,8 +43,13 @@ def bench_requests(
     close_loop: bool = False,
     collision: str = "exact",
     drafter: str = "rules",
+    without: str = "",
+    only: Sequence[str] = (),
 ) -> list[SceneRequest]:
-    """The scene runs of a benchmark; arguments as of `flows.benchmark`."""
+    """The scene runs of a benchmark; arguments as of `flows.benchmark`.
+
+    `without` is what an ablation leaves out, `only` ids of the scenes that are run (empty: all).
+    """
     from esg.metrics import load_suite
 
     return [
@@ -59,7 +64,9 @@ def bench_requests(
             name=f"{scene.id}-run{run}",
             close_loop=close_loop,
             collision=collision,
+            without=without,
         )
         for scene in load_suite(suite).scenes
+        if not only or scene.id in only
         for run in range(runs)
     ]

@@ -21,6 +21,8 @@ if TYPE_CHECKING:
 DOCUMENT = "esg.json"
 ROLLOUT = "rollout.npz"
 REPLAY_RATE_HZ = 240
+LEFT_OUT = {"resolve": ("generation",), "layout": ("global", "initial")}
+"""What an ablation leaves out of a stage (`SceneRequest.without`)."""
 CLOSED_ROUNDS = 3
 """Most rounds of the closed loop, where it is asked for."""
 
@@ -43,6 +45,8 @@ class Spec:
 def configuration(stage: str, request: SceneRequest) -> dict[str, Any]:
     """The part of a request that a stage's result depends on."""
     values: dict[str, Any] = {name: getattr(request, name) for name in SPECS[stage].options}
+    if request.without in LEFT_OUT.get(stage, ()):
+        values["without"] = request.without
     if stage == "replay":
         values["proof"] = proof_kind(request.engine)
     if stage == "draft" and request.drafter != "rules" and not request.document:
@@ -166,7 +170,11 @@ def _draft(state: SceneState, folder: Path) -> None:
 def _resolve(state: SceneState, folder: Path) -> None:
     from esg.assets import resolve
 
-    write_doc(resolve(load_doc(state, "draft"), seed=state.request.seed), folder)
+    request = state.request
+    doc = resolve(
+        load_doc(state, "draft"), seed=request.seed, retrieval_only=request.without == "generation"
+    )
+    write_doc(doc, folder)
 
 
 def _cast(state: SceneState, folder: Path) -> None:
@@ -176,12 +184,19 @@ def _cast(state: SceneState, folder: Path) -> None:
 
 
 def _layout(state: SceneState, folder: Path) -> None:
-    from esg.layout import solve, stored_hints
+    from esg.layout import LayoutConfig, solve, stored_hints
 
+    without = state.request.without
+    config = LayoutConfig()
+    if without == "global":
+        # Greedy: what was placed first stays where it is, and nobody starts again.
+        config = LayoutConfig(refine=False, rounds=1)
+    elif without == "initial":
+        config = LayoutConfig(sample_init=False, preference=False, rounds=1)
     doc = load_doc(state, "cast")
     told = doc.choreography if state.request.choreographed else None
     hints = None if told is None else stored_hints(told)
-    write_doc(solve(doc, seed=state.request.seed, hints=hints), folder)
+    write_doc(solve(doc, seed=state.request.seed, hints=hints, config=config), folder)
 
 
 def _optimize(state: SceneState, folder: Path) -> None:
@@ -323,10 +338,11 @@ def _dress(state: SceneState, folder: Path) -> None:
 
 def _record(state: SceneState, folder: Path) -> None:
     from esg.assets import write_meshes
+    from esg.beside import beside
     from esg.compile.export import export, thinned
     from esg.engines.rollout_file import load_rollout
     from esg.store.mcap_log import write_mcap
-    from esg.view.preview import preview
+    from esg.view.preview import film, preview
     from esg.view.setting import setting_of
 
     doc = load_doc(state, "dress")
@@ -334,21 +350,22 @@ def _record(state: SceneState, folder: Path) -> None:
     rollout = load_rollout(state.artifact("replay") / ROLLOUT)
     metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
     verdict = load_verdict(state)
-    write_meshes(doc, folder)
-    # Exports read a scene folder: lend them the manifest, which belongs to another stage.
-    manifest = folder / "manifest.json"
-    manifest.write_bytes((state.artifact("compile") / manifest.name).read_bytes())
     shown = verdict
     if not verdict.events and "own_timeline" in metrics:
         shown = _read_verdict(metrics["own_timeline"])  # a suite that asks for nothing
     played = thinned(rollout)
     setting = setting_of(scene, played, shown, doc)
-    export(folder, "usd", rollout=played, setting=setting)
-    export(folder, "glb", rollout=played, setting=setting)
-    manifest.unlink()
-    write_mcap(folder / "rollout.mcap", scene, program, rollout, verdict, doc)
-    note = f"{metrics['outcome']}  |  replayed in {rollout.engine} at {1 / rollout.dt:.0f} Hz"
-    preview(scene, rollout, shown, doc, folder, note=note)
+    with beside(partial(film, scene, rollout, shown, doc, folder)) as filmed:
+        write_meshes(doc, folder)
+        # Exports read a scene folder: lend them the manifest, which belongs to another stage.
+        manifest = folder / "manifest.json"
+        manifest.write_bytes((state.artifact("compile") / manifest.name).read_bytes())
+        export(folder, "usd", rollout=played, setting=setting)
+        export(folder, "glb", rollout=played, setting=setting)
+        manifest.unlink()
+        write_mcap(folder / "rollout.mcap", scene, program, rollout, verdict, doc)
+        note = f"{metrics['outcome']}  |  replayed in {rollout.engine} at {1 / rollout.dt:.0f} Hz"
+        preview(scene, rollout, shown, doc, folder, note=note, lost=filmed)
 
 
 def write_doc(doc: EsgDocument, folder: Path) -> None:

@@ -29,6 +29,8 @@ def benchmark(
     close_loop: bool = False,
     collision: str = "exact",
     drafter: str = "rules",
+    without: str = "",
+    only: tuple[str, ...] = (),
 ) -> list[SceneState]:
     """Runs a suite.
 
@@ -42,13 +44,16 @@ def benchmark(
         close_loop: Whether the verify engine's outcome error is fed back to the search.
         collision: What bodies collide with during the search: exact, proxy or sdf.
         drafter: rules, llm or auto.
+        without: What an ablation leaves out: global, initial or generation.
+        only: Ids of the scenes that are run; empty for all.
 
     Returns:
         Final states, all runs of the first scene first.
     """
-    states = run_all(
-        bench_requests(suite, runs, seed, strategy, engine, device, close_loop, collision, drafter)
+    asked = bench_requests(
+        suite, runs, seed, strategy, engine, device, close_loop, collision, drafter, without, only
     )
+    states = run_all(asked)
     name = f"bench-{Path(suite).stem}"
     artifacts.table(name, [_row(s) for s in states], f"{suite}, {runs} runs, {strategy}, {engine}")
     artifacts.failures(name, failures(states))

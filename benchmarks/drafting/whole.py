@@ -18,6 +18,10 @@ from benchmarks.drafting.events import Told
 from benchmarks.drafting.statements import holds
 from esg.graph.models import EsgDocument, Predicate
 from esg.lexicon.morphology import singular
+from esg.lexicon.places import sky_words
+
+_FRAME = frozenset({"a", "an", "at", "day", "during", "in", "on", "sky", "the", "time", "under"})
+"""Small words around those that name a light."""
 
 
 class Outcome(str, enum.Enum):
@@ -104,7 +108,7 @@ def judge(
         for label, (_, held) in zip(row["statements"], statements, strict=True)
         if not held
     ]
-    unsayable = row.get("unsayable", ())
+    unsayable = [words for words in row.get("unsayable", ()) if not _shown(words)]
     found += [Fault("unsayable", words) for words in unsayable]
     says = bool(notes) or (doc is None and said)
     hollow = bool(unsayable) and not row["events"] and not row.get("static")
@@ -119,6 +123,15 @@ def judge(
     named = tuple(_names(notes, words) for words in unsayable)
     stand_ins = bool(notes) and all("stand-in" in note for note, _ in notes)
     return Verdict(outcome, main, says, stand_ins, tuple(found), statements, named)
+
+
+def _shown(words: str) -> bool:
+    """Whether a label's words name nothing but a light that stage `dress` shows ("at sunset").
+
+    The corpus was labelled before scenes had skies.
+    """
+    left = set(re.findall(r"[a-z]+", words.lower())) - _FRAME
+    return bool(left) and left <= sky_words("outdoor")[0]
 
 
 def _names(notes: list[tuple[str, str]], words: str) -> bool:

@@ -39,9 +39,9 @@ os.environ.setdefault("ESG_THREADS", "1")
 from benchmarks.throughput.wall import Watch, plot
 from esg.dataset import running
 from esg.dataset.batch import make_batch
+from esg.dataset.distribution import Distribution
 from esg.dataset.finish import finish
 from esg.dataset.folder import DatasetFolder
-from esg.dataset.grammar import Distribution
 from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.plan import DatasetSpec, plan_scenes
 

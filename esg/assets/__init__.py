@@ -14,11 +14,11 @@ if TYPE_CHECKING:
     from esg.assets.library.catalogue import Entry
 
 
-def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
+def resolve(doc: EsgDocument, *, seed: int = 0, retrieval_only: bool = False) -> EsgDocument:
     """Fills `asset_configurations` for every `asset_requirement`; pure and deterministic."""
     from esg.assets.stage import resolve as run
 
-    return run(doc, seed=seed)
+    return run(doc, seed=seed, retrieval_only=retrieval_only)
 
 
 def build_mesh(config: AssetConfiguration, appearance: Appearance = USUAL) -> trimesh.Scene:

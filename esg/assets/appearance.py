@@ -37,6 +37,8 @@ class Appearance:
 
 
 USUAL = Appearance()
+RIDDEN = "ridden"
+"""The pose of a vehicle on which somebody is drawn."""
 
 
 @lru_cache(maxsize=4096)

@@ -14,7 +14,7 @@ import hashlib
 from pathlib import Path
 import re
 
-from esg.assets.appearance import USUAL, Appearance
+from esg.assets.appearance import RIDDEN, USUAL, Appearance
 from esg.assets.colors import find_color
 from esg.assets.configuration import parametric_entry, stated_material
 from esg.assets.library.catalogue import Entry, parse_hex
@@ -24,6 +24,15 @@ from esg.graph.models import CoverageItem, EsgDocument, Predicate
 
 _DATA = Path(__file__).parent / "data"
 _PEOPLE = frozenset({"figure", "child_figure"})
+_RIDDEN = frozenset({"bicycle", "motorcycle", "scooter"})
+"""Builders that draw somebody on what goes by itself."""
+_NOBODY = re.compile(
+    r"\b(?:rider-?less|driver-?less|unmanned|unridden|runaway|empty|ghost|toy|model|self-driving"
+    r"|by itself|on its own|(?:without|no) (?:a |any )?(?:rider|driver|one|body)|nobody)\b",
+    re.IGNORECASE,
+)
+_GOES = ("UniformMotion", "Accelerate", "AcceleratedMotion", "Turn", "Brake")
+"""Segments of what goes under its own power."""
 _INDIVIDUALS = _PEOPLE | {"tree", "billiard_ball"}
 _NEAR = 0.28
 """Largest difference in a channel at which two colours pass for one."""
@@ -155,17 +164,20 @@ def _poses(doc: EsgDocument) -> dict[str, str]:
     """Poses of the people of a document, by node."""
     nodes = doc.spatial_relation_graph.nodes
     kinds: dict[str, str] = {}
+    builders: dict[str, str] = {}
     people: set[str] = set()
     for name, node in nodes.items():
         config = doc.asset_configurations.get(node.asset_id)
         entry = None if config is None else parametric_entry(config)
         if entry is not None:
             kinds[name] = entry.name
+            builders[name] = entry.builder
             if entry.builder in _PEOPLE:
                 people.add(name)
+    ridden = _ridden(doc, {n for n, b in builders.items() if b in _RIDDEN}, people)
     if not people:
-        return {}
-    found = _moving(doc, people) | _doing(doc, people) | _loaded(doc, people)
+        return ridden
+    found = ridden | _moving(doc, people) | _doing(doc, people) | _loaded(doc, people)
     regions = doc.spatial_relation_graph.semantic_regions
     for name in sorted(people):
         region = regions.get(nodes[name].semantic_region or "")
@@ -173,6 +185,18 @@ def _poses(doc: EsgDocument) -> dict[str, str]:
         if below in _postures().on:
             found[name] = _postures().on[below]
     return found
+
+
+def _ridden(doc: EsgDocument, mounts: set[str], people: set[str]) -> dict[str, str]:
+    """Two-wheelers that go by themselves, with nobody of the document on them: one is drawn."""
+    if doc.timeline_system is None or _NOBODY.search(doc.scene_definition.original_description):
+        return {}
+    edges = doc.timeline_system.sequence_graph.edges
+    nodes, regions = doc.spatial_relation_graph.nodes, doc.spatial_relation_graph.semantic_regions
+    gone = {e.actor for e in edges if e.event.value in _GOES}
+    under = (regions.get(nodes[n].semantic_region or "") for n in people)
+    taken = {region.parent_object for region in under if region is not None}
+    return dict.fromkeys(sorted((gone & mounts) - taken), RIDDEN)
 
 
 def _moving(doc: EsgDocument, people: set[str]) -> dict[str, str]:

@@ -19,7 +19,7 @@ from esg.assets.geometry.rolling import (
 )
 from esg.assets.library.catalogue import Entry, build_sketch
 from esg.assets.library.proposal import choose_dimensions, choose_mass
-from esg.assets.library.retrieve import Decision, decide
+from esg.assets.library.retrieve import Decision, closest, decide
 from esg.assets.materials import MATERIALS, Material, find_material, is_usual
 from esg.graph.models import (
     AssetConfiguration,
@@ -36,12 +36,14 @@ ROLLING_RESTITUTION = 0.2
 """At most: on its rim a prism (PhysX) would hop from edge to edge."""
 
 
-def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
+def resolve(doc: EsgDocument, *, seed: int = 0, retrieval_only: bool = False) -> EsgDocument:
     """Fills `asset_configurations` for every requirement.
 
     Args:
         doc: A drafted document.
         seed: Recorded, and given to a generator; the stage itself draws no random numbers.
+        retrieval_only: Take the closest asset of the library for everything, whatever it is, and
+            make nothing (the paper's ablation).
 
     Returns:
         The document with configurations and one more provenance entry, which names the generator
@@ -49,7 +51,7 @@ def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
     """
     from esg.assets.imports.providers import chosen_generator
 
-    generator = chosen_generator()
+    generator = None if retrieval_only else chosen_generator()
     failures: dict[str, str] = {}
     rolled, lying = rolled_assets(doc), lying_assets(doc)
     configurations = {
@@ -60,6 +62,7 @@ def resolve(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
             seed=seed,
             failures=failures,
             rolled=True if key in rolled else False if key in lying else None,
+            retrieval_only=retrieval_only,
         )
         for key, requirement in doc.asset_requirement.items()
     }
@@ -89,6 +92,7 @@ def configure(
     seed: int = 0,
     failures: dict[str, str] | None = None,
     rolled: bool | None = None,
+    retrieval_only: bool = False,
 ) -> AssetConfiguration:
     """The configuration of one requirement.
 
@@ -99,6 +103,7 @@ def configure(
         seed: Given to the generator.
         failures: Receives why the generator gave nothing, by asset id.
         rolled: Whether the story rolls it on its rim; None lets the size decide.
+        retrieval_only: Take the closest asset of the library, whatever it is.
     """
     from esg.assets.library.nearest import nearest, usual_size
     from esg.assets.library.wording import restated
@@ -109,6 +114,8 @@ def configure(
         return made.model_copy(update={"category": category_of(requirement)})
     requirement = usual_size(requirement)
     decision = decide(requirement)
+    if retrieval_only:
+        return build_configuration(key, requirement, closest(decision), rolled)
     if decision.entry is None and generator is not None:
         from esg.assets.imports.generated import generate_asset
         from esg.assets.imports.providers import GenerationError

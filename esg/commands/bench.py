@@ -31,6 +31,7 @@ def bench(
     strict: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[Path | None, Parameter(help="Write the results to this JSON file.")] = None,
     workers: int | None = None,
+    ablations: Annotated[list[str] | None, Parameter(consume_multiple=True, negative="")] = None,
 ) -> int:
     """Run every scene of a suite with several seeds and report SLR, ECR and PPA.
 
@@ -48,7 +49,16 @@ def bench(
         out: Folder of the scene folders; default runs/bench-SUITE-STRATEGY-ENGINE.
         strict: Count scenes as failed that are partial or not plausible.
         workers: Worker processes; default one a core.
+        ablations: Run the paper's ablations instead, all or those named: draft, assets, initial,
+            global, gradients, collision, optimization.
     """
+    if ablations is not None:
+        from esg.commands.ablating import ablate
+
+        return ablate(
+            suite, ablations, runs=runs, seed=seed, engine=engine, device=device, out=out,
+            json=json, workers=workers,
+        )  # fmt: skip
     from esg.api import inputs
     from esg.commands.drafting import from_answers, tell_waiting
     from esg.commands.live import live
@@ -108,10 +118,13 @@ def _published(states: list[SceneState], out: Path, strict: bool) -> None:
 
 def _beside(states: list[SceneState], drafter: str, close_loop: bool) -> dict[str, Any]:
     """What a run tells beside its figures."""
+    from esg.costs.spent import spent
+
     out: dict[str, Any] = {
         "missed": missed(states),
         "not_kept": not_kept(states),
         "implausible": implausible(states),
+        "cost": spent(s.log for s in states).to_json(),
     }
     if drafter != "rules":
         out["drafter"] = drafter
@@ -139,6 +152,7 @@ def _states(total: int, processes: int, arguments: tuple[Any, ...]) -> list[Scen
 
 def _tell(result: dict[str, Any], states: list[SceneState], out: Path) -> None:
     """Prints the results: the table, what was missed, what the closed loop changed."""
+    from esg.costs.spent import line
     from esg.metrics import comparison_table
     from esg.pipeline import STAGES
 
@@ -153,6 +167,7 @@ def _tell(result: dict[str, Any], states: list[SceneState], out: Path) -> None:
             "tolerances"
         )
     cached = sum(s.cached_stages for s in states)
+    print(line(result["cost"]))
     print(f"{cached} of {len(states) * len(STAGES)} stages from cache; scenes in {out}")
 
 

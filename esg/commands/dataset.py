@@ -14,6 +14,7 @@ from cyclopts import Parameter
 from esg.commands.clips import RenderOptions
 from esg.commands.drafting import RULES, Drafting
 from esg.commands.layouts import LayoutOptions
+from esg.dataset.whatifs.options import TEXTS, TruthOptions
 
 if TYPE_CHECKING:
     from esg.dataset.folder import DatasetFolder
@@ -43,8 +44,10 @@ def dataset(
     engine: Literal["physx", "rapier", "newton"] = "physx",
     device: str = "cpu",
     strict: Annotated[bool, Parameter(negative="")] = False,
+    truth: Annotated[TruthOptions, Parameter(name="*")] = TEXTS,
     rendering: RenderOptions | None = None,
     layouts: LayoutOptions | None = None,
+    thin: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Make a dataset of proven scenes: Parquet tables, splits, a dataset card.
@@ -71,8 +74,10 @@ def dataset(
         engine: Engine of the replay: physx runs the emitted class.
         device: cpu or cuda:N.
         strict: Count scenes as failed that are partial (not all is shown) or not plausible.
+        truth: Captions, questions, other engines and what-ifs.
         rendering: What cameras see of every scene.
         layouts: How the dataset is laid out.
+        thin: Leave near-duplicates out of the splits; without it they are marked.
         json: Print one JSON document with counts and paths.
     """
     from esg.api.inputs import check_device, checked
@@ -81,15 +86,17 @@ def dataset(
     from esg.commands.layouts import check_layouts, check_rendered
     from esg.dataset.layouts.building import want_layouts
     from esg.dataset.plan import DatasetSpec, Shard
+    from esg.dataset.whatifs.options import spec_fields
 
     going_on = resume and prompts is None and sample is None
-    part, device, render, names, planned, out, _ = checked(
+    part, device, render, names, planned, out, beside, _ = checked(
         lambda: Shard.parse(shard),
         lambda: check_device(device),
         lambda: render_spec(rendering, device),
         lambda: check_layouts(layouts),
         lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
         lambda: _place(out),
+        lambda: spec_fields(truth),
         lambda: _check_numbers(seed, workers, batch, counterfactual),
     )
     folder, remote = opened(out)
@@ -101,8 +108,8 @@ def dataset(
         spec = DatasetSpec(
             **source, seed=seed, counterfactual=counterfactual, drafter=drafting.drafter,
             strategy=strategy, engine=engine, mcap=mcap, previews=previews, device=device,
-            batch=batch or 0, strict=strict, render=render,
-            meshes=layouts is None or layouts.meshes,
+            batch=batch or 0, strict=strict, render=render, thin=thin,
+            meshes=layouts is None or layouts.meshes, **beside,
         )  # fmt: skip
     check_rendered(folder, spec, names)
     with (
@@ -182,7 +189,7 @@ def _source(
     import hashlib
 
     from esg.api.inputs import existing_file
-    from esg.dataset.grammar import Distribution, load_distribution
+    from esg.dataset.distribution import Distribution, load_distribution
     from esg.dataset.plan import MAX_SCENES, prompts_text, read_prompts
     from esg.files import read_limited
     from esg.outcomes import UserError
@@ -409,6 +416,7 @@ def _summary(
             "splits": info["scenes_per_split"],
             "layouts": [CANONICAL, *wanted_layouts(folder.path)],
             "failures": f"{place}/failures.jsonl" if failed else None,
+            "cost": _cost(folder.path),
         }
     outcomes: dict[str, int] = {}
     for result in done.values():
@@ -424,11 +432,21 @@ def _summary(
         "not_represented": None,
         "splits": None,
         "failures": None,
+        "cost": None,
     }
+
+
+def _cost(folder: Path) -> dict[str, Any] | None:
+    """What the scenes of a finished dataset took; None where nobody wrote it down."""
+    import json
+
+    path = folder / "meta" / "timings.json"
+    return json.loads(path.read_bytes()).get("cost") if path.is_file() else None
 
 
 def describe(summary: dict[str, Any]) -> str:
     """The same for people."""
+    from esg.costs.spent import line
     from esg.fidelity import counted
 
     state = "complete" if summary["complete"] else "other shards are missing"
@@ -446,4 +464,6 @@ def describe(summary: dict[str, Any]) -> str:
         lines.append(f"  most often not shown: {counted(summary['not_represented'])}")
     if summary["failures"]:
         lines.append(f"  why: {summary['failures']}")
+    if summary.get("cost"):
+        lines.append(f"  {line(summary['cost'])}")
     return "\n".join(lines)

@@ -10,7 +10,7 @@ from typing import Literal, get_args
 from esg.compile.transfer import check_length
 from esg.compile.visuals.setting import Setting
 from esg.compile.visuals.usd_files import UsdForm
-from esg.engines.manifest import Manifest, load_manifest
+from esg.engines.manifest import Manifest, carried_json, load_manifest
 from esg.engines.program import batch_programs
 from esg.engines.registry import get_engine
 from esg.engines.scene import Rollout
@@ -97,7 +97,10 @@ def _write(
         from esg.compile.glb import scene_glb
 
         path = out / "scene.glb"
-        path.write_bytes(scene_glb(manifest.scene, rollout, folder, setting=setting))
+        carried = carried_json(manifest)
+        path.write_bytes(
+            scene_glb(manifest.scene, rollout, folder, setting=setting, manifest=carried)
+        )
         return [path]
     from esg.compile.usd import write_usd
 

@@ -8,7 +8,7 @@ materials that several files hold stand in it once. The same input gives the sam
 
 from __future__ import annotations
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -18,7 +18,8 @@ from numpy.typing import NDArray
 
 from esg.assets.gltf.asset import gltf_vector
 from esg.assets.gltf.document import Document, unit
-from esg.assets.gltf.parts import node_matrices, parts_of
+from esg.assets.gltf.fragments import largest, skinned, tile_of
+from esg.assets.gltf.parts import MeshPart, node_matrices, parts_of
 from esg.assets.gltf.surfaces import Surface, surface_of
 from esg.assets.textures import linear
 from esg.compile.assets import mesh_file
@@ -34,7 +35,7 @@ from esg.compile.visuals.setting import (
     seen_at,
     strength,
 )
-from esg.engines.breaking import hidden
+from esg.engines.breaking import hidden, whole_of_fragments
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.engines.wheels import about_axle, wheel_angles
 from esg.strangers.gltf import MOST_BYTES, read_glb
@@ -74,6 +75,7 @@ def scene_glb(
     *,
     setting: Setting | None = None,
     world: int = 0,
+    manifest: Mapping[str, Any] | None = None,
 ) -> bytes:
     """The replayed scene as an animated GLB.
 
@@ -83,17 +85,20 @@ def scene_glb(
         folder: Scene folder with the meshes; a body without a readable one shows its collision.
         setting: Ground, dressing, light and cameras; None: the bodies alone.
         world: World of the rollout.
+        manifest: The physical scene as JSON, for the scene's `extras`: what a judge cannot see in
+            meshes (docs/judging.md). None: it is left out.
     """
     document = Document({"asset": {"version": "2.0", "generator": "esg-scenes"}, "scene": 0})
     library: dict[str, tuple[list[dict[str, Any]], list[int]]] = {}
     document.data["nodes"] = []
     lifts = {} if setting is None else drawn_lifts(scene, setting.covered)
     roots: list[int] = []
+    wholes = whole_of_fragments(scene)
     absent = hidden(scene, rollout.position[world], rollout.quaternion[world])
     for i, body in enumerate(scene.bodies):
         if setting is not None and body.name in setting.covered:
             continue
-        key, data = mesh_of(body, folder)
+        key, data = mesh_of(body, folder, wholes.get(body.name))
         if data is None:
             continue
         if key not in library:
@@ -107,6 +112,8 @@ def scene_glb(
         roots += _surroundings(document, setting)
         roots += [_view(document, view, rollout.time) for view in setting.views]
     document.data["scenes"] = [{"name": scene.scene_id, "nodes": roots}]
+    if manifest is not None:
+        document.data["scenes"][0]["extras"] = {"manifest": manifest}
     if document.channels:
         document.data["animations"] = [
             {"name": "replay", "channels": document.channels, "samplers": document.samplers}
@@ -258,8 +265,14 @@ def continuous(q: Floats) -> Floats:
     return q * np.concatenate([[1.0], np.cumprod(flips)])[:, None]
 
 
-def mesh_of(body: Body, folder: Path) -> tuple[str, bytes | None]:
-    """Key and GLB of a body's mesh; its collision shapes where the file is missing or broken."""
+def mesh_of(body: Body, folder: Path, whole: Body | None = None) -> tuple[str, bytes | None]:
+    """Key and GLB of a body's mesh; its collision shapes where the file is missing or broken.
+
+    Args:
+        body: Whose mesh it is.
+        folder: The scene folder.
+        whole: What a fragment is of, whose surface it shows.
+    """
     path = mesh_file(folder, body.mesh, body.name)
     if path is not None and path.stat().st_size <= MOST_BYTES:
         data = path.read_bytes()
@@ -271,16 +284,23 @@ def mesh_of(body: Body, folder: Path) -> tuple[str, bytes | None]:
             return path.relative_to(folder).as_posix(), data
     if not body.shapes:
         return "", None
-    return f"shapes of {body.name}", _shapes_glb(body)
+    broke = None if whole is None else mesh_of(whole, folder)[1]
+    seen = parts_of(broke) if broke is not None else []
+    return f"shapes of {body.name}", _shapes_glb(body, seen[largest(seen)] if seen else None)
 
 
-def _shapes_glb(body: Body) -> bytes:
+def _shapes_glb(body: Body, seen: MeshPart | None) -> bytes:
+    """Collision shapes, in the body's colour or with the surface of another mesh."""
     document = Document({"asset": {"version": "2.0", "generator": "esg-scenes"}, "scene": 0})
     red, green, blue = (float(c) for c in linear(body.color))
-    material = document.material(Surface("collision", (red, green, blue), roughness=0.8))
+    plain = Surface("collision", (red, green, blue), roughness=0.8)
+    material = document.material(plain if seen is None else seen.surface)
     for number, shape in enumerate(body.shapes):
         mesh = shape_mesh(shape, body)
         corners = gltf_vector(mesh.vertices), np.asarray(mesh.faces), None, None
+        if seen is not None:
+            skin = skinned(mesh, tile_of(seen))
+            corners = gltf_vector(skin.vertices), skin.faces, gltf_vector(skin.normals), skin.uvs
         name = f"shape_{number}"
         index = document.mesh(name, [(corners, material)])
         document.append("nodes", {"name": name, "mesh": index})

@@ -48,10 +48,10 @@ from esg.compile.visuals.usd_looks import (
     quatd,
     triangles,
 )
-from esg.engines.breaking import hidden
+from esg.engines.breaking import hidden, whole_of_fragments
 from esg.engines.joint_rules import BREAK_WINDOW_S
 from esg.engines.joints import WORLD, Joint
-from esg.engines.manifest import Manifest
+from esg.engines.manifest import Manifest, carried_json
 from esg.engines.physx_engine import position_iterations
 from esg.engines.scene import FRAGMENT, Body, Rollout, Shape, SimScene
 from esg.engines.wheels import wheel_angles
@@ -141,6 +141,8 @@ def physics_layer(
     world = UsdGeom.Xform.Define(stage, "/World").GetPrim()
     stage.SetDefaultPrim(world)
     world.SetCustomDataByKey("esg:scene_id", json.dumps(scene.scene_id))
+    # What a judge cannot see in colliders: regions, words, ground (docs/judging.md).
+    world.SetCustomDataByKey("esg:manifest", json.dumps(carried_json(manifest)))
     world.SetCustomDataByKey("esg:watch", json.dumps([list(p) for p in manifest.watch]))
     physics = UsdPhysics.Scene.Define(stage, "/World/PhysicsScene")
     strength = float(np.linalg.norm(scene.gravity))
@@ -204,10 +206,11 @@ def _seen(
     library: dict[str, str] = {}
     out: list[tuple[str, str]] = []
     lifts = {} if setting is None else drawn_lifts(scene, setting.covered)
+    wholes = whole_of_fragments(scene)
     for index, body in enumerate(scene.bodies):
         if setting is not None and body.name in setting.covered:
             continue
-        key, data = mesh_of(body, folder)
+        key, data = mesh_of(body, folder, wholes.get(body.name))
         if data is None:
             continue
         if key not in library:

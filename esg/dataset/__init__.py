@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from esg.dataset.batch import make_batch
+    from esg.dataset.distribution import Distribution
     from esg.dataset.finish import finish
     from esg.dataset.folder import DatasetFolder
-    from esg.dataset.grammar import Distribution, SampledScene, sample_scenes
+    from esg.dataset.grammar import SampledScene, sample_scenes
     from esg.dataset.job import BatchJob, BatchResult
     from esg.dataset.plan import DatasetSpec, PlannedScene, Shard
 
@@ -22,7 +23,7 @@ _HOME = {
     "make_batch": "batch",
     "finish": "finish",
     "DatasetFolder": "folder",
-    "Distribution": "grammar",
+    "Distribution": "distribution",
     "SampledScene": "grammar",
     "sample_scenes": "grammar",
     "DatasetSpec": "plan",

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 import json
 from pathlib import Path
 import shutil
 from typing import TYPE_CHECKING, Any
 
+from esg.costs.spent import Spent
 from esg.dataset.folder import INFO, DatasetFolder
 from esg.dataset.job import BatchResult
 from esg.dataset.plan import DatasetSpec
@@ -36,12 +37,20 @@ def finish(folder: DatasetFolder, spec: DatasetSpec, results: Mapping[int, Batch
         OSError: If the dataset cannot be written.
     """
     from esg.dataset.clips.writing import sweep_clips
+    from esg.dataset.duplicates import duplicates_in, marking
     from esg.store.assembling import assemble_tables, sweep_temporary
     from esg.store.tables import to_table, write_part
 
     out = folder.path
     write_part(to_table("runs", [folder.run().row()]), out / "parts" / "runs" / "run.parquet")
-    counts = assemble_tables(out / "parts", out)
+    repeated = duplicates_in(out / "parts")
+    write_lines(out / "meta" / "duplicates.jsonl", [vars(row) for row in repeated])
+    counts = assemble_tables(
+        out / "parts",
+        out,
+        left_out={row.scene_key for row in repeated} if spec.thin else (),
+        changed=marking(repeated),
+    )
     failed = [dict(row) for n in sorted(results) for row in results[n].failures]
     write_lines(
         out / "meta" / "crashes.jsonl",
@@ -71,13 +80,11 @@ def describe(
         counts: Rows by table and split.
         failed: Rows of `failures.jsonl`.
     """
-    from esg.dataset.card import card, statistics
+    from esg.dataset.card import write_card
     from esg.store.assembling import write_info
 
     write_lines(out / "failures.jsonl", failed)
-    facts = statistics(out, spec, failed)
-    with atomic_file(out / "README.md") as file:
-        file.write(card(spec, counts, facts).encode())
+    facts = write_card(out, spec, counts, failed)
     write_info(out, title, counts, {"statistics": facts})
 
 
@@ -89,20 +96,31 @@ def clean(out: Path) -> None:
 
 
 def timings(results: Mapping[int, BatchResult]) -> dict[str, Any]:
-    """Seconds of work by stage, in all and a scene; `overhead` is everything but stages."""
+    """Seconds of work by stage, in all and a scene; `overhead` is everything but stages.
+
+    Processor time likewise, with `cost`, what `esg dataset` ends with.
+    """
     scenes = sum(r.scenes for r in results.values())
-    total: dict[str, float] = {}
-    for result in results.values():
-        for name, seconds in result.seconds.items():
-            total[name] = total.get(name, 0.0) + seconds
-    whole = total.pop("batch", 0.0)
-    total["overhead"] = whole - sum(total.values())
+    total, whole = _added(r.seconds for r in results.values())
+    cores, _ = _added(r.core_seconds for r in results.values())
     return {
+        "cost": Spent(scenes, total, cores).to_json(),
         "scenes": scenes,
         "seconds": {k: round(v, 2) for k, v in total.items()},
         "seconds_per_scene": {k: round(v / max(1, scenes), 4) for k, v in total.items()},
         "share": {k: round(v / whole, 4) if whole else 0.0 for k, v in total.items()},
     }
+
+
+def _added(parts: Iterable[Mapping[str, float]]) -> tuple[dict[str, float], float]:
+    """Seconds by stage, what is none of them as `overhead`, and seconds in all."""
+    total: dict[str, float] = {}
+    for part in parts:
+        for name, seconds in part.items():
+            total[name] = total.get(name, 0.0) + seconds
+    whole = total.pop("batch", 0.0)
+    total["overhead"] = whole - sum(total.values())
+    return total, whole
 
 
 def write_lines(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:

@@ -11,118 +11,32 @@ dataset begins with the smaller one. Levels and rules are dealt out by low-discr
 a unit come from its own random generator.
 
 A counterfactual pair is a unit rendered twice with one slot changed (mass, speed or target): same
-wording, same seed, same family, and so the same split.
+wording, same seed, same family, and so the same split; and the same place, light and bystanders
+(esg.dataset.variety).
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
-from pydantic import BaseModel, ConfigDict, Field, ValidationError, model_validator
 
+from esg.dataset.distribution import Distribution
 from esg.dataset.rules import RULES, Rule
-from esg.dataset.sentences import Rendered
 from esg.dataset.slots import Values
+from esg.dataset.variety.drawing import Drawn, dealt, draw_variety
+from esg.dataset.variety.saying import told
 from esg.metrics.models import SuiteScene
-from esg.outcomes import UserError
-from esg.strangers.yamlfile import read_yaml
 
 GRAMMAR_VERSION = 1
-LEVELS = ("single", "chain", "multi_phase")
 CHANGEABLE = ("mass", "speed", "target")
 """Slots that a counterfactual changes."""
 
 _GOLDEN = 0.6180339887498949
 _SILVER = 0.41421356237309515
 _MAX_SEED = 2**31 - 1
-
-
-class Distribution(BaseModel):
-    """What sampled scenes are like; shares need not add up to one.
-
-    Args:
-        levels: Share of every level; a level that is not named does not occur.
-        rules: Weight of rules within their level, by name; the others keep theirs.
-        quantified: Probability that an optional number is stated.
-        speeds: Which third of a noun's range of speeds, by share: slow, medium, fast.
-        movers: Only these movers, where a rule has one of them.
-        max_count: Largest number of objects of a set (pins, balls in a chain).
-    """
-
-    model_config = ConfigDict(frozen=True, extra="forbid", allow_inf_nan=False)
-
-    levels: dict[str, float] = Field(
-        default_factory=lambda: {"single": 0.5, "chain": 0.3, "multi_phase": 0.2}
-    )
-    rules: dict[str, float] = Field(default_factory=dict)
-    quantified: float = Field(default=0.4, ge=0.0, le=1.0)
-    speeds: dict[str, float] = Field(
-        default_factory=lambda: {"slow": 1.0, "medium": 1.0, "fast": 1.0}
-    )
-    movers: tuple[str, ...] = ()
-    max_count: int = Field(default=10, ge=3, le=20)
-
-    @model_validator(mode="after")
-    def _names_are_known(self) -> Distribution:
-        known_rules = {r.name for r in RULES}
-        _check_shares("levels", self.levels, LEVELS)
-        _check_shares("speeds", self.speeds, ("slow", "medium", "fast"))
-        _check_shares("rules", self.rules, sorted(known_rules), zero_ok=True)
-        movers = {n.name for r in RULES for n in r.movers}
-        unknown = sorted(set(self.movers) - movers)
-        if unknown:
-            raise ValueError(
-                f"movers {unknown} are unknown; choose from {', '.join(sorted(movers))}"
-            )
-        for level, share in self.levels.items():
-            if share > 0 and not self.weights(level):
-                raise ValueError(f"no rule of level {level!r} is left")
-        return self
-
-    def weights(self, level: str) -> dict[str, float]:
-        """Weight of every rule of a level that may occur, by name."""
-        out: dict[str, float] = {}
-        for rule in RULES:
-            weight = self.rules.get(rule.name, rule.weight)
-            usable = not self.movers or any(n.name in self.movers for n in rule.movers)
-            if rule.level == level and weight > 0 and usable:
-                out[rule.name] = weight
-        return out
-
-
-def _check_shares(
-    field: str, shares: Mapping[str, float], known: Sequence[str], zero_ok: bool = False
-) -> None:
-    unknown = sorted(set(shares) - set(known))
-    if unknown:
-        raise ValueError(f"{field}: {unknown} are unknown; choose from {', '.join(known)}")
-    if any(v < 0 for v in shares.values()) or (not zero_ok and sum(shares.values()) <= 0):
-        raise ValueError(f"{field}: shares must not be negative, and one must be positive")
-
-
-def load_distribution(text: str, name: str = "distribution") -> Distribution:
-    """Reads a distribution from YAML (or JSON).
-
-    Raises:
-        UserError: Listing every problem.
-    """
-    data, mistakes = read_yaml(text)
-    if mistakes:
-        lines = [f"  {m.place}: {m.what}; {m.remedy}" for m in mistakes]
-        raise UserError("\n".join([f"{name} cannot be read:", *lines]))
-    if not isinstance(data, dict):
-        raise UserError(f"{name} must hold a mapping: {', '.join(Distribution.model_fields)}")
-    try:
-        return Distribution.model_validate(data)
-    except ValidationError as error:
-        lines = [
-            f"  {'.'.join(map(str, e['loc'])) or 'distribution'}: {e['msg']} (got {e['input']!r})"
-            for e in error.errors(include_url=False)
-        ]
-        raise UserError("\n".join([f"{name}: {len(lines)} problems", *lines])) from None
 
 
 @dataclass(frozen=True)
@@ -139,6 +53,7 @@ class SampledScene:
         expectation: What must happen, without an id.
         unit: Number of the unit; both scenes of a pair have the same.
         changed: Slot that this scene changes of its base; empty for a base.
+        camera: How to film it; empty: as the dataset is filmed.
     """
 
     prompt: str
@@ -150,6 +65,7 @@ class SampledScene:
     expectation: SuiteScene
     unit: int
     changed: str = ""
+    camera: str = ""
 
 
 def sample_scenes(
@@ -182,27 +98,17 @@ def sample_scenes(
 
 def _unit(unit: int, seed: int, given: Distribution, pair: bool) -> list[SampledScene]:
     offset = np.random.default_rng([seed, 1 << 40]).random(2)
-    level = _dealt(given.levels, (offset[0] + unit * _GOLDEN) % 1.0)
+    level = dealt(given.levels, (offset[0] + unit * _GOLDEN) % 1.0)
     by_name = given.weights(level)
-    rule = next(r for r in RULES if r.name == _dealt(by_name, (offset[1] + unit * _SILVER) % 1.0))
+    rule = next(r for r in RULES if r.name == dealt(by_name, (offset[1] + unit * _SILVER) % 1.0))
     rng = np.random.default_rng([seed, unit])
     scene_seed = int(rng.integers(_MAX_SEED))
     values = draw(rule, rng, given, must_change=pair)
-    out = [_scene(rule, values, scene_seed, unit, "")]
+    sides = [("", values)]
     if pair:
-        slot, other = changed(rule, values, rng)
-        out.append(_scene(rule, other, scene_seed, unit, slot))
-    return out
-
-
-def _dealt(shares: Mapping[str, float], place: float) -> str:
-    """The key at a place in [0, 1) of the cumulated shares."""
-    left = place * sum(shares.values())
-    for name, share in shares.items():
-        if left < share:
-            return name
-        left -= share
-    return next(name for name in reversed(list(shares)) if shares[name] > 0)
+        sides.append(changed(rule, values, rng))
+    drawn = draw_variety(seed, unit, given, rule.where, [v for _, v in sides])
+    return [_scene(rule, v, scene_seed, unit, slot, drawn) for slot, v in sides]
 
 
 def draw(
@@ -245,22 +151,26 @@ def changed(rule: Rule, values: Values, rng: np.random.Generator) -> tuple[str, 
     raise ValueError(f"rule {rule.name!r} has no slot that can change")
 
 
-def _scene(rule: Rule, values: Values, seed: int, unit: int, slot: str) -> SampledScene:
-    said: Rendered = rule.render(values)
+def _scene(
+    rule: Rule, values: Values, seed: int, unit: int, slot: str, drawn: Drawn
+) -> SampledScene:
+    said = told(rule, values, drawn)
     return SampledScene(
         prompt=said.prompt,
         seed=seed,
         rule=rule.name,
         level=rule.level,
         family=f"{rule.name}: {values['mover'].name}",
-        values={k: getattr(v, "name", v) for k, v in values.items()},
+        values={**{k: getattr(v, "name", v) for k, v in values.items()}, **said.parameters},
         expectation=SuiteScene(
             id="scene",
             prompt=said.prompt,
             level=rule.level,
             events=said.events,
             constraints=said.constraints,
+            statements=said.statements,
         ),
         unit=unit,
         changed=slot,
+        camera=drawn.camera,
     )

@@ -15,7 +15,9 @@ from typing import Any, Literal
 
 from pydantic import BaseModel, ConfigDict
 
-from esg.dataset.grammar import GRAMMAR_VERSION, Distribution, sample_scenes
+from esg.dataset.distribution import Distribution
+from esg.dataset.grammar import GRAMMAR_VERSION, sample_scenes
+from esg.dataset.whatifs.amounts import Variable
 from esg.outcomes import UserError
 from esg.pipeline import SceneRequest
 from esg.store.records import prompt_family, split_of
@@ -31,6 +33,8 @@ Share = Literal["all", "failed", "sample", "none"]
 PreviewShare = Literal["all", "sample", "none"]
 SAMPLE_EVERY = 50
 """`sample` means every so many scenes, beginning with the first."""
+LATER = ("annotations", "what_if", "engines", "render", "thin")
+"""Fields of a specification that datasets of an older version do not have."""
 
 
 class Prompt(BaseModel):
@@ -111,7 +115,11 @@ class DatasetSpec(BaseModel):
         batch: Scenes a batch.
         strict: Whether `partial` scenes count as failed.
         meshes: Whether the meshes that manifests name are packed beside them.
+        annotations: Whether scenes get captions and questions.
+        what_if: Variables of which each is changed in every solved scene.
+        engines: Engines that every scene is replayed in, at two steps.
         render: What cameras see; None for a dataset without clips.
+        thin: Whether near-duplicates are left out of all splits.
     """
 
     model_config = ConfigDict(frozen=True, extra="forbid")
@@ -134,7 +142,11 @@ class DatasetSpec(BaseModel):
     batch: int = 0
     strict: bool = False
     meshes: bool = True
+    annotations: Literal["all", "none"] = "all"
+    what_if: tuple[Variable, ...] = ()
+    engines: tuple[Literal["physx", "rapier", "newton"], ...] = ()
     render: RenderSpec | None = None
+    thin: bool = False
 
     @property
     def batch_size(self) -> int:
@@ -154,8 +166,11 @@ class DatasetSpec(BaseModel):
         return f"dataset-{hashlib.sha256(self.canonical().encode()).hexdigest()[:12]}"
 
     def canonical(self) -> str:
-        """Canonical JSON; what is not asked for is left out, as it was before there was such."""
-        data = self.model_dump(mode="json", exclude=None if self.render else {"render"})
+        """Canonical JSON; what came later and was not asked for leaves names as they were."""
+        data = self.model_dump(mode="json")
+        for name in LATER:
+            if getattr(self, name) == type(self).model_fields[name].default:
+                del data[name]
         return json.dumps(data, sort_keys=True, separators=(",", ":"))
 
     def differences(self, other: DatasetSpec) -> list[str]:
@@ -178,7 +193,8 @@ class PlannedScene:
         rule: Rule of the grammar, or empty.
         pair: Id of the counterfactual pair's base scene, or empty.
         changed: What this scene changes of its base; empty for a base.
-        parameters: JSON of the grammar's slots, or empty.
+        parameters: JSON of the grammar's slots and of what was drawn beside them, or empty.
+        camera: How the distribution has it filmed; empty: as the dataset is.
     """
 
     index: int
@@ -191,6 +207,7 @@ class PlannedScene:
     pair: str = ""
     changed: str = ""
     parameters: str = ""
+    camera: str = ""
 
 
 @dataclass(frozen=True)
@@ -255,6 +272,7 @@ def plan_scenes(spec: DatasetSpec, prompts: Sequence[Prompt] = ()) -> list[Plann
                 pair=base if spec.counterfactual else "",
                 changed=scene.changed,
                 parameters=json.dumps(dict(scene.values), sort_keys=True),
+                camera=scene.camera,
             )
         )
     return out

@@ -45,7 +45,7 @@ def _heavy(values: Values, noun: Noun) -> str:
 
 
 def _colored(color: str, noun: Noun) -> str:
-    return f"a {color} {noun.name}" if color else noun.phrase
+    return Noun(f"{color} {noun.name}").phrase if color else noun.phrase
 
 
 def _cap(text: str) -> str:

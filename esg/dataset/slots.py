@@ -11,7 +11,7 @@ from esg.dataset.vocabulary import Noun
 if TYPE_CHECKING:
     import numpy as np
 
-    from esg.dataset.grammar import Distribution
+    from esg.dataset.distribution import Distribution
 
 Values = dict[str, Any]
 

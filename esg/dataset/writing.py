@@ -32,6 +32,8 @@ def write_batch(
     Returns:
         Its result, and the time the recordings took [s].
     """
+    from esg.dataset.annotations.rows import annotated
+    from esg.dataset.running import replay_alternatives
     from esg.store.records import SceneRecord, record_of
     from esg.store.tables import write_tables
 
@@ -39,7 +41,8 @@ def write_batch(
     met: list[bool] = []
     verified: list[bool] = []
     packed: dict[Path, None] = {}
-    for scene, state in zip(job.scenes, states, strict=True):
+    elsewhere = replay_alternatives(job, states)
+    for scene, state, other in zip(job.scenes, states, elsewhere, strict=True):
         record = record_of(
             state,
             job.run,
@@ -50,7 +53,7 @@ def write_batch(
             family=scene.family,
             extra=_columns(scene, state),
         )
-        rows = {t: r for t, r in record.rows.items() if t != "runs"}
+        rows = annotated(job, state, other, dict(record.rows))
         # Everything but `timings` is the same whenever and however often a scene is made.
         row = {**rows["scenes"][0], "seconds": None, "cached_stages": None, "artifacts": None}
         if job.spec.meshes and row["manifest"]:
@@ -217,7 +220,7 @@ def _preview(
     outcome = state.outcome.value if state.outcome else ""
     note = f"{outcome}  |  replayed in {rollout.engine} at {rate}"
     try:
-        preview(physical, rollout, verdict, doc, folder, note=note, film=False)
+        preview(physical, rollout, verdict, doc, folder, note=note)
         path = job.out / "previews" / f"{scene.scene_id}.png"
         atomic_write(path, lambda target: _copy(folder / "preview.png", target))
         return [path]

@@ -147,7 +147,7 @@ def _things() -> frozenset[str]:
 def _sky(place: Place, text: str, rng: np.random.Generator) -> tuple[SkyRow, str]:
     rows = [row for row in skies().values() if row.setting == place.setting]
     for row in rows:
-        for word in row.said_as:
+        for word in (*row.said_as, *row.not_shown):
             if re.search(rf"\b{re.escape(word)}\b", text):
                 return row, f'{row.name} sky: "{word}"'
     weights = np.array([row.weight for row in rows])

@@ -126,6 +126,11 @@ def manifest_to_json(
     return data
 
 
+def carried_json(manifest: Manifest) -> dict[str, Any]:
+    """The manifest for a file that carries it along: without what others added to it."""
+    return manifest_to_json(manifest.scene, manifest.program, watch=manifest.watch, dt=manifest.dt)
+
+
 def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
     """What has to be said beyond the usual; other manifests read as they always did."""
     out: dict[str, str] = {}

@@ -19,6 +19,9 @@ from esg.units import (
 
 Floats = NDArray[np.float64]
 
+FOOT, SEAT = "foot", "seat"
+"""Mounts that no asset has to name: its origin, and the middle of its first surface or its top."""
+UP: Vec3 = (0.0, 0.0, 1.0)
 ACROSS: Vec3 = (0.0, 1.0, 0.0)
 """What hangs on a ball joint, a rope or a spring is drawn back about this axis of its parent."""
 KINDS_OF_JOINT: dict[EdgeEvent, tuple[str, ...]] = {
@@ -63,7 +66,13 @@ def pose_of(frame: Frame) -> Pose:
 
 
 def mount_of(asset: AssetConfiguration, name: str | None) -> Mount | None:
-    """The mount of that name; None if the asset has none."""
+    """The mount of that name; None if the asset has none. Every asset has `FOOT` and `SEAT`."""
+    if name == FOOT:
+        return Mount(name=FOOT, position_cm=(0.0, 0.0, 0.0), axis=UP)
+    if name == SEAT:
+        top = (0.0, 0.0, asset.dimensions_cm[2])
+        seat = next((s.center_cm for s in asset.support_surfaces), top)
+        return Mount(name=SEAT, position_cm=seat, axis=UP)
     return next((m for m in asset.mounts or () if m.name == name), None)
 
 

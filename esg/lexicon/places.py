@@ -53,7 +53,8 @@ class SkyRow:
     Args:
         name: Unique.
         setting: Of the places that have it.
-        said_as: Words that ask for it.
+        said_as: Words that ask for it, and that it shows.
+        not_shown: Words that ask for it and say more than it shows: rain falls from no sky of ours.
         kind: What is seen of it (`esg.view.surroundings.Sky`).
         weight: Of the draw where nothing is said; 0 only if it is asked for.
         elevation_deg: Of the sun.
@@ -64,6 +65,7 @@ class SkyRow:
     name: str
     setting: Setting
     said_as: tuple[str, ...]
+    not_shown: tuple[str, ...]
     kind: SkyKind
     weight: float
     elevation_deg: Span
@@ -195,6 +197,7 @@ def skies() -> dict[str, SkyRow]:
             name=row["name"],
             setting=_setting(row),
             said_as=_words(row["said_as"]),
+            not_shown=_words(row["not_shown"]),
             kind=_SKY_KINDS[row["kind"]],
             weight=float(row["weight"]),
             elevation_deg=_span(row["elevation_deg"]),
@@ -205,6 +208,18 @@ def skies() -> dict[str, SkyRow]:
         )
         for row in _rows("skies.csv")
     }
+
+
+@cache
+def sky_words(setting: Setting) -> tuple[frozenset[str], frozenset[str]]:
+    """Words for light and weather: what the skies of a setting show, and what no picture shows.
+
+    Snow that lies on the ground is shown, as a surface.
+    """
+    shown = {w for row in skies().values() if row.setting == setting for w in row.said_as}
+    asked = {w for row in skies().values() for w in (*row.said_as, *row.not_shown)}
+    lying = {"snow", "snowy"} & {*surfaces()["snow"].said_as}
+    return frozenset(shown | lying), frozenset(asked - shown - lying)
 
 
 @cache

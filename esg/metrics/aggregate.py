@@ -203,11 +203,16 @@ def comparison_rows(bench: Mapping[str, Any]) -> list[dict[str, str]]:
     return [*rows, total]
 
 
-def comparison_table(bench: Mapping[str, Any]) -> str:
-    """The comparison as a Markdown table, with SLR and PPA of all methods below."""
+def comparison_table(bench: Mapping[str, Any], *, ours: str = "Ours") -> str:
+    """The comparison as a Markdown table, with SLR and PPA of all methods below.
+
+    Args:
+        bench: What `bench_json` made.
+        ours: What the column of its results is called.
+    """
     paper = load_paper_results()
     columns = {
-        "scene": "Scene", "events": "N", "ours": "Ours", "slr": "SLR", "ppa": "PPA",
+        "scene": "Scene", "events": "N", "ours": ours, "slr": "SLR", "ppa": "PPA",
         "skr": "SKR", "plausible": "Plausible", "outcome": "Outcome", "seconds": "s/scene",
     }  # fmt: skip
     if bench["totals"]["skr"] is None:

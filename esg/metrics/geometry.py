@@ -119,22 +119,37 @@ def core_depth(a: Floats, b: Floats) -> float:
     return max(0.0, float(np.min(-hull.equations[:, 3])))
 
 
-def gjk_distance(a: Floats, b: Floats, iterations: int = 64) -> float:
+def gjk_distance(a: Floats, b: Floats) -> float:
     """Distance between the hulls of two point sets [m], 0 if they overlap (GJK)."""
+    return float(np.linalg.norm(gjk_vector(a, b)))
+
+
+def gjk_vector(a: Floats, b: Floats, *, beyond: float = math.inf, iterations: int = 64) -> Floats:
+    """The shortest way from the hull of `b` to that of `a` [m], shape [3]; 0 if they overlap.
+
+    Args:
+        a, b: Point sets, shapes [n, 3] and [m, 3].
+        beyond: Once the two are known to be farther apart, a way that is at least this long and no
+            longer than the gap will do [m].
+        iterations: At most.
+    """
     simplex = np.empty((0, 3))
     v = a[0] - b[0]
     for _ in range(iterations):
         norm2 = float(v @ v)
         if norm2 < _EPS * _EPS:
-            return 0.0
+            return np.zeros(3)
         w = a[np.argmin(a @ v)] - b[np.argmax(b @ v)]
+        along = float(v @ w)
         # No point of the difference is closer in this direction: v is the closest one.
-        if norm2 - float(v @ w) <= 1e-10 * norm2 + 1e-14 or _has_row(simplex, w):
-            return math.sqrt(norm2)
+        if norm2 - along <= 1e-10 * norm2 + 1e-14 or _has_row(simplex, w):
+            return v
+        if along > beyond * math.sqrt(norm2):
+            return v * (along / norm2)
         simplex, v = _closest(np.vstack([simplex, w]))
         if len(simplex) == 4:
-            return 0.0
-    return float(np.linalg.norm(v))
+            return np.zeros(3)
+    return v
 
 
 def _has_row(simplex: Floats, w: Floats) -> bool:

@@ -39,18 +39,25 @@ class MeshLibrary:
         self.chunks[key] = text
         return key
 
-    def add(self, body: Body, folder: Path, problems: list[str] | None = None) -> str:
+    def add(
+        self,
+        body: Body,
+        folder: Path,
+        problems: list[str] | None = None,
+        whole: Body | None = None,
+    ) -> str:
         """Key of a body's mesh, empty if it has none.
 
         Args:
             body: Its collision shapes stand in for a missing file.
             folder: The scene folder.
             problems: Receives what is wrong with a damaged file.
+            whole: What a fragment is of, whose surface it shows.
         """
         known = self._keys.get((str(folder), body.mesh)) if body.mesh else None
         if known:
             return known
-        source, data = mesh_of(body, folder)
+        source, data = mesh_of(body, folder, whole)
         path = folder / body.mesh
         if body.mesh and source != body.mesh and path.exists() and problems is not None:
             problems.append(str(damaged(path, "no binary glTF: its collision shapes are shown")))

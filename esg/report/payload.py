@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from esg.assets.looks import Look
-from esg.engines.breaking import shown
+from esg.engines.breaking import shown, whole_of_fragments
 from esg.engines.scene import Rollout, SimScene
 from esg.engines.wheels import scene_angles
 from esg.report.binary import Chunk
@@ -142,6 +142,7 @@ def scene_chunk(
 def _bodies(
     sim: SimScene, folder: Path, meshes: MeshLibrary, problems: list[str]
 ) -> list[dict[str, Any]]:
+    wholes = whole_of_fragments(sim)
     return [
         {
             "name": b.name,
@@ -153,7 +154,7 @@ def _bodies(
             "half": list(b.half_extents),
             "offset": list(b.origin_offset),
             "collides": b.collides,
-            "mesh": meshes.add(b, folder, problems),
+            "mesh": meshes.add(b, folder, problems, wholes.get(b.name)),
             **({"wheels": [[w.name, *w.axle] for w in b.wheels]} if b.wheels else {}),
         }
         for b in sim.bodies

@@ -6,7 +6,7 @@ whatever parts they came in. One output file is in memory at a time, beside one 
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Collection, Mapping, Sequence
 import contextlib
 from dataclasses import dataclass
 import json
@@ -85,17 +85,23 @@ def assemble_tables(
     max_bytes: int = MAX_FILE_BYTES,
     scenes_per_file: int | None = None,
     scenes: Path | None = None,
+    left_out: Collection[str] = (),
+    changed: Callable[[str, pa.Table], pa.Table] = lambda _, data: data,
 ) -> Counts:
     """The split files alone (`assemble`); returns rows by table and split.
 
     Args:
         parts, out, tables, max_bytes, scenes_per_file: As of `assemble`.
         scenes: Where table `scenes` is that says the splits; default among the parts.
+        left_out: Keys of scenes that go to no split.
+        changed: Given a table's name and its rows, what is written of them; as many, with the same
+            keys.
 
     Raises:
         UserError: If a part is damaged, with its path.
     """
-    splits = _scene_splits(scenes or parts)
+    known = _scene_splits(scenes or parts)
+    splits = {key: split for key, split in known.items() if key not in left_out}
     counts: Counts = {}
     for table in tables:
         files = part_files(parts, table)
@@ -109,7 +115,7 @@ def assemble_tables(
             continue
         counts[table] = {}
         for split, places in _in_order(table, files, splits).items():
-            _write_split(table, split, files, places, out, max_bytes, scenes_per_file)
+            _write_split(table, split, files, places, out, max_bytes, scenes_per_file, changed)
             counts[table][split] = len(places)
     return counts
 
@@ -186,6 +192,7 @@ def _write_split(
     out: Path,
     max_bytes: int,
     fixed: int | None,
+    changed: Callable[[str, pa.Table], pa.Table],
 ) -> None:
     folder = out / table
     for old in folder.glob(f"{split}-*-of-*.parquet"):
@@ -199,7 +206,7 @@ def _write_split(
     bounds = [len(places) * i // count for i in range(count + 1)]
     for i in range(count):
         name = PART_PATTERN.format(split=split, index=i, count=count)
-        data = _gather(table, files, places[bounds[i] : bounds[i + 1]])
+        data = changed(table, _gather(table, files, places[bounds[i] : bounds[i + 1]]))
         write_part(data, folder / name, row_group=row_group_rows(table))
 
 
@@ -258,7 +265,12 @@ _ONE_ROW = {
     "plausibility_checks": "a check of a scene's replay: measured value and limit",
     "timings": "a pipeline stage of a scene",
     "meshes": "a mesh that a scene's manifest names: glTF, its buffer in `meshes/buffers`",
+    "captions": "a scene's captions at three lengths, with the events and hits that they tell",
+    "questions": "a question about a scene, with its measured answer",
+    "engine_events": "an event of a scene in one engine at one step",
+    "what_ifs": "a scene with one variable changed, replayed in one engine",
     "clips": "what one camera saw of a scene: files, camera, boxes, tracks",
+    "truth_checks": "a check of a clip's ground truth against geometry: residuals and limit",
 }
 
 

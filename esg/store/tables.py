@@ -42,7 +42,12 @@ KEYS: dict[str, tuple[str, ...]] = {
     "plausibility_checks": ("scene_key", "engine", "check_name"),
     "timings": ("scene_key", "stage"),
     "meshes": ("scene_key", "mesh"),
+    "captions": ("scene_key",),
+    "questions": ("scene_key", "question_index"),
+    "engine_events": ("scene_key", "engine", "dt_s", "event_id"),
+    "what_ifs": ("scene_key", "variable", "engine"),
     "clips": ("scene_key", "camera"),
+    "truth_checks": ("scene_key", "camera", "check_name"),
 }
 """Primary key of every table; `scene_key` is run, suite, scene and seed (esg.store.records)."""
 
@@ -71,7 +76,8 @@ COLUMNS: dict[str, dict[str, str]] = {
         "rule": "string", "pair": "string", "changed": "string", "parameters": PARAMETERS,
         "expectation": EXPECTATION, "manifest": "string",
         "fully_understood": "bool", "statements_kept": "float64", "plausible": "bool",
-        "preview": "image",
+        "engines_agree": "bool",
+        "preview": "image", "duplicate_of": "string",
     },
     "trajectories": {
         **_SCENE, "split": "string", "engine": "string", "dt_s": "float64", "fps": "float64",
@@ -118,6 +124,31 @@ COLUMNS: dict[str, dict[str, str]] = {
         **_SCENE, "mesh": "string", "asset": "string", "gltf": "string", "buffer": "string",
         "bytes": "int64", "license": "string", "attribution": "string",
     },
+    "captions": {
+        **_SCENE, "short": "string", "medium": "string", "long": "string",
+        "event_ids": "list<string>", "event_texts": "list<string>",
+        "event_times_s": "list<float64>", "hit_a": "list<string>", "hit_b": "list<string>",
+        "hit_times_s": "list<float64>", "hit_impulses_ns": "list<float64>",
+        "statements": "list<string>",
+    },
+    "questions": {
+        **_SCENE, "question_index": "int32", "kind": "string", "question": "string",
+        "answer": "string", "choices": "list<string>", "value": "float64", "unit": "string",
+        "measure": "string", "arguments": "list<string>", "measured_by": "string",
+    },
+    "engine_events": {
+        **_SCENE, "engine": "string", "dt_s": "float64", "event_id": "string",
+        "event_index": "int32", "event_type": "string", "completed": "bool", "time_s": "float64",
+        "agrees": "bool", "reason": "string",
+    },
+    "what_ifs": {
+        **_SCENE, "variable": "string", "engine": "string", "pair": "string", "amount": "string",
+        "body": "string", "value_before": "float64", "value": "float64", "unit": "string",
+        "dt_s": "float64", "duration_s": "float64", "outcome": "string", "reason": "string",
+        "event_ids": "list<string>", "completed": "list<bool>", "event_times_s": "list<float64>",
+        "bodies": "list<string>", "final_position_m": "list<float32>", "apart_m": "float64",
+        "engines_apart_m": "float64", "agrees": "bool",
+    },
     "clips": {
         **_SCENE, "split": "string", "camera": "int32", "camera_kind": "string",
         "width": "int32", "height": "int32", "fps": "float64",
@@ -138,6 +169,12 @@ COLUMNS: dict[str, dict[str, str]] = {
         "qw:float32>>",
         "track_ids": "list<int32>", "track_point_m": "list<float32>",
         "track_xy_px": "list<float32>", "track_visible": "list<bool>", "video": "video",
+        "place": "string", "sky": "string",
+    },
+    "truth_checks": {
+        **_SCENE, "camera": "int32", "check_name": "string", "unit": "string",
+        "samples": "int64", "p50": "float64", "p90": "float64", "p99": "float64",
+        "worst": "float64", "limit_value": "float64", "ok": "bool", "note": "string",
     },
 }  # fmt: skip
 """Column name to type of every table (esg.store.columns)."""
@@ -145,7 +182,8 @@ COLUMNS: dict[str, dict[str, str]] = {
 ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
     "scenes": (
         "rule", "pair", "changed", "parameters", "expectation", "manifest", "esg_cast",
-        "fully_understood", "statements_kept", "plausible", "preview",
+        "fully_understood", "statements_kept", "plausible", "preview", "duplicate_of",
+        "engines_agree",
     ),
     "trajectories": ("prompt", "contact_point_m", "contact_normal"),
     **dict.fromkeys(
@@ -157,8 +195,8 @@ ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
     ),
 }  # fmt: skip
 """Columns that files of an older format lack (`esg_cast` is of 1.2, what became of statements of
-1.3, `plausible` of 1.4, `preview`, where contacts are and the prompt on every row of 2.0): they
-read as null."""
+1.3, `plausible` of 1.4, `preview`, `engines_agree`, where contacts are and the prompt on every row
+of 2.0): they read as null."""
 
 TABLES = tuple(COLUMNS)
 
@@ -347,6 +385,31 @@ def part_files(folder: Path, table: str | None = None) -> list[Path]:
     """Finished Parquet files below a folder, in name order; temporary ones are not looked at."""
     pattern = f"{table}/*.parquet" if table else "*/*.parquet"
     return sorted(p for p in Path(folder).glob(pattern) if not p.name.startswith("."))
+
+
+def iter_batches(
+    paths: Iterable[Path], columns: Sequence[str], *, rows: int = ROW_GROUP_SCENES
+) -> Iterator[pa.RecordBatch]:
+    """Some columns of several files, few rows in memory at a time.
+
+    Args:
+        paths: The files.
+        columns: Which every version of their table has.
+        rows: At a time.
+
+    Raises:
+        UserError: If a file is damaged, with its path.
+    """
+    import pyarrow.parquet as pq
+
+    for path in paths:
+        table_of(path)
+        try:
+            with pq.ParquetFile(_local(path), page_checksum_verification=True) as file:
+                yield from file.iter_batches(batch_size=rows, columns=list(columns))
+        except Exception as error:  # whatever the reader meets in a damaged file
+            why = (str(error).splitlines() or [type(error).__name__])[0]
+            raise UserError(f"{path} is damaged ({why}); delete it and run again") from None
 
 
 def iter_rows(

@@ -10,6 +10,8 @@ from numpy.typing import NDArray
 
 Floats = NDArray[np.float64]
 
+EDGE = 0.97
+"""Points spread over a picture reach so far out from its middle."""
 FOV_RAD = 0.62
 """Vertical field of view: about a 60 mm lens, little distortion at the edges."""
 
@@ -38,6 +40,20 @@ class Camera:
         flat = math.sqrt(x * x + y * y)
         u, v = y / flat, -x / flat
         return np.array([[u, v * z, -x], [v, -u * z, -y], [0.0, u * y - v * x, -z]])
+
+    def spread(self, rays: tuple[int, int], share: float, aspect: float = 1.5) -> Floats:
+        """Points all over the picture, at a share of the target's depth [m], shape [n, 3].
+
+        Args:
+            rays: Points along its width and height.
+            share: Of the way to the target.
+            aspect: Width over height.
+        """
+        depth = share * float(np.linalg.norm(np.subtract(self.target, self.eye)))
+        high = depth * math.tan(self.fov / 2)
+        x, y = np.meshgrid(*(np.linspace(-EDGE, EDGE, n) for n in rays))
+        local = np.stack([aspect * high * x, high * y, np.full(x.shape, -depth)], axis=-1)
+        return np.asarray(self.eye) + local.reshape(-1, 3) @ self.axes.T
 
     def quaternion(self) -> Floats:
         """Orientation (x, y, z, w) of a camera that looks along its -Z with +Y up, shape [4]."""

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import EsgDocument
 from esg.view.camera import Camera, box_corners, frame_points
-from esg.view.moments import REACH, Moment, moments_of
+from esg.view.moments import HAND_REACH, REACH, Moment, moments_of
 from esg.view.render import Renderer
 
 if TYPE_CHECKING:
@@ -23,6 +23,8 @@ if TYPE_CHECKING:
 PANEL_PX = (480, 320)
 ACTION_LEAD_S, ACTION_TAIL_S = 0.6, 0.4
 """Fixed cameras keep in view what happens so long before the first event and after the last."""
+SPECK = 60.0
+"""What is so many times as large as what meets it is shown in part: else that is a few pixels."""
 ROOM_ALONE = 0.9
 """Room on every side of a single body, in its own sizes."""
 HIDDEN = 0.3
@@ -63,6 +65,8 @@ def points_in_view(
     boxes = {i: corners_of(scene, rollout, frame, i) for i in (*moment.focus, *moment.company)}
     movers = [i for i in moment.focus if not scene.bodies[i].static] or list(moment.focus)
     middle = np.median([boxes[i].mean(axis=0) for i in movers], axis=0)
+    if moment.at_hand:
+        boxes |= _near(boxes, moment.focus, movers)
 
     def nearest_first(bodies: Sequence[int]) -> list[int]:
         return sorted(bodies, key=lambda i: (float(np.linalg.norm(boxes[i].mean(0) - middle)), i))
@@ -70,12 +74,28 @@ def points_in_view(
     order = nearest_first(moment.focus)
     keep = order if len(order) <= 4 else order[:2]
     points = np.concatenate([boxes[i] for i in keep])
-    limit = moment.reach * float(np.ptp(points, axis=0).max())
+    span = float(np.ptp(points, axis=0).max())
+    limit = max(moment.reach * span, min(moment.at_hand, HAND_REACH * span))
     for i in [*(j for j in order if j not in keep), *nearest_first(moment.company)]:
         wider = np.concatenate([points, boxes[i]])
         if float(np.ptp(wider, axis=0).max()) <= limit:
             points = wider
     return points
+
+
+def _near(
+    boxes: dict[int, NDArray[np.float64]], focus: Sequence[int], movers: Sequence[int]
+) -> dict[int, NDArray[np.float64]]:
+    """Of what is very large beside a mover, the part around it: a net where the ball meets it."""
+    small = min(movers, key=lambda i: float(np.ptp(boxes[i], axis=0).max()))
+    room = 0.5 * SPECK * float(np.ptp(boxes[small], axis=0).max())
+    low, high = boxes[small].min(axis=0) - room, boxes[small].max(axis=0) + room
+    out: dict[int, NDArray[np.float64]] = {}
+    for i in focus:
+        a, b = np.maximum(boxes[i].min(axis=0), low), np.minimum(boxes[i].max(axis=0), high)
+        if i != small and float(np.ptp(boxes[i], axis=0).max()) > 2.0 * room and np.all(a <= b):
+            out[i] = np.array(list(itertools.product(*zip(a, b, strict=True))))
+    return out
 
 
 def camera_for(

@@ -3,21 +3,34 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
 import numpy as np
 
-from esg.engines.scene import Rollout, SimScene
+from esg.assets.appearance import RIDDEN
+from esg.assets.appearances import appearances
+from esg.assets.builders.living.poses import POSES
+from esg.engines.scene import Body, Rollout, SimScene
 from esg.graph.models import EsgDocument, RelationType
 
 if TYPE_CHECKING:
     from esg.metrics.models import EventVerdict, SceneVerdict
 
+INTO = frozenset(["enters", "placed", "reaches"])
+"""Events of which one sees where they lead."""
 MAX_EVENTS = 7
+HEAD_M = 1.85
+"""Height of the head of who rides a two-wheeler: those that are drawn reach 1.79 to 1.86 m."""
+SITTING = 0.54
+"""Height of somebody above his seat, over that of him standing: 91 of 172 cm (`poses.SEAT`)."""
 REACH, FAR_REACH = 4.5, 14.0
 """Company joins the picture of an event, or the first and the last one, if the picture is then at
 most so many times as wide as what must be seen."""
+AT_HAND_M = 3.0
+HAND_REACH = 8.0
+"""Room around a small thing to which an event happens: who threw the ball is seen, too, while it
+is not much smaller than the picture."""
 _UNITS = {"mps": "m/s", "m": "m", "s": "s", "deg": "deg", "ns": "N s", "kg": "kg"}
 
 
@@ -33,6 +46,8 @@ class Moment:
     title: str
     caption: str
     reach: float = REACH
+    at_hand: float = 0.0
+    """Company joins a small focus up to a picture so wide [m], and `HAND_REACH` times its size."""
 
 
 def moments_of(
@@ -50,7 +65,12 @@ def moments_of(
     moments = [Moment(0.0, cast, company, "start", "before anything moves", FAR_REACH)]
     for number, event in enumerate(events, 1):
         bodies = tuple(scene.index(b) for b in event.bodies if b in scene.names) or cast
-        mates = tuple(i for i in company if len(bodies) < 2 or _same_group(scene, i, bodies))
+        bodies = tuple(dict.fromkeys([*bodies, *fixed_to(scene, bodies)]))
+        if event.type in INTO:
+            bodies = tuple(dict.fromkeys([*bodies, *openings_of(scene, doc, bodies)]))
+        mates = tuple(i for i in company if i not in bodies)
+        if len(bodies) > 1:
+            mates = tuple(i for i in mates if _same_group(scene, i, bodies))
         moments.append(
             Moment(
                 event.time_s or 0.0,
@@ -58,10 +78,43 @@ def moments_of(
                 mates,
                 f"{number}  {_title(scene, event)}",
                 _measurements(event),
+                at_hand=AT_HAND_M,
             )
         )
     moments.append(Moment(end, cast, company, "after", f"t = {end:.2f} s", FAR_REACH))
     return moments
+
+
+def as_seen(scene: SimScene, doc: EsgDocument) -> SimScene:
+    """A scene for cameras, with boxes around what is drawn.
+
+    Those of vehicles on which somebody is drawn reach up to his head; those of people who sit end
+    there, whose bodies are those of people who stand.
+
+    Args:
+        scene: The bodies, as they collide.
+        doc: What they look like.
+    """
+    looks = appearances(doc)
+
+    def drawn(body: Body) -> Body:
+        pose = looks[body.name].pose if body.name in looks else ""
+        x, y, z = body.half_extents
+        if pose == RIDDEN:
+            z = max(z, 0.5 * HEAD_M)
+        elif pose in POSES and POSES[pose].seated:
+            z *= SITTING
+        return body if z == body.half_extents[2] else replace(body, half_extents=(x, y, z))
+
+    return scene.with_bodies(tuple(drawn(b) for b in scene.bodies))
+
+
+def fixed_to(scene: SimScene, bodies: Sequence[int]) -> list[int]:
+    """Who is fixed to some bodies, or they to him: a rider and what he rides are one sight."""
+    names = {scene.bodies[i].name for i in bodies}
+    pairs = [(j.child, j.parent) for j in scene.joints if j.kind == "fixed"]
+    found = [b for a, b in (*pairs, *((b, a) for a, b in pairs)) if a in names and b not in names]
+    return sorted({scene.index(n) for n in found if n in scene.names})
 
 
 def _same_group(scene: SimScene, body: int, others: Sequence[int]) -> bool:

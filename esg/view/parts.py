@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 from esg.assets.looks import Color, Look
 from esg.compile.visuals.decals import drawn_lifts, is_ground
+from esg.engines.breaking import whole_of_fragments
 from esg.engines.scene import FRAGMENT, Body, Rollout, SimScene
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument
@@ -48,20 +50,26 @@ def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:
     parts: list[Part] = []
     looks = appearances(doc)
     meshes: dict[Any, Any] = {}
+
+    def mesh_of(name: str) -> Any:
+        asset = doc.spatial_relation_graph.nodes[name].asset_id
+        key = (asset, looks[name])
+        if key not in meshes:
+            meshes[key] = build_mesh(doc.asset_configurations[asset], looks[name])
+        return meshes[key]
+
     turning = 0
     for index, body in enumerate(scene.bodies):
         first, turning = turning, turning + len(body.wheels)
         node = doc.spatial_relation_graph.nodes.get(body.name)
         if body.category == FRAGMENT:
-            parts += _fragment(index, body)
+            whole = whole_of_fragments(scene)[body.name]
+            parts += _fragment(index, body, mesh_parts(mesh_of(whole.name), whole.color))
         if node is None:
             continue
         if index in hidden:
             continue
-        key = (node.asset_id, looks[body.name])
-        if key not in meshes:
-            meshes[key] = build_mesh(doc.asset_configurations[node.asset_id], looks[body.name])
-        mesh = meshes[key]
+        mesh = mesh_of(body.name)
         wheels = {w.name: Turning(first + k, w.axle) for k, w in enumerate(body.wheels)}
         offset = body.origin_offset + np.array([0.0, 0.0, lifts.get(index, 0.0)])
         parts += [
@@ -93,16 +101,20 @@ def ground_bodies(scene: SimScene, doc: EsgDocument) -> frozenset[int]:
     )
 
 
-def _fragment(index: int, body: Body) -> list[Part]:
-    """A fragment as what collides: convex, in the colour of what broke."""
+def _fragment(index: int, body: Body, whole: Sequence[Piece]) -> list[Part]:
+    """A fragment as what collides: convex, of the surface that most of what broke shows."""
+    import trimesh
+
+    from esg.assets.gltf.fragments import largest, skinned, tile_of
     from esg.engines.shapes import hull
 
+    seen = whole[largest(whole)]
     out: list[Part] = []
     for shape in body.shapes:
         vertices, faces = hull(np.array(shape.vertices))
-        # Every face has corners of its own, so that its edges are sharp.
-        flat = vertices[faces.reshape(-1)] + np.asarray(shape.position)
-        out.append(Part(index, flat, np.arange(len(flat)).reshape(-1, 3), body.color))
+        skin = skinned(trimesh.Trimesh(vertices, faces, process=False), tile_of(seen) / CM_PER_M)
+        at = skin.vertices + np.asarray(shape.position)
+        out.append(Part(index, at, skin.faces, seen.color, None, seen.look, skin.normals, skin.uvs))
     return out
 
 

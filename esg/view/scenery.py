@@ -65,5 +65,5 @@ def seen_from(
     frames = np.linspace(0, len(rollout.time) - 1, INSTANTS).astype(int)
     corners = [corners_of(scene, rollout, int(f), k) for f in np.unique(frames) for k in movers]
     points = np.concatenate([np.array([c.target for c in cameras], float), *corners])
-    eyes = np.unique([c.eye for c in cameras], axis=0)
-    return replace(whole, surroundings=around.seen_from(eyes, points[np.isfinite(points).all(1)]))
+    seen = around.seen_from(cameras, points[np.isfinite(points).all(1)])
+    return replace(whole, surroundings=seen)

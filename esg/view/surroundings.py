@@ -15,6 +15,7 @@ from esg.assets.looks import Color, Look
 if TYPE_CHECKING:
     from esg.engines.scene import Rollout, SimScene
     from esg.graph.models import Dressing, EsgDocument
+    from esg.view.camera import Camera
     from esg.view.pieces import Part
 
 SkyKind = Literal["plain", "clear", "cloudy", "dusk", "night", "indoor"]
@@ -57,17 +58,20 @@ class Surroundings:
     ground: Look
     parts: tuple[Part, ...] = ()
 
-    def seen_from(self, eyes: Floats, points: Floats) -> Surroundings:
+    def seen_from(self, cameras: Sequence[Camera], points: Floats) -> Surroundings:
         """Without the things that stand between cameras and what they are to show.
 
         Walls of a room and facades of a street are left out whole as soon as one looks through
-        them from one of the eyes, as in a dollhouse, and so is what a camera stands in.
+        them from one of the eyes, as in a dollhouse, and so is what a camera stands in and what
+        covers a part of its picture.
 
         Args:
-            eyes: Of all cameras that draw it [m], shape [n, 3].
+            cameras: All that draw it.
             points: What they look at: a few points of the action [m], shape [m, 3].
         """
-        hidden = in_the_way(self.parts, np.atleast_2d(eyes), np.atleast_2d(points))
+        eyes = np.unique([c.eye for c in cameras], axis=0)
+        hidden = in_the_way(self.parts, eyes, np.atleast_2d(points))
+        hidden |= before_the_picture(self.parts, cameras)
         return replace(self, parts=tuple(p for p in self.parts if thing_of(p) not in hidden))
 
 
@@ -75,6 +79,14 @@ GROUND = "ground"
 """What the parts of markings are of; they hide nothing."""
 MOST_EYES, MOST_POINTS = 16, 40
 """Lines of sight of a shot are tried between so many of its eyes and points."""
+RAYS = (12, 8)
+"""Lines of sight all over a picture, along its width and height."""
+SHORT_OF = 0.8
+"""They end so far on the way to what it shows."""
+COVERS = 0.03
+"""Share of a picture from which on a thing before it is left out."""
+FLAT_M = 0.4
+"""What is thinner hides as its whole plane does: a fence of wires, a row of posts."""
 NEAR_M = 0.6
 """A camera stands in what is nearer to it than this."""
 
@@ -107,6 +119,45 @@ def in_the_way(parts: Sequence[Part], eyes: Floats, points: Floats) -> frozenset
         cross = _crosses_box(starts, ends, low, high)
         if cross.any() and _crosses(starts[cross], ends[cross], part.vertices[part.faces]):
             found.add(name)
+    return frozenset(found)
+
+
+def before_the_picture(parts: Sequence[Part], cameras: Sequence[Camera]) -> frozenset[str]:
+    """Things that fill a part of a picture from nearer than what it is of.
+
+    A wall at its edge, a fence all over it: rays go out all over the picture, to shortly before the
+    distance of what it shows; wires and slats count as the plane they lie in.
+
+    Args:
+        parts: Of surroundings.
+        cameras: At least one.
+    """
+    boxes: dict[str, list[tuple[Floats, Floats, Part]]] = {}
+    for part in parts:
+        name = thing_of(part)
+        if name != GROUND:
+            low, high = part.vertices.min(axis=0), part.vertices.max(axis=0)
+            boxes.setdefault(name, []).append((low, high, part))
+    found: set[str] = set()
+    for camera in cameras:
+        ends = camera.spread(RAYS, SHORT_OF)
+        starts = np.repeat(np.array([camera.eye], float), len(ends), axis=0)
+        for name, of_thing in boxes.items():
+            if name in found:
+                continue
+            met = np.zeros(len(ends), bool)
+            for low, high, part in of_thing:
+                cross = _crosses_box(starts, ends, low, high) & ~met
+                if not cross.any():
+                    continue
+                if float((high - low).min()) < FLAT_M:
+                    met |= cross
+                    continue
+                rays = np.flatnonzero(cross)
+                corners = part.vertices[part.faces]
+                met[rays] = [_crosses(starts[k : k + 1], ends[k : k + 1], corners) for k in rays]
+            if np.count_nonzero(met) >= COVERS * len(ends):
+                found.add(name)
     return frozenset(found)
 
 
@@ -163,14 +214,28 @@ def surroundings_of(doc: EsgDocument, scene: SimScene, rollout: Rollout) -> Surr
     if dressing is None:
         color = ground_color(scene, doc)
         return Surroundings(Sky(), Look("", color, 0.9), checkerboard(rollout, color))
-    from esg.dressing.meshes import meshes_of, surface_look
+    from esg.dressing.meshes import surface_look
+
+    return Surroundings(_sky(dressing), surface_look(dressing.ground)[0], _standing(dressing))
+
+
+_last: list[tuple[Dressing, tuple[Part, ...]]] = []
+"""The dressing whose parts were made last, which a scene's record asks for several times."""
+
+
+def _standing(dressing: Dressing) -> tuple[Part, ...]:
+    from esg.dressing.meshes import meshes_of
     from esg.view.pieces import Part
 
-    parts = [
+    for known, parts in _last:
+        if known is dressing:
+            return parts
+    made = tuple(
         Part(-1, m.vertices, m.faces, m.color, None, m.look, m.normals, m.uvs, m.name)
         for m in meshes_of(dressing)
-    ]
-    return Surroundings(_sky(dressing), surface_look(dressing.ground)[0], tuple(parts))
+    )
+    _last[:] = [(dressing, made)]
+    return made
 
 
 def _sky(dressing: Dressing) -> Sky:

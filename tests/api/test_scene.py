@@ -128,3 +128,21 @@ def test_what_is_missing_is_told(scene: esg.Scene, tmp_path: Path) -> None:
         _ = esg.Scene.load(broken).verdict
     assert "manifest.json is damaged" in str(told.value)
     assert "metrics.json is damaged" in str(told.value)
+
+
+def test_what_a_scene_exports_is_judged_as_the_scene_was(scene: esg.Scene, tmp_path: Path) -> None:
+    suite = tmp_path / "suite.yaml"
+    suite.write_text(
+        f'suite: one\nscenes:\n  - id: S1\n    level: single\n    prompt: "{PROMPT}"\n'
+        '    events:\n      - {id: e1, type: collision, a: "ball", b: "box"}\n'
+    )
+    truth = esg.judge(scene, suite)
+    files = [*scene.export("glb", tmp_path), *scene.export("usd", tmp_path)]
+    wanted = ("scene.glb", "scene_animation.usda")
+    judged = [f for f in files if f.name in wanted] + [scene.folder / "rollout.mcap"]
+    assert len(judged) == 3
+    for file in judged:
+        found = esg.judge_trajectories(file, suite).verdict
+        assert [e.completed for e in found.events] == [e.completed for e in truth.events] == [True]
+        assert found.events[0].time_s == pytest.approx(truth.events[0].time_s, abs=1 / 60)
+        assert found.events[0].bodies == truth.events[0].bodies and found.slr == truth.slr

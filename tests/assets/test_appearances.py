@@ -29,6 +29,14 @@ def looks(prompt: str, seed: int = 0) -> dict[str, Appearance]:
         ("A woman sits on a bench.", "woman_1", "sit"),
         ("Three people walk across the road.", "person_3", "walk"),
         ("A man stands next to a car.", "man_1", ""),
+        ("A man rides a bicycle.", "man_1", "ride"),
+        ("A girl rides a horse.", "girl_1", "astride"),
+        ("A boy rides a skateboard.", "boy_1", "balance"),
+        ("A motorcycle drives down the road.", "motorcycle_1", "ridden"),
+        ("A bicycle hits a trash can.", "bicycle_1", "ridden"),
+        ("A man rides a bicycle.", "bicycle_1", ""),
+        ("A riderless motorcycle rolls into a wall.", "motorcycle_1", ""),
+        ("A car hits a parked motorcycle.", "motorcycle_1", ""),
     ],
 )
 def test_a_person_is_posed_by_what_he_does(prompt: str, node: str, pose: str) -> None:

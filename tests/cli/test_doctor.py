@@ -52,7 +52,7 @@ def test_the_drafter_that_auto_takes_is_told(monkeypatch: pytest.MonkeyPatch) ->
         monkeypatch.delenv(f"ESG_LLM_{name}", raising=False)
     check = next(c for c in doctor._CHECKS if c.name == "drafter")
     assert not check.required
-    with pytest.raises(RuntimeError, match="uses the rules.*ESG_LLM_BASE_URL"):
+    with pytest.raises(RuntimeError, match=r"uses the rules.*ESG_LLM_BASE_URL"):
         check.probe()
     monkeypatch.setenv("ESG_LLM_BASE_URL", "http://localhost:1/v1?key=secret")
     monkeypatch.setenv("ESG_LLM_MODEL", "some-model")

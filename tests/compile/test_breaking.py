@@ -13,10 +13,14 @@ import pytest
 import scenes
 from usd import usd_of
 
+from esg.assets import resolve, write_meshes
+from esg.assets.gltf.fragments import largest, tile_of
+from esg.assets.gltf.parts import parts_of
 from esg.compile import emit_class
-from esg.compile.glb import scene_glb
+from esg.compile.glb import mesh_of, scene_glb
 from esg.compile.mjcf import scene_mjcf
 from esg.compile.usd import write_usd
+from esg.draft import draft
 from esg.engines import get_engine
 from esg.engines.breaking import hidden
 from esg.engines.breaking.pieces import broken
@@ -121,3 +125,23 @@ def test_exports_show_fragments_from_the_break_on(tmp_path: Path) -> None:
     paths = write_usd(manifest, rollout, tmp_path, tmp_path)
     baked = next(p for p in paths if "animation" in p.name).read_text("utf-8")
     assert baked.count("token visibility.timeSamples") == 1 + len(scene.bodies[0].fragments)
+
+
+def test_fragments_show_the_surface_of_what_broke(tmp_path: Path) -> None:
+    """Textured where it is, in the GLB and in USD; the plain colour only where it has no mesh."""
+    scene, commands = dropped()
+    doc = resolve(draft("A wooden crate falls."))
+    write_meshes(doc, tmp_path)
+    (crate,) = (c for c in doc.asset_configurations.values() if c.category == "crate")
+    whole = replace(scene.bodies[0], mesh=crate.mesh_path)
+    seen = parts_of(mesh_of(whole, tmp_path)[1] or b"")
+    most = seen[largest(seen)].surface
+    piece = scene.bodies[1]
+    shown = parts_of(mesh_of(piece, tmp_path, whole)[1] or b"")
+    assert {p.surface.name for p in shown} == {most.name}
+    assert all(p.uvs is not None and p.normals is not None for p in shown)
+    tiles = np.median([tile_of(p) for p in shown])
+    assert tiles == pytest.approx(tile_of(seen[largest(seen)]), rel=0.3)
+    assert {p.surface.name for p in parts_of(mesh_of(piece, tmp_path)[1] or b"")} == {"collision"}
+    stage = usd_of(tmp_path, SimScene("s", (whole, *scene.bodies[1:])), Program(commands, 0.1))
+    assert stage.exists()

@@ -16,6 +16,7 @@ import pytest
 from esg import pipeline, stages
 from esg.dataset import running as module
 from esg.dataset.batch import make_batch
+from esg.dataset.card import CARD, untimed
 from esg.dataset.finish import clean, finish
 from esg.dataset.folder import DatasetFolder, read_mark
 from esg.dataset.job import BatchJob
@@ -70,7 +71,7 @@ def below(out: Path) -> dict[str, bytes]:
     """Everything but times."""
     times = ("timings/", "runs/", "meta/run.json", "meta/timings.json")
     return {
-        name: p.read_bytes()
+        name: untimed(p.read_text()).encode() if name == CARD else p.read_bytes()
         for p in sorted(out.rglob("*"))
         if p.is_file() and not (name := p.relative_to(out).as_posix()).startswith((*times, ".lock"))
     }
@@ -98,7 +99,7 @@ def test_a_dataset_holds_every_scene_and_nothing_else(tmp_path: Path) -> None:
         "trajectories",
     ]
     assert sorted(p.name for p in (tmp_path / "a" / "meta").iterdir()) == [
-        "info.json", "plan.json", "prompts.jsonl", "run.json", "timings.json",
+        "duplicates.jsonl", "info.json", "plan.json", "prompts.jsonl", "run.json", "timings.json",
     ]  # fmt: skip
 
 
@@ -252,7 +253,7 @@ def test_a_dataset_killed_while_writing_equals_an_uninterrupted_one(
     where = {
         "write_tables": "esg.store.tables.write_tables",
         "write_mark": "esg.dataset.batch.write_mark",
-        "finish": "esg.dataset.card.card",
+        "finish": "esg.dataset.card.sections.text",
         "info": "esg.store.assembling.write_info",
     }[moment]
     with monkeypatch.context() as patch:
@@ -428,3 +429,23 @@ def test_file_metadata_name_table_and_format(tmp_path: Path) -> None:
     for path in part_files(tmp_path / "a"):
         with pq.ParquetFile(path) as file:
             assert file.schema_arrow.metadata[b"esg.table"].decode() == path.parent.name
+
+
+def test_near_duplicates_are_marked_or_left_out(tmp_path: Path) -> None:
+    """All of them replay the same: what differs is a number in the prompt."""
+    build(tmp_path / "marked", GOOD)
+    build(tmp_path / "thin", GOOD, thin=True)
+    marked = {str(s["scene_id"]): s for s in scenes(tmp_path / "marked")}
+    kept = {name for name, s in marked.items() if s["duplicate_of"] is None}
+    keys = {marked[name]["scene_key"] for name in kept}
+    assert 0 < len(kept) < len(marked)
+    assert {s["duplicate_of"] for s in marked.values() if s["duplicate_of"]} <= keys
+    thin = {str(s["scene_id"]): str(s["scene_key"]) for s in scenes(tmp_path / "thin")}
+    assert set(thin) == kept
+    lines = (tmp_path / "thin" / "meta" / "duplicates.jsonl").read_text().splitlines()
+    assert len(lines) == len(marked) - len(kept)
+    for table in ("trajectories", "metrics", "coverage"):
+        files = part_files(tmp_path / "thin", table)
+        assert {k for p in files for k in read_table(p)["scene_key"].to_pylist()} <= {
+            *thin.values()
+        }

@@ -10,15 +10,8 @@ from hypothesis import strategies as st
 import numpy as np
 import pytest
 
-from esg.dataset.grammar import (
-    CHANGEABLE,
-    Distribution,
-    SampledScene,
-    changed,
-    draw,
-    load_distribution,
-    sample_scenes,
-)
+from esg.dataset.distribution import Distribution, load_distribution
+from esg.dataset.grammar import CHANGEABLE, SampledScene, changed, draw, sample_scenes
 from esg.dataset.rules import RULES
 from esg.metrics import parse_suite
 from esg.outcomes import UserError

@@ -274,3 +274,18 @@ def test_a_street_lies_under_who_goes_along_it_not_under_who_comes_across() -> N
     assert abs(math.remainder(car, 180.0)) < 15.0
     assert abs(abs(truck) - 90.0) < 15.0
     assert in_its_lane(doc, "street_1", "car_1")
+
+
+def test_a_crosswalk_that_is_passed_lies_across_the_street() -> None:
+    """Its middle is the street's, and its bars lie along the traffic."""
+    doc = laid("A bus passes a crosswalk.")
+    along, across, off, _ = on_street(doc, "road_1", "crosswalk_1")
+    assert abs(across) < 60.0 and abs(abs(off) - 90.0) < 15.0
+    start = on_street(doc, "road_1", "bus_1")[0]
+    assert abs(along - start) > 300.0
+
+
+def test_a_street_that_somebody_crosses_lies_across_his_way() -> None:
+    doc = laid("A dog runs across the street.")
+    _, across, off, _ = on_street(doc, "street_1", "dog_1")
+    assert abs(abs(off) - 90.0) < 1.0 and abs(across) > 150.0

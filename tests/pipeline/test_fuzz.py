@@ -14,7 +14,7 @@ from esg.api.inputs import check_device
 from esg.assets.imports.sources import parse_properties, read_folder
 from esg.assets.imports.store import read_record
 from esg.commands.serve import check_cron
-from esg.dataset.grammar import load_distribution
+from esg.dataset.distribution import load_distribution
 from esg.dataset.plan import Shard, read_prompts
 from esg.engines.manifest import load_manifest
 from esg.graph import verify

@@ -88,12 +88,34 @@ def record(
         ),
     )
     clip = clip_record(run.run_id, scene, seed=seed, suite=run.suite, split="")
-    place = ("run_id", "scene_key", "suite", "scene_id", "seed", "prompt")
-    mesh = {
-        **{k: made.rows["scenes"][0][k] for k in place},
-        "mesh": "meshes/ball_1.glb", "asset": "ball", "gltf": "{}", "buffer": None, "bytes": 20,
+    checked = {
+        "check_name": "flow", "camera": 0, "unit": "px", "samples": 4, "p50": 0.01, "p90": 0.02,
+        "p99": 0.03, "worst": 0.04, "limit_value": 0.1, "ok": True, "note": "",
     }  # fmt: skip
-    return SceneRecord({**made.rows, "clips": [clip.row()], "meshes": [mesh]})
+    place = {k: made.rows["scenes"][0][k] for k in ("run_id", "scene_key", "suite", "scene_id")}
+    checked |= {**place, "seed": seed}
+    common = {k: made.rows["scenes"][0][k] for k in COMMON}
+    seen = {"clips": [clip.row()], "truth_checks": [checked]}
+    mesh = {
+        **common, "mesh": "meshes/ball_1.glb", "asset": "ball", "gltf": "{}", "buffer": None,
+        "bytes": 20,
+    }  # fmt: skip
+    return SceneRecord({**made.rows, **seen, **beside(common), "meshes": [mesh]})
+
+
+COMMON = ("run_id", "scene_key", "suite", "scene_id", "seed", "prompt")
+
+
+def beside(common: dict[str, object]) -> dict[str, list[dict[str, object]]]:
+    """Rows that datasets have beside a record: texts, other engines, what-ifs."""
+    engine = {**common, "engine": "physx", "dt_s": 1.0 / 240.0}
+    happens = {"event_ids": ["e1"], "completed": [True], "event_times_s": [0.4]}
+    return {
+        "captions": [{**common, "short": "Two balls collide.", "hit_impulses_ns": [2000.0]}],
+        "questions": [{**common, "question_index": 0, "kind": "what_if", "answer": "Yes."}],
+        "engine_events": [{**engine, "event_id": "e1", "completed": True, "agrees": True}],
+        "what_ifs": [{**engine, "variable": "none", "outcome": "unchanged", **happens}],
+    }
 
 
 def records(run: RunInfo, scenes: int = 3, seeds: int = 2) -> list[SceneRecord]:

@@ -154,7 +154,7 @@ def test_what_is_entered_is_in_the_first_picture() -> None:
     timeline = TimelineSystem(sequence_graph=SequenceGraph(nodes=(node,), edges=()))
     told = DOC.model_copy(update={"timeline_system": timeline})
     found = moments_of(scene(), rollout(), verdict(enters), told)
-    assert [m.focus for m in found] == [(0, 1), (0,), (0, 1)]
+    assert [m.focus for m in found] == [(0, 1), (0, 1), (0, 1)]
 
 
 def test_specks_get_a_ring() -> None:

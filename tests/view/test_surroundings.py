@@ -6,9 +6,16 @@ import numpy as np
 import pytest
 
 from esg.dressing import dress
+from esg.view.camera import Camera
 from esg.view.parts import body_parts, scene_parts
 from esg.view.pieces import Part
-from esg.view.surroundings import Surroundings, in_the_way, surroundings_of, thing_of
+from esg.view.surroundings import (
+    Surroundings,
+    before_the_picture,
+    in_the_way,
+    surroundings_of,
+    thing_of,
+)
 from tests.dressing.worlds import body, document, ground, rollout_of, scene_of, straight
 
 
@@ -38,7 +45,8 @@ def test_what_a_camera_stands_in_is_left_out_whole() -> None:
     trunk, crown = wall("tree", 5.0), wall("tree", 5.2)
     other = wall("bench", -9.0)
     around = Surroundings(*_plain(), parts=(trunk, crown, other))
-    seen = around.seen_from(np.array([[5.1, 0.0, 1.5]]), np.array([[9.0, 0.0, 1.0]]))
+    camera = Camera((5.1, 0.0, 1.5), (9.0, 0.0, 1.0))
+    seen = around.seen_from([camera], np.array([[9.0, 0.0, 1.0]]))
     assert [thing_of(p) for p in seen.parts] == ["bench"]
 
 
@@ -83,7 +91,7 @@ def test_a_room_is_open_towards_whoever_looks_in(number: int) -> None:
     points = np.array([[0.0, 0.0, 0.1], [1.0, 0.0, 0.1]])
 
     def walls(eye: tuple[float, float, float]) -> int:
-        seen = around.seen_from(np.array([eye]), points)
+        seen = around.seen_from([Camera(eye, (0.5, 0.0, 0.1))], points)
         return len({thing_of(p) for p in seen.parts if "room_wall" in p.name})
 
     assert walls((0.5, 2.0, 1.5)) == 4
@@ -121,7 +129,33 @@ def test_what_stands_at_a_wall_goes_with_it() -> None:
     assert len(at) >= 4 and {i.wall for i in at} <= {w.id for w in walls}
     for wall in walls:
         eye = 30.0 * np.array(wall.position_cm) / np.linalg.norm(wall.position_cm) + (0, 0, 1.5)
-        seen = {p.name for p in around.seen_from(eye[None], points).parts}
+        camera = Camera((eye[0], eye[1], eye[2]), (0.0, 0.0, 0.1))
+        seen = {p.name for p in around.seen_from([camera], points).parts}
         assert not any(f"{i.id}_" in name for name in seen for i in at if i.wall == wall.id)
         others = [i for i in at if i.wall != wall.id]
         assert others and all(any(f"{i.id}_" in name for name in seen) for i in others)
+
+
+def test_what_fills_the_edge_of_a_picture_from_nearby_is_left_out() -> None:
+    """A corner of a house that no line of sight to the action meets, and one behind the action."""
+    camera = Camera((8.0, 0.0, 1.5), (0.0, 0.0, 0.5))
+    corner = wall("corner", 4.0)
+    beside = Part(
+        -1, corner.vertices + np.array([0.0, 3.4, 0.0]), corner.faces, (1, 1, 1), name="corner/x"
+    )
+    assert not in_the_way((beside,), np.array([camera.eye]), ACTION)
+    assert before_the_picture((beside,), [camera]) == {"corner"}
+    assert not before_the_picture((wall("behind", -2.0),), [camera])
+    outside = Part(
+        -1, corner.vertices + np.array([0.0, 9.0, 0.0]), corner.faces, (1, 1, 1), name="out/x"
+    )
+    assert not before_the_picture((outside,), [camera])
+
+
+def test_a_fence_of_wires_hides_as_the_plane_it_lies_in() -> None:
+    camera = Camera((8.0, 0.0, 1.5), (0.0, 0.0, 0.5))
+    wires = [[[4.0, y, 0.0], [4.0, y + 0.002, 0.0], [4.0, y, 3.0]] for y in np.linspace(-2, 2, 9)]
+    corners = np.array(wires).reshape(-1, 3)
+    fence = Part(-1, corners, np.arange(27).reshape(-1, 3), (1, 1, 1), name="fence/wire")
+    assert not in_the_way((fence,), np.array([camera.eye]), ACTION + np.array([0.0, 0.25, 0.0]))
+    assert before_the_picture((fence,), [camera]) == {"fence"}

@@ -82,7 +82,7 @@ def _walked(document: dict[str, Any]) -> Iterator[tuple[dict[str, Any], Floats, 
     while waiting:
         index, above, holder = waiting.pop()
         node = nodes[index]
-        matrix = above @ _matrix(node)
+        matrix = above @ matrix_of(node)
         yield node, matrix, holder
         name = str(node.get("name", ""))
         waiting += [(child, matrix, name) for child in reversed(node.get("children", []))]
@@ -99,23 +99,23 @@ def _part(
     mode = primitive.get("mode", _TRIANGLES)
     if "POSITION" not in attributes or mode not in (_TRIANGLES, _STRIP, _FAN):
         return None
-    points = _values(document, binary, attributes["POSITION"], 3)
+    points = values_of(document, binary, attributes["POSITION"], 3)
     if "indices" in primitive:
-        index = _values(document, binary, primitive["indices"], 1).astype(np.int64).ravel()
+        index = values_of(document, binary, primitive["indices"], 1).astype(np.int64).ravel()
     else:
         index = np.arange(len(points))
     if index.size and index.max() >= len(points):
         raise ValueError(f"it names vertex {index.max()} of {len(points)}")
-    faces = _faces(index, mode)
+    faces = triangles_of(index, mode)
     if np.linalg.det(matrix[:3, :3]) < 0.0:
         faces = faces[:, ::-1]
     normals = uvs = None
     if "NORMAL" in attributes:
-        turned = _values(document, binary, attributes["NORMAL"], 3) @ _normal_matrix(matrix).T
+        turned = values_of(document, binary, attributes["NORMAL"], 3) @ _normal_matrix(matrix).T
         length = np.linalg.norm(turned, axis=1, keepdims=True)
         normals = _z_up(turned / np.where(length > 0.0, length, 1.0))
     if "TEXCOORD_0" in attributes:
-        uvs = _values(document, binary, attributes["TEXCOORD_0"], 2) * (1.0, -1.0) + (0.0, 1.0)
+        uvs = values_of(document, binary, attributes["TEXCOORD_0"], 2) * (1.0, -1.0) + (0.0, 1.0)
     if any(len(v) != len(points) for v in (normals, uvs) if v is not None):
         raise ValueError("it has not as many normals or texture coordinates as vertices")
     vertices = _z_up(points @ matrix[:3, :3].T + matrix[:3, 3])
@@ -135,7 +135,8 @@ def _normal_matrix(matrix: Floats) -> Floats:
     return np.linalg.inv(turn).T.astype(float) if abs(determinant) > 1e-12 else turn
 
 
-def _faces(index: Faces, mode: int) -> Faces:
+def triangles_of(index: Faces, mode: int) -> Faces:
+    """Triangles of a primitive's indices, shape [m, 3]; `mode` is glTF's."""
     if mode == _TRIANGLES:
         return index[: len(index) // 3 * 3].reshape(-1, 3)
     first = np.arange(max(len(index) - 2, 0))
@@ -145,7 +146,8 @@ def _faces(index: Faces, mode: int) -> Faces:
     return index[np.stack([first, first + 1 + odd, first + 2 - odd], axis=1)]
 
 
-def _matrix(node: dict[str, Any]) -> Floats:
+def matrix_of(node: dict[str, Any]) -> Floats:
+    """Where a node is in the one above it, in glTF's frame [m], shape [4, 4]."""
     if "matrix" in node:
         return np.array(node["matrix"], float).reshape(4, 4).T
     matrix = np.eye(4)
@@ -156,7 +158,7 @@ def _matrix(node: dict[str, Any]) -> Floats:
     return matrix
 
 
-def _values(document: dict[str, Any], binary: bytes, index: int, width: int) -> Floats:
+def values_of(document: dict[str, Any], binary: bytes, index: int, width: int) -> Floats:
     """The values of an accessor, shape [n, width]; normalized ones in [-1, 1]."""
     accessor = document["accessors"][index]
     if _WIDTHS.get(accessor["type"]) != width:

@@ -13,7 +13,7 @@ kind stands in (esg/assets/library/nearest.py), or a plain body of the wanted si
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 import math
 import re
@@ -230,12 +230,24 @@ def decide(requirement: AssetRequirement) -> Decision:
                           {d.asset_name for d in candidates[:k]}][:_KEEP]  # fmt: skip
         sure = 1.0 if found is not None else confidence(text, candidates[0])
     if found is None and sure >= GATE:
-        best = candidates[0].asset_name
-        found = next(e for e in active_index().entries if qualified(e) == best)
+        found = _entry(candidates[0])
     if found is not None and misfit(found, requirement, named=exact(text) is found):
         found, sure = None, min(sure, GATE)
     shape = None if found is not None else _plain(requirement)
     return Decision(found, sure, tuple(candidates), shape)
+
+
+def closest(decision: Decision) -> Decision:
+    """The decision of whoever has to take something of the library, whatever it is."""
+    if decision.entry is not None:
+        return decision
+    best = decision.runners_up[0]
+    reason = f"the library holds nothing closer than {best.asset_name}"
+    return replace(decision, entry=_entry(best), shape=None, reason=reason)
+
+
+def _entry(candidate: RetrievalCandidate) -> Entry:
+    return next(e for e in active_index().entries if qualified(e) == candidate.asset_name)
 
 
 def _certain(entry: Entry, requirement: AssetRequirement) -> RetrievalCandidate:

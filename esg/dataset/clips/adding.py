@@ -24,13 +24,15 @@ from esg.dataset.clips.subjects import told_scenes
 from esg.dataset.clips.writing import sweep_clips
 from esg.dataset.finish import describe, write_json
 from esg.dataset.folder import INFO, PLAN, DatasetFolder
-from esg.dataset.job import RENDER, BatchJob, BatchResult, batch_name
+from esg.dataset.job import CROSSCHECK, RENDER, BatchJob, BatchResult, batch_name
 from esg.dataset.plan import DatasetSpec, PlannedScene, RenderSpec
 from esg.outcomes import UserError
 from esg.pipeline import SceneRequest
 from esg.store.assembling import Counts, assemble_tables
 from esg.store.tables import part_files, read_table, write_part
 
+TABLES = ("clips", "truth_checks")
+"""What clips leave."""
 SCAFFOLD = "rendering"
 _MOVING = "moving"
 
@@ -180,15 +182,16 @@ def add_clips(adding: Adding, results: Mapping[int, BatchResult]) -> None:
         if path.name.startswith("batch-")
         for key in read_table(path, ["scene_key"])["scene_key"].to_pylist()
     }
-    for path in part_files(out, "clips"):
-        _keep(path, done, parts / "clips" / f"kept-{path.name}")
+    for table in TABLES:
+        for path in part_files(out, table):
+            _keep(path, done, parts / table / f"kept-{path.name}")
     for path in sorted((scaffold / "clips").glob("[!.]*")):
         target = out / "clips" / path.name
         target.parent.mkdir(exist_ok=True)
         shutil.rmtree(target, ignore_errors=True)
         os.replace(path, target)
     sweep_clips(out / "clips")
-    assemble_tables(parts, out, tables=("clips",), scenes=out)
+    assemble_tables(parts, out, tables=TABLES, scenes=out)
     _tell(adding, results, done)
     shutil.rmtree(scaffold, ignore_errors=True)
 
@@ -228,8 +231,9 @@ def _time(path: Path, results: Mapping[int, BatchResult]) -> None:
     """Adds what rendering took to the times of a dataset."""
     times = json.loads(path.read_bytes())
     seconds = times["seconds"]
-    spent = sum(r.seconds.get(RENDER, 0.0) for r in results.values())
-    seconds[RENDER] = round(seconds.get(RENDER, 0.0) + spent, 2)
+    for name in (RENDER, CROSSCHECK):
+        spent = sum(r.seconds.get(name, 0.0) for r in results.values())
+        seconds[name] = round(seconds.get(name, 0.0) + spent, 2)
     whole = sum(seconds.values())
     scenes = max(1, times["scenes"])
     times["seconds_per_scene"] = {k: round(v / scenes, 4) for k, v in seconds.items()}

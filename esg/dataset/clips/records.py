@@ -100,6 +100,7 @@ class ClipRecord:
         track_point_m: In the object's axes from its centre of mass [m], shape [p, 3].
         track_xy_px: Where they are [px], shape [n, p, 2].
         track_visible: Whether they are seen, shape [n, p].
+        place, sky: Rows of the tables of places and skies that dress the scene; empty for none.
     """
 
     run_id: str
@@ -137,6 +138,8 @@ class ClipRecord:
     track_point_m: Floats = field(default_factory=_none)
     track_xy_px: Floats = field(default_factory=_none)
     track_visible: NDArray[np.bool_] = field(default_factory=_none)
+    place: str = ""
+    sky: str = ""
 
     def row(self, out: Path | None = None) -> dict[str, Any]:
         """The row of table `clips`: flat lists, in C order.

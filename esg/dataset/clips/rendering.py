@@ -63,11 +63,13 @@ class Subject:
         index: Of the scene in the dataset.
         common: run_id, scene_key, suite, scene_id, seed, split and prompt.
         load: Its replay.
+        camera: How the distribution has it filmed; empty: as the dataset is.
     """
 
     index: int
     common: Mapping[str, Any]
     load: Callable[[], Replay]
+    camera: str = ""
 
     @property
     def scene_id(self) -> str:
@@ -90,9 +92,28 @@ def render_scene(subject: Subject, spec: RenderSpec, out: Path) -> list[ClipReco
         OSError: If the disk does not take them.
     """
     replay = subject.load()
-    settings = settings_of(spec, int(subject.common["seed"]))
+    settings = settings_of(spec, int(subject.common["seed"]), subject.camera)
+    common = {**subject.common, **_setting(replay.doc)}
     sight = sight_of(replay.scene, replay.rollout, replay.verdict, replay.doc, settings)
-    place = f"clips/{subject.scene_id}"
+    return draw_scene(sight, common, spec, out)
+
+
+def draw_scene(
+    sight: Sight, common: Mapping[str, Any], spec: RenderSpec, out: Path
+) -> list[ClipRecord]:
+    """The same, once the cameras are directed.
+
+    Args:
+        sight: What they see.
+        common: Columns of the scene.
+        spec: What to render.
+        out: Folder of the dataset.
+
+    Raises:
+        OSError: If the disk does not take it.
+    """
+    scene_id = str(common["scene_id"])
+    place = f"clips/{scene_id}"
     with whole_folder(out / place) as work, contextlib.ExitStack() as open_films:
         films: list[_Film] = []
         with turn_on(spec.device):
@@ -103,13 +124,25 @@ def render_scene(subject: Subject, spec: RenderSpec, out: Path) -> list[ClipReco
                     film.add(numbers, views)
                 films.append(film)
         return [
-            film.finish(subject.common, camera, clip_folder(subject.scene_id, camera))
+            film.finish(common, camera, clip_folder(scene_id, camera))
             for camera, film in enumerate(films)
         ]
 
 
-def settings_of(spec: RenderSpec, seed: int) -> Settings:
-    """What renderers are told; cameras, points and noise follow from the scene's seed."""
+def _setting(doc: EsgDocument) -> dict[str, str]:
+    """Where a scene is shown, and under which sky."""
+    around = doc.dressing
+    return {"place": around.place, "sky": around.sky} if around else {"place": "", "sky": ""}
+
+
+def settings_of(spec: RenderSpec, seed: int, camera: str = "") -> Settings:
+    """What renderers are told; cameras, points and noise follow from the scene's seed.
+
+    Args:
+        spec: Of the dataset.
+        seed: Of the scene.
+        camera: How to film the scene, where the dataset leaves it to the director.
+    """
     channels = tuple(c for name in spec.channels for c in (BOXES if name == "boxes" else (name,)))
     return Settings(
         channels=channels,
@@ -121,7 +154,7 @@ def settings_of(spec: RenderSpec, seed: int) -> Settings:
         renderer=spec.renderer,
         samples=spec.samples,
         motion_blur=spec.motion_blur,
-        camera=spec.camera,
+        camera=camera if camera and spec.camera == "auto" else spec.camera,
     )
 
 
@@ -195,7 +228,7 @@ class _Film:
             job.result()
 
     def _write(self, channel: str, numbers: range, views: Views) -> None:
-        self._writer.add({channel: _VALUES[channel](self._shot, numbers, views)})
+        self._writer.add({channel: VALUES[channel](self._shot, numbers, views)})
 
     def _mark(self, numbers: range, views: Views) -> None:
         """Boxes and tracks, which are columns."""
@@ -303,7 +336,7 @@ def _colors(_: Shot, __: range, views: Views) -> NDArray[np.uint8]:
     return views.rgb
 
 
-_VALUES: dict[str, Callable[[Shot, range, Views], NDArray[Any]]] = {
+VALUES: dict[str, Callable[[Shot, range, Views], NDArray[Any]]] = {
     "rgb": _colors,
     "depth": lambda _, __, views: views.depth,
     "segmentation": lambda _, __, views: truth.segment_ids(views.body),
@@ -315,4 +348,4 @@ _VALUES: dict[str, Callable[[Shot, range, Views], NDArray[Any]]] = {
     ),
 }
 """Frames of every channel, as `esg.dataset.clips.writing.Values` has them."""
-assert set(_VALUES) == set(PICTURES)
+assert set(VALUES) == set(PICTURES)

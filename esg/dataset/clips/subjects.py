@@ -26,7 +26,7 @@ if TYPE_CHECKING:
 def made_subjects(job: BatchJob, states: Sequence[SceneState]) -> list[Subject]:
     """Scenes of a batch that were replayed."""
     return [
-        Subject(scene.index, _common(job, scene), lambda state=state: _made(state))
+        Subject(scene.index, _common(job, scene), lambda state=state: _made(state), scene.camera)
         for scene, state in zip(job.scenes, states, strict=True)
         if "judge" in state.artifacts
     ]
@@ -80,17 +80,24 @@ def told_subjects(job: BatchJob) -> list[Subject]:
     """
     assert job.source is not None
     keys = {_common(job, scene)["scene_key"]: scene for scene in job.scenes}
-    columns = [*_TOLD, "manifest", "esg_optimize", "engine"]
+    columns = [*_TOLD, "manifest", "esg_optimize", "engine", "parameters"]
     found = {r["scene_key"]: r for r in _rows(job.source, "scenes", columns, keys)}
     return [
         Subject(
             scene.index,
             {name: found[key][name] for name in _TOLD},
             lambda row=found[key]: _told(job.source, row),
+            camera=_drawn_camera(found[key]),
         )
         for key, scene in keys.items()
         if key in found
     ]
+
+
+def _drawn_camera(row: Mapping[str, Any]) -> str:
+    """How the distribution has a scene filmed; empty if it does not say."""
+    found = (p["text"] for p in row["parameters"] or () if p["slot"] == "camera")
+    return next(found, None) or ""
 
 
 def _told(folder: Path | None, row: Mapping[str, Any]) -> Replay:

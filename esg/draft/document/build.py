@@ -277,6 +277,7 @@ def _add(graph: _Graph, source: str, target: str, kind: RelationType, **extra: A
 def _relate(graph: _Graph) -> None:
     """The relations of the scene; what carries a thing is its region, and no relation."""
     groups: dict[tuple[MultiRelationType, tuple[str, ...]], list[str]] = {}
+    going = {e.actor for e in graph.scene.timeline.edges}
     for r in graph.scene.relations:
         if r.kind in ("between", "surround"):
             targets = (r.target, r.text) if r.kind == "between" else (r.target,)
@@ -286,7 +287,8 @@ def _relate(graph: _Graph) -> None:
             continue
         a, b = graph.entities[r.source], graph.entities[r.target]
         if r.kind == "structural":  # where it stands, not what carries it
-            if r.text in _NEAR and r.target != GROUND:
+            goes_along = r.text == "along" and r.source in going  # it is on it, not beside it
+            if r.text in _NEAR and r.target != GROUND and not goes_along:
                 text = f"{a.label} {r.text} the {b.label}"
                 _add(graph, r.source, r.target, RelationType.NEAR, confidence=0.7,
                      semantic_description=text)  # fmt: skip

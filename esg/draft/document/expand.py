@@ -12,15 +12,19 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.decks import is_driven, lay_decks
 from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.referents.registry import add_entity
-from esg.draft.discourse.scene import Scene
+from esg.draft.discourse.scene import GROUND, Scene
 from esg.draft.discourse.windows import START
 from esg.draft.document.joining import join_parts
+from esg.draft.document.riding import put_into_cars, seat_riders
 from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, TimelineEdge
 
 RAISED_CM = 25.0
 """Height from which on what stands on a support is out of reach of what rolls on the ground."""
 _AT_THE_FOOT_CM = (0.0, 6.0)
 """Height of the lowest point of what is kicked off the ground."""
+_OFF_ROAD = frozenset({"bicycle", "tricycle", "unicycle", "scooter", "kick scooter", "segway",
+                       "snowmobile", "moped", "motorcycle"})  # fmt: skip
+"""Vehicles that need no road where the prompt says on what else they go."""
 CROSSING_DEG = 60.0
 """Smallest turn of a vehicle that needs a crossing road."""
 
@@ -39,6 +43,8 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     reasons: list[str] = []
     _drop_regions(scene)
     _set_up_billiards(scene, reasons)
+    seat_riders(scene)
+    put_into_cars(scene)
     lay_decks(scene)
     _throw_what_rolls_too_low(scene, prompt)
     _kick_from_the_ground(scene)
@@ -156,6 +162,10 @@ def _add_context(scene: Scene, reasons: list[str]) -> None:
         _add(scene, "bowling lane", reasons, "bowling pins stand at the end of a lane")
     if all(e.noun.kind != "vehicle" for e in entities.values()):
         return
+    ground = entities.get(GROUND)
+    light = all(e.noun.name in _OFF_ROAD for e in entities.values() if e.noun.kind == "vehicle")
+    if light and ground is not None and ground.mentioned:
+        return  # "rides a bicycle through the park"
     dynamic = bool(timeline.nodes) or any(t.motion for t in timeline.tracks.values())
     paved = _find(scene, "road", "parking lot") is not None
     if dynamic and not paved and not any(is_driven(scene, i) for i in entities):

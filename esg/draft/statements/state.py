@@ -382,6 +382,8 @@ def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> 
     if over and targets == [GROUND]:  # "flies over a forest"
         book.add(Predicate.ABOVE, s.start, s.end, object=(mover,), target=(GROUND,), when=where)
         return
+    if direction == "through" and targets == [GROUND]:
+        direction = "across"  # "through a meadow", "through the park": it has no other side
     if structural(d, targets[0]) and direction not in _ON_THE_WAY:
         return
     if direction in ("along", "across") and d.scene.supported_by.get(mover) in targets:

@@ -3,24 +3,37 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.record import Discourse
+from esg.draft.document.requirements import environment
 from esg.draft.grammar.clauses.frames import Frame
+from esg.lexicon.places import Setting, sky_words
 from esg.lexicon.senses import no_things
 
+_LIGHT = "light and weather are not simulated"
 _KINDS = (
     (lex.word_set("unseen fluids"), "fluids are not simulated"),
-    (lex.word_set("unseen light and weather"), "light and weather are not simulated"),
     (lex.word_set("unseen views"), "the camera and the style of the picture are not part of it"),
 )
 
 
-_PATTERNS = tuple(
-    (re.compile(rf"\b(?:{'|'.join(map(re.escape, sorted(words)))})\b", re.IGNORECASE), why)
-    for words, why in _KINDS
-)
+@cache
+def _any_of(words: frozenset[str]) -> re.Pattern[str]:
+    listed = "|".join(map(re.escape, sorted(words, key=lambda w: (-len(w), w))))
+    return re.compile(rf"\b(?:{listed})\b", re.IGNORECASE)
+
+
+@cache
+def _patterns(setting: Setting) -> tuple[tuple[re.Pattern[str], str], ...]:
+    """What no picture of a setting shows, by why; of light the table of skies has the last word."""
+    shown, not_shown = sky_words(setting)
+    weather = (lex.word_set("unseen light and weather") | not_shown) - shown
+    return tuple((_any_of(words), why) for words, why in (*_KINDS, (weather, _LIGHT)))
+
+
 _CLASSES = {
     "nothing": "no solid thing or motion stands for it",
     "substance": "substances are not simulated",
@@ -38,10 +51,15 @@ def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
     """Words for what became no object: where they stand, and what the scene lacks of it."""
     drawn = [(m.start, m.end) for m in d.mentions if m.entities or d.world.resolved.get(id(m))]
     taken = [*drawn, *((f.verb.start, f.verb.end) for f in frames)]
+    setting: Setting = "indoor" if environment(d.scene)[0] == "indoor" else "outdoor"
+    shown, _ = sky_words(setting)
+    lit = _any_of(shown)
     told: list[int] = []
-    for words, why in _PATTERNS:
+    qualities = {a for m in d.mentions for a in m.adjectives}
+    for words, why in _patterns(setting):
         for found in words.finditer(d.text):
-            if not any(start <= found.start() < end for start, end in taken):
+            free = not any(start <= found.start() < end for start, end in taken)
+            if free or (why == _LIGHT and found[0].lower() in qualities):  # "a rainy street"
                 told.append(found.start())
                 yield found.start(), found.end(), why
     for found in _CONTENTS.finditer(d.text):
@@ -54,6 +72,9 @@ def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
         why = _CLASSES.get("nothing" if head in _MOODS else no_things().get(head, ""), "")
         done = m.attribute and not m.after_prep and m.head not in lex.ATTRIBUTES
         why = why or (_CLASSES["nothing"] if done and head not in no_things() else "")
+        if why and lit.search(d.text, m.start, m.end):
+            d.scene.used.setdefault((m.start, m.end), "light of the scene")
+            continue  # "in the evening", "on a sunny day"
         said = any(m.start <= at < m.end for at in told)
         if why and not said and m.head not in _UNDERSTOOD:
             yield m.start, m.end, why

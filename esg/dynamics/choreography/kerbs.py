@@ -8,6 +8,7 @@ import math
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.stagecraft import Prop
 from esg.layout.problem.streets import (
+    CROSSINGS,
     FACE_TRAFFIC,
     KERB_GAP_CM,
     Street,
@@ -39,6 +40,15 @@ class Kerb:
         """From the vehicle, half-way between its lane's middle and edge, to what it passes [m]."""
         slack = max(0.01 * self.street.half_lane - vehicle.half_width, 0.0)
         return 0.5 * slack + 0.01 * KERB_GAP_CM
+
+
+def street_crossed(stage: Stage, mover: str, other: str) -> Street | None:
+    """The street across which a vehicle finds a crosswalk; None for anything else."""
+    road = street_in(stage.doc)
+    crosses = words_of(stage.doc, stage.member(other)) & CROSSINGS
+    if road is None or not crosses or not stage.prop(mover).wheeled:
+        return None
+    return street_of(stage.doc, road)
 
 
 def kerb_passed(stage: Stage, mover: str, other: str) -> Kerb | None:

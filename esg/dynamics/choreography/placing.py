@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.choreography.hovering import cruise
-from esg.dynamics.choreography.kerbs import Kerb, kerb_passed
+from esg.dynamics.choreography.kerbs import Kerb, kerb_passed, street_crossed
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.throws import is_swung
 from esg.dynamics.story.kinematics import (
@@ -221,6 +221,9 @@ def _place_target(
         asked = asked_distance(stage, node, a) if passed else ahead
         yaw = heading + kerb.turned
         front, lateral = _at_kerb(kerb, pa, pb, asked, passed=passed)
+    street = street_crossed(stage, a, b) if passed else None
+    if street is not None:  # a crosswalk is passed on it: from kerb to kerb, not beside the road
+        lateral, yaw = -0.01 * street.keeps * street.lane, heading + 0.5 * math.pi
     if node.event is NodeEvent.REACH:
         front += _room_to_stop(stage, node, a)
     cx = x + front * math.cos(heading) - lateral * math.sin(heading)

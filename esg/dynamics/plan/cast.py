@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 
 from esg.dynamics.choreography.flights import flown_to
 from esg.dynamics.choreography.handling import goes_straight_up
+from esg.dynamics.choreography.slopes import slope_of
 from esg.dynamics.plan.aim import aim_point, region_center
 from esg.dynamics.story.stagecraft import support_of
 from esg.dynamics.story.story import ON_THE_SPOT, Phase, Story, read_story, rebounds, stranded
@@ -144,6 +145,20 @@ class Cast:
         if support is None or target is None or phase.end.event is not NodeEvent.COLLISION:
             return False
         return target != support and support_of(self.doc, target) is None
+
+    def goes_down(self, actor: str, phase: Phase) -> bool:
+        """Whether something stands at the top of a slope and goes on by itself, to nowhere."""
+        support = support_of(self.doc, actor)
+        if support is None or phase.end.event is not NodeEvent.TRIGGER or not self.drives(actor):
+            return False
+        return slope_of(self.doc, support) is not None
+
+    def rolls_down(self, actor: str, phase: Phase) -> bool:
+        """Whether it tilts with the slope: what is low and long does, who stands up would fall."""
+        body = self.scene.body(actor)
+        ridden = any(j.parent == actor for j in self.scene.joints)
+        low = body.wheeled and body.half_extents[2] < body.half_extents[0] and not ridden
+        return low and self.goes_down(actor, phase)
 
     def balls_after(self, phase: Phase) -> int:
         """How many hits of balls by balls follow from the first one, three at most."""

@@ -18,9 +18,14 @@ from esg.dynamics.story.story import Story
 from esg.engines.program import Primitive, Program
 from esg.engines.scene import SimScene
 from esg.graph.models import EsgDocument
+from esg.units import quat_inverse, quat_multiply, quat_rotate
 
 AFTERMATH_S = 1.5
 MAX_DURATION_S = 14.5
+
+
+Start = tuple[NDArray[np.float64], NDArray[np.float64]]
+"""A pose: position [m], shape [3], and quaternion (x, y, z, w), shape [4]."""
 
 
 @dataclass(frozen=True)
@@ -41,9 +46,7 @@ class Plan:
     scene: SimScene
     story: Story
     compile: Callable[[NDArray[np.float64]], Program]
-    starts: Callable[
-        [NDArray[np.float64]], dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]
-    ]
+    starts: Callable[[NDArray[np.float64]], dict[str, Start]]
     duration: float
     latest: float = math.inf
 
@@ -91,14 +94,28 @@ def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: b
             out += composer.primitives(actor, phases, v, duration)
         return Program(tuple(out), duration)
 
-    def starts(
-        theta: NDArray[np.float64],
-    ) -> dict[str, tuple[NDArray[np.float64], NDArray[np.float64]]]:
+    def starts(theta: NDArray[np.float64]) -> dict[str, Start]:
         v = values(theta)
-        return {a: composer.start_pose(a, v) for a in cast.story.phases if cast.drives(a)}
+        driven = {a: composer.start_pose(a, v) for a in cast.story.phases if cast.drives(a)}
+        return driven | _seated(scene, driven)
 
     variables = tuple(declared.variables.values())
     return Plan(variables, scene, cast.story, compile_theta, starts, duration, latest)
+
+
+def _seated(scene: SimScene, driven: dict[str, Start]) -> dict[str, Start]:
+    """Start poses of those who are fixed to what is re-aimed: a rider turns with his bicycle."""
+    out: dict[str, Start] = {}
+    for joint in scene.joints:
+        if joint.kind != "fixed" or joint.parent not in driven or joint.child in driven:
+            continue
+        mount, rider = scene.body(joint.parent), scene.body(joint.child)
+        at, turned = driven[joint.parent]
+        back = quat_inverse(np.array(mount.quaternion))
+        ahead = quat_rotate(back, np.array(rider.position) - np.array(mount.position))
+        facing = quat_multiply(back, np.array(rider.quaternion))
+        out[joint.child] = (at + quat_rotate(turned, ahead), quat_multiply(turned, facing))
+    return out
 
 
 def _latest(cast: Cast, variables: dict[str, Variable]) -> float:

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from esg.dynamics.choreography.flights import flown_to
 from esg.dynamics.choreography.handling import BETWEEN_JUMPS_S
 from esg.dynamics.choreography.setting_off import SAME_MPS
+from esg.dynamics.choreography.slopes import FASTEST_MPS
 from esg.dynamics.choreography.ways import arrives
 from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
@@ -181,6 +182,9 @@ class Composer:
         straight = first.end.event not in (NodeEvent.TRIGGER, NodeEvent.HEADING_REACHED)
         yaw = float(yaw_from_quat(body.quaternion))
         yaw += math.pi if self.story.reverses(actor) else 0.0
+        if self.cast.goes_down(actor, first):
+            slope = self.scene.body(support_of(self.doc, actor) or "")
+            return float(yaw_from_quat(slope.quaternion))
         if self.cast.drives(actor) and not straight:
             return yaw
         if target is not None and straight and not self.cast.look_ahead:
@@ -453,6 +457,10 @@ class Composer:
         roll_radius = self.scene.body(actor).roll_radius
         usual = self.nominal.get(f"{edge.id}/reaches", course.speed)
         before, speed = course.speed, v.get(f"{edge.id}/speed", usual)
+        down = leg.first and self.cast.rolls_down(actor, phase)
+        descends = leg.first and self.cast.goes_down(actor, phase)
+        if descends and isinstance(edge.params.speed, tuple):
+            speed = min(abs(speed), FASTEST_MPS)  # what is faster flies off the crest
         rate, end, until = 0.0, leg.end, self.cast.contacts(phase)
         if turns:
             degrees, sign = turn_of(phase)
@@ -470,7 +478,7 @@ class Composer:
         if leg.first and not acceleration and math.isinf(ride.rate):
             flat = abs(speed) * np.array([math.cos(course.heading), math.sin(course.heading), 0.0])
             course.out += [SetVelocity(r, start, _vec(flat)) for r in self._riders[actor]]
-        if leg.first and self.cast.leaves_support(actor, phase):
+        if leg.first and (down or self.cast.leaves_support(actor, phase)):
             # Held, it could not tilt with the slope it goes down.
             flat = np.array([math.cos(course.heading), math.sin(course.heading), 0.0])
             course.out.append(SetVelocity(actor, start, _vec(abs(speed) * flat)))

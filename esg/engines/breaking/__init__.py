@@ -1,7 +1,16 @@
 """Bodies that break into fragments, and how the two are swapped (docs/breaking.md)."""
 
 from esg.engines.breaking.problems import breaking_problems
-from esg.engines.breaking.swap import Brittle, brittle, hidden, ride, rigid, shown, unbroken
+from esg.engines.breaking.swap import (
+    Brittle,
+    brittle,
+    hidden,
+    ride,
+    rigid,
+    shown,
+    unbroken,
+    whole_of_fragments,
+)
 
 __all__ = [
     "Brittle",
@@ -12,4 +21,5 @@ __all__ = [
     "rigid",
     "shown",
     "unbroken",
+    "whole_of_fragments",
 ]

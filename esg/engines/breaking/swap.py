@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.joints import Floats
-from esg.engines.scene import FRAGMENT, Rollout, SimScene
+from esg.engines.scene import FRAGMENT, Body, Rollout, SimScene
 from esg.units import quat_inverse, quat_multiply, quat_rotate
 
 PARTED_M = 1e-4
@@ -63,6 +63,11 @@ def brittle(scene: SimScene) -> tuple[Brittle, ...]:
         local, turn = quat_rotate(back, at), quat_multiply(back, turns)
         out.append(Brittle(i, pieces, body.break_impulse, local, turn))
     return tuple(out)
+
+
+def whole_of_fragments(scene: SimScene) -> dict[str, Body]:
+    """What broke, by the name of each of its fragments."""
+    return {name: body for body in scene.bodies for name in body.fragments}
 
 
 def unbroken(scene: SimScene) -> SimScene:

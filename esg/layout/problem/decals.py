@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import math
 
-from esg.graph.models import BinaryRelation, EsgDocument, RelationType
+from esg.graph.models import BinaryRelation, EsgDocument, Predicate, RelationType
 from esg.layout.problem.edges import AXES, adjacent_band, near_band
 from esg.layout.problem.hints import Corridor
 from esg.layout.problem.obstacles import is_road
@@ -118,7 +118,10 @@ def lay_decals(
         taken_elsewhere = any(
             supports.of[n].parent == name and n not in unit.members for n in supports.of
         )
-        if under:
+        crossed = _crossed(doc, name, unit)
+        if crossed is not None:
+            out[name] = (*crossed[:2], _lengthwise(shape[name], crossed[2] + 0.5 * math.pi))
+        elif under:
             out[name] = _under(shape[name], unit.members[under[0]], legs, main)
         elif riders or (not beside and is_road(doc, name) and not taken_elsewhere):
             if is_crossing(doc, name):
@@ -130,6 +133,19 @@ def lay_decals(
         elif beside:
             out[name] = _beside(shape, name, *beside[0], unit, main)
     return out
+
+
+def _crossed(doc: EsgDocument, name: str, unit: Unit) -> Pose2 | None:
+    """The middle and the direction of the way on which somebody goes across a decal."""
+    for s in doc.statements or ():
+        if s.predicate is not Predicate.MOVES or s.direction != "across" or name not in s.target:
+            continue
+        for who in s.object:
+            for c in unit.corridors if who in unit.members else ():
+                (x, y), (u, v) = c.points_cm[0], c.points_cm[-1]
+                if who in c.participants and math.dist((x, y), (u, v)) > 1.0:
+                    return (0.5 * (x + u), 0.5 * (y + v), math.atan2(v - y, u - x))
+    return None
 
 
 def _lane(doc: EsgDocument, name: str, unit: Unit, shape: dict[str, Shape]) -> float:

@@ -15,5 +15,7 @@ CREATE TABLE clips (
     n_frames INTEGER,
     renderer VARCHAR,
     samples INTEGER,
-    channels VARCHAR[]
+    channels VARCHAR[],
+    place VARCHAR, -- that the scene is shown in
+    sky VARCHAR
 );

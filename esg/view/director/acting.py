@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from esg.engines.scene import Rollout, SimScene
 from esg.units import quat_rotate
-from esg.view.moments import cast_of, openings_of
+from esg.view.moments import INTO, as_seen, cast_of, fixed_to, openings_of
 
 if TYPE_CHECKING:
     from esg.graph.models import EsgDocument
@@ -83,6 +83,7 @@ class Action:
         verdict: SceneVerdict | None,
         doc: EsgDocument,
     ) -> None:
+        scene = as_seen(scene, doc)
         self.scene, self.rollout = scene, rollout
         self.time = np.asarray(rollout.time, float)
         signs = np.array(list(itertools.product((-1, 1), (-1, 1), (0, 2))), float)
@@ -215,7 +216,8 @@ def _beat(scene: SimScene, rollout: Rollout, doc: EsgDocument, event: EventVerdi
     others = tuple(i for i in bodies if i not in leads)
     groups = {scene.bodies[i].group for i in others} - {""}
     company = {i for i, b in enumerate(scene.bodies) if b.group in groups}
-    if event.type in ("enters", "placed", "reaches"):
+    leads = (*leads, *(i for i in fixed_to(scene, leads) if i not in bodies))
+    if event.type in INTO:
         company |= set(openings_of(scene, doc, bodies))
     return Beat(
         event.id, event.type, time, leads, others, tuple(sorted(company - {*leads, *others}))

@@ -16,7 +16,7 @@ from esg.view.director.lens import FILL_LEAST, FILL_MOST, extent
 from esg.view.director.takes import Take
 from esg.view.pieces import Part
 from esg.view.scan.drawer import Scan
-from esg.view.surroundings import in_the_way
+from esg.view.surroundings import before_the_picture, in_the_way
 
 Floats = NDArray[np.float64]
 
@@ -99,6 +99,7 @@ class Viewfinder:
         points = [self.action.acting(float(take.time_s[k])) for k in picked]
         shown = np.concatenate([p.mean(axis=0, keepdims=True) for p in points] + points[2:3])
         hidden = in_the_way(self.around, take.eye[picked], shown)
+        hidden |= before_the_picture(self.around, [take.camera(k) for k in picked])
         self.scan.hide(hidden)
         return len(hidden)
 

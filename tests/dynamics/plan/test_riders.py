@@ -4,12 +4,15 @@ from __future__ import annotations
 
 import math
 
+import numpy as np
 import pytest
 
 from esg.dynamics.plan.build import build_scene
 from esg.dynamics.plan.planner import make_plan
 from esg.engines.program import Program, SetVelocity
-from esg.graph.models import Actor, EsgDocument, TimelineEdge, TimelineNode
+from esg.graph.joints import FOOT, SEAT
+from esg.graph.models import Actor, EsgDocument, Joint, TimelineEdge, TimelineNode
+from esg.units import quat_inverse, quat_rotate, yaw_from_quat
 from tests.dynamics.stage import asset, document, lay_out
 
 TRUCK = asset("truck", (600, 220, 120), 4000, wheeled=True, surface=True)
@@ -90,3 +93,29 @@ def test_backward_the_load_goes_backward() -> None:
 )
 def test_only_loads_are_set_going(on: dict[str, str], hit: str) -> None:
     assert set_going(driving(on, hit)) == {}
+
+
+def test_who_is_fixed_to_what_is_re_aimed_starts_where_it_does() -> None:
+    """A rider keeps his place on a truck that is turned and moved aside."""
+    doc = driving({"crate_1": "truck_1"})
+    graph = doc.spatial_relation_graph.model_copy(update={"joints": (
+        Joint(id="seat", kind="fixed", child="crate_1", child_mount=FOOT, parent="truck_1",
+              parent_mount=SEAT),)})  # fmt: skip
+    doc = lay_out(doc.model_copy(update={"spatial_relation_graph": graph}))
+    scene = build_scene(doc)
+    plan = make_plan(doc, scene, seed=0)
+    names = [v.name for v in plan.variables]
+    theta = plan.initial()
+    theta[names.index("truck_1/aim")] += 0.2
+    theta[names.index("truck_1/lateral")] += 0.3
+    moved = plan.starts(theta)
+    assert set(moved) == {"truck_1", "crate_1"}
+    for name in ("truck_1", "crate_1"):
+        assert not np.allclose(moved[name][0], scene.body(name).position)
+    truck, crate = scene.body("truck_1"), scene.body("crate_1")
+    was = quat_rotate(
+        quat_inverse(np.array(truck.quaternion)), np.subtract(crate.position, truck.position)
+    )
+    (at, turned), (there, facing) = moved["truck_1"], moved["crate_1"]
+    np.testing.assert_allclose(quat_rotate(quat_inverse(turned), there - at), was, atol=1e-9)
+    np.testing.assert_allclose(yaw_from_quat(facing), yaw_from_quat(turned), atol=1e-9)

@@ -120,8 +120,36 @@ POSES: dict[str, Pose] = {
         grip=True,
         seated=True,
     ),
+    "astride": Pose(
+        _both(Limb(58, 10, 24, 4)),
+        _both(Limb(52, 34, 70, 6)),
+        10,
+        nod=-6,
+        grip=True,
+        seated=True,
+    ),
     "balance": Pose(
         (Limb(14, 48, 24, 0), Limb(-12, 42, 26, 0)), (Limb(24, 4, 34, 0), Limb(-4, 8, 30, 0)), 12
+    ),
+    "board": Pose(
+        (Limb(20, 26, 22, 0), Limb(8, 22, 34, 0)),
+        (Limb(20, 15, 36, 0), Limb(20, 15, 36, 0)),
+        10,
+        twist=32,
+        nod=-4,
+    ),
+    "ski": Pose(
+        _both(Limb(24, 20, 62, 6)),
+        _both(Limb(34, 0, 58, -2)),
+        24,
+        nod=-18,
+        grip=True,
+    ),
+    "skate": Pose(
+        (Limb(-34, 16, 30, 0), Limb(40, 16, 46, 10)),
+        _both(Limb(26, 1, 44, 0)),
+        22,
+        nod=-14,
     ),
 }
 

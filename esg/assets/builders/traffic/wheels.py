@@ -7,6 +7,7 @@ from typing import Any
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import shade
+from esg.assets.builders.living.riders import ridden
 from esg.assets.builders.traffic.cycles import draw_bicycle, draw_motorcycle, draw_scooter
 from esg.assets.geometry.sketch import CHROME, RUBBER, STEEL, Color, Sketch
 from esg.assets.lazy import forms, shapes
@@ -16,17 +17,20 @@ from esg.assets.lazy import forms, shapes
 def bicycle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """City bicycle on its kickstand, drawn at 175 x 58 x 106."""
     draw_bicycle(s, c)
+    ridden(s, "bicycle")
     s.proxy_slab((-87.5, 87.5), (-4, 4), (12, 66), 1.0)
     s.proxy_slab((-42, 40), (-4, 4), (66, 97), 0.7)
     s.proxy_slab((16, 38), (-29, 29), (97, 104), 0.5)
     # Wheels' contact points and the kickstand span this foot.
     s.proxy_slab((-58, 58), (-13, 13), (0, 12), 0.4)
+    s.surface("saddle", 97, (8, 8), (-28, 0))
 
 
 @builder("motorcycle")
 def motorcycle(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Naked motorcycle on its stand, drawn at 210 x 80 x 112."""
     draw_motorcycle(s, c)
+    ridden(s, "motorcycle")
     s.proxy_slab((-104, 104), (-9, 9), (14, 64), 1.0)
     s.proxy_slab((-92, 50), (-14, 14), (64, 92), 0.8)
     s.proxy_slab((20, 48), (-39, 39), (92, 106), 0.2)
@@ -219,6 +223,7 @@ def shopping_cart(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def scooter(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Kick scooter, drawn at 100 x 45 x 100."""
     draw_scooter(s, c)
+    ridden(s, "scooter")
     s.proxy_slab((-48, 50), (-11, 11), (0, 12), 1.0)
     s.proxy_slab((24, 40), (-3, 3), (12, 95), 0.4)
     s.proxy_slab((23, 29), (-22, 22), (95, 100), 0.4)

@@ -29,7 +29,7 @@ from esg.draft.events.motions import (
     on_what_was_hit,
     start_motion,
 )
-from esg.draft.events.senses.launch import heights, motion_of_things
+from esg.draft.events.senses.launch import heights, motion_of_things, stand_by
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import (
     enterable,
@@ -57,8 +57,8 @@ def read_drop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     dropped = s if f.verb.passive or not o else o
     agents = [x for x in s if x not in dropped]
-    if agents:
-        place(d, agents, dropped, "near")
+    if agents and dropped:
+        stand_by(d, agents, dropped)
     wheeled = bool(dropped) and kind_of(d, dropped[0]) in ("cart", "vehicle")
     if f.verb.lemma == "let" and wheeled and not _held_up(d, dropped[0]):
         motion(d, f, dropped, None)  # "lets go of a cart"

@@ -39,6 +39,7 @@ from esg.graph.models import NodeEvent
 
 _DRIVERS = ("person", "animal", "robot")
 _HOVERING = ("float", "hover", "levitate")
+_RIDES = lex.word_set("rides")
 _ON_FOOT = lex.word_set("on foot")
 _TURNING = ("go", "move", "drive", "head", "run", "walk", "ride")
 _AT_A_TARGET = ("charge", "lunge", "leap", "pounce", "spring", "fly", "dive")
@@ -89,7 +90,8 @@ def _driven(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
     thing = f.object is not None and not f.object.attribute
     if not (s and o and thing) or kind_of(d, s[0]) not in _DRIVERS:
         return s or o
-    if kind_of(d, o[0]) not in SELF_POWERED:
+    glides = kind_of(d, o[0]) == "sliding" and f.verb.lemma in _RIDES  # "rides a sled down"
+    if kind_of(d, o[0]) not in SELF_POWERED and not glides:
         return s
     if f.subject is not None:
         d.refs.mounts[id(f.subject)] = o[:1]

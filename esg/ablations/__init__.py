@@ -1,0 +1,1 @@
+"""The paper's ablations as runs of the whole pipeline with something left out."""

@@ -1,0 +1,157 @@
+"""Who rides is on what he rides, and held there: nobody stands beside the bicycle he rides."""
+
+from __future__ import annotations
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.referents.entities import Entity
+from esg.draft.discourse.scene import SPEEDS, Scene
+from esg.graph.joints import FOOT, SEAT
+from esg.graph.models import EdgeEvent, Joint, NodeEvent
+
+_RIDDEN = lex.word_set("straddled or stood on")
+_RIDES = lex.word_set("rides")
+_GAITS = frozenset({"canter", "gallop", "trot"})
+_DRIVERS = frozenset({"driver", "motorist", "chauffeur"})
+_RIDERS = ("person", "animal", "robot")
+_DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION, EdgeEvent.TURN, EdgeEvent.BRAKE)
+_LEAVES = (NodeEvent.FALL, NodeEvent.JUMP, NodeEvent.TOPPLE)
+"""Events of a rider after which he is not on it."""
+THROWN_OFF_MPS = 3.0
+"""A change of speed within a step that takes a rider off: of a jolt at twice a walker's pace.
+Estimate of ours; nobody holds more than a few times his weight for so short a time."""
+
+
+def seat_riders(scene: Scene) -> None:
+    """Puts riders on what they ride and joins them to it, until a jolt throws them off.
+
+    Args:
+        scene: Places and motions of the prompt; changed in place.
+    """
+    for rider, mount in _rides(scene).items():
+        scene.supported_by[rider] = mount
+        pair = {rider, mount}
+        scene.relations = [r for r in scene.relations if {r.source, r.target} != pair]
+        e = scene.world.entities[rider]
+        if e.noun.name in lex.word_set("riders drawn with what they ride"):
+            e.noun = lex.nouns()["person"]
+        if _comes_off(scene, rider):
+            continue
+        _hand_over(scene, rider, mount)
+        if rider not in scene.timeline.tracks:
+            impulse = round(THROWN_OFF_MPS * e.noun.mass_kg, 1)
+            scene.joints.append(
+                Joint(
+                    id=f"{rider}_seat",
+                    kind="fixed",
+                    child=rider,
+                    child_mount=FOOT,
+                    parent=mount,
+                    parent_mount=SEAT,
+                    break_impulse=impulse,
+                )
+            )
+
+
+def put_into_cars(scene: Scene) -> None:
+    """Draws the vehicle of a driver who goes somewhere and has none: nobody swerves on foot.
+
+    Args:
+        scene: Places and motions of the prompt; changed in place.
+    """
+    entities = scene.world.entities
+    if any(e.noun.kind in ("vehicle", "cart", "watercraft", "flyer") for e in entities.values()):
+        return
+    for e in entities.values():
+        *before, last = e.head.split()
+        alone = e.noun.name == "person" and e.id not in scene.supported_by
+        if not alone or not _goes(scene, e.id) or _comes_off(scene, e.id):
+            continue
+        if last == "rider":
+            _mount(scene, e)
+        if last not in _DRIVERS:
+            continue
+        named = (" ".join(before[k:]) for k in range(len(before)))
+        kinds = (lex.nouns()[name] for name in (*named, *e.adjectives) if name in lex.nouns())
+        e.noun = next((n for n in kinds if n.kind == "vehicle"), lex.nouns()["car"])
+        for k, x in enumerate(scene.timeline.edges):
+            if x.actor == e.id and x.params.speed == SPEEDS["person"]:
+                params = x.params.model_copy(update={"speed": SPEEDS["vehicle"]})
+                scene.timeline.edges[k] = x.model_copy(update={"params": params})
+        motion = scene.timeline.tracks[e.id].motion
+        if motion is not None and motion.speed == SPEEDS["person"]:
+            motion.speed = SPEEDS["vehicle"]
+
+
+def _mount(scene: Scene, e: Entity) -> None:
+    """A rider of whom nothing says what he rides: a horse where he gallops, else a motorcycle."""
+    told = {c.frame.verb.lemma for c in scene.clauses if e.id in c.movers}
+    on_a_horse = bool(told & _GAITS) or any(n.noun.kind == "animal" for n in _others(scene, e))
+    e.noun = lex.nouns()["horse rider" if on_a_horse else "motorcyclist"]
+    if not told & _GAITS:
+        drawn = "a horse" if on_a_horse else "a motorcycle"
+        scene.warnings.append(f'What "{e.head}" rides is not said: {drawn} is drawn.')
+
+
+def _others(scene: Scene, e: Entity) -> list[Entity]:
+    return [x for x in scene.world.entities.values() if x.id != e.id]
+
+
+def _hand_over(scene: Scene, rider: str, mount: str) -> None:
+    """Lets the mount do what is told of its rider: "a girl on a skateboard passes a bench"."""
+    timeline = scene.timeline
+    if mount in timeline.tracks or not _goes(scene, rider):
+        return
+    timeline.tracks[mount] = timeline.tracks.pop(rider)
+    timeline.edges[:] = [
+        x.model_copy(update={"actor": mount}) if x.actor == rider else x for x in timeline.edges
+    ]
+    for node in timeline.nodes:
+        node.participants = tuple(mount if p == rider else p for p in node.participants)
+    for clause in scene.clauses:
+        clause.movers[:] = [mount if m == rider else m for m in clause.movers]
+
+
+def _rides(scene: Scene) -> dict[str, str]:
+    """Who rides what: told as where he is, or by a verb."""
+    entities = scene.world.entities
+    found = {
+        rider: mount
+        for rider, mount in scene.supported_by.items()
+        if _is_rider(scene, rider) and _is_ridden(scene, mount)
+    }
+    for clause in scene.clauses:
+        f = clause.frame
+        riders = [] if f.subject is None else f.subject.entities
+        mount = next((m for m in clause.movers if _is_ridden(scene, m)), None)
+        if f.verb.lemma not in _RIDES or f.verb.passive or mount is None:
+            continue
+        for rider in riders:
+            held = scene.supported_by.get(rider, mount) != mount or rider in scene.inside_of
+            if rider in entities and _is_rider(scene, rider) and not held and rider != mount:
+                found.setdefault(rider, mount)
+    return found
+
+
+def _is_rider(scene: Scene, node: str) -> bool:
+    e = scene.world.entities.get(node)
+    return e is not None and e.noun.kind in _RIDERS and not e.static
+
+
+def _is_ridden(scene: Scene, node: str) -> bool:
+    e = scene.world.entities.get(node)
+    return e is not None and e.noun.name in _RIDDEN and not e.static
+
+
+def _goes(scene: Scene, node: str) -> bool:
+    """Whether something goes by itself on the ground, and is told to do nothing else."""
+    track = scene.timeline.tracks.get(node)
+    own = [x for x in scene.timeline.edges if x.actor == node]
+    if track is None or any(x.event not in _DRIVEN for x in own):
+        return False
+    mode = "" if track.motion is None else track.motion.mode
+    return mode in ("own", "turn", "brake") or (mode in ("", "coast") and bool(own))
+
+
+def _comes_off(scene: Scene, rider: str) -> bool:
+    """Whether he leaves what he rides in the course of the scene."""
+    return any(n.event in _LEAVES and rider in n.participants for n in scene.timeline.nodes)

@@ -1,0 +1,1 @@
+"""A study of how people see scenes: the page that asks them, and what they said (docs/study.md)."""

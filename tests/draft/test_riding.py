@@ -1,0 +1,130 @@
+"""Who rides: on what he rides and joined to it, or one body that shows both."""
+
+from __future__ import annotations
+
+import pytest
+
+from esg.draft import draft
+from esg.graph import verify
+from esg.graph.joints import FOOT, SEAT
+from esg.graph.models import EsgDocument, NodeEvent, Predicate
+
+
+def clean(prompt: str) -> EsgDocument:
+    doc = draft(prompt)
+    assert verify(doc) == ()
+    return doc
+
+
+def support_of(doc: EsgDocument, node: str) -> str:
+    graph = doc.spatial_relation_graph
+    region = graph.semantic_regions.get(graph.nodes[node].semantic_region or "")
+    return "" if region is None else region.parent_object
+
+
+@pytest.mark.parametrize(
+    ("prompt", "rider", "mount"),
+    [
+        ("A girl rides a skateboard along the sidewalk.", "girl_1", "skateboard_1"),
+        ("A man is riding a horse along the beach.", "man_1", "horse_1"),
+        ("A monkey rides a bicycle.", "monkey_1", "bicycle_1"),
+        ("A man on a motorcycle crashes into a wall.", "man_1", "motorcycle_1"),
+        ("A boy riding a scooter crashes into a bench.", "boy_1", "scooter_1"),
+    ],
+)
+def test_a_rider_is_on_what_he_rides_and_held_there(prompt: str, rider: str, mount: str) -> None:
+    doc = clean(prompt)
+    assert support_of(doc, rider) == mount
+    joints = doc.spatial_relation_graph.joints
+    assert joints is not None and len(joints) == 1
+    joint = joints[0]
+    assert (joint.kind, joint.child, joint.parent) == ("fixed", rider, mount)
+    assert (joint.child_mount, joint.parent_mount) == (FOOT, SEAT)
+    assert joint.break_impulse
+    assert all(
+        {r.from_, r.to} != {rider, mount} for r in doc.spatial_relation_graph.edges.binary_relations
+    )
+    assert doc.timeline_system is not None
+    assert {e.actor for e in doc.timeline_system.sequence_graph.edges} == {mount}
+
+
+def test_several_ride_one_sled_down() -> None:
+    doc = clean("Two children ride a sled down the hill.")
+    assert support_of(doc, "sled_1") == "hill_1"
+    assert {support_of(doc, f"child_{n}") for n in (1, 2)} == {"sled_1"}
+    assert len(doc.spatial_relation_graph.joints or ()) == 2
+
+
+def test_what_is_told_of_a_rider_is_done_by_what_he_rides() -> None:
+    doc = clean("A girl on a skateboard passes a bench on the sidewalk.")
+    assert doc.timeline_system is not None
+    (passed,) = (n for n in doc.timeline_system.sequence_graph.nodes if n.event is NodeEvent.MISS)
+    assert passed.participants == ("skateboard_1", "bench_1")
+
+
+def test_who_falls_off_is_not_held() -> None:
+    doc = clean("A cyclist falls off his bicycle.")
+    assert support_of(doc, "cyclist_1") == "bicycle_1"
+    assert doc.spatial_relation_graph.joints is None
+
+
+@pytest.mark.parametrize(
+    ("prompt", "node", "builder"),
+    [
+        ("A skateboarder rolls down a ramp.", "skateboarder_1", "skateboarder on a skateboard"),
+        ("A cyclist hits a parked car.", "cyclist_1", "cyclist on a bicycle"),
+        ("A jockey gallops across the field.", "jockey_1", "rider on a horse"),
+        ("A biker brakes and hits a dog.", "biker_1", "motorcyclist on a motorcycle"),
+        ("A surfer rides along the shore.", "surfer_1", "surfer on a surfboard"),
+    ],
+)
+def test_nouns_of_riders_bring_what_is_ridden(prompt: str, node: str, builder: str) -> None:
+    doc = clean(prompt)
+    asked = doc.asset_requirement[doc.spatial_relation_graph.nodes[node].asset_id]
+    assert builder in asked.asset_description
+    assert doc.spatial_relation_graph.joints is None
+
+
+def test_a_cyclist_on_a_bicycle_of_his_own_has_no_second_one() -> None:
+    doc = clean("A cyclist on a red bicycle hits a cone.")
+    asked = doc.asset_requirement[doc.spatial_relation_graph.nodes["cyclist_1"].asset_id]
+    assert "on a bicycle" not in asked.asset_description
+    assert support_of(doc, "cyclist_1") == "red_bicycle_1"
+
+
+def test_along_a_pavement_is_on_it() -> None:
+    doc = clean("A girl rides a skateboard along the sidewalk.")
+    assert not [
+        r
+        for r in doc.spatial_relation_graph.edges.binary_relations
+        if "sidewalk_1" in (r.from_, r.to) and r.relation_type.value == "near"
+    ]
+
+
+def test_a_bicycle_in_a_park_needs_no_road() -> None:
+    doc = clean("A man rides a bicycle through the park.")
+    assert not any(n.startswith("road") for n in doc.spatial_relation_graph.nodes)
+    ways = [s for s in doc.statements or () if s.predicate is Predicate.MOVES]
+    assert [(s.direction, s.target) for s in ways] == [("across", ("ground_1",))]
+    on_a_road = clean("A man rides a bicycle and hits a cone.")
+    assert any(n.startswith("road") for n in on_a_road.spatial_relation_graph.nodes)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "node", "category"),
+    [
+        ("A driver swerves around obstacles in a high-speed chase.", "driver_1", "car"),
+        ("A motorist brakes and hits a deer.", "motorist_1", "car"),
+        ("A truck driver brakes and hits a wall.", "truck_driver_1", "truck"),
+        ("A driver gets out of his car and walks to a bench.", "driver_1", "person"),
+        ("A bus driver stands beside a bench.", "bus_driver_1", "person"),
+        ("A rider gallops across the field.", "rider_1", "horse_rider"),
+        ("A rider brakes and hits a wall.", "rider_1", "motorcyclist"),
+        ("The donkey throws its rider.", "rider_1", "person"),
+    ],
+)
+def test_nobody_drives_on_foot(prompt: str, node: str, category: str) -> None:
+    doc = clean(prompt)
+    name = node if node in doc.spatial_relation_graph.nodes else "driver_1"
+    asked = doc.asset_requirement[doc.spatial_relation_graph.nodes[name].asset_id]
+    assert asked.asset_category == category
