@@ -1,4 +1,5 @@
-"""`esg check`: an ESG file against the schema and all rules, a scene folder against its list."""
+"""`esg check`: an ESG file against the schema and all rules, a scene folder against its list, the
+clips of a dataset against geometry."""
 
 from __future__ import annotations
 
@@ -8,20 +9,31 @@ from typing import Annotated, Any
 from cyclopts import Parameter
 
 
-def check(file: Path, *, json: Annotated[bool, Parameter(negative="")] = False) -> int:
-    """Check an ESG file, or whether a scene folder is as it was written.
+def check(
+    file: Path, *, scenes: int = 20, json: Annotated[bool, Parameter(negative="")] = False
+) -> int:
+    """Check an ESG file, whether a scene folder is as it was written, or a dataset's ground truth.
 
     Of a file every violation is listed with its place and remedy; of a folder what differs from
-    its SHA256SUMS, and whether its class is what this version emits.
+    its SHA256SUMS, and whether its class is what this version emits; of a dataset how its clips
+    (flow, boxes, tracks, coordinates) and contacts stand against geometry.
 
     Args:
-        file: The JSON file, such as the esg.json of a scene folder, or a scene folder.
+        file: The JSON file, such as the esg.json of a scene folder, a scene folder, or a dataset.
+        scenes: Of a dataset: how many are checked at most, drawn by their keys; 0 for all.
         json: Print one JSON document: path, ok, counts, violations.
     """
     from esg.commands.console import emit
     from esg.graph import check_file
     from esg.scenefolder import is_scene_folder
 
+    if is_dataset(file):
+        told = truth_facts(file, scenes)
+        if json:
+            emit(told)
+        else:
+            print(truth_text(told))
+        return 0 if told["ok"] else 1
     if is_scene_folder(file):
         found = folder_facts(file)
         if json:
@@ -85,3 +97,66 @@ def folder_text(found: dict[str, Any]) -> str:
         "": "none",
     }
     return "\n".join([*lines, f"  class: {told[found['class']]}"])
+
+
+def is_dataset(folder: Path) -> bool:
+    """Whether a dataset was begun in a folder."""
+    return (folder / "meta" / "plan.json").is_file()
+
+
+def truth_facts(folder: Path, scenes: int) -> dict[str, Any]:
+    """How the clips of a dataset stand against geometry.
+
+    Args:
+        folder: Of the dataset, finished or not.
+        scenes: How many are checked at most; 0 for all.
+
+    Raises:
+        UserError: If it has no clips, or the number is negative.
+    """
+    from esg.commands.console import progress
+    from esg.dataset.card.facts.clips import summaries
+    from esg.dataset.crosscheck import check_dataset
+    from esg.outcomes import UserError
+
+    if scenes < 0:
+        raise UserError(f"--scenes {scenes}: choose how many, or 0 for all")
+    rows: list[dict[str, Any]] = []
+    seen: set[str] = set()
+    with progress(scenes or 1, "checking") as bar:
+        for row in check_dataset(folder, most=scenes or None):
+            rows.append(row)
+            if row["scene_key"] not in seen:
+                seen.add(row["scene_key"])
+                bar.show(row["scene_id"])
+    if not rows:
+        raise UserError(f"{folder} holds no clips to check; render some: esg render {folder}")
+    wrong = [r for r in rows if r["ok"] is False]
+    return {
+        "path": str(folder),
+        "ok": not wrong,
+        "scenes": len(seen),
+        "checks": summaries(rows),
+        "failing": [
+            {k: r[k] for k in ("scene_id", "camera", "check_name", "p99", "limit_value", "note")}
+            for r in wrong
+        ],
+    }
+
+
+def truth_text(found: dict[str, Any]) -> str:
+    """What `truth_facts` found, in lines."""
+    lines = [
+        f"{found['path']}: ground truth of {found['scenes']} scenes "
+        f"{'agrees' if found['ok'] else 'DOES NOT AGREE'} with geometry",
+        f"  {'check':<20}{'samples':>10}{'median 99%':>12}{'highest 99%':>13}{'limit':>14}",
+    ]
+    for name, c in found["checks"].items():
+        p99, high = ("" if c[k] is None else f"{c[k]:.2g}" for k in ("p99", "highest_p99"))
+        limit = f"{c['limit']:g} {c['unit']}"
+        lines.append(f"  {name:<20}{c['samples']:>10}{p99:>12}{high:>13}{limit:>14}")
+    lines += [
+        f"  fails: {r['scene_id']} camera {r['camera']} {r['check_name']}: {r['note']}"
+        for r in found["failing"]
+    ]
+    return "\n".join(lines)

@@ -13,6 +13,7 @@ from cyclopts import Parameter
 
 from esg.commands.clips import RenderOptions
 from esg.commands.drafting import RULES, Drafting
+from esg.commands.drawing import DrawOptions
 from esg.commands.layouts import LayoutOptions
 from esg.dataset.whatifs.options import TEXTS, TruthOptions
 
@@ -32,8 +33,7 @@ def dataset(
     shard: str = "1/1",
     resume: Annotated[bool, Parameter(negative="")] = False,
     seed: int = 0,
-    distribution: Path | None = None,
-    counterfactual: Annotated[bool, Parameter(negative="")] = False,
+    draw: Annotated[DrawOptions, Parameter(name="*")] = DrawOptions(),  # noqa: B008  # frozen
     runner: Literal["process", "dask", "ray"] = "process",
     workers: int | None = None,
     batch: int | None = None,
@@ -47,14 +47,12 @@ def dataset(
     truth: Annotated[TruthOptions, Parameter(name="*")] = TEXTS,
     rendering: RenderOptions | None = None,
     layouts: LayoutOptions | None = None,
-    thin: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Make a dataset of proven scenes: Parquet tables, splits, a dataset card.
 
-    Give --prompts or --sample. A folder that holds an unfinished dataset is continued with
-    --resume: finished scenes are kept, the rest is made. A failing scene never stops the others;
-    failures.jsonl says which failed and why, and the exit code is 3.
+    Give --prompts or --sample. --resume goes on with an unfinished dataset: finished scenes are
+    kept. A failing scene never stops the others; failures.jsonl says why, and the exit code is 3.
 
     Args:
         out: Folder of the dataset, or a URL such as s3://bucket/name.
@@ -63,8 +61,7 @@ def dataset(
         shard: i/n makes the i-th of n parts; whoever finishes last puts the dataset together.
         resume: Go on with the dataset in --out.
         seed: Of every random choice.
-        distribution: YAML file with the shares of what is sampled (docs/dataset.md).
-        counterfactual: Sample pairs of scenes that differ in one parameter.
+        draw: What is drawn and kept.
         runner: Where batches run: worker processes, a Dask or a Ray cluster.
         workers: Batches at once; default one a core.
         batch: Scenes a batch; default by the dataset's size, more on a GPU.
@@ -77,7 +74,6 @@ def dataset(
         truth: Captions, questions, other engines and what-ifs.
         rendering: What cameras see of every scene.
         layouts: How the dataset is laid out.
-        thin: Leave near-duplicates out of the splits; without it they are marked.
         json: Print one JSON document with counts and paths.
     """
     from esg.api.inputs import check_device, checked
@@ -94,21 +90,21 @@ def dataset(
         lambda: check_device(device),
         lambda: render_spec(rendering, device),
         lambda: check_layouts(layouts),
-        lambda: None if going_on else _source(prompts, sample, counterfactual, distribution),
+        lambda: None if going_on else _source(prompts, sample, draw),
         lambda: _place(out),
         lambda: spec_fields(truth),
-        lambda: _check_numbers(seed, workers, batch, counterfactual),
+        lambda: _check_numbers(seed, workers, batch, draw.counterfactual),
     )
     folder, remote = opened(out)
     if going_on and (found := folder.spec()) is not None:
         spec, texts = found, folder.prompts()
         check_same(render, spec.render, folder.label)
     else:
-        texts, source = planned or _source(prompts, sample, counterfactual, distribution)
+        texts, source = planned or _source(prompts, sample, draw)
         spec = DatasetSpec(
-            **source, seed=seed, counterfactual=counterfactual, drafter=drafting.drafter,
+            **source, seed=seed, counterfactual=draw.counterfactual, drafter=drafting.drafter,
             strategy=strategy, engine=engine, mcap=mcap, previews=previews, device=device,
-            batch=batch or 0, strict=strict, render=render, thin=thin,
+            batch=batch or 0, strict=strict, render=render, thin=draw.thin,
             meshes=layouts is None or layouts.meshes, **beside,
         )  # fmt: skip
     check_rendered(folder, spec, names)
@@ -183,7 +179,7 @@ def _place(out: str) -> str:
 
 
 def _source(
-    prompts: Path | None, sample: int | None, counterfactual: bool, distribution: Path | None
+    prompts: Path | None, sample: int | None, draw: DrawOptions
 ) -> tuple[list[Prompt], dict[str, Any]]:
     """The prompts of a file, and what the specification says about the source."""
     import hashlib
@@ -198,8 +194,9 @@ def _source(
     if (prompts is None) == (sample is None):
         raise UserError("give either --prompts FILE or --sample N")
     if prompts is not None:
-        for given, name in ((counterfactual, "--counterfactual"), (distribution, "--distribution")):
-            if given:
+        given = {"--counterfactual": draw.counterfactual, "--distribution": draw.distribution}
+        for name, value in given.items():
+            if value:
                 raise UserError(f"{name} belongs to --sample; a prompts file says it all itself")
         texts = read_prompts(prompts)
         digest = hashlib.sha256(prompts_text(texts).encode()).hexdigest()
@@ -208,8 +205,8 @@ def _source(
     if not 1 <= sample <= MAX_SCENES:
         raise UserError(f"--sample {sample}: choose 1 to {MAX_SCENES}")
     mix = Distribution()
-    if distribution is not None:
-        path = existing_file(distribution, "--distribution")
+    if draw.distribution is not None:
+        path = existing_file(draw.distribution, "--distribution")
         try:
             mix = load_distribution(read_limited(path, MAX_CHARACTERS).decode(), str(path))
         except UnicodeDecodeError:

@@ -33,7 +33,7 @@ Share = Literal["all", "failed", "sample", "none"]
 PreviewShare = Literal["all", "sample", "none"]
 SAMPLE_EVERY = 50
 """`sample` means every so many scenes, beginning with the first."""
-LATER = ("annotations", "what_if", "engines", "render", "thin")
+LATER = ("annotations", "what_if", "engines", "meshes", "render", "thin")
 """Fields of a specification that datasets of an older version do not have."""
 
 
@@ -114,10 +114,10 @@ class DatasetSpec(BaseModel):
         fps: Frames a second of the recorded trajectories.
         batch: Scenes a batch.
         strict: Whether `partial` scenes count as failed.
-        meshes: Whether the meshes that manifests name are packed beside them.
         annotations: Whether scenes get captions and questions.
         what_if: Variables of which each is changed in every solved scene.
         engines: Engines that every scene is replayed in, at two steps.
+        meshes: Whether the meshes that manifests name are packed beside them.
         render: What cameras see; None for a dataset without clips.
         thin: Whether near-duplicates are left out of all splits.
     """
@@ -141,10 +141,10 @@ class DatasetSpec(BaseModel):
     fps: float = 60.0
     batch: int = 0
     strict: bool = False
-    meshes: bool = True
     annotations: Literal["all", "none"] = "all"
     what_if: tuple[Variable, ...] = ()
     engines: tuple[Literal["physx", "rapier", "newton"], ...] = ()
+    meshes: bool = True
     render: RenderSpec | None = None
     thin: bool = False
 

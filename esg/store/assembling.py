@@ -86,7 +86,7 @@ def assemble_tables(
     scenes_per_file: int | None = None,
     scenes: Path | None = None,
     left_out: Collection[str] = (),
-    changed: Callable[[str, pa.Table], pa.Table] = lambda _, data: data,
+    changed: Callable[[str, pa.Table], pa.Table] | None = None,
 ) -> Counts:
     """The split files alone (`assemble`); returns rows by table and split.
 
@@ -94,8 +94,8 @@ def assemble_tables(
         parts, out, tables, max_bytes, scenes_per_file: As of `assemble`.
         scenes: Where table `scenes` is that says the splits; default among the parts.
         left_out: Keys of scenes that go to no split.
-        changed: Given a table's name and its rows, what is written of them; as many, with the same
-            keys.
+        changed: Given a table's name and its rows, what is written of them: as many, with the same
+            keys. Default: the rows.
 
     Raises:
         UserError: If a part is damaged, with its path.
@@ -192,7 +192,7 @@ def _write_split(
     out: Path,
     max_bytes: int,
     fixed: int | None,
-    changed: Callable[[str, pa.Table], pa.Table],
+    changed: Callable[[str, pa.Table], pa.Table] | None,
 ) -> None:
     folder = out / table
     for old in folder.glob(f"{split}-*-of-*.parquet"):
@@ -206,7 +206,9 @@ def _write_split(
     bounds = [len(places) * i // count for i in range(count + 1)]
     for i in range(count):
         name = PART_PATTERN.format(split=split, index=i, count=count)
-        data = changed(table, _gather(table, files, places[bounds[i] : bounds[i + 1]]))
+        data = _gather(table, files, places[bounds[i] : bounds[i + 1]])
+        if changed is not None:
+            data = changed(table, data)
         write_part(data, folder / name, row_group=row_group_rows(table))
 
 
@@ -264,11 +266,11 @@ _ONE_ROW = {
     "statements": "a statement of a prompt or a suite and whether a scene's replay keeps it",
     "plausibility_checks": "a check of a scene's replay: measured value and limit",
     "timings": "a pipeline stage of a scene",
-    "meshes": "a mesh that a scene's manifest names: glTF, its buffer in `meshes/buffers`",
     "captions": "a scene's captions at three lengths, with the events and hits that they tell",
     "questions": "a question about a scene, with its measured answer",
     "engine_events": "an event of a scene in one engine at one step",
     "what_ifs": "a scene with one variable changed, replayed in one engine",
+    "meshes": "a mesh that a scene's manifest names: glTF, its buffer in `meshes/buffers`",
     "clips": "what one camera saw of a scene: files, camera, boxes, tracks",
     "truth_checks": "a check of a clip's ground truth against geometry: residuals and limit",
 }

@@ -41,11 +41,11 @@ KEYS: dict[str, tuple[str, ...]] = {
     "statements": ("scene_key", "engine", "source", "statement_id"),
     "plausibility_checks": ("scene_key", "engine", "check_name"),
     "timings": ("scene_key", "stage"),
-    "meshes": ("scene_key", "mesh"),
     "captions": ("scene_key",),
     "questions": ("scene_key", "question_index"),
     "engine_events": ("scene_key", "engine", "dt_s", "event_id"),
     "what_ifs": ("scene_key", "variable", "engine"),
+    "meshes": ("scene_key", "mesh"),
     "clips": ("scene_key", "camera"),
     "truth_checks": ("scene_key", "camera", "check_name"),
 }
@@ -120,10 +120,6 @@ COLUMNS: dict[str, dict[str, str]] = {
         **_SCENE, "stage": "string", "stage_index": "int32", "seconds": "float64",
         "cached": "bool", "outcome": "string",
     },
-    "meshes": {
-        **_SCENE, "mesh": "string", "asset": "string", "gltf": "string", "buffer": "string",
-        "bytes": "int64", "license": "string", "attribution": "string",
-    },
     "captions": {
         **_SCENE, "short": "string", "medium": "string", "long": "string",
         "event_ids": "list<string>", "event_texts": "list<string>",
@@ -149,6 +145,10 @@ COLUMNS: dict[str, dict[str, str]] = {
         "bodies": "list<string>", "final_position_m": "list<float32>", "apart_m": "float64",
         "engines_apart_m": "float64", "agrees": "bool",
     },
+    "meshes": {
+        **_SCENE, "mesh": "string", "asset": "string", "gltf": "string", "buffer": "string",
+        "bytes": "int64", "license": "string", "attribution": "string",
+    },
     "clips": {
         **_SCENE, "split": "string", "camera": "int32", "camera_kind": "string",
         "width": "int32", "height": "int32", "fps": "float64",
@@ -168,8 +168,8 @@ COLUMNS: dict[str, dict[str, str]] = {
         "half_x_m:float32,half_y_m:float32,half_z_m:float32,qx:float32,qy:float32,qz:float32,"
         "qw:float32>>",
         "track_ids": "list<int32>", "track_point_m": "list<float32>",
-        "track_xy_px": "list<float32>", "track_visible": "list<bool>", "video": "video",
-        "place": "string", "sky": "string",
+        "track_xy_px": "list<float32>", "track_visible": "list<bool>",
+        "place": "string", "sky": "string", "video": "video",
     },
     "truth_checks": {
         **_SCENE, "camera": "int32", "check_name": "string", "unit": "string",
@@ -195,8 +195,8 @@ ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
     ),
 }  # fmt: skip
 """Columns that files of an older format lack (`esg_cast` is of 1.2, what became of statements of
-1.3, `plausible` of 1.4, `preview`, `engines_agree`, where contacts are and the prompt on every row
-of 2.0): they read as null."""
+1.3, `plausible` of 1.4, `preview`, `engines_agree`, where contacts are and the prompt on every
+row of 2.0): they read as null."""
 
 TABLES = tuple(COLUMNS)
 

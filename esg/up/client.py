@@ -16,7 +16,7 @@ from esg.notices import warn
 from esg.up import wire
 from esg.up.place import COMMANDS, OFF, private, socket_path, stamp
 
-CONNECT_S = 2.0
+CONNECT_S = 5.0
 """A worker that does not take a request within this time is left alone [s]."""
 
 

@@ -9,6 +9,7 @@ from typing import Any
 import pytest
 
 from esg.commands.dataset import dataset, describe
+from esg.commands.drawing import DrawOptions
 from esg.dataset.folder import _is_unbegun
 from esg.outcomes import UserError
 
@@ -23,10 +24,16 @@ from esg.outcomes import UserError
         ({"sample": 3, "seed": -1}, "--seed -1"),
         ({"sample": 3, "workers": 0}, "--workers 0"),
         ({"sample": 3, "batch": 0}, "--batch 0"),
-        ({"sample": 4, "batch": 3, "counterfactual": True}, "no pair is parted"),
+        ({"sample": 4, "batch": 3, "draw": DrawOptions(counterfactual=True)}, "no pair is parted"),
         ({"prompts": Path("nope.txt")}, "nope.txt does not exist"),
-        ({"prompts": Path("nope.txt"), "counterfactual": True}, "--counterfactual belongs to"),
-        ({"sample": 3, "distribution": Path("nope.yaml")}, "nope.yaml does not exist"),
+        (
+            {"prompts": Path("nope.txt"), "draw": DrawOptions(counterfactual=True)},
+            "--counterfactual belongs to",
+        ),
+        (
+            {"sample": 3, "draw": DrawOptions(distribution=Path("nope.yaml"))},
+            "nope.yaml does not exist",
+        ),
         ({"sample": 3, "device": "tpu"}, "--device 'tpu'"),
         ({"sample": 0, "out": "s3:/x"}, "two slashes(.|\n)*--sample 0|--sample 0(.|\n)*two slash"),
         ({"resume": True}, "either --prompts FILE or --sample N"),

@@ -95,12 +95,12 @@ def record(
     place = {k: made.rows["scenes"][0][k] for k in ("run_id", "scene_key", "suite", "scene_id")}
     checked |= {**place, "seed": seed}
     common = {k: made.rows["scenes"][0][k] for k in COMMON}
-    seen = {"clips": [clip.row()], "truth_checks": [checked]}
     mesh = {
         **common, "mesh": "meshes/ball_1.glb", "asset": "ball", "gltf": "{}", "buffer": None,
         "bytes": 20,
     }  # fmt: skip
-    return SceneRecord({**made.rows, **seen, **beside(common), "meshes": [mesh]})
+    seen = {"clips": [clip.row()], "truth_checks": [checked], "meshes": [mesh]}
+    return SceneRecord({**made.rows, **seen, **beside(common)})
 
 
 COMMON = ("run_id", "scene_key", "suite", "scene_id", "seed", "prompt")

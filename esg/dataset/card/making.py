@@ -44,8 +44,7 @@ def command(spec: DatasetSpec) -> str:
     parts += [f"--{name} {','.join(asked)}" for name, asked in beside.items() if asked]
     parts += [f"--annotations {spec.annotations}"] if spec.annotations != "all" else []
     parts += [f"--{name}" for name in ("counterfactual", "strict", "thin") if getattr(spec, name)]
-    if not spec.meshes:
-        parts.append("--no-meshes")
+    parts += [] if spec.meshes else ["--no-meshes"]
     if spec.render is not None:
         parts += spec.render.options()
     return " ".join([*parts, "--out FOLDER"])

@@ -310,7 +310,8 @@ def _truth(told: Told) -> Lines:
         return []
     rows = [
         (name.replace("_", " "), c["checked"], c["samples"],
-         *(f"{c[p]:.2g}" for p in ("p50", "p90", "p99", "highest_p99", "worst")),
+         *("" if c[p] is None else f"{c[p]:.2g}"
+           for p in ("p50", "p90", "p99", "highest_p99", "worst")),
          f"{c['limit']:g} {c['unit']}", c["failing"])
         for name, c in found.items()
     ]  # fmt: skip

@@ -112,10 +112,11 @@ def draw_variety(
 
 
 _UNDER = {
-    "street": "outdoor", "vehicles": "outdoor", "floor": "outdoor", "table": "outdoor",
+    "street": "outdoor", "vehicles": "outdoor", "floor": "either", "table": "either",
     "indoors": "indoor", "hall": "indoor",
 }  # fmt: skip
-"""Which lights and bystanders a rule has whose place is not said."""
+"""Where a rule is whose place is not said: `either` has the lights of both, as the place is chosen
+by what is there."""
 
 
 def _spot(seed: int, unit: int, what: str) -> float:
@@ -140,7 +141,12 @@ def _light(seed: int, unit: int, given: Distribution, under: str) -> str:
     fitting = {
         name: share
         for name, share in given.lights.items()
-        if share > 0 and (name == UNSAID or under in rows[name].under)
+        if share > 0
+        and (
+            name == UNSAID
+            or under in rows[name].under
+            or (under == "either" and len(rows[name].under) == 2)
+        )
     }
     return _said(fitting, _spot(seed, unit, "lights"))
 
@@ -179,7 +185,7 @@ def _crowd(
     weights = {
         row.kind: weight
         for row in tables.bystanders().values()
-        if under in row.suits
+        if ("outdoor" if under == "either" else under) in row.suits
         and not any(row.kind.endswith(head) or head.endswith(row.kind) for head in taken)
         and (weight := given.bystander_kinds.get(row.kind, 0.0 if given.bystander_kinds else 1.0))
     }

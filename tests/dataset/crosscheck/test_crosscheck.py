@@ -152,7 +152,7 @@ def test_only_what_a_clip_has_is_checked(tmp_path: Path) -> None:
 
 def test_the_same_scenes_are_drawn_whoever_asks() -> None:
     keys = [f"run/{k}" for k in range(40)]
-    assert sampled(keys) == sampled(reversed(keys)) and len(sampled(keys)) == 4
+    assert sampled(keys) == sampled(reversed(keys)) and len(sampled(keys)) == 2
     assert sampled(keys[:3]) and sampled([]) == []
 
 

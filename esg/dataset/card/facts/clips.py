@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -61,23 +61,36 @@ def truth(tables: Tables) -> dict[str, Any]:
         "scene_id", "camera", "check_name", "unit", "samples", "p50", "p90", "p99", "worst",
         "limit_value", "ok",
     ]  # fmt: skip
-    by_check: dict[str, list[dict[str, Any]]] = {}
-    for row in tables.rows("truth_checks", columns):
-        if row["p99"] is not None:
+    return {"truth": summaries(tables.rows("truth_checks", columns))}
+
+
+def summaries(rows: Iterable[Mapping[str, Any]]) -> dict[str, dict[str, Any]]:
+    """Residuals by check: medians over clips, the highest, and who fails.
+
+    Args:
+        rows: Of table `truth_checks`.
+    """
+    by_check: dict[str, list[Mapping[str, Any]]] = {}
+    for row in rows:
+        if row["p99"] is not None or row["ok"] is False:
             by_check.setdefault(row["check_name"], []).append(row)
-    return {"truth": {name: _check(rows) for name, rows in sorted(by_check.items())}}
+    return {name: _summary(found) for name, found in sorted(by_check.items())}
 
 
-def _check(rows: list[dict[str, Any]]) -> dict[str, Any]:
+def _summary(rows: Sequence[Mapping[str, Any]]) -> dict[str, Any]:
+    measured = [r for r in rows if r["p99"] is not None]
     failing = sorted({r["scene_id"] for r in rows if not r["ok"]})
     return {
         "unit": rows[0]["unit"],
         "limit": rows[0]["limit_value"],
         "checked": len(rows),
         "samples": sum(r["samples"] for r in rows),
-        **{p: float(np.median([r[p] for r in rows])) for p in ("p50", "p90", "p99")},
-        "highest_p99": max(r["p99"] for r in rows),
-        "worst": max(r["worst"] for r in rows),
+        **{
+            p: float(np.median([r[p] for r in measured])) if measured else None
+            for p in ("p50", "p90", "p99")
+        },
+        "highest_p99": max((r["p99"] for r in measured), default=None),
+        "worst": max((r["worst"] for r in measured), default=None),
         "failing": len(failing),
         "named": failing[:_NAMED],
     }
