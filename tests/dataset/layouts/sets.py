@@ -43,7 +43,14 @@ def _scene(out: Path, run: RunInfo, number: int, cameras: int) -> SceneRecord:
     split = SPLITS[number % len(SPLITS)]
     scene = {**rows["scenes"][0], "manifest": manifest_bytes(manifest).decode(), "split": split}
     clips = [_clip(out, scene, camera).row(out) for camera in range(cameras)]
-    rows |= {"scenes": [scene], "clips": clips, "meshes": []}
+    asked = [{**row, "question": "Do they collide?"} for row in rows["questions"]]
+    rows |= {
+        "scenes": [scene],
+        "clips": clips,
+        "meshes": [],
+        "truth_checks": [],
+        "questions": asked,
+    }
     return SceneRecord({table: found for table, found in rows.items() if table != "runs"})
 
 
