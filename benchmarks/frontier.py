@@ -164,6 +164,7 @@ def _figures(made: Sequence[Made]) -> dict[str, Any]:
             "rounds": round(sum(c.rounds for c in calls) / n, 2),
             "tokens_in": round(sum(c.input_tokens for c in calls) / n),
             "tokens_out": round(sum(c.output_tokens for c in calls) / n),
+            "characters_in": round(sum(r.characters_in for c in calls for r in c.calls) / n),
             "characters_out": round(sum(len(r.text) for c in calls for r in c.calls) / n),
             "mended": mended(calls),
             "models": sorted({r.model for c in calls for r in c.calls if r.model}),
@@ -311,12 +312,12 @@ def _print(tables: dict[str, dict[str, dict[str, Any]]]) -> None:
     columns = (
         "prompts", "usability", "event_recall", "quantity_recall", "invented_events",
         "fully_right", "silent_wrong", "statements", "high_quality_given_usable", "rounds",
-        "replies", "tokens_in", "tokens_out", "characters_out", "usd_per_scene",
+        "replies", "tokens_in", "tokens_out", "characters_in", "characters_out", "usd_per_scene",
     )  # fmt: skip
-    print(f"\n{'drafter':<15}{'set':<8}" + "".join(f"{c[:12]:>13}" for c in columns))
+    print(f"\n{'drafter':<15}{'set':<8}" + "".join(f"{c[:14]:>15}" for c in columns))
     for name, sets in tables.items():
         for part, row in sets.items():
-            cells = "".join(f"{row[c] if row.get(c) is not None else '-':>13}" for c in columns)
+            cells = "".join(f"{row[c] if row.get(c) is not None else '-':>15}" for c in columns)
             print(f"{name:<15}{part:<8}{cells}")
     for name, sets in tables.items():
         for code, row in sets["all"].get("mended", {}).items():

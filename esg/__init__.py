@@ -16,6 +16,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from esg.api.costs import cost
     from esg.api.datasets import Dataset, load_dataset
     from esg.api.judging import judge_trajectories
     from esg.api.making import generate, generate_many
@@ -27,6 +28,7 @@ __version__ = "0.2.0"
 
 _HOME = {
     "Dataset": "esg.api.datasets",
+    "cost": "esg.api.costs",
     "load_dataset": "esg.api.datasets",
     "judge_trajectories": "esg.api.judging",
     "generate": "esg.api.making",
@@ -51,6 +53,7 @@ __all__ = [
     "Trajectories",
     "UserError",
     "__version__",
+    "cost",
     "generate",
     "generate_many",
     "judge",

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import atexit
 import gc
 import os
+import signal
 import sys
 
 from esg import __version__
@@ -75,8 +77,14 @@ def main() -> None:
     from esg.commands.parsing import parse
     from esg.commands.stopping import answer_signals, stopped
     from esg.telemetry.watching import watched
+    from esg.up.client import delegated
 
     gc.set_threshold(GC_THRESHOLD, 20, 20)
+    try:
+        if (code := delegated(sys.argv[1:])) is not None:
+            sys.exit(code)
+    except KeyboardInterrupt:
+        sys.exit(128 + signal.SIGINT)
     quiet_native_output()
     arguments = sys.argv[1:]
     as_json = "--json" in arguments
@@ -112,5 +120,31 @@ def main() -> None:
     sys.exit(code if isinstance(code, int) else 0)
 
 
+def run() -> None:
+    """The console script: `main`, and an end that does not take the libraries apart.
+
+    What is imported and cached goes with the process; Python would free it object by object, which
+    takes longer than a search.
+    """
+    code = [1]
+    atexit.register(_leave, code)  # the first to be registered is the last to be called
+    try:
+        main()
+    except SystemExit as error:
+        code[0] = error.code if isinstance(error.code, int) else int(error.code is not None)
+        raise
+
+
+def _leave(code: list[int]) -> None:
+    from esg.commands.console import silence
+
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            stream.flush()
+        except (AttributeError, OSError, ValueError):
+            silence()
+    os._exit(code[0])
+
+
 if __name__ == "__main__":
-    main()
+    run()

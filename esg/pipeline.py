@@ -21,6 +21,7 @@ import time
 import traceback
 from typing import TYPE_CHECKING, Any
 
+from esg.costs.spent import core_time
 from esg.outcomes import Outcome, UserError
 from esg.paths import cache_dir
 from esg.progress import StageEvent, emit
@@ -211,7 +212,7 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
 
     if state.ended or stage in state.artifacts:
         return state
-    start = time.perf_counter()
+    start, core_start = time.perf_counter(), core_time()
     entry: dict[str, Any] = {"stage": stage, "cached": False}
     emit(StageEvent(state.request.name or state.request.prompt, stage, "started",
                     state.request.seed))  # fmt: skip
@@ -242,6 +243,7 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
         entry["error"] = state.reason
         entry["traceback"] = scrub_all(traceback.format_exc())
     entry["seconds"] = round(time.perf_counter() - start, 4)
+    entry["core_seconds"] = round(core_time() - core_start, 4)
     if state.outcome is not None:
         entry["outcome"] = state.outcome.value
     state = replace(state, log=(*state.log, entry))

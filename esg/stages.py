@@ -338,10 +338,11 @@ def _dress(state: SceneState, folder: Path) -> None:
 
 def _record(state: SceneState, folder: Path) -> None:
     from esg.assets import write_meshes
+    from esg.beside import beside
     from esg.compile.export import export, thinned
     from esg.engines.rollout_file import load_rollout
     from esg.store.mcap_log import write_mcap
-    from esg.view.preview import preview
+    from esg.view.preview import film, preview
     from esg.view.setting import setting_of
 
     doc = load_doc(state, "dress")
@@ -349,21 +350,22 @@ def _record(state: SceneState, folder: Path) -> None:
     rollout = load_rollout(state.artifact("replay") / ROLLOUT)
     metrics = json.loads((state.artifact("judge") / "metrics.json").read_bytes())
     verdict = load_verdict(state)
-    write_meshes(doc, folder)
-    # Exports read a scene folder: lend them the manifest, which belongs to another stage.
-    manifest = folder / "manifest.json"
-    manifest.write_bytes((state.artifact("compile") / manifest.name).read_bytes())
     shown = verdict
     if not verdict.events and "own_timeline" in metrics:
         shown = _read_verdict(metrics["own_timeline"])  # a suite that asks for nothing
     played = thinned(rollout)
     setting = setting_of(scene, played, shown, doc)
-    export(folder, "usd", rollout=played, setting=setting)
-    export(folder, "glb", rollout=played, setting=setting)
-    manifest.unlink()
-    write_mcap(folder / "rollout.mcap", scene, program, rollout, verdict, doc)
-    note = f"{metrics['outcome']}  |  replayed in {rollout.engine} at {1 / rollout.dt:.0f} Hz"
-    preview(scene, rollout, shown, doc, folder, note=note)
+    with beside(partial(film, scene, rollout, shown, doc, folder)) as filmed:
+        write_meshes(doc, folder)
+        # Exports read a scene folder: lend them the manifest, which belongs to another stage.
+        manifest = folder / "manifest.json"
+        manifest.write_bytes((state.artifact("compile") / manifest.name).read_bytes())
+        export(folder, "usd", rollout=played, setting=setting)
+        export(folder, "glb", rollout=played, setting=setting)
+        manifest.unlink()
+        write_mcap(folder / "rollout.mcap", scene, program, rollout, verdict, doc)
+        note = f"{metrics['outcome']}  |  replayed in {rollout.engine} at {1 / rollout.dt:.0f} Hz"
+        preview(scene, rollout, shown, doc, folder, note=note, lost=filmed)
 
 
 def write_doc(doc: EsgDocument, folder: Path) -> None:

@@ -3,8 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-import contextlib
-from pathlib import Path
 from typing import Any
 
 from prefect import task
@@ -15,12 +13,10 @@ from prefect.states import Completed
 from prefect.tasks import Task, exponential_backoff
 
 from esg.files import unwritable
-from esg.limits import StageTimeout, limited, place_in
-from esg.pipeline import SceneState, crashed, may_pass, run_stage, scratch_store
+from esg.guarded import RETRIES, guarded_stage
+from esg.pipeline import SceneState, crashed, may_pass
 from esg.workers import OutOfTime, WorkerDied
 from tasks.context import current
-
-RETRIES = 2
 
 
 def _retry(_: Task[Any, Any], __: TaskRun, state: State[Any]) -> bool:
@@ -60,16 +56,6 @@ def make_stage_task(stage: str) -> Callable[[list[SceneState]], list[SceneState]
     return run
 
 
-def _run(store: Path | None, stage: str, state: SceneState) -> SceneState:
-    """One stage of one scene, wherever the pool runs it."""
-    with place_in(stage), scratch_store(store) if store else contextlib.nullcontext():
-        try:
-            with limited(stage):
-                return run_stage(stage, state)
-        except StageTimeout as error:
-            return crashed(state, TimeoutError(str(error)), stage)
-
-
 def run_batch(stage: str, states: list[SceneState], last_attempt: bool) -> list[SceneState]:
     """Runs one stage for every scene of a batch.
 
@@ -87,7 +73,7 @@ def run_batch(stage: str, states: list[SceneState], last_attempt: bool) -> list[
     busy: BaseException | None = None
     for state in states:
         try:
-            done = context.pool.run(_run, context.store, stage, state)
+            done = context.pool.run(guarded_stage, stage, state, context.store)
         except OutOfTime as error:
             done = crashed(state, TimeoutError(f"{stage}: {error}"), stage)
         except WorkerDied as error:

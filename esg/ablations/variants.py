@@ -112,7 +112,7 @@ ABLATIONS = (
             Variant("ad", "AD-only (Tape)", strategy="ad"),
             Variant("fd", "FD-only", strategy="fd"),
             Variant("hybrid", "Hybrid", strategy="hybrid"),
-            Variant("full", "batched (ours)"),
+            FULL,
         ),
         ("each_event", "completion", "search_s"),
         {

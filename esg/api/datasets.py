@@ -12,6 +12,8 @@ from esg.outcomes import UserError
 if TYPE_CHECKING:
     import pyarrow as pa
 
+    from esg.dataset.clips.reading import Clip
+
 
 @dataclass(frozen=True)
 class Dataset:
@@ -62,6 +64,20 @@ class Dataset:
             with pq.ParquetFile(path) as file:
                 for batch in file.iter_batches(batch_size=64):
                     yield from batch.to_pylist()
+
+    def clips(self, split: str | None = None) -> Iterator[Clip]:
+        """What cameras saw of its scenes, one clip a scene and camera (docs/dataset/clips.md).
+
+        Args:
+            split: train, validation or test; None for all.
+
+        Raises:
+            UserError: If it was not rendered, or there is no such split.
+        """
+        from esg.dataset.clips.reading import read_clips
+
+        self._files("clips", split)
+        yield from read_clips(self.folder, split)
 
     def __len__(self) -> int:
         """Number of scenes."""

@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
+from esg.commands.comparing.ablating import NOTHING, Ablating, ablate
 from esg.commands.drafting import RULES, Drafting
 
 if TYPE_CHECKING:
@@ -31,7 +32,7 @@ def bench(
     strict: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[Path | None, Parameter(help="Write the results to this JSON file.")] = None,
     workers: int | None = None,
-    ablations: Annotated[list[str] | None, Parameter(consume_multiple=True, negative="")] = None,
+    ablating: Ablating = NOTHING,
 ) -> int:
     """Run every scene of a suite with several seeds and report SLR, ECR and PPA.
 
@@ -49,16 +50,9 @@ def bench(
         out: Folder of the scene folders; default runs/bench-SUITE-STRATEGY-ENGINE.
         strict: Count scenes as failed that are partial or not plausible.
         workers: Worker processes; default one a core.
-        ablations: Run the paper's ablations instead, all or those named: draft, assets, initial,
-            global, gradients, collision, optimization.
     """
-    if ablations is not None:
-        from esg.commands.ablating import ablate
-
-        return ablate(
-            suite, ablations, runs=runs, seed=seed, engine=engine, device=device, out=out,
-            json=json, workers=workers,
-        )  # fmt: skip
+    if ablating.ablations is not None:
+        return ablate(suite, ablating.ablations, (runs, seed, engine, device), out, json, workers)
     from esg.api import inputs
     from esg.commands.drafting import from_answers, tell_waiting
     from esg.commands.live import live
@@ -80,10 +74,8 @@ def bench(
         drafting.check,
         inputs.check_cache,
     )
-    if out is None:
-        kind = (loaded.suite, strategy, engine, close_loop, collision, drafting.drafter)
-        out = Path("runs") / _folder(*kind)
-        check_writable(out)
+    kind = (loaded.suite, strategy, engine, close_loop, collision, drafting.drafter)
+    out = _usual_folder(*kind) if out is None else out
     total = len(loaded.scenes) * runs
     processes = default_processes(total) if workers is None else workers
     asked = [scene.prompt for scene in loaded.scenes for _ in range(runs)]
@@ -118,10 +110,13 @@ def _published(states: list[SceneState], out: Path, strict: bool) -> None:
 
 def _beside(states: list[SceneState], drafter: str, close_loop: bool) -> dict[str, Any]:
     """What a run tells beside its figures."""
+    from esg.costs.spent import spent
+
     out: dict[str, Any] = {
         "missed": missed(states),
         "not_kept": not_kept(states),
         "implausible": implausible(states),
+        "cost": spent(s.log for s in states).to_json(),
     }
     if drafter != "rules":
         out["drafter"] = drafter
@@ -149,6 +144,7 @@ def _states(total: int, processes: int, arguments: tuple[Any, ...]) -> list[Scen
 
 def _tell(result: dict[str, Any], states: list[SceneState], out: Path) -> None:
     """Prints the results: the table, what was missed, what the closed loop changed."""
+    from esg.costs.spent import line
     from esg.metrics import comparison_table
     from esg.pipeline import STAGES
 
@@ -163,19 +159,24 @@ def _tell(result: dict[str, Any], states: list[SceneState], out: Path) -> None:
             "tolerances"
         )
     cached = sum(s.cached_stages for s in states)
+    print(line(result["cost"]))
     print(f"{cached} of {len(states) * len(STAGES)} stages from cache; scenes in {out}")
 
 
-def _folder(
+def _usual_folder(
     suite: str, strategy: str, engine: str, close_loop: bool, collision: str, drafter: str = "rules"
-) -> str:
+) -> Path:
+    """Where scenes go that are sent nowhere else; it can be written."""
     from esg.files import safe_name
+    from esg.scenefolder import check_writable
 
     name = f"bench-{safe_name(suite) or 'suite'}-{strategy}-{engine}" + (
         "-closed" if close_loop else ""
     )
     name = name if collision == "exact" else f"{name}-{collision}"
-    return name if drafter == "rules" else f"{name}-{drafter}"
+    folder = Path("runs") / (name if drafter == "rules" else f"{name}-{drafter}")
+    check_writable(folder)
+    return folder
 
 
 def closed_loop(states: list[SceneState]) -> dict[str, Any]:

@@ -14,6 +14,8 @@ from cyclopts import Parameter
 from esg.commands.clips import RenderOptions
 from esg.commands.drafting import RULES, Drafting
 from esg.commands.drawing import DrawOptions
+from esg.commands.layouts import LayoutOptions
+from esg.dataset.whatifs.options import TEXTS, TruthOptions
 
 if TYPE_CHECKING:
     from esg.dataset.folder import DatasetFolder
@@ -42,7 +44,9 @@ def dataset(
     engine: Literal["physx", "rapier", "newton"] = "physx",
     device: str = "cpu",
     strict: Annotated[bool, Parameter(negative="")] = False,
+    truth: Annotated[TruthOptions, Parameter(name="*")] = TEXTS,
     rendering: RenderOptions | None = None,
+    layouts: LayoutOptions | None = None,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Make a dataset of proven scenes: Parquet tables, splits, a dataset card.
@@ -67,21 +71,28 @@ def dataset(
         engine: Engine of the replay: physx runs the emitted class.
         device: cpu or cuda:N.
         strict: Count scenes as failed that are partial (not all is shown) or not plausible.
+        truth: Captions, questions, other engines and what-ifs.
         rendering: What cameras see of every scene.
+        layouts: How the dataset is laid out.
         json: Print one JSON document with counts and paths.
     """
     from esg.api.inputs import check_device, checked
     from esg.commands.clips import check_same, render_spec
     from esg.commands.console import progress
+    from esg.commands.layouts import check_layouts, check_rendered
+    from esg.dataset.layouts.building import want_layouts
     from esg.dataset.plan import DatasetSpec, Shard
+    from esg.dataset.whatifs.options import spec_fields
 
     going_on = resume and prompts is None and sample is None
-    part, device, render, planned, out, _ = checked(
+    part, device, render, names, planned, out, beside, _ = checked(
         lambda: Shard.parse(shard),
         lambda: check_device(device),
         lambda: render_spec(rendering, device),
+        lambda: check_layouts(layouts),
         lambda: None if going_on else _source(prompts, sample, draw),
         lambda: _place(out),
+        lambda: spec_fields(truth),
         lambda: _check_numbers(seed, workers, batch, draw.counterfactual),
     )
     folder, remote = opened(out)
@@ -94,13 +105,16 @@ def dataset(
             **source, seed=seed, counterfactual=draw.counterfactual, drafter=drafting.drafter,
             strategy=strategy, engine=engine, mcap=mcap, previews=previews, device=device,
             batch=batch or 0, strict=strict, render=render, thin=draw.thin,
+            meshes=layouts is None or layouts.meshes, **beside,
         )  # fmt: skip
+    check_rendered(folder, spec, names)
     with (
         folder.locked(part),
         progress(spec.n, "starting") as bar,
         _answered(spec, texts, part.batches(spec), drafting) as (asked, numbers),
     ):
         run = folder.begin(spec, texts, resume=resume)
+        want_layouts(folder.path, names)
         summary = _build(folder, spec, texts, run, numbers, runner, workers, bar, remote)
     return _told(summary, json, asked)
 
@@ -231,13 +245,18 @@ def _build(
     bar: Any,
     remote: Remote | None,
 ) -> dict[str, Any]:
+    from esg.commands.layouts import lay_out, push_layouts
     from esg.dataset.finish import clean, finish
     from esg.dataset.folder import finish_lock
     from esg.dataset.remote import is_media
 
     if folder.finished():
         clean(folder.path)
-        return _summary(folder, spec, {}, remote)
+        summary = _summary(folder, spec, {}, remote)
+        if lay_out(folder, remote, bar.show) and remote is not None:
+            push_layouts(folder, remote)
+            shutil.rmtree(folder.path, ignore_errors=True)
+        return summary
     if remote is not None:
         remote.push_beginning(folder.path)
     done = folder.done(numbers, remote)
@@ -258,6 +277,7 @@ def _build(
         if not folder.finished():
             finish(folder, spec, everything)
         summary = _summary(folder, spec, {}, remote)
+        lay_out(folder, remote, bar.show)
         if remote is not None:
             remote.push_dataset(folder.path)
             shutil.rmtree(folder.path, ignore_errors=True)
@@ -368,6 +388,8 @@ def _summary(
     import json
 
     from esg.dataset.folder import INFO
+    from esg.dataset.layouts.building import wanted_layouts
+    from esg.dataset.layouts.registry import CANONICAL
 
     place = remote.url if remote else str(folder.path)
     base = {
@@ -389,7 +411,9 @@ def _summary(
             "outcomes": facts["outcomes"],
             "not_represented": facts.get("not_represented"),
             "splits": info["scenes_per_split"],
+            "layouts": [CANONICAL, *wanted_layouts(folder.path)],
             "failures": f"{place}/failures.jsonl" if failed else None,
+            "cost": _cost(folder.path),
         }
     outcomes: dict[str, int] = {}
     for result in done.values():
@@ -405,11 +429,21 @@ def _summary(
         "not_represented": None,
         "splits": None,
         "failures": None,
+        "cost": None,
     }
+
+
+def _cost(folder: Path) -> dict[str, Any] | None:
+    """What the scenes of a finished dataset took; None where nobody wrote it down."""
+    import json
+
+    path = folder / "meta" / "timings.json"
+    return json.loads(path.read_bytes()).get("cost") if path.is_file() else None
 
 
 def describe(summary: dict[str, Any]) -> str:
     """The same for people."""
+    from esg.costs.spent import line
     from esg.fidelity import counted
 
     state = "complete" if summary["complete"] else "other shards are missing"
@@ -427,4 +461,6 @@ def describe(summary: dict[str, Any]) -> str:
         lines.append(f"  most often not shown: {counted(summary['not_represented'])}")
     if summary["failures"]:
         lines.append(f"  why: {summary['failures']}")
+    if summary.get("cost"):
+        lines.append(f"  {line(summary['cost'])}")
     return "\n".join(lines)

@@ -153,6 +153,11 @@ def _of_model(made: Any, seed: int, drafter: str) -> _Row:
     if drafter == "auto" and not made.waiting and made.outcome is not Outcome.SOLVED:
         row, doc = _one(made.prompt, seed, "rules")
         return {**row, "drafter": "rules", "model_failed": made.reason}, doc
+    document = None if made.waiting else made.document
+    if drafter == "auto" and document is not None:
+        from esg.draft.llm.auto import compared
+
+        document = compared(document, seed=seed)
     return {
         "prompt": made.prompt,
         "seed": seed,
@@ -167,7 +172,7 @@ def _of_model(made: Any, seed: int, drafter: str) -> _Row:
         "input_tokens": made.input_tokens,
         "output_tokens": made.output_tokens,
         "cost_usd": made.cost_usd,
-    }, None if made.waiting else made.document
+    }, document
 
 
 def _written(rows: Sequence[_Row], out: Path) -> dict[str, Any]:

@@ -96,22 +96,33 @@ def generate(
 def _state(arguments: tuple[Any, ...]) -> SceneState:
     """The final state of the scene, as of `flows.generate`.
 
-    One that is already in the store needs no scheduler: the answer comes at once.
+    It is made on the user's Prefect server if there is one, else without a scheduler. One that is
+    already in the store is found there.
     """
+    import os
+
     from esg.commands.console import note_first_use
+    from esg.guarded import run_guarded
+    from esg.limits import stage_limits
     from esg.pipeline import recall
     from esg.requests import generate_requests
+    from esg.settings import check_limits
 
-    state = recall(generate_requests(*arguments)[0])
+    request = generate_requests(*arguments)[0]
+    state = recall(request)
     if state is not None:
         return state
-    from flows.session import session
-
     note_first_use()
-    with session(processes=0) as call:
-        from flows.generate import generate as flow
+    if os.environ.get("PREFECT_API_URL"):
+        from flows.session import session
 
-        return call(flow, *arguments)[0]
+        with session(processes=0) as call:
+            from flows.generate import generate as flow
+
+            return call(flow, *arguments)[0]
+    stage_limits()  # a mistake in them is told before anything starts
+    check_limits()
+    return run_guarded(request)
 
 
 def _pictures(channels: str) -> Settings:

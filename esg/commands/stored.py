@@ -90,8 +90,7 @@ def stored_row(scene: str) -> dict[str, Any] | None:
 def stored_rollout(key: str) -> Any:
     """The stored trajectory of a scene as a rollout of one world, None if none was stored.
 
-    Contacts carry what the store keeps: time, bodies, impulse and depth; their points and normals
-    are zero.
+    Points and normals of contacts are zero where an older version stored them.
 
     Args:
         key: Scene key.
@@ -120,6 +119,10 @@ def stored_rollout(key: str) -> Any:
     def states(name: str, width: int) -> Any:
         return np.array(row[name], np.float32).reshape(1, row["n_frames"], bodies, width)
 
+    def vectors(name: str) -> Any:
+        found = row.get(name)
+        return np.zeros((n, 3)) if found is None else np.array(found, float).reshape(n, 3)
+
     time = np.array(row["time_s"], float)
     n = len(row["contact_time_s"])
     contacts = ContactLog(
@@ -130,8 +133,8 @@ def stored_rollout(key: str) -> Any:
         time=np.array(row["contact_time_s"], float),
         impulse=np.array(row["contact_impulse_ns"], float),
         depth=np.array(row["contact_depth_m"], float),
-        point=np.zeros((n, 3)),
-        normal=np.zeros((n, 3)),
+        point=vectors("contact_point_m"),
+        normal=vectors("contact_normal"),
     )
     return Rollout(
         engine=row["engine"],

@@ -111,9 +111,8 @@ def scene_glb(
     if setting is not None:
         roots += _surroundings(document, setting)
         roots += [_view(document, view, rollout.time) for view in setting.views]
-    document.data["scenes"] = [{"name": scene.scene_id, "nodes": roots}]
-    if manifest is not None:
-        document.data["scenes"][0]["extras"] = {"manifest": manifest}
+    told = {} if manifest is None else {"extras": {"manifest": manifest}}
+    document.data["scenes"] = [{"name": scene.scene_id, "nodes": roots, **told}]
     if document.channels:
         document.data["animations"] = [
             {"name": "replay", "channels": document.channels, "samplers": document.samplers}

@@ -12,8 +12,10 @@ import shutil
 import time
 from typing import TYPE_CHECKING
 
+from esg.costs.spent import core_time
 from esg.dataset.folder import batch_lock, mark_name, read_mark, write_mark
 from esg.dataset.job import CROSSCHECK, RENDER, BatchJob, BatchResult
+from esg.dataset.meshes import BUFFERS
 from esg.dataset.running import SCENE_STAGES, rendered_scenes, run_scenes
 from esg.dataset.writing import write_batch
 from esg.pipeline import scratch_store
@@ -51,30 +53,48 @@ def _deliver(job: BatchJob, result: BatchResult) -> None:
     # Of a dataset that is only rendered, marks and parts are kept apart until all is done.
     remote = whole if job.source is None else whole.below(job.out.name)
     if not remote.has(mark):
+        # A buffer's name is its content: what other batches brought is not brought again.
+        there = {n for n in result.files if n.startswith(BUFFERS) and whole.has(n)}
         whole.push(job.out, [n for n in result.files if is_media(n)])
-        remote.push(job.out, [*(n for n in result.files if not is_media(n)), mark])
+        rest = [n for n in result.files if not is_media(n) and n not in there]
+        remote.push(job.out, [*rest, mark])
 
 
 def _make(job: BatchJob) -> BatchResult:
-    start = time.perf_counter()
+    start, core_start = time.perf_counter(), core_time()
     if job.source is not None:
         result, spent = _only_rendered(job)
+        cores = {RENDER: core_time() - core_start} if RENDER in spent else {}
     else:
         with scratch_store(job.work / "artifacts", durable=False):
             states, together_s = run_scenes(job)
+            marks = [core_time()]
             rendered = rendered_scenes(job, states)
+            marks.append(core_time())
             result, recordings_s = write_batch(job, states, rendered)
+        marks.append(core_time())
         result, checks_s = _checked(job, result, rendered)
+        marks.append(core_time())
         spent = {s: 0.0 for s in SCENE_STAGES}
+        cores = dict(spent)
         for state in states:
             for entry in state.log:
-                spent[entry["stage"]] += float(entry["seconds"])
-        spent["replay"] += together_s
+                name = entry["stage"]
+                spent[name] = spent.get(name, 0.0) + float(entry["seconds"])
+                cores[name] = cores.get(name, 0.0) + float(entry.get("core_seconds", 0.0))
+        spent["replay"] += together_s[0]
+        cores["replay"] += together_s[1]
         spent["recordings"] = recordings_s
         if job.spec.render:
             spent |= {RENDER: rendered.seconds, CROSSCHECK: checks_s}
+            cores |= {RENDER: marks[1] - marks[0], CROSSCHECK: marks[3] - marks[2]}
     spent["batch"] = time.perf_counter() - start
-    result = replace(result, seconds={k: round(v, 4) for k, v in spent.items()})
+    cores["batch"] = core_time() - core_start
+    result = replace(
+        result,
+        seconds={k: round(v, 4) for k, v in spent.items()},
+        core_seconds={k: round(v, 4) for k, v in cores.items()},
+    )
     write_mark(job.out, result)
     if not job.keep_work:
         shutil.rmtree(job.work, ignore_errors=True)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 import json
 from pathlib import Path
 import shutil
 from typing import TYPE_CHECKING, Any
 
+from esg.costs.spent import Spent
 from esg.dataset.folder import INFO, DatasetFolder
 from esg.dataset.job import BatchResult
 from esg.dataset.plan import DatasetSpec
@@ -60,7 +61,7 @@ def finish(folder: DatasetFolder, spec: DatasetSpec, results: Mapping[int, Batch
         ],
     )
     write_json(out / "meta" / "timings.json", timings(results))
-    for name in ("mcap", "previews"):
+    for name in ("mcap", "previews", "meshes"):
         sweep_temporary(out / name)
     sweep_clips(out / "clips")
     describe(out, spec, spec.name(), counts, failed)
@@ -95,20 +96,31 @@ def clean(out: Path) -> None:
 
 
 def timings(results: Mapping[int, BatchResult]) -> dict[str, Any]:
-    """Seconds of work by stage, in all and a scene; `overhead` is everything but stages."""
+    """Seconds of work by stage, in all and a scene; `overhead` is everything but stages.
+
+    Processor time likewise, with `cost`, what `esg dataset` ends with.
+    """
     scenes = sum(r.scenes for r in results.values())
-    total: dict[str, float] = {}
-    for result in results.values():
-        for name, seconds in result.seconds.items():
-            total[name] = total.get(name, 0.0) + seconds
-    whole = total.pop("batch", 0.0)
-    total["overhead"] = whole - sum(total.values())
+    total, whole = _added(r.seconds for r in results.values())
+    cores, _ = _added(r.core_seconds for r in results.values())
     return {
+        "cost": Spent(scenes, total, cores).to_json(),
         "scenes": scenes,
         "seconds": {k: round(v, 2) for k, v in total.items()},
         "seconds_per_scene": {k: round(v / max(1, scenes), 4) for k, v in total.items()},
         "share": {k: round(v / whole, 4) if whole else 0.0 for k, v in total.items()},
     }
+
+
+def _added(parts: Iterable[Mapping[str, float]]) -> tuple[dict[str, float], float]:
+    """Seconds by stage, what is none of them as `overhead`, and seconds in all."""
+    total: dict[str, float] = {}
+    for part in parts:
+        for name, seconds in part.items():
+            total[name] = total.get(name, 0.0) + seconds
+    whole = total.pop("batch", 0.0)
+    total["overhead"] = whole - sum(total.values())
+    return total, whole
 
 
 def write_lines(path: Path, rows: Sequence[Mapping[str, Any]]) -> None:

@@ -2,12 +2,15 @@
 
 meta/plan.json          the specification: what a resumed run must agree with
 meta/prompts.jsonl      the prompts, if they came from a file
+meta/layouts.json       layouts that it was asked to have (esg.dataset.layouts)
 meta/run.json           when it began, software and machine (no part of the dataset)
 parts/<table>/*.parquet finished batches; removed when the dataset is put together
 marks/*.json            one a finished batch: the whole protocol of resuming
-locks/                  empty files that running processes hold
+locks/, .lock-*         empty files that running processes hold
 mcap/, previews/        recordings of scenes that get one
+meshes/buffers/         what meshes are made of, once each (esg.dataset.meshes)
 scenes/, trajectories/, ...  the dataset (esg.dataset.finish)
+layouts/                the dataset again, as training code reads it
 failures.jsonl, README.md, meta/info.json
 """
 
@@ -215,6 +218,8 @@ class DatasetFolder:
                 if fresh and not (self.path / PLAN).exists():
                     (self.path / name).unlink(missing_ok=True)  # a folder of somebody else
                 raise
+            if self.finished():
+                (self.path / name).unlink(missing_ok=True)
 
 
 def _is_unbegun(path: Path) -> bool:
@@ -247,6 +252,22 @@ def finish_lock(out: Path) -> Generator[None]:
     with (out / ".lock-finish").open("a") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
         yield
+        if (out / INFO).is_file():
+            remove_locks(out)
+
+
+def remove_locks(out: Path) -> None:
+    """Removes the lock files of a finished dataset that no process holds.
+
+    Whoever waits for one, or opened it before, finds the dataset finished.
+    """
+    import fcntl
+
+    for path in out.glob(".lock-*"):
+        with contextlib.suppress(OSError), path.open("a") as file:
+            if path.name != ".lock-finish":
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            path.unlink(missing_ok=True)
 
 
 def current_run(spec: DatasetSpec) -> RunInfo:

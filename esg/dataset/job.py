@@ -77,6 +77,7 @@ class BatchResult:
         crashes: Traceback by scene id.
         seconds: Time spent [s], by stage, for `recordings` and for the `batch` in all; no part of
             the dataset.
+        core_seconds: Processor time by the same names [s], likewise.
         files: Size in bytes of every file written, by path below the dataset's folder.
     """
 
@@ -87,6 +88,7 @@ class BatchResult:
     failures: Sequence[Mapping[str, Any]] = ()
     crashes: Mapping[str, str] = field(default_factory=dict)
     seconds: Mapping[str, float] = field(default_factory=dict)
+    core_seconds: Mapping[str, float] = field(default_factory=dict)
     files: Mapping[str, int] = field(default_factory=dict)
 
     def to_json(self) -> str:

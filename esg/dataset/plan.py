@@ -17,6 +17,7 @@ from pydantic import BaseModel, ConfigDict
 
 from esg.dataset.distribution import Distribution
 from esg.dataset.grammar import GRAMMAR_VERSION, sample_scenes
+from esg.dataset.whatifs.amounts import Variable
 from esg.outcomes import UserError
 from esg.pipeline import SceneRequest
 from esg.store.records import prompt_family, split_of
@@ -32,6 +33,8 @@ Share = Literal["all", "failed", "sample", "none"]
 PreviewShare = Literal["all", "sample", "none"]
 SAMPLE_EVERY = 50
 """`sample` means every so many scenes, beginning with the first."""
+LATER = ("annotations", "what_if", "engines", "meshes", "render", "thin")
+"""Fields of a specification that datasets of an older version do not have."""
 
 
 class Prompt(BaseModel):
@@ -111,6 +114,10 @@ class DatasetSpec(BaseModel):
         fps: Frames a second of the recorded trajectories.
         batch: Scenes a batch.
         strict: Whether `partial` scenes count as failed.
+        annotations: Whether scenes get captions and questions.
+        what_if: Variables of which each is changed in every solved scene.
+        engines: Engines that every scene is replayed in, at two steps.
+        meshes: Whether the meshes that manifests name are packed beside them.
         render: What cameras see; None for a dataset without clips.
         thin: Whether near-duplicates are left out of all splits.
     """
@@ -134,6 +141,10 @@ class DatasetSpec(BaseModel):
     fps: float = 60.0
     batch: int = 0
     strict: bool = False
+    annotations: Literal["all", "none"] = "all"
+    what_if: tuple[Variable, ...] = ()
+    engines: tuple[Literal["physx", "rapier", "newton"], ...] = ()
+    meshes: bool = True
     render: RenderSpec | None = None
     thin: bool = False
 
@@ -155,9 +166,11 @@ class DatasetSpec(BaseModel):
         return f"dataset-{hashlib.sha256(self.canonical().encode()).hexdigest()[:12]}"
 
     def canonical(self) -> str:
-        """Canonical JSON; what is not asked for is left out, as it was before there was such."""
-        unasked = {name for name in ("render", "thin") if not getattr(self, name)}
-        data = self.model_dump(mode="json", exclude=unasked)
+        """Canonical JSON; what came later and was not asked for leaves names as they were."""
+        data = self.model_dump(mode="json")
+        for name in LATER:
+            if getattr(self, name) == type(self).model_fields[name].default:
+                del data[name]
         return json.dumps(data, sort_keys=True, separators=(",", ":"))
 
     def differences(self, other: DatasetSpec) -> list[str]:

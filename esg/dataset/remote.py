@@ -17,7 +17,7 @@ from urllib.parse import unquote, urlsplit
 
 from esg.outcomes import UserError
 
-_FIRST = ("meta/plan.json", "meta/prompts.jsonl", "meta/run.json")
+_FIRST = ("meta/plan.json", "meta/prompts.jsonl", "meta/run.json", "meta/layouts.json")
 _INFO = "meta/info.json"
 _TOLD = ("README.md", "failures.jsonl", "meta/timings.json")
 

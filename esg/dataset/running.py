@@ -16,7 +16,9 @@ import threading
 import time
 from typing import TYPE_CHECKING
 
+from esg.costs.spent import core_time
 from esg.dataset.job import RENDER
+from esg.dataset.whatifs.amounts import ENGINES
 from esg.files import unwritable
 from esg.limits import place_in
 from esg.pipeline import (
@@ -34,6 +36,7 @@ from esg.workers import OUT_OF_TIME
 if TYPE_CHECKING:
     from esg.dataset.clips.batch import Rendered
     from esg.dataset.job import BatchJob
+    from esg.dataset.whatifs.outcomes import Alternatives
     from esg.graph.models import EsgDocument
 
 SCENE_STAGES = STAGES[: STAGES.index("dress")]
@@ -42,23 +45,27 @@ part of rendering by datasets that are rendered (esg.dataset.clips)."""
 
 RETRIES = 2
 _BACKOFF_S = 0.5
+ALTERNATIVES = "alternatives"
+"""Replays in other engines and with other values."""
+AFTER = (ALTERNATIVES, RENDER)
+"""What comes after the stages: a scene that ends its worker there is lost for that alone."""
 _DEAD = "dead.json"
 _REACHED = "reached"
 """Names the stage that a scene alone has come to: whoever finds its worker dead reads it."""
 
 
-def run_scenes(job: BatchJob) -> tuple[list[SceneState], float]:
+def run_scenes(job: BatchJob) -> tuple[list[SceneState], tuple[float, float]]:
     """All stages of all scenes; stage by stage, so that classes compile together.
 
     Returns:
-        Final states, and the time it took to compile the classes [s].
+        Final states, and what it took to compile the classes: time and processor time [s].
     """
-    together_s = 0.0
+    together_s = 0.0, 0.0
     states = [SceneState(s.request) for s in job.scenes]
     dead = dead_scenes(job)
     for i, scene in enumerate(job.scenes):
         stage, reason = dead.get(scene.index, (RENDER, ""))
-        if stage != RENDER:
+        if stage not in AFTER:
             states[i] = crashed(states[i], RuntimeError(reason), stage)
     for stage in SCENE_STAGES:
         if len(job.scenes) == 1:
@@ -68,14 +75,47 @@ def run_scenes(job: BatchJob) -> tuple[list[SceneState], float]:
         if stage == "optimize" and job.searches_together:
             shares = _search_together(job, states)
         if stage == "replay":
-            start = time.perf_counter()
+            start, core_start = time.perf_counter(), core_time()
             _compile_together(states)
-            together_s = time.perf_counter() - start
+            together_s = time.perf_counter() - start, core_time() - core_start
         for i, scene in enumerate(job.scenes):
             states[i] = _stage(job, stage, states[i], scene.index)
             if i in shares:
                 states[i] = _computed(states[i], shares[i])
-    return states, together_s
+    others = replay_alternatives(job, states)
+    return [_timed(s, o.seconds) for s, o in zip(states, others, strict=True)], together_s
+
+
+def _timed(state: SceneState, seconds: Mapping[str, float]) -> SceneState:
+    """The state with a log that says what came after its stages."""
+    more = ({"stage": k, "cached": False, "seconds": round(v, 4)} for k, v in seconds.items() if v)
+    return replace(state, log=(*state.log, *more))
+
+
+def replay_alternatives(job: BatchJob, states: Sequence[SceneState]) -> list[Alternatives]:
+    """The replays of all scenes that the dataset asks for, those made before found again.
+
+    One that ends its worker, or runs longer than a stage may, costs its own rows and no scene.
+    """
+    from esg.dataset.whatifs import stage
+    from esg.dataset.whatifs.outcomes import Alternatives, Asked, failed_rows
+
+    asked = Asked(job.spec.what_if, job.spec.engines)
+    if not asked:
+        return [Alternatives() for _ in states]
+    dead = dead_scenes(job)
+    out: list[Alternatives] = []
+    for scene, state in zip(job.scenes, states, strict=True):
+        if not stage.replayable(state):
+            out.append(Alternatives())
+        elif dead.get(scene.index, ("", ""))[0] == ALTERNATIVES:
+            out.append(failed_rows(asked, dead[scene.index][1]))
+        else:
+            if len(job.scenes) == 1:
+                (job.work / _REACHED).write_text(ALTERNATIVES)
+            with _limited(job, ALTERNATIVES, scene.index, len(ENGINES)):
+                out.append(stage.replay_alternatives(state, asked, scene.scene_id))
+    return out
 
 
 def _stage(job: BatchJob, stage: str, state: SceneState, index: int) -> SceneState:
@@ -224,7 +264,7 @@ def _reached(job: BatchJob) -> str:
     """The stage in which the scene that was tried last ended its worker."""
     with contextlib.suppress(OSError, ValueError):
         stage = (job.work / _REACHED).read_text("utf-8")
-        if stage in (*SCENE_STAGES, RENDER):
+        if stage in (*SCENE_STAGES, *AFTER):
             return stage
     return SCENE_STAGES[0]
 

@@ -32,13 +32,17 @@ def write_batch(
     Returns:
         Its result, and the time the recordings took [s].
     """
+    from esg.dataset.annotations.rows import annotated
+    from esg.dataset.running import replay_alternatives
     from esg.store.records import SceneRecord, record_of
     from esg.store.tables import write_tables
 
     records: list[SceneRecord] = []
     met: list[bool] = []
     verified: list[bool] = []
-    for scene, state in zip(job.scenes, states, strict=True):
+    packed: dict[Path, None] = {}
+    elsewhere = replay_alternatives(job, states)
+    for scene, state, other in zip(job.scenes, states, elsewhere, strict=True):
         record = record_of(
             state,
             job.run,
@@ -49,19 +53,25 @@ def write_batch(
             family=scene.family,
             extra=_columns(scene, state),
         )
-        rows = {t: r for t, r in record.rows.items() if t != "runs"}
+        rows = annotated(job, state, other, dict(record.rows))
         # Everything but `timings` is the same whenever and however often a scene is made.
         row = {**rows["scenes"][0], "seconds": None, "cached_stages": None, "artifacts": None}
+        if job.spec.meshes and row["manifest"]:
+            rows["meshes"], buffers = _meshes(job, state, row)
+            packed |= dict.fromkeys(buffers)
         met.append(bool(row["verified"]))
         row["verified"] = met[-1] and _as_said(state, rows["statements"])
         verified.append(row["verified"])
         clips = rendered.rows.get(scene.scene_id, [])
         records.append(SceneRecord({**rows, "scenes": [row], "clips": clips}))
-    written = list(write_tables(job.out / "parts", records, name=job.name).values())
+    written = list(packed)
     start = time.perf_counter()
-    for scene, state, good in zip(job.scenes, states, met, strict=True):
-        written += _recordings(job, scene, state, good)
+    for scene, state, record, good in zip(job.scenes, states, records, met, strict=True):
+        made = _recordings(job, scene, state, good)
+        record.rows["scenes"][0]["preview"] = _picture(job, made)
+        written += made
     recordings_s = time.perf_counter() - start
+    written += write_tables(job.out / "parts", records, name=job.name).values()
     result = BatchResult(
         number=job.number,
         scenes=len(states),
@@ -80,6 +90,26 @@ def write_batch(
         },
     )
     return result, recordings_s
+
+
+def _meshes(
+    job: BatchJob, state: SceneState, row: Mapping[str, Any]
+) -> tuple[list[dict[str, Any]], list[Path]]:
+    """Rows of table `meshes` of a scene, and the buffers they need."""
+    from esg.dataset.meshes import pack_meshes
+    from esg.stages import load_doc
+
+    rows, buffers = pack_meshes(load_doc(state), job.out)
+    common = {k: row[k] for k in ("run_id", "scene_key", "suite", "scene_id", "seed", "prompt")}
+    return [{**common, **mesh} for mesh in rows], buffers
+
+
+def _picture(job: BatchJob, made: Sequence[Path]) -> dict[str, Any] | None:
+    """The contact sheet among a scene's recordings, as a value of type `image`."""
+    for path in made:
+        if path.suffix == ".png":
+            return {"bytes": path.read_bytes(), "path": path.relative_to(job.out).as_posix()}
+    return None
 
 
 def _as_said(state: SceneState, statements: Sequence[Mapping[str, Any]]) -> bool:
@@ -190,7 +220,7 @@ def _preview(
     outcome = state.outcome.value if state.outcome else ""
     note = f"{outcome}  |  replayed in {rollout.engine} at {rate}"
     try:
-        preview(physical, rollout, verdict, doc, folder, note=note, film=False)
+        preview(physical, rollout, verdict, doc, folder, note=note)
         path = job.out / "previews" / f"{scene.scene_id}.png"
         atomic_write(path, lambda target: _copy(folder / "preview.png", target))
         return [path]

@@ -266,6 +266,11 @@ _ONE_ROW = {
     "statements": "a statement of a prompt or a suite and whether a scene's replay keeps it",
     "plausibility_checks": "a check of a scene's replay: measured value and limit",
     "timings": "a pipeline stage of a scene",
+    "captions": "a scene's captions at three lengths, with the events and hits that they tell",
+    "questions": "a question about a scene, with its measured answer",
+    "engine_events": "an event of a scene in one engine at one step",
+    "what_ifs": "a scene with one variable changed, replayed in one engine",
+    "meshes": "a mesh that a scene's manifest names: glTF, its buffer in `meshes/buffers`",
     "clips": "what one camera saw of a scene: files, camera, boxes, tracks",
     "truth_checks": "a check of a clip's ground truth against geometry: residuals and limit",
 }

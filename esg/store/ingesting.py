@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from esg.files import final_names
 from esg.outcomes import UserError
+from esg.store.columns import MEDIA
 from esg.store.db import apply_migrations, first_line, writing
 from esg.store.shapes import SHAPED, as_json_sql
 from esg.store.tables import (
@@ -30,7 +31,8 @@ _IN_PARQUET = {
     "trajectories": {n for n, k in COLUMNS["trajectories"].items() if k.startswith("list<")}
     - {"bodies"},
     "scenes": {"expectation", "manifest", "preview"},
-    "clips": {n for n, k in COLUMNS["clips"].items() if "<" in k} - {"channels"},
+    "meshes": {"gltf"},
+    "clips": {n for n, k in COLUMNS["clips"].items() if "<" in k or k in MEDIA} - {"channels"},
 }
 """Columns too heavy for the database: they stay in the Parquet files."""
 

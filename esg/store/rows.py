@@ -154,6 +154,8 @@ def trajectory_row(
         "contact_b": flat(c.b, np.int16),
         "contact_impulse_ns": flat(c.impulse),
         "contact_depth_m": flat(c.depth),
+        "contact_point_m": flat(c.point),
+        "contact_normal": flat(c.normal),
     }
 
 

@@ -41,6 +41,11 @@ KEYS: dict[str, tuple[str, ...]] = {
     "statements": ("scene_key", "engine", "source", "statement_id"),
     "plausibility_checks": ("scene_key", "engine", "check_name"),
     "timings": ("scene_key", "stage"),
+    "captions": ("scene_key",),
+    "questions": ("scene_key", "question_index"),
+    "engine_events": ("scene_key", "engine", "dt_s", "event_id"),
+    "what_ifs": ("scene_key", "variable", "engine"),
+    "meshes": ("scene_key", "mesh"),
     "clips": ("scene_key", "camera"),
     "truth_checks": ("scene_key", "camera", "check_name"),
 }
@@ -71,6 +76,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "rule": "string", "pair": "string", "changed": "string", "parameters": PARAMETERS,
         "expectation": EXPECTATION, "manifest": "string",
         "fully_understood": "bool", "statements_kept": "float64", "plausible": "bool",
+        "engines_agree": "bool",
         "preview": "image", "duplicate_of": "string",
     },
     "trajectories": {
@@ -80,6 +86,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "linear_velocity_mps": "list<float32>", "angular_velocity_radps": "list<float32>",
         "contact_time_s": "list<float32>", "contact_a": "list<int16>", "contact_b": "list<int16>",
         "contact_impulse_ns": "list<float32>", "contact_depth_m": "list<float32>",
+        "contact_point_m": "list<float32>", "contact_normal": "list<float32>",
     },
     "metrics": {
         **_SCENE, "strategy": "string", "engine": "string", "dt_s": "float64",
@@ -113,6 +120,35 @@ COLUMNS: dict[str, dict[str, str]] = {
         **_SCENE, "stage": "string", "stage_index": "int32", "seconds": "float64",
         "cached": "bool", "outcome": "string",
     },
+    "captions": {
+        **_SCENE, "short": "string", "medium": "string", "long": "string",
+        "event_ids": "list<string>", "event_texts": "list<string>",
+        "event_times_s": "list<float64>", "hit_a": "list<string>", "hit_b": "list<string>",
+        "hit_times_s": "list<float64>", "hit_impulses_ns": "list<float64>",
+        "statements": "list<string>",
+    },
+    "questions": {
+        **_SCENE, "question_index": "int32", "kind": "string", "question": "string",
+        "answer": "string", "choices": "list<string>", "value": "float64", "unit": "string",
+        "measure": "string", "arguments": "list<string>", "measured_by": "string",
+    },
+    "engine_events": {
+        **_SCENE, "engine": "string", "dt_s": "float64", "event_id": "string",
+        "event_index": "int32", "event_type": "string", "completed": "bool", "time_s": "float64",
+        "agrees": "bool", "reason": "string",
+    },
+    "what_ifs": {
+        **_SCENE, "variable": "string", "engine": "string", "pair": "string", "amount": "string",
+        "body": "string", "value_before": "float64", "value": "float64", "unit": "string",
+        "dt_s": "float64", "duration_s": "float64", "outcome": "string", "reason": "string",
+        "event_ids": "list<string>", "completed": "list<bool>", "event_times_s": "list<float64>",
+        "bodies": "list<string>", "final_position_m": "list<float32>", "apart_m": "float64",
+        "engines_apart_m": "float64", "agrees": "bool",
+    },
+    "meshes": {
+        **_SCENE, "mesh": "string", "asset": "string", "gltf": "string", "buffer": "string",
+        "bytes": "int64", "license": "string", "attribution": "string",
+    },
     "clips": {
         **_SCENE, "split": "string", "camera": "int32", "camera_kind": "string",
         "width": "int32", "height": "int32", "fps": "float64",
@@ -133,7 +169,7 @@ COLUMNS: dict[str, dict[str, str]] = {
         "qw:float32>>",
         "track_ids": "list<int32>", "track_point_m": "list<float32>",
         "track_xy_px": "list<float32>", "track_visible": "list<bool>",
-        "place": "string", "sky": "string",
+        "place": "string", "sky": "string", "video": "video",
     },
     "truth_checks": {
         **_SCENE, "camera": "int32", "check_name": "string", "unit": "string",
@@ -147,17 +183,20 @@ ADDED_COLUMNS: dict[str, tuple[str, ...]] = {
     "scenes": (
         "rule", "pair", "changed", "parameters", "expectation", "manifest", "esg_cast",
         "fully_understood", "statements_kept", "plausible", "preview", "duplicate_of",
+        "engines_agree",
     ),
+    "trajectories": ("prompt", "contact_point_m", "contact_normal"),
     **dict.fromkeys(
         (
-            "trajectories", "metrics", "constraints", "coverage", "statements",
+            "metrics", "constraints", "coverage", "statements",
             "plausibility_checks", "timings",
         ),
         ("prompt",),
     ),
 }  # fmt: skip
 """Columns that files of an older format lack (`esg_cast` is of 1.2, what became of statements of
-1.3, `plausible` of 1.4, `preview` and the prompt on every row of 2.0): they read as null."""
+1.3, `plausible` of 1.4, `preview`, `engines_agree`, where contacts are and the prompt on every
+row of 2.0): they read as null."""
 
 TABLES = tuple(COLUMNS)
 
@@ -373,12 +412,20 @@ def iter_batches(
             raise UserError(f"{path} is damaged ({why}); delete it and run again") from None
 
 
-def iter_rows(paths: Iterable[Path]) -> Iterator[dict[str, Any]]:
-    """Rows of several files, one row group in memory at a time."""
+def iter_rows(
+    paths: Iterable[Path], columns: Sequence[str] | None = None
+) -> Iterator[dict[str, Any]]:
+    """Rows of several files, one row group in memory at a time.
+
+    Args:
+        paths: The files.
+        columns: Only these, which every version of the table has; default all.
+    """
+    wanted = None if columns is None else list(columns)
     import pyarrow.parquet as pq
 
     for path in paths:
         table_of(path)
         with pq.ParquetFile(_local(path)) as file:
-            for batch in file.iter_batches(batch_size=ROW_GROUP_SCENES):
+            for batch in file.iter_batches(batch_size=ROW_GROUP_SCENES, columns=wanted):
                 yield from batch.to_pylist()

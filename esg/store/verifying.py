@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+import json
 from pathlib import Path
 import zipfile
 import zlib
 
-from esg.files import sweep
+from esg.files import is_intact, sweep
 from esg.outcomes import UserError
 from esg.store.checking import check_recording
 from esg.store.db import query
@@ -45,6 +46,8 @@ def verify(db: Path | None, folders: Sequence[Path]) -> Verified:
         raise UserError(f"{', '.join(missing)}: no such file or folder; check the path")
     problems: list[str] = []
     paths = [p for f in folders for p in ([f] if f.is_file() else sorted(f.rglob("*")))]
+    laid_out = {p.parent for p in paths if p.name == _LAYOUT and p.parent.parent.name == "layouts"}
+    paths = [p for p in paths if laid_out.isdisjoint(p.parents)]  # these know their files
     paths = [p for p in paths if p.suffix in _CHECKS and p.name[0] != "." and p.is_file()]
     paths = list(dict.fromkeys(paths))
     leftovers = sum(sweep(folder) for f in folders if f.is_dir() for folder in _folders(f))
@@ -53,15 +56,29 @@ def verify(db: Path | None, folders: Sequence[Path]) -> Verified:
             _CHECKS[path.suffix](path)
         except UserError as error:
             problems.append(str(error))
+    for folder in sorted(laid_out):
+        problems += _layout_problems(folder)
+    read = len(paths) + len(laid_out)
     if db is None or not db.is_file():
-        return Verified(len(paths), tuple(problems), leftovers)
+        return Verified(read, tuple(problems), leftovers)
     problems += _database_problems(db)
-    return Verified(len(paths) + 1, tuple(problems), leftovers)
+    return Verified(read + 1, tuple(problems), leftovers)
 
 
 def _folders(root: Path) -> Iterator[Path]:
     yield root
     yield from (p for p in root.rglob("*") if p.is_dir() and not p.is_symlink())
+
+
+def _layout_problems(folder: Path) -> list[str]:
+    """Files of a layout of a dataset that are not as they were written (esg.dataset.layouts)."""
+    try:
+        files = json.loads((folder / _LAYOUT).read_bytes())["files"]
+        wrong = [n for n, facts in files.items() if not is_intact(folder / n, facts["sha256"])]
+    except (OSError, ValueError, KeyError, TypeError, AttributeError):
+        wrong = [_LAYOUT]
+    remedy = f"delete {folder} and add it again (esg dataset --resume --layout {folder.name})"
+    return [f"{folder / name} is damaged; {remedy}" for name in wrong]
 
 
 def _database_problems(db: Path) -> list[str]:
@@ -85,4 +102,5 @@ def _check_rollout(path: Path) -> None:
         raise UserError(f"{path} is damaged ({bad}); run its scene again")
 
 
+_LAYOUT = "layout.json"
 _CHECKS = {".parquet": read_table, ".mcap": check_recording, ".npz": _check_rollout}

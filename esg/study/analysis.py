@@ -152,17 +152,27 @@ def _faults(data: dict[str, Any], key: Key) -> list[str]:
     ratings, pairs = data.get("ratings"), data.get("pairs")
     if not is_list(ratings) or not is_list(pairs) or not all(map(is_object, [*ratings, *pairs])):
         return [*wrong, "its ratings and pairs are no lists of objects"]
+    return [*wrong, *_rating_faults(ratings, key), *_pair_faults(pairs, key)]
+
+
+def _rating_faults(ratings: Sequence[Any], key: Key) -> list[str]:
+    wrong: list[str] = []
     for k, row in enumerate(ratings):
         if row.get("clip") not in key.clips:
             wrong.append(f"ratings/{k} is of {row.get('clip')!r}, which was not shown")
         for question in QUESTIONS:
             if row.get(question) not in (1, 2, 3, 4, 5) or isinstance(row.get(question), bool):
                 wrong.append(f"ratings/{k}/{question} is {row.get(question)!r}, not 1 to 5")
-    rated = [row.get("clip") for row in ratings]
-    if missing := sorted(set(key.clips) - set(map(str, rated))):
+    rated = [str(row.get("clip")) for row in ratings]
+    if missing := sorted(set(key.clips) - set(rated)):
         wrong.append(f"{len(missing)} of {len(key.clips)} clips are not rated")
-    if len(set(map(str, rated))) != len(rated):
+    if len(set(rated)) != len(rated):
         wrong.append("a clip is rated twice")
+    return wrong
+
+
+def _pair_faults(pairs: Sequence[Any], key: Key) -> list[str]:
+    wrong: list[str] = []
     for k, row in enumerate(pairs):
         both = frozenset((str(row.get("first")), str(row.get("second"))))
         if both not in key.pairs:
@@ -235,9 +245,14 @@ def preferences_of(answers: Sequence[Mapping[str, Any]], key: Key) -> list[Prefe
             chosen = None if row[question] is None else key.clips[row[question]]
             count[2 if chosen is None else shown.index(chosen)] += 1
     return [
-        Preference(one, other, question, *count, *wilson(count[0], count[0] + count[1]))
-        for (one, other, question), count in counts.items()
+        _preference(one, other, question, count) for (one, other, question), count in counts.items()
     ]
+
+
+def _preference(one: str, other: str, question: str, count: Sequence[int]) -> Preference:
+    wins, losses, same = count
+    low, high = wilson(wins, wins + losses)
+    return Preference(one, other, question, wins, losses, same, low, high)
 
 
 def wilson(wins: int, count: int) -> tuple[float, float]:

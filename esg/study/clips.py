@@ -69,7 +69,8 @@ def find_clips(run: Path, variants: Sequence[str], scenes: int, seed: int) -> li
             "with esg bench SUITE --ablations"
         )
     if 0 < scenes < len(common):
-        common = sorted(sorted(common, key=lambda s: _digest(seed, s))[:scenes])
+        drawn = {_digest(seed, scene): scene for scene in common}
+        common = sorted(drawn[digest] for digest in sorted(drawn)[:scenes])
     clips: list[Clip] = []
     for scene in common:
         prompts = {_prompt(run / name / scene) for name in variants}

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import EsgDocument
 from esg.view.camera import Camera, box_corners, frame_points
-from esg.view.moments import HAND_REACH, REACH, Moment, moments_of
+from esg.view.moments import FAR_REACH, HAND_REACH, REACH, Moment, moments_of
 from esg.view.render import Renderer
 
 if TYPE_CHECKING:
@@ -80,7 +80,20 @@ def points_in_view(
         wider = np.concatenate([points, boxes[i]])
         if float(np.ptp(wider, axis=0).max()) <= limit:
             points = wider
+        elif moment.reach >= FAR_REACH and i in moment.company:
+            part = _part_within(boxes[i], points, limit)
+            points = points if part is None else np.concatenate([points, part])
     return points
+
+
+def _part_within(
+    box: NDArray[np.float64], points: NDArray[np.float64], limit: float
+) -> NDArray[np.float64] | None:
+    """What of a box can be shown in a picture so wide: of a tree beside a bird, the trunk."""
+    low, high = points.min(axis=0), points.max(axis=0)
+    room = np.maximum(0.5 * (limit - (high - low)), 0.0)
+    a, b = np.maximum(box.min(axis=0), low - room), np.minimum(box.max(axis=0), high + room)
+    return np.array(list(itertools.product(*zip(a, b, strict=True)))) if np.all(a < b) else None
 
 
 def _near(

@@ -19,6 +19,10 @@ if TYPE_CHECKING:
 
 INTO = frozenset(["enters", "placed", "reaches"])
 """Events of which one sees where they lead."""
+LASTING = frozenset(["moves"])
+"""Events that go on after the time at which they are told to begin."""
+SHOWN_S = 2.0
+"""Of these, at most so much is waited for."""
 MAX_EVENTS = 7
 HEAD_M = 1.85
 """Height of the head of who rides a two-wheeler: those that are drawn reach 1.79 to 1.86 m."""
@@ -61,7 +65,7 @@ def moments_of(
     end = float(rollout.time[-1])
     if events:
         # A moment after the last event, not the end of a long tail in which everything is still.
-        end = min(end, (events[-1].time_s or 0.0) + 1.0)
+        end = min(end, (events[-1].time_s or 0.0) + max(1.0, _goes_on(events[-1])))
     moments = [Moment(0.0, cast, company, "start", "before anything moves", FAR_REACH)]
     for number, event in enumerate(events, 1):
         bodies = tuple(scene.index(b) for b in event.bodies if b in scene.names) or cast
@@ -73,7 +77,7 @@ def moments_of(
             mates = tuple(i for i in mates if _same_group(scene, i, bodies))
         moments.append(
             Moment(
-                event.time_s or 0.0,
+                min((event.time_s or 0.0) + 0.5 * _goes_on(event), end),
                 bodies,
                 mates,
                 f"{number}  {_title(scene, event)}",
@@ -83,6 +87,11 @@ def moments_of(
         )
     moments.append(Moment(end, cast, company, "after", f"t = {end:.2f} s", FAR_REACH))
     return moments
+
+
+def _goes_on(event: EventVerdict) -> float:
+    """How long what an event began goes on [s], as far as it is waited for."""
+    return min(event.measured.get("for_s", 0.0), SHOWN_S) if event.type in LASTING else 0.0
 
 
 def as_seen(scene: SimScene, doc: EsgDocument) -> SimScene:

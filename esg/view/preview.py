@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 import os
@@ -30,7 +30,6 @@ from esg.view.framing import (
 )
 from esg.view.moments import as_seen, failures, moments_of
 from esg.view.parts import ground_parts
-from esg.view.pieces import Part
 from esg.view.render import SAMPLES, Renderer
 from esg.view.ropes import ropes_at
 from esg.view.scenery import scenery_of, seen_from
@@ -61,9 +60,9 @@ def preview(
     folder: Path,
     *,
     note: str = "",
-    film: bool = True,
+    lost: Callable[[], Sequence[str]] = tuple,
 ) -> Path:
-    """Writes `preview.png`, the scene before, at every completed event and after, and its film.
+    """Writes `preview.png`, the scene before, at every completed event and after.
 
     Args:
         scene: The bodies.
@@ -72,7 +71,7 @@ def preview(
         doc: Asset configurations (meshes) and the prompt.
         folder: Where the files go.
         note: A line under the prompt, e.g. the outcome.
-        film: Also write `preview.mp4`. Where that fails, the sheet says why.
+        lost: What the sheet has to say at its foot of other files: why there is no film.
 
     Returns:
         Path of the sheet.
@@ -110,22 +109,31 @@ def preview(
         image = draw_trail(image, shot.camera, trails, specks)
         panels.append(Panel(image, moment.title, moment.caption))
         since = moment.time
-    around = surroundings_of(doc, scene, rollout)
-    parts = [*scenery.parts, *ground_parts(rollout, around)]
-    lost = _filmed(Action(scene, rollout, verdict, doc), doc, parts, folder) if film else []
     return write_sheet(
         folder / "preview.png",
         panels,
         title=doc.scene_definition.original_description,
         note=note,
-        footnotes=[*failures(scene, verdict), *lost],
+        footnotes=[*failures(scene, verdict), *lost()],
     )
 
 
-def _filmed(action: Action, doc: EsgDocument, parts: Sequence[Part], folder: Path) -> list[str]:
-    """Writes the film; why there is none, in a line, if it cannot be written."""
+def film(
+    scene: SimScene,
+    rollout: Rollout,
+    verdict: SceneVerdict | None,
+    doc: EsgDocument,
+    folder: Path,
+) -> list[str]:
+    """Writes `preview.mp4`; why there is none, in a line, if it cannot be written.
+
+    Args:
+        scene, rollout, verdict, doc, folder: As of `preview`.
+    """
+    around = surroundings_of(doc, scene, rollout)
+    parts = [*scenery_of(scene, rollout, doc).parts, *ground_parts(rollout, around)]
     try:
-        write_scene_film(action, doc, parts, folder / FILM)
+        write_scene_film(Action(scene, rollout, verdict, doc), doc, parts, folder / FILM)
     except NoFilmError as error:
         return [f"no film: {error}"]
     return []

@@ -214,14 +214,28 @@ def surroundings_of(doc: EsgDocument, scene: SimScene, rollout: Rollout) -> Surr
     if dressing is None:
         color = ground_color(scene, doc)
         return Surroundings(Sky(), Look("", color, 0.9), checkerboard(rollout, color))
-    from esg.dressing.meshes import meshes_of, surface_look
+    from esg.dressing.meshes import surface_look
+
+    return Surroundings(_sky(dressing), surface_look(dressing.ground)[0], _standing(dressing))
+
+
+_last: list[tuple[Dressing, tuple[Part, ...]]] = []
+"""The dressing whose parts were made last, which a scene's record asks for several times."""
+
+
+def _standing(dressing: Dressing) -> tuple[Part, ...]:
+    from esg.dressing.meshes import meshes_of
     from esg.view.pieces import Part
 
-    parts = [
+    for known, parts in _last:
+        if known is dressing:
+            return parts
+    made = tuple(
         Part(-1, m.vertices, m.faces, m.color, None, m.look, m.normals, m.uvs, m.name)
         for m in meshes_of(dressing)
-    ]
-    return Surroundings(_sky(dressing), surface_look(dressing.ground)[0], tuple(parts))
+    )
+    _last[:] = [(dressing, made)]
+    return made
 
 
 def _sky(dressing: Dressing) -> Sky:

@@ -389,3 +389,46 @@ def test_interrupted_anywhere_it_goes_on(
         respond(broken, f"answers-{k}.jsonl", model)
     names = ("requests.jsonl", "asked.jsonl", "cassette.jsonl", "problems.jsonl")
     assert {n: files(broken)[n] for n in names} == {n: files(whole)[n] for n in names}
+
+
+def test_another_model_drafts_anew(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Keep drafts of the rules whatever the model is, and no other model's for an llm's."""
+    from esg.pipeline import SceneRequest
+    from esg.stages import configuration
+
+    def told(drafter: str) -> dict[str, Any]:
+        return configuration("draft", SceneRequest(BALL, drafter=drafter))
+
+    rules, first = told("rules"), told("llm")
+    monkeypatch.setenv("ESG_LLM_BASE_URL", "http://localhost:1/v1")
+    monkeypatch.setenv("ESG_LLM_MODEL", "a")
+    second = told("llm")
+    monkeypatch.setenv("ESG_LLM_MODEL", "b")
+    assert first != second != told("llm") and told("rules") == rules
+    finish(tmp_path / "x", (BALL,))
+    with replaying(tmp_path / "x"):
+        third = told("llm")
+        (tmp_path / "x" / "cassette.jsonl").write_text("")
+        assert told("llm") != third
+
+
+def test_auto_shows_what_the_rules_read_otherwise(tmp_path: Path) -> None:
+    """Warn in a batch, too, of a hit that only the model has."""
+    prompts, batch, out = tmp_path / "p.txt", tmp_path / "batch", tmp_path / "out"
+    prompts.write_text("A ball rolls past a box.\n")
+
+    def hitting(request: dict[str, Any]) -> str:
+        text = PERFECT(request)
+        tree = json.loads(text[text.find("{") : text.rfind("}") + 1])
+        for event in tree.get("events", ()):
+            if event["event"] == "Miss":
+                event["event"] = "Collision"
+        return json.dumps(tree)
+
+    for k in range(3):
+        draft_command(prompts=prompts, out=out, drafting=Drafting("auto", batch))
+        if requests(batch):
+            respond(batch, f"{k}.jsonl", hitting)
+    row = json.loads((out / "drafts.jsonl").read_text())
+    warnings = json.loads((out / row["document"]).read_bytes())["coverage"]["warnings"]
+    assert any('a hit of "ball" and "box"; the rules read none' in w for w in warnings)

@@ -360,3 +360,28 @@ def test_a_small_model_is_told_what_is_wrong() -> None:
     (made,) = draft_llm_batch(["A ball hits a box."], settings=config, client=model)
     assert made.outcome is Outcome.SOLVED and made.rounds == 1
     assert "EVENT_PARTICIPANTS" in model.calls[1].messages[-1][1]
+
+
+def test_what_no_table_joins_is_left_out_and_owned_up_to() -> None:
+    """Spend no round on a cup that opens, keep the rest, and say what is not shown."""
+    raw, log = made_of(
+        {
+            "actors": [{"object": "cup_1", "role": "active", "force_direction": "ANY_3D"},
+                       {"object": "box_1", "role": "active", "force_direction": "ANY_3D"}],
+            "events": [{"id": "e1", "event": "Open", "participants": ["cup_1"]},
+                       {"id": "e2", "event": "Fall", "participants": ["box_1"]}],
+            "segments": [
+                {"id": "m1", "start": "scene_start", "end": "e1", "motion": "Drive",
+                 "actor": "cup_1"},
+                {"id": "m2", "start": "scene_start", "end": "e2", "motion": "Toward",
+                 "actor": "box_1"},
+            ],
+        },
+        "A cup opens and a box falls.",
+    )  # fmt: skip
+    assert verify(raw) == ()
+    graph = raw["timeline_system"]["sequence_graph"]
+    assert [n["event"] for n in graph["nodes"]] == ["SceneStart", "Fall"]
+    (statement,) = raw["statements"]
+    assert statement["predicate"] == "not_represented" and statement["text"] == "cup"
+    assert any("left out" in text for text in log)

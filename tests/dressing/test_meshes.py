@@ -126,3 +126,36 @@ def test_a_thing_stands_where_its_item_says() -> None:
         if thing in middle:
             off = np.linalg.norm((mesh.vertices - middle[thing])[:, :2], axis=1)
             assert float(off.max()) < reach[thing], mesh.name
+
+
+@pytest.mark.parametrize(
+    "name", [n for n in BUILDERS if n.startswith("facade") or n in ("room_wall", "cottage")]
+)
+@pytest.mark.parametrize("side", [-1.0, 1.0])
+def test_who_looks_at_a_wall_from_the_side_sees_no_back_of_a_face(name: str, side: float) -> None:
+    """Backs are not drawn: where one came first, as in the reveals of windows, the sky showed."""
+    drawing = Drawing(np.random.default_rng(3))
+    deep = 0.3 if name == "room_wall" else 8.0
+    BUILDERS[name].run(drawing, Wish(deep, 8.0, 6.0))
+    corners = np.concatenate([s.vertices[s.faces] for s in drawing.solids()])
+    rng = np.random.default_rng(4)
+    front = 0.5 * deep
+    eye = np.array([front + 6.0, side * 7.0, 3.0])
+    aims = np.stack(
+        [np.full(300, front - 0.2), rng.uniform(-3.9, 3.9, 300), rng.uniform(0.1, 5.9, 300)], -1
+    )
+    backs = [_nearest_is_back(corners, eye, aim - eye) for aim in aims]
+    assert sum(backs) == 0
+
+
+def _nearest_is_back(corners: np.ndarray, eye: np.ndarray, way: np.ndarray) -> bool:
+    """Whether the first triangle on a ray turns its back to it; not if there is none."""
+    a, ab, ac = corners[:, 0], corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]
+    h = np.cross(way, ac)
+    det = (ab * h).sum(axis=1)
+    with np.errstate(all="ignore"):
+        u = ((eye - a) * h).sum(axis=1) / det
+        q = np.cross(eye - a, ab)
+        v, t = (q * way).sum(axis=1) / det, (ac * q).sum(axis=1) / det
+    met = (np.abs(det) > 1e-12) & (u > 0) & (v > 0) & (u + v < 1) & (t > 0)
+    return bool(met.any() and det[met][np.argmin(t[met])] < 0)

@@ -28,7 +28,9 @@ def test_the_example_is_judged(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) 
     assert code and len(code[1].splitlines()) <= 16
     exec(code[1], {})
     found = judge_file(tmp_path / "S1.npz", parse_suite(SUITE).scenes[0])
-    assert found.verdict.verified and found.verdict.events[1].time_s == pytest.approx(0.87, abs=0.02)
+    assert found.verdict.verified and found.verdict.events[1].time_s == pytest.approx(
+        0.87, abs=0.02
+    )
 
 
 def test_the_page_names_every_format() -> None:

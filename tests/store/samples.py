@@ -94,7 +94,28 @@ def record(
     }  # fmt: skip
     place = {k: made.rows["scenes"][0][k] for k in ("run_id", "scene_key", "suite", "scene_id")}
     checked |= {**place, "seed": seed}
-    return SceneRecord({**made.rows, "clips": [clip.row()], "truth_checks": [checked]})
+    common = {k: made.rows["scenes"][0][k] for k in COMMON}
+    mesh = {
+        **common, "mesh": "meshes/ball_1.glb", "asset": "ball", "gltf": "{}", "buffer": None,
+        "bytes": 20,
+    }  # fmt: skip
+    seen = {"clips": [clip.row()], "truth_checks": [checked], "meshes": [mesh]}
+    return SceneRecord({**made.rows, **seen, **beside(common)})
+
+
+COMMON = ("run_id", "scene_key", "suite", "scene_id", "seed", "prompt")
+
+
+def beside(common: dict[str, object]) -> dict[str, list[dict[str, object]]]:
+    """Rows that datasets have beside a record: texts, other engines, what-ifs."""
+    engine = {**common, "engine": "physx", "dt_s": 1.0 / 240.0}
+    happens = {"event_ids": ["e1"], "completed": [True], "event_times_s": [0.4]}
+    return {
+        "captions": [{**common, "short": "Two balls collide.", "hit_impulses_ns": [2000.0]}],
+        "questions": [{**common, "question_index": 0, "kind": "what_if", "answer": "Yes."}],
+        "engine_events": [{**engine, "event_id": "e1", "completed": True, "agrees": True}],
+        "what_ifs": [{**engine, "variable": "none", "outcome": "unchanged", **happens}],
+    }
 
 
 def records(run: RunInfo, scenes: int = 3, seeds: int = 2) -> list[SceneRecord]:

@@ -150,7 +150,8 @@ def test_ingest_is_idempotent(db, parts):
     assert before == {
         "runs": 1, "scenes": 6, "trajectories": 6, "metrics": 12, "constraints": 12,
         "coverage": 12, "timings": 12, "statements": 18,
-            "plausibility_checks": 12, "clips": 6, "truth_checks": 6,
+        "plausibility_checks": 12, "clips": 6, "truth_checks": 6, "captions": 6, "questions": 6,
+        "engine_events": 6, "what_ifs": 6, "meshes": 6,
     }  # fmt: skip
     again = ingest(db, [parts])
     assert (again.files, again.unchanged) == (0, len(TABLES))

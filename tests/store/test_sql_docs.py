@@ -15,7 +15,7 @@ BLOCK = re.compile(r"```sql\n(.*?)```\n+(?:\| (.*?) \|\n)?", re.DOTALL)
 QUESTIONS = [(m[1].strip(), m[2].split(" | ") if m[2] else None) for m in BLOCK.finditer(PAGE)]
 VIEWS = ("bench_summary", "bench_history", "scene_outcomes", "event_timings", "constraint_errors",
          "engine_transfer", "cost_per_stage", "coverage_gaps", "not_kept", "statement_rates",
-         "plausibility")  # fmt: skip
+         "plausibility", "engine_agreement", "what_if_agreement")  # fmt: skip
 
 
 @pytest.fixture(scope="module")

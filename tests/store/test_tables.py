@@ -55,7 +55,8 @@ def test_parts_hold_what_was_recorded(tmp_path):
     assert {t: read_table(p).num_rows for t, p in paths.items()} == {
         "runs": 1, "scenes": 6, "trajectories": 6, "metrics": 12, "constraints": 12,
         "coverage": 12, "timings": 12, "statements": 18,
-        "plausibility_checks": 12, "clips": 6, "truth_checks": 6,
+        "plausibility_checks": 12, "clips": 6, "truth_checks": 6, "captions": 6, "questions": 6,
+        "engine_events": 6, "what_ifs": 6, "meshes": 6,
     }  # fmt: skip
     scene = read_table(paths["scenes"]).to_pylist()[0]
     assert (scene["scene_key"], scene["n_events"]) == ("run-1/paper/S1/0", 2)

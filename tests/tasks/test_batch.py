@@ -7,6 +7,7 @@ import errno
 
 import pytest
 
+from esg import guarded
 from esg.outcomes import Outcome
 from esg.pipeline import STAGES, SceneRequest, SceneState
 from esg.workers import WorkerDied, WorkerPool
@@ -28,7 +29,7 @@ def stage(monkeypatch: pytest.MonkeyPatch) -> dict[str, BaseException]:
             raise trouble[state.request.prompt]
         return replace(state, log=(*state.log, {"stage": name, "cached": False, "seconds": 0.0}))
 
-    monkeypatch.setattr(batch, "run_stage", run)
+    monkeypatch.setattr(guarded, "run_stage", run)
     return trouble
 
 

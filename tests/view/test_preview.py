@@ -11,9 +11,11 @@ from PIL import Image
 import pytest
 import trimesh
 
+from esg.assets import resolve
 from esg.assets.looks import Look
+from esg.draft import draft
 from esg.engines.joints import joint_between
-from esg.engines.scene import Rollout, SimScene
+from esg.engines.scene import Body, Rollout, SimScene
 from esg.graph.models import (
     EsgDocument,
     Node,
@@ -38,7 +40,7 @@ from esg.view.framing import (
     points_in_view,
     pose,
 )
-from esg.view.moments import failures, moments_of
+from esg.view.moments import as_seen, failures, moments_of
 from esg.view.pieces import Part
 from esg.view.render import Renderer
 from esg.view.ropes import ropes_at
@@ -300,3 +302,48 @@ def test_a_scene_is_recorded_without_its_film(
     previews.preview(scene(), rollout(), verdict(EVENT), DOC, tmp_path)
     assert [p.name for p in tmp_path.iterdir()] == ["preview.png"]
     assert notes == [["no film: no space left"]]
+
+
+def test_a_motion_is_shown_under_way() -> None:
+    """Half of what it lasts after its beginning."""
+    moves = EVENT.model_copy(update={
+        "type": "moves", "bodies": ("ball_1",), "time_s": 0.0, "measured": {"for_s": 1.2},
+    })  # fmt: skip
+    assert [m.time for m in moments_of(scene(), rollout(), verdict(moves), DOC)] == [0.0, 0.6, 1.0]
+
+
+def test_who_is_fixed_to_a_participant_is_in_its_picture() -> None:
+    played = scene()
+    seat = joint_between("seat", "fixed", *played.bodies[:2], at=played.bodies[0].position)
+    joined = SimScene(played.scene_id, played.bodies, joints=(seat,))
+    alone = EVENT.model_copy(update={"bodies": ("ball_1",)})
+    assert moments_of(played, rollout(), verdict(alone), DOC)[1].focus == (0,)
+    assert moments_of(joined, rollout(), verdict(alone), DOC)[1].focus == (0, 1)
+
+
+def test_what_is_very_large_is_shown_where_it_is_met() -> None:
+    """Of a wall 90 m long the part around the ball, not all of it."""
+    ball, box = scene().bodies
+    wide = SimScene("s", (ball, replace(box, half_extents=(45.0, 0.5, 0.25))))
+    (hit,) = moments_of(wide, rollout(), verdict(EVENT), DOC)[1:2]
+    frame = frame_at(rollout(), hit.time)
+    points = points_in_view(wide, rollout(), hit, frame)
+    assert float(np.ptp(points, axis=0).max()) < 26.0
+    whole = points_in_view(wide, rollout(), replace(hit, at_hand=0.0), frame)
+    assert float(np.ptp(whole, axis=0).max()) >= 90.0
+
+
+def test_boxes_reach_as_far_as_what_is_drawn() -> None:
+    """Up to the head of who is drawn on a motorcycle; of who sits, no farther than his own."""
+    doc = resolve(draft("A motorcycle drives down the road past a man on a horse."))
+    bodies = tuple(
+        replace(ball_of(name), half_extents=(1.0, 0.4, 0.56 if name == "motorcycle_1" else 0.86))
+        for name in ("motorcycle_1", "man_1", "horse_1")
+    )
+    seen = as_seen(SimScene("s", bodies), doc)
+    heights = {b.name: round(2.0 * b.half_extents[2], 2) for b in seen.bodies}
+    assert heights == {"motorcycle_1": 1.85, "man_1": 0.93, "horse_1": 1.72}
+
+
+def ball_of(name: str) -> Body:
+    return replace(scene().bodies[0], name=name)

@@ -9,13 +9,16 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from functools import cache
 import hashlib
+from importlib import metadata
 import io
+from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.looks import Color, Look
-from esg.assets.textures import linear, maps, srgb
+from esg.assets.textures import KEPT, linear, maps, srgb, version
+from esg.kept import kept, version_of
 
 PICTURE_PX = 256
 """Edge of a picture in an exported file."""
@@ -117,15 +120,29 @@ def _name(look: Look) -> str:
 @cache
 def _pictures(texture: str) -> tuple[Picture, Picture, Picture | None]:
     """Pictures of a set of maps: colour, normals, and roughness unless it is the same all over."""
+    color, normal, rough = (_kept_picture(texture, shows) for shows in QUALITY)
+    assert color is not None and normal is not None
+    return color, normal, rough
+
+
+def _kept_picture(texture: str, shows: str) -> Picture | None:
+    """A picture of a set of maps as it lies in the cache; none where it would say nothing."""
+    settings = str((PICTURE_PX, QUALITY, metadata.version("pillow"), version()))
+    name = f"{texture}-{shows}.jpg"
+    data = kept(KEPT, version_of(Path(__file__).parent, settings), name,
+                lambda: _encoded(texture, shows))  # fmt: skip
+    return Picture(data, f"{texture}_{shows}") if data else None
+
+
+def _encoded(texture: str, shows: str) -> bytes:
     found = maps(texture, PICTURE_PX)
-    rough = None
-    if found.roughness.min() < 255:
-        rough = picture(rough_metal(found.roughness), f"{texture}_rough", QUALITY["rough"])
-    return (
-        picture(found.base_color, f"{texture}_color", QUALITY["color"]),
-        picture(found.normal, f"{texture}_normal", QUALITY["normal"]),
-        rough,
-    )
+    if shows == "rough":
+        if found.roughness.min() == 255:
+            return b""
+        pixels = rough_metal(found.roughness)
+    else:
+        pixels = found.base_color if shows == "color" else found.normal
+    return picture(pixels, quality=QUALITY[shows]).data
 
 
 def rough_metal(roughness: NDArray[np.uint8]) -> NDArray[np.uint8]:

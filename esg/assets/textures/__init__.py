@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 from functools import cache
+from importlib import metadata
+from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
 import zlib
 
 import numpy as np
 from numpy.typing import NDArray
+
+from esg.kept import kept, version_of
 
 if TYPE_CHECKING:
     from esg.assets.textures.recipe import Recipe
@@ -15,6 +19,10 @@ if TYPE_CHECKING:
 Color = tuple[float, float, float]
 FULL = 512
 """Pixels along each side at which textures are drawn; smaller ones are these, reduced."""
+
+
+KEPT = "textures"
+"""Folder of the cache."""
 
 
 class Maps(NamedTuple):
@@ -75,8 +83,34 @@ def maps(name: str, size: int = FULL) -> Maps:
         name: One of `recipes()`.
         size: Pixels along each side: a power of two up to 512.
     """
+    data = kept(KEPT, version(), f"{name}-{size}", lambda: _packed(drawn(name, size)))
+    pixels = np.frombuffer(data, np.uint8)
+    edges = np.cumsum([3, 3]) * size * size
+    color, normal, roughness = np.split(pixels, edges)
+    shape = size, size
+    return Maps(color.reshape(*shape, 3), normal.reshape(*shape, 3), roughness.reshape(shape))
+
+
+def _packed(found: Maps) -> bytes:
+    return b"".join(array.tobytes() for array in found)
+
+
+@cache
+def version() -> str:
+    """Of what maps depend on besides their names."""
+    return version_of(Path(__file__).parent, np.__version__, metadata.version("scipy"))
+
+
+@cache
+def drawn(name: str, size: int = FULL) -> Maps:
+    """The maps of a texture, drawn in this process; `maps` has them from the cache.
+
+    Args:
+        name: One of `recipes()`.
+        size: Pixels along each side: a power of two up to 512.
+    """
     if size < FULL:
-        return _halved(maps(name, 2 * size))
+        return _halved(drawn(name, 2 * size))
     from esg.assets.textures.noise import normals
 
     recipe = recipes()[name]

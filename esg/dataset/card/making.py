@@ -40,7 +40,11 @@ def command(spec: DatasetSpec) -> str:
     for name in ("seed", "drafter", "strategy", "engine", "device", "mcap", "previews", "batch"):
         if (value := getattr(spec, name)) != getattr(usual, name):
             parts.append(f"--{name} {value}")
+    beside = {"what-if": spec.what_if, "engines": spec.engines}
+    parts += [f"--{name} {','.join(asked)}" for name, asked in beside.items() if asked]
+    parts += [f"--annotations {spec.annotations}"] if spec.annotations != "all" else []
     parts += [f"--{name}" for name in ("counterfactual", "strict", "thin") if getattr(spec, name)]
+    parts += [] if spec.meshes else ["--no-meshes"]
     if spec.render is not None:
         parts += spec.render.options()
     return " ".join([*parts, "--out FOLDER"])

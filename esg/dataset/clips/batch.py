@@ -80,7 +80,7 @@ def render_batch(
                     out.crashes[subject.scene_id] = scrub_all(traceback.format_exc())
                 continue
             write_part(to_table("clips", [r.row() for r in records]), kept)
-        out.rows[subject.scene_id] = [r.row() for r in records]
+        out.rows[subject.scene_id] = [r.row(job.out) for r in records]
         out.files += [job.out / f.path for r in records for f in r.files]
     out.seconds = time.perf_counter() - start
     return out

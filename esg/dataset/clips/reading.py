@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.dataset.clips.encoding import decoded
-from esg.dataset.clips.records import ClipRecord
+from esg.dataset.clips.records import PLAIN_COLUMNS, ClipRecord
 from esg.outcomes import UserError
 from esg.store.tables import iter_rows, part_files
 from esg.view.seeing import codes
@@ -70,7 +70,7 @@ def read_clips(folder: Path, split: str | None = None) -> Iterator[Clip]:
         split: Only those of train, validation or test.
     """
     files = part_files(folder, "clips") or part_files(folder / "parts", "clips")
-    for row in iter_rows(files):
+    for row in iter_rows(files, PLAIN_COLUMNS):
         if split is None or row["split"] == split:
             yield Clip(Path(folder), ClipRecord.of(row))
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -140,9 +141,16 @@ class ClipRecord:
     place: str = ""
     sky: str = ""
 
-    def row(self) -> dict[str, Any]:
-        """The row of table `clips`: flat lists, in C order."""
-        out: dict[str, Any] = {}
+    def row(self, out: Path | None = None) -> dict[str, Any]:
+        """The row of table `clips`: flat lists, in C order.
+
+        Args:
+            out: Folder of the dataset, for the bytes of the film; without it, the row has none.
+
+        Raises:
+            OSError: If the film cannot be read.
+        """
+        row: dict[str, Any] = {}
         for name in (f.name for f in fields(self)):
             value = getattr(self, name)
             if name in _KINDS:
@@ -151,12 +159,16 @@ class ClipRecord:
                 value = list(value)
             elif name in ("files", "objects"):
                 value = [vars(v) for v in value]
-            out[name] = vars(value) if isinstance(value, Intrinsics) else value
-        return out
+            row[name] = vars(value) if isinstance(value, Intrinsics) else value
+        film = next((f.path for f in self.files if f.channel == "rgb"), None)
+        if film is not None:
+            data = None if out is None else (out / film).read_bytes()
+            row["video"] = {"bytes": data, "path": film}
+        return row
 
     @staticmethod
     def of(row: Mapping[str, Any]) -> ClipRecord:
-        """The inverse of `row`, of a row as Arrow gives it."""
+        """The inverse of `row`, of a row as Arrow gives it, with or without its film."""
         n, m, p = row["n_frames"], len(row["objects"]), len(row["track_ids"])
         shapes = {
             "camera_position_m": (n, 3),
@@ -179,6 +191,9 @@ class ClipRecord:
         }
         return ClipRecord(**{**{f.name: row[f.name] for f in fields(ClipRecord)}, **typed})
 
+
+PLAIN_COLUMNS = tuple(f.name for f in fields(ClipRecord))
+"""All columns of table `clips` but the film itself, `video`."""
 
 _KINDS: dict[str, Any] = {
     **dict.fromkeys(

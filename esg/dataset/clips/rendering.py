@@ -95,7 +95,25 @@ def render_scene(subject: Subject, spec: RenderSpec, out: Path) -> list[ClipReco
     settings = settings_of(spec, int(subject.common["seed"]), subject.camera)
     common = {**subject.common, **_setting(replay.doc)}
     sight = sight_of(replay.scene, replay.rollout, replay.verdict, replay.doc, settings)
-    place = f"clips/{subject.scene_id}"
+    return draw_scene(sight, common, spec, out)
+
+
+def draw_scene(
+    sight: Sight, common: Mapping[str, Any], spec: RenderSpec, out: Path
+) -> list[ClipRecord]:
+    """The same, once the cameras are directed.
+
+    Args:
+        sight: What they see.
+        common: Columns of the scene.
+        spec: What to render.
+        out: Folder of the dataset.
+
+    Raises:
+        OSError: If the disk does not take it.
+    """
+    scene_id = str(common["scene_id"])
+    place = f"clips/{scene_id}"
     with whole_folder(out / place) as work, contextlib.ExitStack() as open_films:
         films: list[_Film] = []
         with turn_on(spec.device):
@@ -106,7 +124,7 @@ def render_scene(subject: Subject, spec: RenderSpec, out: Path) -> list[ClipReco
                     film.add(numbers, views)
                 films.append(film)
         return [
-            film.finish(common, camera, clip_folder(subject.scene_id, camera))
+            film.finish(common, camera, clip_folder(scene_id, camera))
             for camera, film in enumerate(films)
         ]
 
@@ -210,7 +228,7 @@ class _Film:
             job.result()
 
     def _write(self, channel: str, numbers: range, views: Views) -> None:
-        self._writer.add({channel: _VALUES[channel](self._shot, numbers, views)})
+        self._writer.add({channel: VALUES[channel](self._shot, numbers, views)})
 
     def _mark(self, numbers: range, views: Views) -> None:
         """Boxes and tracks, which are columns."""
@@ -318,7 +336,7 @@ def _colors(_: Shot, __: range, views: Views) -> NDArray[np.uint8]:
     return views.rgb
 
 
-_VALUES: dict[str, Callable[[Shot, range, Views], NDArray[Any]]] = {
+VALUES: dict[str, Callable[[Shot, range, Views], NDArray[Any]]] = {
     "rgb": _colors,
     "depth": lambda _, __, views: views.depth,
     "segmentation": lambda _, __, views: truth.segment_ids(views.body),
@@ -330,4 +348,4 @@ _VALUES: dict[str, Callable[[Shot, range, Views], NDArray[Any]]] = {
     ),
 }
 """Frames of every channel, as `esg.dataset.clips.writing.Values` has them."""
-assert set(_VALUES) == set(PICTURES)
+assert set(VALUES) == set(PICTURES)

@@ -67,7 +67,7 @@ class ClipWriter:
             OSError: If the disk does not take them.
         """
         for channel, given in values.items():
-            frames, scales = _CODED[channel](given)
+            frames, scales = CODED[channel](given)
             for name, found in zip(SCALES.get(channel, ()), scales, strict=True):
                 self.scales[name] += found
             self._files[channel].add(frames)
@@ -128,7 +128,7 @@ def _places(values: NDArray[Any]) -> _Coded:
     return codes.place_codes(np.where(known[..., None], values, 0.0), known), ()
 
 
-_CODED: dict[str, Callable[[NDArray[Any]], _Coded]] = {
+CODED: dict[str, Callable[[NDArray[Any]], _Coded]] = {
     "rgb": _plain,
     "depth": _depth,
     "segmentation": _ids,
@@ -137,6 +137,7 @@ _CODED: dict[str, Callable[[NDArray[Any]], _Coded]] = {
     "normal": _normal,
     "object_coordinates": _places,
 }
+"""Frames as they are encoded, and the numbers they are read with, of the values of a channel."""
 
 
 def clip_folder(scene_id: str, camera: int) -> str:

@@ -11,7 +11,7 @@ import hashlib
 from typing import Any
 
 from esg.draft.llm.faces import face
-from esg.draft.llm.jointed import join_parts, let_break
+from esg.draft.llm.jointed import join_parts, leave_out_unjointed, let_break, seat_riders
 from esg.draft.llm.mending import mend
 from esg.draft.llm.names import Names, slug, unique
 from esg.draft.llm.segments import open_times, sound_segments
@@ -105,7 +105,9 @@ def assemble(
     stated = replies.spatial.statements if timeline is None else timeline.statements
     logs.append(state(work.raw, prompt, stated, work.objects, events))
     # What a reply leaves to code by its form is no repair: it is filled in without one, too.
-    logs += [join_parts(work.raw), let_break(work.raw)]
+    logs += [join_parts(work.raw), let_break(work.raw), seat_riders(work.raw)]
+    if work.repair:
+        logs.append(leave_out_unjointed(work.raw, prompt))
     face(work.raw, once=work.repair)
     return work.raw, tuple(unique(text for log in logs for text in log))
 

@@ -55,8 +55,18 @@ def draft_auto(prompt: str, *, seed: int = 0) -> EsgDocument:
     except UserError as error:
         told = f"The language model gave no draft, the rules did: {error}"
         return _warned(draft_rules(prompt, seed=seed), (told,))
+    return compared(doc, seed=seed)
+
+
+def compared(doc: EsgDocument, *, seed: int = 0) -> EsgDocument:
+    """A model's draft with a warning for each hit that only it or only the rules read.
+
+    Args:
+        doc: The model's draft.
+        seed: As of the draft.
+    """
     try:
-        other = draft_rules(prompt, seed=seed)
+        other = draft_rules(doc.scene_definition.original_description, seed=seed)
     except UserError:
         return doc
     return _warned(doc, disagreements(doc, other))

@@ -1,4 +1,4 @@
-"""Doors, pendulums, drawers and what breaks: parts, joints and blows from the tables.
+"""Doors, pendulums, riders and what breaks: parts, joints and blows from the tables.
 
 A model names the thing and what happens to it; of which parts it is and how they move is a row of
 `esg/lexicon/articulations.csv`, what it bears one of `breakables.csv`, as for the rules drafter.
@@ -10,7 +10,10 @@ import re
 from typing import Any
 
 from esg.draft import lexicon as lex
+from esg.draft.document.riding import THROWN_OFF_MPS
 from esg.draft.llm.names import slug
+from esg.draft.llm.prune import drop_event
+from esg.graph.joints import FOOT, SEAT
 from esg.lexicon.articulations import Articulation, articulations
 from esg.lexicon.breakables import breakables
 
@@ -20,6 +23,9 @@ _OPEN = {"open": 1.0, "opened": 1.0, "half": 0.5, "ajar": 0.25}
 """Share of how far a thing opens at which it starts, by a word of its name."""
 _FREED = ("Release", "Drive")
 _JOINTED = ("Open", "Close", "Swing")
+_RIDERS = ("person", "animal", "robot")
+_LEAVES = ("Fall", "Jump", "Topple")
+"""Events of a rider after which he is not on it."""
 ANY_BLOW = (250.0, 10)
 """Speed [cm/s] and pieces of what is said to break and has no row: as stoneware."""
 
@@ -213,6 +219,119 @@ def _hand_over(raw: Json, named: str, part: str) -> None:
     for node in graph["nodes"]:
         if node["event"] in _JOINTED:
             node["participants"] = [part if p == named else p for p in node["participants"]]
+
+
+def seat_riders(raw: Json) -> list[str]:
+    """Joins who is on what is ridden, and has no motion of his own, to it until a jolt.
+
+    Args:
+        raw: Document as JSON, with the regions that carry things; changed in place.
+
+    Returns:
+        What was joined, in words.
+    """
+    graph = raw["spatial_relation_graph"]
+    timeline = _graph(raw)
+    ridden = lex.word_set("straddled or stood on")
+    joints: list[Json] = list(graph.get("joints") or ())
+    edges: list[Json] = timeline.get("edges", [])
+    left: list[Json] = [n for n in timeline.get("nodes", ()) if n["event"] in _LEAVES]
+    busy: set[str] = {j["child"] for j in joints} | {e["actor"] for e in edges}
+    for node in left:
+        busy |= {*node.get("participants", ())}
+    log: list[str] = []
+    for name in graph["nodes"]:
+        mount = _carrier(raw, name)
+        if mount is None or name in busy:
+            continue
+        kind, steed = _noun(raw, name), _noun(raw, mount)
+        if kind is None or kind.kind not in _RIDERS or steed is None or steed.name not in ridden:
+            continue
+        mass: float = raw["asset_requirement"][graph["nodes"][name]["asset_id"]]["expected_mass_kg"]
+        joints.append(
+            {
+                "id": f"{name}_seat",
+                "kind": "fixed",
+                "child": name,
+                "child_mount": FOOT,
+                "parent": mount,
+                "parent_mount": SEAT,
+                "break_impulse": round(THROWN_OFF_MPS * mass, 1),
+            }
+        )
+        log.append(f"{name} seated on {mount}")
+    if joints:
+        graph["joints"] = joints
+    return log
+
+
+def _carrier(raw: Json, name: str) -> str | None:
+    """The node in whose region another one is."""
+    graph = raw["spatial_relation_graph"]
+    region: Json | None = graph["semantic_regions"].get(
+        graph["nodes"][name].get("semantic_region") or ""
+    )
+    if region is None or region["region_type"] != "SUPPORT_SURFACE":
+        return None
+    carrier: str = region["parent_object"]
+    return carrier if carrier in graph["nodes"] and carrier != name else None
+
+
+def _noun(raw: Json, name: str) -> lex.Noun | None:
+    """The lexicon's noun of a node, by its category or its label."""
+    node = raw["spatial_relation_graph"]["nodes"][name]
+    asset: Json = raw["asset_requirement"].get(node["asset_id"], {})
+    table = lex.nouns()
+    texts: tuple[str, str] = (asset.get("asset_category", ""), node.get("label") or "")
+    for text in texts:
+        words = text.lower().replace("_", " ").split()
+        for k in range(len(words)):
+            if (found := table.get(" ".join(words[k:]))) is not None:
+                return found
+    return None
+
+
+def leave_out_unjointed(raw: Json, prompt: str) -> list[str]:
+    """Leaves out what opens, closes or swings on no joint that a table knows, and owns up to it.
+
+    Nothing that a model could answer would mend it. A timeline of nothing else stays as it is.
+
+    Args:
+        raw: Document as JSON; changed in place.
+        prompt: The user's text, in which the thing is named.
+
+    Returns:
+        What was left out, in words.
+    """
+    graph, log = _graph(raw), list[str]()
+    held = {j[end] for j in raw["spatial_relation_graph"].get("joints") or ()
+            for end in ("child", "parent")}  # fmt: skip
+    gone = [
+        n
+        for n in graph.get("nodes", ())
+        if n["event"] in _JOINTED and not held & {*n.get("participants", ())}
+    ]
+    if not gone or len(graph["nodes"]) - len(gone) < 2:
+        return log
+    for node in gone:
+        drop_event(raw, node)
+        name = (node.get("participants") or ["it"])[0]
+        words = raw["spatial_relation_graph"]["nodes"].get(name, {}).get("label") or name
+        start = max(prompt.lower().find(words.lower()), 0)
+        note = f"what it is joined to is not known: no {node['event'].lower()}"
+        found = raw.setdefault("statements", [])
+        found.append(
+            {"id": f"s{len(found) + 1}", "predicate": "not_represented", "note": note,
+             "text": prompt[start : start + len(words)], "start": start, "end": start + len(words)}
+        )  # fmt: skip
+        log.append(f"{node['event']} of {name!r} left out: no table joins it to anything")
+    acting = {e["actor"] for e in graph["edges"]} | {
+        p for n in graph["nodes"] for p in n.get("participants", ())
+    }
+    actors = raw["timeline_system"]["actors"]
+    for name in [a for a in actors if a not in acting]:
+        del actors[name]
+    return log
 
 
 def let_break(raw: Json) -> list[str]:

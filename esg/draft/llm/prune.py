@@ -161,21 +161,30 @@ def _segments(raw: Json, violations: tuple[Violation, ...], log: list[str]) -> b
 def _events(raw: Json, violations: tuple[Violation, ...], log: list[str]) -> bool:
     gone = sorted({k for k, _, _ in _parts(violations, "nodes") if k > 0}, reverse=True)
     for k in gone:
-        node = _nodes(raw).pop(k)
+        node = _nodes(raw)[k]
         log.append(f"event {node['id']!r} dropped")
-        edges = _edges(raw)
-        for e in [e for e in edges if e["from"] == node["id"]]:
-            into = next(
-                (o for o in edges if o["to"] == node["id"] and o["actor"] == e["actor"]), None
-            )
-            if into is not None:
-                into["to"] = e["to"]  # its actor goes straight on
-            edges.remove(e)
-        edges[:] = [e for e in edges if e["to"] != node["id"]]
-        for other in _nodes(raw):
-            kept = [c for c in other.get("constraints", ()) if c.get("since") != node["id"]]
-            other["constraints"] = kept
+        drop_event(raw, node)
     return bool(gone)
+
+
+def drop_event(raw: Json, node: Json) -> None:
+    """Takes a point event out of a timeline; what comes from it goes straight on, or goes too.
+
+    Args:
+        raw: Document as JSON; changed in place.
+        node: One of its point events.
+    """
+    _nodes(raw).remove(node)
+    edges = _edges(raw)
+    for e in [e for e in edges if e["from"] == node["id"]]:
+        into = next((o for o in edges if o["to"] == node["id"] and o["actor"] == e["actor"]), None)
+        if into is not None:
+            into["to"] = e["to"]  # its actor goes straight on
+        edges.remove(e)
+    edges[:] = [e for e in edges if e["to"] != node["id"]]
+    for other in _nodes(raw):
+        kept = [c for c in other.get("constraints", ()) if c.get("since") != node["id"]]
+        other["constraints"] = kept
 
 
 def _actors(raw: Json, violations: tuple[Violation, ...], log: list[str]) -> bool:

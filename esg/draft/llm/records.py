@@ -26,13 +26,18 @@ _OF_TIMELINE = ("/timeline_system", "/statements")
 
 @dataclass(frozen=True)
 class CallRecord:
-    """One reply as it came: stage, raw text, tokens, the model's own name."""
+    """One reply as it came: stage, raw text, tokens, the model's own name, what was sent.
+
+    Tokens are 0 where nobody counted them; `characters_in` are those of instructions, messages and
+    schema.
+    """
 
     stage: str
     text: str
     input_tokens: int
     output_tokens: int
     model: str = ""
+    characters_in: int = 0
 
 
 @dataclass(frozen=True)

@@ -219,7 +219,9 @@ class Session:
         )
         reply = await self.client.complete(call)
         tokens = reply.input_tokens, reply.output_tokens
-        self.calls.append(CallRecord(stage, reply.text, *tokens, reply.model))
+        sent = len(call.instructions) + sum(len(text) for _, text in messages)
+        sent += len(json.dumps(call.schema, separators=(",", ":")))
+        self.calls.append(CallRecord(stage, reply.text, *tokens, reply.model, sent))
         return reply
 
     def _schema(self, stage: str) -> Any:

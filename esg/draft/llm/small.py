@@ -112,7 +112,9 @@ def nouns_in(prompt: str) -> list[str]:
 def whole_of(reply: SmallReply) -> WholeReply:
     """The scene and its timeline in the shapes of the other stages."""
     things = {slug(t.name): t for t in reply.things}
-    acts = [a for a in reply.acts if slug(a.who) in things]
+    # Small models repeat themselves.
+    told = {(a.who, a.does, a.whom): a for a in reversed(reply.acts) if slug(a.who) in things}
+    acts = [*reversed(told.values())]
     timeline = _timeline(acts, things) if acts else None
     scene = {
         "expansion": {

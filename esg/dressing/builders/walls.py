@@ -88,10 +88,10 @@ def _opening(
     deep = 0.12 if o.kind != "shop" else 0.25
     back = front - deep
     wide, tall = yb - ya, zb - za
-    draw.sheet("plaster", (back, ya, za), (deep, 0, 0), (0, 0, tall), o.frame)
-    draw.sheet("plaster", (front, yb, za), (-deep, 0, 0), (0, 0, tall), o.frame)
-    draw.sheet("plaster", (back, ya, zb), (deep, 0, 0), (0, wide, 0), o.frame)
-    draw.sheet("plaster", (back, ya, za), (0, wide, 0), (deep, 0, 0), o.frame)
+    draw.sheet("plaster", (back, ya, za), (0, 0, tall), (deep, 0, 0), o.frame)
+    draw.sheet("plaster", (front, yb, za), (0, 0, tall), (-deep, 0, 0), o.frame)
+    draw.sheet("plaster", (back, ya, zb), (0, wide, 0), (deep, 0, 0), o.frame)
+    draw.sheet("plaster", (back, ya, za), (deep, 0, 0), (0, wide, 0), o.frame)
     if o.kind == "roller":
         draw.sheet("painted", (back, ya, za), (0, wide, 0), (0, 0, tall), (0.62, 0.65, 0.67))
         for k in range(1, 6):

@@ -475,6 +475,9 @@ class Composer:
         if soars and leg.last and (flies_on or phase.end.event is NodeEvent.MISS):
             # It flies on: past what it does not touch, and when all that is told of it is over.
             end = math.inf
+        if descends and not down and leg.last:
+            # Who stands up is kept upright to the foot of the slope, and beyond.
+            end = math.inf
         if leg.first and not acceleration and math.isinf(ride.rate):
             flat = abs(speed) * np.array([math.cos(course.heading), math.sin(course.heading), 0.0])
             course.out += [SetVelocity(r, start, _vec(flat)) for r in self._riders[actor]]

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.view.director.acting import Beat
+from esg.view.moments import LASTING
 
 Floats = NDArray[np.float64]
 
@@ -24,6 +25,8 @@ EASES = ((0.7, 0.6, 3), (0.6, 0.5, 3), (0.5, 0.5, 2), (0.35, 0.4, 1), (0.25, 0.3
 fits."""
 JOIN_S = 0.4
 """Two stretches with less between them are one."""
+GOES_ON = 4.0
+"""What lasts is followed so many times as long as what happens in an instant."""
 STILL_S = 2.0
 """Of a scene without events."""
 
@@ -68,6 +71,7 @@ def _spans(
     out: list[tuple[float, float]] = []
     for beat in beats:
         lasting = after if beat.event else STILL_S
+        lasting *= GOES_ON if beat.type in LASTING else 1.0
         a, b = max(0.0, beat.time_s - before), min(end, beat.time_s + lasting)
         if out and a - out[-1][1] <= JOIN_S:
             out[-1] = (out[-1][0], max(b, out[-1][1]))

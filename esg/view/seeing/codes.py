@@ -60,14 +60,16 @@ def shift_codes(shift: Floats, known: NDArray[np.bool_]) -> tuple[Codes, np.floa
         Codes (u, v, 65535 where known), shape [H, L, 3], and the scale [px]: (u, v) is
         (codes - 32768) * scale.
     """
-    near = np.abs(shift).max(axis=-1) <= FARTHEST_SHIFT * max(known.shape)
-    told = known & near
-    longest = float(np.abs(shift[told]).max()) if told.any() else 0.0
+    shift = shift.astype(np.float32, copy=False)
+    size = np.maximum(np.abs(shift[..., 0]), np.abs(shift[..., 1]))
+    told = known & (size <= FARTHEST_SHIFT * max(known.shape))
+    longest = float(size.max(where=told, initial=0.0))
     scale = np.float32(longest / SHIFT_MOST) if longest > 0 else np.float32(1.0)
     out = np.zeros((*known.shape, 3), np.uint16)
-    codes = np.clip(np.rint(shift / float(scale)), -SHIFT_MOST, SHIFT_MOST) + SHIFT_ZERO
-    out[..., :2] = np.where(told[..., None], codes, 0).astype(np.uint16)
-    out[..., 2] = np.where(told, MOST, 0)
+    codes = np.clip(np.rint(shift / scale), -SHIFT_MOST, SHIFT_MOST) + SHIFT_ZERO
+    out[..., :2] = codes.astype(np.uint16)
+    out[..., 2] = MOST
+    out[~told] = 0
     return out, scale
 
 

@@ -37,6 +37,8 @@ if TYPE_CHECKING:
     from esg.metrics.models import SceneVerdict
 
 Floats = NDArray[np.float64]
+GPU_PIXELS, GPU_FRAMES = 1 << 23, (4, 128)
+"""Of one launch on a GPU: pictures of so many pixels take about a gigabyte on the way."""
 OFF_S = 5e-4
 """Frames of a recording that are farther from every 1/fps are moved there."""
 
@@ -212,8 +214,9 @@ class Shot:
         )  # fmt: skip
         seen = seen_from(sight.scenery, _some(self._cameras), sight.scene, sight.rollout)
         drawer = kind.load(seen, quality)
-        for first in range(0, len(sight.frames), kind.batch):
-            numbers = range(first, min(first + kind.batch, len(sight.frames)))
+        batch = _batch(kind.batch, settings)
+        for first in range(0, len(sight.frames), batch):
+            numbers = range(first, min(first + batch, len(sight.frames)))
             frames = [sight.frames[k] for k in numbers]
             poses = poses_at(sight.rollout, frames, sight.angles, settings.open_s)
             yield numbers, drawer.draw(poses, [self._cameras[k] for k in numbers])
@@ -262,6 +265,14 @@ class Shot:
 def shots(sight: Sight) -> list[Shot]:
     """One shot a camera."""
     return [Shot(sight, take) for take in sight.takes]
+
+
+def _batch(usual: int, settings: Settings) -> int:
+    """Frames drawn at once: on a GPU what fills it and fits beside others, of any size."""
+    if settings.device == "cpu" or usual == 1:
+        return usual
+    width, height = settings.size
+    return int(np.clip(GPU_PIXELS // (width * height), *GPU_FRAMES))
 
 
 def _some(cameras: Sequence[Camera]) -> list[Camera]:

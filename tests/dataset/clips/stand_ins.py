@@ -65,9 +65,12 @@ def replay(state: SceneState) -> Replay:
 
 def install(monkeypatch: pytest.MonkeyPatch) -> None:
     """Replaces what looks at meshes and places."""
-    around = Surroundings(Sky(), Look("", (0.4, 0.5, 0.3)))
+
+    def around(*_: object) -> Surroundings:
+        return Surroundings(Sky(), Look("", (0.4, 0.5, 0.3)))
+
     monkeypatch.setattr("esg.view.scenery.body_parts", parts)
-    monkeypatch.setattr("esg.view.scenery.surroundings_of", lambda *_: around)
+    monkeypatch.setattr("esg.view.scenery.surroundings_of", around)
     monkeypatch.setattr(subjects, "_made", replay)
 
 

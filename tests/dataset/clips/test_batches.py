@@ -45,12 +45,16 @@ def quick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     monkeypatch.setenv("ESG_TEST_CALLS", str(tmp_path / "calls"))
     monkeypatch.setenv("ESG_CACHE_DIR", str(tmp_path / "cache"))
     monkeypatch.setattr(module, "_BACKOFF_S", 0.0)
-    monkeypatch.setattr(module, "_compile_together", lambda states: None)
-    monkeypatch.setattr(stages, "load_doc", lambda state: None)
+    monkeypatch.setattr(module, "_compile_together", nothing)
+    monkeypatch.setattr(stages, "load_doc", nothing)
     monkeypatch.setattr(adding_command, "make_batches", one_by_one)
     fakes.install()
     stand_ins.install(monkeypatch)
     yield
+
+
+def nothing(_: object) -> None:
+    return None
 
 
 def one_by_one(jobs: list[BatchJob], *_: object) -> list[BatchResult]:

@@ -3,8 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Annotated, Any
+
+from cyclopts import Parameter
 
 if TYPE_CHECKING:
     from esg.ablations.tables import Table
@@ -12,14 +15,26 @@ if TYPE_CHECKING:
     from esg.pipeline import SceneState
 
 
+@Parameter(name="*")
+@dataclass(frozen=True)
+class Ablating:
+    """Which ablations to run instead of the suite alone.
+
+    Args:
+        ablations: Run the paper's ablations, all or those named: draft, assets, initial, global,
+            gradients, collision, optimization; each prints its table (docs/results/ablations.md).
+    """
+
+    ablations: Annotated[list[str] | None, Parameter(consume_multiple=True, negative="")] = None
+
+
+NOTHING = Ablating()
+
+
 def ablate(
     suite: Path,
     names: list[str],
-    *,
-    runs: int,
-    seed: int,
-    engine: str,
-    device: str,
+    asked: tuple[int, int, str, str],
     out: Path | None,
     json: Path | None,
     workers: int | None,
@@ -29,10 +44,7 @@ def ablate(
     Args:
         suite: Suite file, or name of one that comes with the package.
         names: Ablations; none for all.
-        runs: Seeds a scene: seed, seed + 1, ...
-        seed: First seed.
-        engine: Engine of the replays.
-        device: cpu or cuda:N.
+        asked: Runs a scene, first seed, engine of the replays, device.
         out: Folder of a folder a variant, for `esg study`; default runs/ablations-SUITE.
         json: File for the tables.
         workers: Worker processes; default one a core.
@@ -48,6 +60,7 @@ def ablate(
     from esg.pipeline import STAGES
     from esg.scenefolder import check_writable, publish
 
+    runs, seed, engine, device = asked
     loaded, ablations, device, *_ = inputs.checked(
         lambda: load_suite(suite),
         lambda: chosen(names),
@@ -98,8 +111,8 @@ def _played(
 
     runs, seed, engine, device = asked
     arguments: tuple[Any, ...] = (
-        suite, runs, seed, variant.strategy, engine, device, False, variant.collision,
-        "rules", variant.without, tuple(scenes),
+        suite, runs, seed, variant.strategy, engine, device, False, variant.collision, "rules",
+        variant.without, tuple(scenes),
     )  # fmt: skip
     requests = bench_requests(*arguments)
     known = [state for request in requests if (state := recall(request)) is not None]

@@ -1,0 +1,1 @@
+"""Commands that set systems, variants and people beside each other."""

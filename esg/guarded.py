@@ -1,0 +1,78 @@
+"""Stages as plain functions, with the limits, retries and ends of scenes of any other run.
+
+What a scheduler adds for many scenes, a place to look at the run and lanes of batches, costs a
+single one more than its search.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+import contextlib
+from pathlib import Path
+import time
+
+from esg.beside import forking
+from esg.files import unwritable
+from esg.limits import StageTimeout, limited, place_in
+from esg.pipeline import (
+    STAGES,
+    SceneRequest,
+    SceneState,
+    crashed,
+    run_stage,
+    scratch_store,
+)
+
+RETRIES = 2
+"""So many times a stage that met an error that may pass is tried again."""
+
+
+def guarded_stage(stage: str, state: SceneState, store: Path | None = None) -> SceneState:
+    """One stage of one scene in its place among others (ESG_STAGE_LIMITS) and within its time.
+
+    Args:
+        stage: One of `esg.pipeline.STAGES`.
+        state: A scene that is ready for it, or has ended.
+        store: Artifact store; None is the usual one.
+
+    Raises:
+        OSError: As `run_stage`.
+    """
+    with place_in(stage), scratch_store(store) if store else contextlib.nullcontext():
+        try:
+            with limited(stage):
+                return run_stage(stage, state)
+        except StageTimeout as error:
+            return crashed(state, TimeoutError(str(error)), stage)
+
+
+def run_guarded(
+    request: SceneRequest, *, pause: Callable[[float], None] = time.sleep
+) -> SceneState:
+    """All stages of one scene, in this process; what may pass is tried again.
+
+    Args:
+        request: What to make.
+        pause: Waits for so long before the next try [s]: 1, then 2.
+
+    Raises:
+        OSError: If the disk cannot be written, which is no fault of the scene.
+    """
+    state = SceneState(request)
+    with forking():  # of a command whose other threads only wait
+        for stage in STAGES:
+            state = _tried(stage, state, pause)
+    return state
+
+
+def _tried(stage: str, state: SceneState, pause: Callable[[float], None]) -> SceneState:
+    for attempt in range(RETRIES + 1):
+        try:
+            return guarded_stage(stage, state)
+        except OSError as error:
+            if unwritable(error):
+                raise
+            if attempt == RETRIES:
+                return crashed(state, error, stage)
+            pause(float(2**attempt))
+    raise AssertionError("the last attempt returns")

@@ -1,0 +1,356 @@
+"""The warm worker: it loads what scenes need, then forks for every command it is asked to run.
+
+Its own process runs no command and starts no thread: a fork of it is a process in which everything
+is loaded and nothing has happened. Each command runs in a fork of its own, in a session of its own,
+with the caller's folder, streams, environment, limits and signals, and ends with it.
+"""
+
+from __future__ import annotations
+
+import atexit
+from collections.abc import Callable
+import contextlib
+import ctypes
+from dataclasses import dataclass, field
+import fcntl
+import gc
+import json
+import os
+from pathlib import Path
+import resource
+import selectors
+import signal
+import socket
+import sys
+import tempfile
+import threading
+import time
+
+from esg.up import wire
+from esg.up.place import OFF, make_private, stamp
+
+REQUEST_S = 5.0
+"""Whoever connects and says nothing for so long is hung up on."""
+KILL_AFTER_S = 5.0
+"""From asking the process of a command whose caller is gone to end, to killing it."""
+SAMPLES = (
+    "A red ball rolls across the floor and hits a wooden box.",
+    "A car collides with a trashbin, knocking it into a picnic table by the street side.",
+)
+"""Scenes whose way through the stages loads what scenes need."""
+TAKEN_PLACE = 75
+"""Exit code of a worker where another one serves."""
+_PDEATHSIG = 1
+
+
+@dataclass
+class Run:
+    """A command that is being run.
+
+    Args:
+        pid: Of its process, which leads its own group.
+        connection: To its caller.
+        kill_at: When it is killed, if its caller is gone (monotonic) [s].
+    """
+
+    pid: int
+    connection: socket.socket
+    kill_at: float | None = None
+
+
+@dataclass
+class Worker:
+    """A warm worker's state.
+
+    Args:
+        listener: Its socket.
+        path: Where that lies.
+        main: The command line: runs `sys.argv` and raises SystemExit.
+        idle_s: It ends after so long without a command [s].
+        stamp: Of the code that it loaded.
+        lock: Handle of the locked file that says that somebody serves there.
+    """
+
+    listener: socket.socket
+    path: Path
+    main: Callable[[], None]
+    idle_s: float
+    stamp: str
+    lock: int
+    pid: int = field(default_factory=os.getpid)
+    runs: dict[int, Run] = field(default_factory=dict)
+    served: int = 0
+    open: bool = True
+    started: float = field(default_factory=time.monotonic)
+    last: float = field(default_factory=time.monotonic)
+
+
+def serve(main: Callable[[], None], path: Path, idle_s: float) -> int:
+    """Serves until nobody has asked for long, or somebody stops it.
+
+    Args:
+        main: The command line: runs `sys.argv` and raises SystemExit.
+        path: Of the socket.
+        idle_s: Without a command, it ends after so long [s].
+
+    Returns:
+        0; `TAKEN_PLACE` if another worker serves there.
+    """
+    make_private(path.parent)
+    with path.with_suffix(".lock").open("a") as lock:
+        try:
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            return TAKEN_PLACE
+        own = stamp()  # before anything is loaded: a file changed meanwhile makes it stale
+        warm()
+        path.unlink(missing_ok=True)  # of a worker that was killed: the lock is ours
+        listener = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+        before = os.umask(0o177)
+        try:
+            listener.bind(str(path))
+        finally:
+            os.umask(before)
+        listener.listen(16)
+        worker = Worker(listener, path, main, idle_s, own, lock.fileno())
+        try:
+            _loop(worker)
+        finally:
+            _close(worker)
+    return 0
+
+
+def warm() -> None:
+    """Loads what scenes need and runs sample scenes, whose results are thrown away."""
+    from esg.api.warming import warm_up
+    from esg.pipeline import SceneRequest, run_scene, scratch_store
+
+    warm_up()
+    with contextlib.suppress(Exception), tempfile.TemporaryDirectory(prefix="esg-up-") as folder:
+        for prompt in SAMPLES:
+            with scratch_store(Path(folder), durable=False):
+                run_scene(SceneRequest(prompt))
+    with contextlib.suppress(ImportError):
+        import duckdb
+        import pyarrow.parquet
+
+        assert duckdb and pyarrow.parquet
+    gc.collect()
+    gc.freeze()  # what is loaded stays: no search for garbage in a fork need touch, and copy, it
+
+
+def _loop(worker: Worker) -> None:
+    reading, writing = os.pipe()
+    os.set_blocking(writing, False)
+    os.set_blocking(reading, False)
+    signal.set_wakeup_fd(writing, warn_on_full_buffer=False)
+    signal.signal(signal.SIGCHLD, lambda number, frame: None)
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, lambda number, frame: _shut(worker))
+    with selectors.DefaultSelector() as waiting:
+        waiting.register(reading, selectors.EVENT_READ)
+        waiting.register(worker.listener, selectors.EVENT_READ)
+        while worker.open or worker.runs:
+            for key, _ in waiting.select(_patience(worker)):
+                if key.fileobj is worker.listener:
+                    _accept(worker, waiting)
+                elif key.fileobj == reading:
+                    with contextlib.suppress(BlockingIOError):
+                        os.read(reading, 4096)
+                else:
+                    _listen(worker.runs.get(key.data), waiting)
+            _reap(worker, waiting)
+            _kill_late(worker)
+            if not worker.runs and time.monotonic() - worker.last >= worker.idle_s:
+                _shut(worker)
+            if not worker.open and worker.listener.fileno() >= 0:
+                waiting.unregister(worker.listener)
+                worker.listener.close()
+
+
+def _patience(worker: Worker) -> float | None:
+    """Seconds until something is due without anybody asking; None if nothing is."""
+    due = [r.kill_at for r in worker.runs.values() if r.kill_at is not None]
+    due += [] if worker.runs else [worker.last + worker.idle_s]
+    return max(0.0, min(due) - time.monotonic()) + 0.01 if due else None
+
+
+def _shut(worker: Worker) -> None:
+    """Takes no more commands; those that run finish."""
+    if worker.open:
+        worker.open = False
+        worker.path.unlink(missing_ok=True)
+
+
+def _close(worker: Worker) -> None:
+    _shut(worker)
+    for run in worker.runs.values():
+        _signal(run, signal.SIGTERM)
+
+
+def _accept(worker: Worker, waiting: selectors.BaseSelector) -> None:
+    try:
+        connection, _ = worker.listener.accept()
+    except OSError:
+        return
+    connection.settimeout(REQUEST_S)
+    try:
+        if wire.peer(connection) != os.getuid():
+            raise wire.WireError("another user")
+        request, handles = wire.receive_request(connection)
+    except (OSError, wire.WireError):
+        connection.close()
+        return
+    if request.kind != "run":
+        _answer(worker, request.kind, connection)
+        return
+    worker.last = time.monotonic()
+    if request.stamp != worker.stamp or not worker.open:
+        wire.close_all(handles)
+        wire.tell(connection, wire.REFUSED, "other code")
+        connection.close()
+        _shut(worker)  # nobody with this code is left to ask
+        return
+    if not wire.tell(connection, wire.TAKEN):
+        wire.close_all(handles)
+        connection.close()
+        return
+    worker.served += 1
+    sys.stdout.flush()
+    sys.stderr.flush()
+    pid = os.fork()
+    if pid == 0:
+        _become(worker, waiting, connection, request, handles)
+    wire.close_all(handles)
+    worker.runs[pid] = Run(pid, connection)
+    waiting.register(connection, selectors.EVENT_READ, pid)
+
+
+def _answer(worker: Worker, kind: str, connection: socket.socket) -> None:
+    with connection:
+        now = time.monotonic()
+        facts = {
+            "pid": os.getpid(),
+            "up_s": round(now - worker.started, 1),
+            "idle_s": 0.0 if worker.runs else round(now - worker.last, 1),
+            "ends_after_s": worker.idle_s,
+            "running": len(worker.runs),
+            "served": worker.served,
+            "current": worker.stamp == stamp(),
+        }
+        if kind == "stop":
+            _shut(worker)
+        wire.tell(connection, "status", json.dumps(facts))
+
+
+def _listen(run: Run | None, waiting: selectors.BaseSelector) -> None:
+    """What a caller says while its command runs: signals, or by hanging up that it is gone."""
+    if run is None:
+        return
+    try:
+        heard = run.connection.recv(64)
+    except OSError:
+        heard = b""
+    for number, letter in wire.SIGNALS.items():
+        if letter in heard:
+            _signal(run, number)
+    if not heard:
+        waiting.unregister(run.connection)
+        run.kill_at = time.monotonic() + KILL_AFTER_S
+        _signal(run, signal.SIGTERM)
+
+
+def _signal(run: Run, number: int) -> None:
+    """To the command itself, which decides what becomes of what it started."""
+    with contextlib.suppress(ProcessLookupError, PermissionError):
+        os.kill(run.pid, number)
+
+
+def _reap(worker: Worker, waiting: selectors.BaseSelector) -> None:
+    while worker.runs:
+        try:
+            pid, status = os.waitpid(-1, os.WNOHANG)
+        except ChildProcessError:
+            return
+        if pid == 0:
+            return
+        run = worker.runs.pop(pid, None)
+        if run is None:
+            continue
+        if run.kill_at is None:
+            waiting.unregister(run.connection)
+        code = os.waitstatus_to_exitcode(status)
+        wire.tell(run.connection, *((wire.ENDED, str(code)) if code >= 0 else (wire.LOST,)))
+        run.connection.close()
+        worker.last = time.monotonic()
+
+
+def _kill_late(worker: Worker) -> None:
+    for run in worker.runs.values():
+        if run.kill_at is not None and time.monotonic() >= run.kill_at:
+            with contextlib.suppress(ProcessLookupError, PermissionError):
+                os.killpg(run.pid, signal.SIGKILL)
+
+
+def _become(
+    worker: Worker,
+    waiting: selectors.BaseSelector,
+    connection: socket.socket,
+    request: wire.Request,
+    handles: list[int],
+) -> None:
+    """In the fork: becomes the caller's command, and never returns."""
+    code = 1
+    try:
+        signal.set_wakeup_fd(-1)
+        signal.signal(signal.SIGCHLD, signal.SIG_DFL)
+        signal.signal(signal.SIGTERM, signal.SIG_DFL)
+        signal.signal(signal.SIGINT, signal.default_int_handler)
+        for number in request.ignored:
+            signal.signal(number, signal.SIG_IGN)
+        ctypes.CDLL(None).prctl(_PDEATHSIG, signal.SIGKILL)
+        if os.getppid() != worker.pid:
+            os._exit(1)
+        os.setsid()
+        waiting.close()
+        worker.listener.close()
+        os.close(worker.lock)
+        connection.close()
+        for run in worker.runs.values():
+            run.connection.close()
+        _dress(request, handles)
+        try:
+            worker.main()
+        except SystemExit as error:
+            code = error.code if isinstance(error.code, int) else int(error.code is not None)
+        threading._shutdown()  # pyright: ignore[reportAttributeAccessIssue]  # as Python's own end does
+        atexit._run_exitfuncs()
+        for stream in (sys.stdout, sys.stderr):
+            with contextlib.suppress(OSError, ValueError):
+                stream.flush()
+    finally:
+        os._exit(code)
+
+
+def _dress(request: wire.Request, handles: list[int]) -> None:
+    """Takes on the caller's folder, streams, environment and limits."""
+    here, *streams = handles
+    os.fchdir(here)
+    for number, handle in enumerate(streams):
+        os.dup2(handle, number)
+    wire.close_all(handles)
+    sys.stdin = open(0, encoding="utf-8", closefd=False)  # noqa: SIM115
+    sys.stdout = open(1, "w", encoding="utf-8", closefd=False)  # noqa: SIM115
+    sys.stderr = open(2, "w", encoding="utf-8", errors="backslashreplace", closefd=False)  # noqa: SIM115
+    os.environ.clear()
+    os.environ.update(request.environment or {})
+    os.environ[OFF] = "0"  # it is the worker that was asked
+    time.tzset()
+    tempfile.tempdir = None
+    os.umask(request.umask)
+    for kind, soft, hard in request.limits:
+        with contextlib.suppress(OSError, ValueError):
+            resource.setrlimit(kind, (soft, hard))
+    with contextlib.suppress(OSError):
+        os.nice(request.nice - os.nice(0))
+    sys.argv = ["esg", *request.arguments]
