@@ -91,9 +91,8 @@ def _first_events(out: Path) -> dict[str, float]:
     for batch in iter_batches(part_files(out, "metrics"), ["scene_key", "time_s"]):
         for row in batch.to_pylist():
             if row["time_s"] is not None:
-                times[row["scene_key"]] = min(
-                    row["time_s"], times.get(row["scene_key"], row["time_s"])
-                )
+                key, time = str(row["scene_key"]), float(row["time_s"])
+                times[key] = min(time, times.get(key, time))
     return times
 
 
