@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Generator, Sequence
 from contextlib import contextmanager
+from dataclasses import dataclass
 import os
 from pathlib import Path
 import shutil
@@ -20,7 +21,7 @@ from esg.dataset.whatifs.options import TEXTS, TruthOptions
 if TYPE_CHECKING:
     from esg.dataset.folder import DatasetFolder
     from esg.dataset.job import BatchJob, BatchResult
-    from esg.dataset.plan import DatasetSpec, Prompt
+    from esg.dataset.plan import DatasetSpec, Prompt, Shard
     from esg.dataset.remote import Remote
     from esg.draft.llm.gathering import Gathered
 
@@ -78,11 +79,8 @@ def dataset(
     """
     from esg.api.inputs import check_device, checked
     from esg.commands.clips import check_same, render_spec
-    from esg.commands.console import progress
-    from esg.commands.layouts import check_layouts, check_rendered
-    from esg.dataset.layouts.building import want_layouts
+    from esg.commands.layouts import check_layouts
     from esg.dataset.plan import DatasetSpec, Shard
-    from esg.dataset.whatifs.options import spec_fields
 
     going_on = resume and prompts is None and sample is None
     part, device, render, names, planned, out, beside, _ = checked(
@@ -92,7 +90,7 @@ def dataset(
         lambda: check_layouts(layouts),
         lambda: None if going_on else _source(prompts, sample, draw),
         lambda: _place(out),
-        lambda: spec_fields(truth),
+        lambda: _beside(truth, layouts),
         lambda: _check_numbers(seed, workers, batch, draw.counterfactual),
     )
     folder, remote = opened(out)
@@ -104,19 +102,53 @@ def dataset(
         spec = DatasetSpec(
             **source, seed=seed, counterfactual=draw.counterfactual, drafter=drafting.drafter,
             strategy=strategy, engine=engine, mcap=mcap, previews=previews, device=device,
-            batch=batch or 0, strict=strict, render=render, thin=draw.thin,
-            meshes=layouts is None or layouts.meshes, **beside,
+            batch=batch or 0, strict=strict, render=render, thin=draw.thin, **beside,
         )  # fmt: skip
-    check_rendered(folder, spec, names)
+    work = _Work(part, names, resume, runner, workers, drafting)
+    return _told(*_made(folder, remote, spec, texts, work), as_json=json)
+
+
+def _beside(truth: TruthOptions, layouts: LayoutOptions | None) -> dict[str, Any]:
+    """What the specification says of texts, other engines, what-ifs and meshes."""
+    from esg.dataset.whatifs.options import spec_fields
+
+    return {**spec_fields(truth), "meshes": layouts is None or layouts.meshes}
+
+
+@dataclass(frozen=True)
+class _Work:
+    """How a dataset is worked through: which part, what beside it, where, and who drafts."""
+
+    part: Shard
+    layouts: tuple[str, ...]
+    resume: bool
+    runner: str
+    workers: int | None
+    drafting: Drafting
+
+
+def _made(
+    folder: DatasetFolder,
+    remote: Remote | None,
+    spec: DatasetSpec,
+    texts: Sequence[Prompt],
+    work: _Work,
+) -> tuple[dict[str, Any], Gathered | None]:
+    """Makes a dataset, or goes on with it: what became of it, and of the drafts it waits for."""
+    from esg.commands.console import progress
+    from esg.commands.layouts import check_rendered
+    from esg.dataset.layouts.building import want_layouts
+
+    check_rendered(folder, spec, work.layouts)
     with (
-        folder.locked(part),
+        folder.locked(work.part),
         progress(spec.n, "starting") as bar,
-        _answered(spec, texts, part.batches(spec), drafting) as (asked, numbers),
+        _answered(spec, texts, work.part.batches(spec), work.drafting) as (asked, numbers),
     ):
-        run = folder.begin(spec, texts, resume=resume)
-        want_layouts(folder.path, names)
-        summary = _build(folder, spec, texts, run, numbers, runner, workers, bar, remote)
-    return _told(summary, json, asked)
+        run = folder.begin(spec, texts, resume=work.resume)
+        want_layouts(folder.path, work.layouts)
+        made = _build(folder, spec, texts, run, numbers, work.runner, work.workers, bar, remote)
+    return made, asked
 
 
 @contextmanager
@@ -140,7 +172,7 @@ def _answered(
         yield found, [n for n in numbers if n not in held]
 
 
-def _told(summary: dict[str, Any], as_json: bool, asked: Gathered | None = None) -> int:
+def _told(summary: dict[str, Any], asked: Gathered | None = None, *, as_json: bool) -> int:
     """Prints what was made; returns the exit code."""
     from esg.commands.console import emit
 

@@ -19,6 +19,8 @@ from esg.store.assembling import Counts, card_tables
 Facts = Mapping[str, Any]
 _MAX_FAILURES = 20
 _MAX_VALUES = 12
+_ROUNDED = 1e-6
+"""Residuals below are of arithmetic."""
 
 
 @dataclass(frozen=True)
@@ -222,6 +224,10 @@ def _most(values: Mapping[str, int]) -> str:
     return told + (f", others {rest}" if rest else "")
 
 
+def _each(counts: Mapping[str, int]) -> str:
+    return ", ".join(f"{name} ({n})" for name, n in counts.items())
+
+
 def _clips(told: Told) -> Lines:
     c = told.facts["clips"]
     if not c:
@@ -230,15 +236,15 @@ def _clips(told: Told) -> Lines:
     lines = [
         f"{c['clips']} clips of {c['scenes']} scenes, {c['frames']} frames, {c['hours']:g} hours; "
         f"{length['min']:g} to {length['max']:g} s each (median {length['median']:g} s). Pictures: "
-        f"{listed(c['pictures'])}. Colours: {listed(c['renderers'])}. "
-        f"Cameras: {listed(c['cameras'])}.",
+        f"{_each(c['pictures'])}. Colours: {_each(c['renderers'])}. "
+        f"Cameras: {_each(c['cameras'])}.",
         *(
             [f"Shown in: {_most(c['place'])}; under skies: {_most(c['sky'])}."]
             if c["place"]
             else []
         ),
     ]
-    rows = [(name, c["megabytes"].get(name, "")) for name in c["channels"]]
+    rows = [(name, c["megabytes"].get(name, "columns of the table")) for name in c["channels"]]
     return [*lines, "", *table(("channel", "MB"), rows, "lr")]
 
 
@@ -310,7 +316,7 @@ def _truth(told: Told) -> Lines:
         return []
     rows = [
         (name.replace("_", " "), c["checked"], c["samples"],
-         *("" if c[p] is None else f"{c[p]:.2g}"
+         *("" if c[p] is None else f"{c[p]:.2g}" if c[p] >= _ROUNDED else "0"
            for p in ("p50", "p90", "p99", "highest_p99", "worst")),
          f"{c['limit']:g} {c['unit']}", c["failing"])
         for name, c in found.items()

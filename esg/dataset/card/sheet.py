@@ -65,16 +65,16 @@ def _spread(items: Sequence[Any]) -> list[Any]:
 
 def _pictures(out: Path) -> Iterator[tuple[Image, str]]:
     """Pictures with their prompts: of the first camera's clips, or else previews."""
+    first = _first_events(out)
+    columns = ["scene_key", "camera", "prompt", "files", "time_s"]
     clips = [
-        (row["scene_key"], _path(out, row), row["prompt"])
-        for batch in iter_batches(
-            part_files(out, "clips"), ["scene_key", "camera", "prompt", "files"]
-        )
+        (row["scene_key"], _path(out, row), _frame(row, first), row["prompt"])
+        for batch in iter_batches(part_files(out, "clips"), columns)
         for row in batch.to_pylist()
         if row["camera"] == 0 and any(f["channel"] == "rgb" for f in row["files"])
     ]
-    for _, path, prompt in _spread(sorted(clips)):
-        picture = _middle(path)
+    for _, path, wanted, prompt in _spread(sorted(clips)):
+        picture = _still(path, wanted)
         if picture is not None:
             yield picture, prompt
     if not clips:
@@ -85,15 +85,32 @@ def _path(out: Path, row: dict[str, Any]) -> Path:
     return out / next(f["path"] for f in row["files"] if f["channel"] == "rgb")
 
 
-def _middle(path: Path) -> Image | None:
-    """The picture in the middle of a film; None if the film is damaged, which others tell."""
+def _first_events(out: Path) -> dict[str, float]:
+    """When the first event of every scene happens [s]."""
+    times: dict[str, float] = {}
+    for batch in iter_batches(part_files(out, "metrics"), ["scene_key", "time_s"]):
+        for row in batch.to_pylist():
+            if row["time_s"] is not None:
+                key, time = str(row["scene_key"]), float(row["time_s"])
+                times[key] = min(time, times.get(key, time))
+    return times
+
+
+def _frame(row: dict[str, Any], first: dict[str, float]) -> int:
+    """The frame of a clip at its scene's first event, or in its middle."""
+    times = row["time_s"]
+    wanted = first.get(row["scene_key"], times[len(times) // 2])
+    return min(range(len(times)), key=lambda k: abs(times[k] - wanted))
+
+
+def _still(path: Path, wanted: int) -> Image | None:
+    """One picture of a film; None if the film is damaged, which others tell."""
     import av
 
     try:
         with av.open(str(path)) as container:
-            frames = container.streams.video[0].frames
             for number, frame in enumerate(container.decode(video=0)):
-                if number == frames // 2:
+                if number == wanted:
                     return frame.to_image()
     except (OSError, ValueError, IndexError):
         return None
