@@ -24,7 +24,7 @@ import zipfile
 
 import numpy as np
 
-from esg.commands.clips import even_size, parse_channels
+from esg.commands.datasets.clips import even_size, parse_channels
 from esg.dataset.clips.encoding import ChannelFile, codec_of, decoded
 from esg.dataset.clips.rendering import VALUES, Replay, draw_scene, settings_of
 from esg.dataset.clips.writing import CODED

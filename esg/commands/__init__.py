@@ -7,7 +7,7 @@ COMMANDS: dict[str, tuple[str, str]] = {
     "cost": ("esg.commands.cost:cost", "Predict what a dataset costs from measured runs."),
     "bench": ("esg.commands.bench:bench", "Run a benchmark suite over several seeds."),
     "dataset": (
-        "esg.commands.dataset:dataset",
+        "esg.commands.datasets.dataset:dataset",
         "Make a dataset of proven scenes, from prompts or sampled.",
     ),
     "serve": ("esg.commands.serve:serve", "Run suites every night and compare with history."),

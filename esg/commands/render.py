@@ -8,7 +8,13 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
-from esg.commands.clips import MAX_CAMERAS, BatchOptions, RenderOptions, directed_by, drawn_by
+from esg.commands.datasets.clips import (
+    MAX_CAMERAS,
+    BatchOptions,
+    RenderOptions,
+    directed_by,
+    drawn_by,
+)
 
 if TYPE_CHECKING:
     from esg.view.seeing.wanted import Settings
@@ -59,12 +65,12 @@ def render(
         json: Print one JSON document: the folder and what is in it.
     """
     from esg.api.inputs import check_device, check_seed, checked, find_scene
-    from esg.commands.clips import is_dataset, only_for_datasets
     from esg.commands.console import emit
+    from esg.commands.datasets.clips import is_dataset, only_for_datasets
     from esg.scenefolder import check_writable
 
     if is_dataset(scene):
-        from esg.commands.adding import render_dataset
+        from esg.commands.datasets.adding import render_dataset
 
         wanted = RenderOptions(
             channels, cameras, size, fps, renderer, samples, camera or "auto", motion_blur

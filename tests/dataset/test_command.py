@@ -8,8 +8,8 @@ from typing import Any
 
 import pytest
 
-from esg.commands.dataset import dataset, describe
-from esg.commands.drawing import DrawOptions
+from esg.commands.datasets.dataset import dataset, describe
+from esg.commands.datasets.drawing import DrawOptions
 from esg.dataset.folder import _is_unbegun
 from esg.outcomes import UserError
 

@@ -12,7 +12,7 @@ from typing import Any
 import pytest
 
 from esg import stages
-from esg.commands import dataset as command
+from esg.commands.datasets import dataset as command
 from esg.dataset import running as module
 from esg.dataset.batch import make_batch
 from esg.dataset.remote import Remote, checked_place, is_url, staging_folder

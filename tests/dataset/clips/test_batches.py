@@ -12,9 +12,9 @@ import numpy as np
 import pytest
 
 from esg import stages
-from esg.commands import adding as adding_command
-from esg.commands.adding import render_dataset
-from esg.commands.clips import BatchOptions, RenderOptions
+from esg.commands.datasets import adding as adding_command
+from esg.commands.datasets.adding import render_dataset
+from esg.commands.datasets.clips import BatchOptions, RenderOptions
 from esg.dataset import running as module
 from esg.dataset.batch import make_batch
 from esg.dataset.clips import adding as adding_module

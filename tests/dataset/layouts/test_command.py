@@ -8,8 +8,8 @@ import shutil
 
 import pytest
 
-from esg.commands.dataset import dataset
-from esg.commands.layouts import LayoutOptions
+from esg.commands.datasets.dataset import dataset
+from esg.commands.datasets.layouts import LayoutOptions
 from esg.dataset.folder import DatasetFolder
 from esg.dataset.plan import Shard
 from esg.outcomes import UserError

@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
-from esg.commands.clips import RenderOptions
+from esg.commands.datasets.clips import RenderOptions
+from esg.commands.datasets.drawing import DrawOptions
+from esg.commands.datasets.layouts import LayoutOptions
 from esg.commands.drafting import RULES, Drafting
-from esg.commands.drawing import DrawOptions
-from esg.commands.layouts import LayoutOptions
 from esg.dataset.whatifs.options import TEXTS, TruthOptions
 
 if TYPE_CHECKING:
@@ -78,8 +78,8 @@ def dataset(
         json: Print one JSON document with counts and paths.
     """
     from esg.api.inputs import check_device, checked
-    from esg.commands.clips import check_same, render_spec
-    from esg.commands.layouts import check_layouts
+    from esg.commands.datasets.clips import check_same, render_spec
+    from esg.commands.datasets.layouts import check_layouts
     from esg.dataset.plan import DatasetSpec, Shard
 
     going_on = resume and prompts is None and sample is None
@@ -136,7 +136,7 @@ def _made(
 ) -> tuple[dict[str, Any], Gathered | None]:
     """Makes a dataset, or goes on with it: what became of it, and of the drafts it waits for."""
     from esg.commands.console import progress
-    from esg.commands.layouts import check_rendered
+    from esg.commands.datasets.layouts import check_rendered
     from esg.dataset.layouts.building import want_layouts
 
     check_rendered(folder, spec, work.layouts)
@@ -277,7 +277,7 @@ def _build(
     bar: Any,
     remote: Remote | None,
 ) -> dict[str, Any]:
-    from esg.commands.layouts import lay_out, push_layouts
+    from esg.commands.datasets.layouts import lay_out, push_layouts
     from esg.dataset.finish import clean, finish
     from esg.dataset.folder import finish_lock
     from esg.dataset.remote import is_media

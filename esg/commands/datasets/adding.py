@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from esg.commands.clips import BatchOptions, RenderOptions, checked_spec
-from esg.commands.dataset import make_batches, opened
+from esg.commands.datasets.clips import BatchOptions, RenderOptions, checked_spec
+from esg.commands.datasets.dataset import make_batches, opened
 
 if TYPE_CHECKING:
     from esg.dataset.clips.adding import Adding

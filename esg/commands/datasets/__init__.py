@@ -1,0 +1,1 @@
+"""`esg dataset`, and what it takes beside the scenes: cameras, layouts, what is drawn."""
