@@ -224,7 +224,7 @@ def test_what_made_the_truth_is_not_asked() -> None:
     code = (
         "import sys, esg.dataset.crosscheck.checks, esg.dataset.crosscheck.contacts;"
         "sys.exit(any(m in sys.modules for m in ('esg.view.truth', 'esg.view.codes', 'esg.view.capture', "
-        "'esg.view.witness')))"
+        "'esg.view.seeing')))"
     )
     done = subprocess.run([sys.executable, "-c", code], capture_output=True, text=True)
     assert done.returncode == 0, done.stderr
