@@ -2,7 +2,7 @@
 
 Nothing here knows how the truth was made: files are decoded by the formulas of the documentation,
 cameras and bodies move by the poses of the tables, shapes come from the manifest, and the
-arithmetic is its own. What made the truth (esg.view.truth, esg.view.codes) is not imported.
+arithmetic is its own. What made the truth (esg.view.truth, esg.view.seeing) is not imported.
 """
 
 from __future__ import annotations
