@@ -45,9 +45,9 @@ def ball(radius: float, center: Any, scale: Any = (1, 1, 1), detail: int = 3) ->
 
 def _axis_matrix(axis: str) -> np.ndarray | None:
     if axis == "x":
-        return rotation_matrix(math.pi / 2, [0, 1, 0])
+        return np.asarray(rotation_matrix(math.pi / 2, [0, 1, 0]))
     if axis == "y":
-        return rotation_matrix(-math.pi / 2, [1, 0, 0])
+        return np.asarray(rotation_matrix(-math.pi / 2, [1, 0, 0]))
     return None
 
 
