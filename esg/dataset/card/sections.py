@@ -282,15 +282,21 @@ def _engines(told: Told) -> Lines:
     if not found:
         return []
     rows = [
-        (name, r["events"], r["completed"], share(r["completed"], r["events"]))
-        for name, r in found["runs"].items()
+        (
+            f"{r['engine']}, {1.0 / r['dt_s']:.0f} Hz",
+            r["events"],
+            r["completed"],
+            share(r["completed"], r["events"]),
+            r["failed"],
+        )
+        for r in found
     ]
     return [
-        f"Every event in several engines and steps: on {found['agreed']} of {found['events']} "
-        f"events ({share(found['agreed'], found['events'])}) all agree whether it completes. "
-        "Table `engine_events` lets you keep only those.",
+        f"Every event in several engines and steps: on {told.facts['events_agree']:.1%} of them "
+        "all agree whether it completes. Table `engine_events`; `engines_agree` of a scene lets "
+        "you keep only those.",
         "",
-        *table(("engine, step", "events", "completed", "share"), rows, "lrrr"),
+        *table(("engine, step", "events", "completed", "share", "failed"), rows, "lrrrr"),
     ]
 
 
@@ -299,14 +305,22 @@ def _what_ifs(told: Told) -> Lines:
     if not found:
         return []
     rows = [
-        (name, r["scenes"], r["replays"], r["compared"], share(r["agreed"], r["compared"]))
+        (
+            name,
+            r["scenes"],
+            r["not_applicable"],
+            r["failed"],
+            r["changed"],
+            share(r["agree"], r["replayed"]),
+        )
         for name, r in found.items()
     ]
+    head = ("variable", "scenes", "not applicable", "failed", "other events", "engines agree")
     return [
         "Solved scenes replayed with one variable changed and nothing else (table `what_ifs`, "
         "pairs by `pair`):",
         "",
-        *table(("variable", "scenes", "replays", "compared", "engines agree"), rows, "lrrrr"),
+        *table(head, rows, "lrrrrr"),
     ]
 
 

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from pathlib import Path
 from typing import Any
+
+from esg.store.tables import iter_rows, part_files
 
 _COLUMNS = ["scene_key", "variable", "engine", "amount", "outcome", "reason", "agrees"]
 
@@ -22,11 +24,10 @@ def what_if_statistics(folder: Path) -> dict[str, Any]:
         `engines`: by engine and step, events, completed ones and failures; `events_agree`: the
         share of events that all engines see alike at all steps. Empty without such tables.
     """
-    what_ifs = _by_variable(list(_rows(folder, "what_ifs", _COLUMNS)))
+    what_ifs = _by_variable(list(iter_rows(part_files(folder, "what_ifs"), _COLUMNS)))
     events = list(
-        _rows(
-            folder,
-            "engine_events",
+        iter_rows(
+            part_files(folder, "engine_events"),
             ["scene_key", "event_id", "engine", "dt_s", "completed", "agrees"],
         )
     )
@@ -79,14 +80,3 @@ def _by_engine(rows: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
 
 def _share(part: int, whole: int) -> float | None:
     return round(part / whole, 4) if whole else None
-
-
-def _rows(folder: Path, table: str, columns: Sequence[str]) -> Iterator[dict[str, Any]]:
-    import pyarrow.parquet as pq
-
-    from esg.store.tables import part_files
-
-    for path in part_files(folder, table):
-        with pq.ParquetFile(path.absolute()) as file:
-            for batch in file.iter_batches(columns=list(columns)):
-                yield from batch.to_pylist()

@@ -6,9 +6,10 @@ from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from esg.dataset.card.facts import clips, engines, licences, outcomes, texts, variety
+from esg.dataset.card.facts import clips, licences, outcomes, texts, variety
 from esg.dataset.card.facts.failures import failure_table
 from esg.dataset.card.facts.tables import Tables
+from esg.dataset.whatifs import what_if_statistics
 
 COLLECTORS: tuple[Callable[[Tables], Mapping[str, Any]], ...] = (
     outcomes.endings,
@@ -21,8 +22,7 @@ COLLECTORS: tuple[Callable[[Tables], Mapping[str, Any]], ...] = (
     clips.clips,
     clips.truth,
     texts.texts,
-    engines.engines,
-    engines.what_ifs,
+    lambda tables: what_if_statistics(tables.out),
     licences.licences,
 )
 """Each gives some named facts, which end in `meta/info.json` as `statistics`."""
