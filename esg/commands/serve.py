@@ -19,6 +19,7 @@ if TYPE_CHECKING:
 DEFAULT_SUITE = Path("paper")
 """The name of one that comes with the package."""
 FIELDS = 5
+MAX_CHARACTERS = 500
 _SOME_DAY = datetime.datetime(2024, 1, 1, tzinfo=datetime.UTC)
 
 
@@ -131,7 +132,8 @@ def check_cron(text: str, after: datetime.datetime = _SOME_DAY) -> CronSim:
     from esg.outcomes import UserError
 
     reason = "it never fires"
-    if len(text.split()) == FIELDS:  # the library takes a sixth, for seconds
+    # The library takes a sixth field, for seconds, and numbers of any length.
+    if len(text.split()) == FIELDS and len(text) <= MAX_CHARACTERS:
         try:
             next(CronSim(text, _SOME_DAY))
             return CronSim(text, after)
@@ -139,10 +141,12 @@ def check_cron(text: str, after: datetime.datetime = _SOME_DAY) -> CronSim:
             reason = str(error).lower()
         except StopIteration:
             pass
-    else:
+    elif len(text.split()) != FIELDS:
         reason = f"{len(text.split())} fields instead of five"
+    else:
+        reason = f"longer than {MAX_CHARACTERS} characters"
     raise UserError(
-        f"--cron {text!r}: {reason}; give minute, hour, day of month, month and day of week, "
+        f"--cron {text!r:.60}: {reason}; give minute, hour, day of month, month and day of week, "
         'e.g. "0 3 * * *" for every night at three (UTC)'
     )
 

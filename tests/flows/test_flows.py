@@ -33,10 +33,10 @@ def test_flow_retries_what_may_pass_and_cleans_up(
     heard: list[str] = []
     with session(0, lambda stage, state: heard.append(stage)) as call:
         api = os.environ["PREFECT_API_URL"]
+        from esg.alone import guarded
         from flows.generate import generate
-        from tasks import batch
 
-        monkeypatch.setattr(batch, "run_stage", run)
+        monkeypatch.setattr(guarded, "run_stage", run)
         states = call(generate, ["good", "flaky", "defect"])
     assert api.startswith("http://127.0.0.1:")
     assert "PREFECT_API_URL" not in os.environ

@@ -58,10 +58,10 @@ def test_the_server_shows_names_tags_and_parameters(monkeypatch: pytest.MonkeyPa
         return replace(state, outcome=Outcome.CRASHED)
 
     with session(0) as call:
+        from esg.alone import guarded
         from flows.generate import generate
-        from tasks import batch
 
-        monkeypatch.setattr(batch, "run_stage", run)
+        monkeypatch.setattr(guarded, "run_stage", run)
         call(generate, ["A ball rolls."], 3)
         runs, tasks = _seen(os.environ["PREFECT_API_URL"])
     (mine,) = [r for r in runs if r["name"] == "generate: A ball rolls., seed 3"]

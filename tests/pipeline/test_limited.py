@@ -53,7 +53,7 @@ def test_no_handler_of_a_stage_swallows_the_interruption(
         return state
 
     monkeypatch.setenv("ESG_STAGE_SECONDS", "0.3")
-    monkeypatch.setattr("tasks.batch.run_stage", run)
+    monkeypatch.setattr("esg.alone.guarded.run_stage", run)
     states = [SceneState(SceneRequest(p)) for p in ("a", "b hangs", "c")]
     done = run_batch("optimize", states, last_attempt=True)
     assert [s.outcome for s in done] == [None, Outcome.CRASHED, None]

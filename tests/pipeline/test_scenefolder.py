@@ -48,10 +48,10 @@ def test_folder_is_named_after_the_scene_and_safe(state: SceneState) -> None:
 
 
 def test_no_name_leaves_the_folder_it_is_for() -> None:
-    from esg.commands.bench import _folder
+    from esg.commands.bench import _usual_folder
 
     for name in ("../../x", "a/b", "..", "my suite", "日本", "a\\b\n"):
-        assert "/" not in _folder(name, "none", "physx", False, "exact")
+        assert _usual_folder(name, "none", "physx", False, "exact").parent == Path("runs")
         assert re.fullmatch(r"[A-Za-z0-9][A-Za-z0-9._-]*|", safe_name(name))
     assert safe_name("paper") == "paper"
 
