@@ -9,8 +9,9 @@ from dataclasses import replace
 import math
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.jointed import articulation_of, head_of
-from esg.draft.discourse.referents.entities import Entity
+from esg.draft.discourse.jointed import articulation_of
+from esg.draft.discourse.referents.entities import Entity, head_of
+from esg.draft.discourse.referents.parts import parts_of
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import Scene
@@ -35,14 +36,14 @@ def join_parts(scene: Scene) -> list[str]:
     for e in list(scene.world.entities.values()):
         row = articulation_of(scene, scene.text, e)
         fixed = e.id in scene.attached and e.id not in acting  # nothing happens to it
-        if row is None or fixed or f"{e.id}/inside" in entered:
+        if row is None or e.whole or fixed or f"{e.id}/inside" in entered:
             continue
         ratio = _become(e, row.becomes)
         if e.id in scene.attached:
             held = _joint(scene, row, e, scene.world.entities[scene.attached[e.id]], 1, ratio)
             scene.joints.append(held.model_copy(update={"parent_mount": None}))
             continue
-        added = _served(scene, row)
+        added = _served(scene, row, e)
         for _ in range(row.count - len(added)):
             noun = lex.part(row.with_part)
             part = add_entity(scene.world, noun, noun.name, mentioned=False)
@@ -95,14 +96,28 @@ def _become(e: Entity, name: str) -> list[float]:
     return [d / u for d, u in zip(dimensions_of(e), part.dimensions_cm, strict=True)]
 
 
-def _served(scene: Scene, row: Articulation) -> list[Entity]:
-    """A thing of the prompt that serves as the other part, made that; empty if there is none."""
+def _served(scene: Scene, row: Articulation, named: Entity) -> list[Entity]:
+    """What of the prompt serves as the other part, made that; empty if there is nothing."""
+    parts = parts_of(scene.world, named)
+    for part in parts:
+        _become(part, row.with_part)
+        part.group = part.pattern = None
+        _not_placed(scene, part.id)
+    if parts:
+        return parts
     taken = {name for j in scene.joints for name in (j.child, j.parent)}
     for e in scene.world.entities.values():
         if head_of(e) in row.serves and e.id not in taken and row.count == 1:
             _become(e, row.with_part)
             return [e]
     return []
+
+
+def _not_placed(scene: Scene, node: str) -> None:
+    """Forgets where a part is said to be: its joint says so."""
+    scene.relations = [r for r in scene.relations if node not in (r.source, r.target)]
+    for places in (scene.supported_by, scene.inside_of, scene.marked):
+        places.pop(node, None)
 
 
 def _joint(
@@ -116,8 +131,9 @@ def _joint(
     start = max((_OPEN.get(a, 0.0) for a in words), default=0.0)
     start = (row.opened or 0.0) * start or row.start
 
-    # of several, the first is let go and meets the others
+    # of several, the first is let go and meets the others, unless the prompt says which
     opening = scene.openings.get(named.id, start) if n == 1 else row.start
+    opening = scene.openings.get(added.id, opening)
 
     def sized(value: float | None) -> float | None:
         return None if value is None else round(value * long, 3)

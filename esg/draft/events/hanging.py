@@ -6,6 +6,8 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, mark_used
 from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.parts import parts_of
+from esg.draft.discourse.referents.registry import current_id
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.timing import moved_by_others
 from esg.draft.events.told import amount, at_rest
@@ -19,7 +21,11 @@ _OPENING = SHUTTING | {"open"}
 _SWINGING = {
     ("noop", "sway"): "swing",
     ("noop", "oscillate"): "swing",
+    ("noop", "click"): "swing",
     ("drop", "release"): "let_go",
+    ("carry", "lift"): "let_go",
+    ("carry", "raise"): "let_go",
+    ("tow", "pull"): "let_go",
 }
 
 
@@ -64,7 +70,21 @@ def let_go(d: Discourse, f: Frame, bodies: list[str]) -> None:
         row = row_of(d, body)
         if row is None or moved_by_others(d, body) or not at_rest(d, body):
             continue
-        d.scene.openings[body] = (row.drawn or 0.0) if angle is None else angle.high
+        drawn = (row.drawn or 0.0) if angle is None else angle.high
+        d.scene.openings[body] = -drawn if _on_the_far_side(d, body) else drawn
         if angle is not None:
             mark_used(d, angle, "where it is let go")
         d.timeline.move(body, Motion("release"), ForceDirection.ANY_3D)
+
+
+def row_parts(d: Discourse, body: str) -> list[str]:
+    """The parts among which a part goes by its number, in their order: the balls of a cradle."""
+    e = entity_of(d, body)
+    whole = d.world.entities.get(current_id(d.world, e.whole))
+    return [] if whole is None else [x.id for x in parts_of(d.world, whole)]
+
+
+def _on_the_far_side(d: Discourse, body: str) -> bool:
+    """Whether a part is drawn back the other way: the last ball of a cradle."""
+    row = row_parts(d, body)
+    return body in row and 2 * row.index(body) > len(row)

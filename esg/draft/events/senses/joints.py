@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 import re
 
 from esg.draft.discourse.core import kind_of, mark_used, movable
@@ -9,7 +10,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, add_hit
 from esg.draft.events.consequences import already_hit, struck_before
-from esg.draft.events.hanging import SHUTTING, hanging, let_go, openable, row_of
+from esg.draft.events.hanging import SHUTTING, hanging, let_go, openable, row_of, row_parts
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.senses.contact import hit_targets
 from esg.draft.events.senses.handling import so_often
@@ -69,7 +70,7 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         add_hit(d, f, things[:1], hung, time_of(d, f))
     for body in hung:
         struck_before(d, f, body)
-    let_go(d, f, hung)
+    let_go(d, f, [body for body in hung if not _handed_on(d, f, body)])
     met = f.phrase("at", "into", "against", "through", "on") is not None
     target = [i for i in hit_targets(f, s, o) if i not in hung] if met else []
     note = "swings"
@@ -95,3 +96,17 @@ def read_let_go(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     let_go(d, f, hung)
     mark_used(d, f, "let go")
+
+
+def _handed_on(d: Discourse, f: Frame, body: str) -> bool:
+    """Lets the part of a row that was let go hit its neighbour, whose blow goes on to `body`."""
+    row = row_parts(d, body)
+    sent = next((i for i in row if i in d.scene.openings and i != body), None)
+    if sent is None:
+        return False
+    low, high = sorted((row.index(sent), row.index(body)))
+    way = row[low : high + 1]
+    for mover, target in pairwise(way if sent == way[0] else way[::-1]):
+        if not (track := d.timeline.tracks.get(target)) or not track.hit:
+            add_hit(d, f, [mover], [target], time_of(d, f))
+    return True
