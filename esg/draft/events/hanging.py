@@ -12,12 +12,16 @@ from esg.draft.discourse.tracks import Motion
 from esg.draft.events.timing import moved_by_others
 from esg.draft.events.told import amount, at_rest
 from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.text.elements import Mention
 from esg.graph.models import ForceDirection
 from esg.lexicon.articulations import Articulation
 
 SHUTTING = lex.word_set("shutting") | {"closed"}
 _TURNING = lex.word_set("turning on an axle")
 _OPENING = SHUTTING | {"open"}
+_TIPPING = {("topple", "tip"), ("noop", "tilt"), ("noop", "rock"), ("noop", "seesaw")}
+TIPPED = 0.6
+"""Share of its limit to which a seesaw with nobody on it is tipped; its friction holds it there."""
 _SWINGING = {
     ("noop", "sway"): "swing",
     ("noop", "oscillate"): "swing",
@@ -46,6 +50,19 @@ def openable(d: Discourse, bodies: list[str]) -> list[str]:
     return [b for b in bodies if (row := row_of(d, b)) is not None and row.opened is not None]
 
 
+def tipping(d: Discourse, bodies: list[str]) -> list[str]:
+    """Those that tip to one side or the other: a seesaw."""
+    return [b for b in bodies if (row := row_of(d, b)) is not None and row.tips]
+
+
+def tipped(d: Discourse, m: Mention) -> None:
+    """ "On the raised end of a seesaw": one end is up before something lands there."""
+    if m.part.endswith("end"):
+        for body in tipping(d, m.entities):
+            row = row_of(d, body)
+            d.scene.openings.setdefault(body, TIPPED * (row.upper or 0.0) if row else 0.0)
+
+
 def turning(d: Discourse, bodies: list[str]) -> list[str]:
     """Those that turn on and on about an axle: a merry-go-round, the sails of a windmill."""
     rows = ((b, row_of(d, b)) for b in bodies)
@@ -59,6 +76,8 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
         return "open"
     if f.verb.lemma in _TURNING and turning(d, bodies):
         return "spin"
+    if (f.verb.sense, f.verb.lemma) in _TIPPING and tipping(d, bodies[:1]):
+        return "tip"
     swings = _SWINGING.get((f.verb.sense, f.verb.lemma))
     return swings if swings is not None and hanging(d, bodies) else None
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from itertools import pairwise
 import re
 
 from esg.draft.discourse.core import kind_of, mark_used, movable
@@ -10,7 +9,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, add_hit
 from esg.draft.events.consequences import already_hit, struck_before
-from esg.draft.events.hanging import SHUTTING, hanging, let_go, openable, row_of, row_parts
+from esg.draft.events.hanging import SHUTTING, hanging, let_go, openable, row_of, row_parts, tipping
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.senses.contact import hit_targets
 from esg.draft.events.senses.handling import so_often
@@ -22,6 +21,7 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import ForceDirection, NodeEvent
 
 _BACK_AND_FORTH = re.compile(r"back and forth|to and fro|from side to side", re.IGNORECASE)
+_OTHER_SIDE = re.compile(r"(?:on)?to (?:the|its) other (?:side|end)", re.IGNORECASE)
 _TO_AND_FRO = 3
 """How often what swings back and forth passes its lowest point, at least."""
 
@@ -52,6 +52,24 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         at = place_of(word, d.text, f) if word in f.adverbs else None
         if at is not None:
             d.scene.used[at] = note
+
+
+@sense("tip")
+def read_tip(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    """ "A seesaw tips to the other side": by what landed on it, else of its own accord."""
+    doers, moved = doer_and_done(f, s, o) if o or f.verb.passive else ([], s)
+    moved = tipping(d, moved)
+    if doers and not already_hit(d, f, doers, moved):
+        add_hit(d, f, doers[:1], moved, time_of(d, f))
+    for body in moved:
+        if at_rest(d, body) and not moved_by_others(d, body):
+            d.timeline.move(body, Motion("drive"), ForceDirection.ANY_3D)
+        note = add_event(d, NodeEvent.OPEN, (body,), f, time_of(d, f))
+        d.timeline.track(body).motion = None
+        mark_used(d, f, note)
+    way = _OTHER_SIDE.search(d.text, f.verb.end)
+    if moved and way is not None:
+        d.scene.used[way.span()] = "tips"
 
 
 @sense("swing")
@@ -104,9 +122,12 @@ def _handed_on(d: Discourse, f: Frame, body: str) -> bool:
     sent = next((i for i in row if i in d.scene.openings and i != body), None)
     if sent is None:
         return False
-    low, high = sorted((row.index(sent), row.index(body)))
-    way = row[low : high + 1]
-    for mover, target in pairwise(way if sent == way[0] else way[::-1]):
-        if not (track := d.timeline.tracks.get(target)) or not track.hit:
-            add_hit(d, f, [mover], [target], time_of(d, f))
+    beside = row[row.index(sent) + (1 if row.index(body) > row.index(sent) else -1)]
+    first = d.timeline.tracks.get(beside)
+    if first is None or not first.hit:
+        add_hit(d, f, [sent], [beside], time_of(d, f))
+    if body != beside and at_rest(d, body):
+        # the balls between them stay where they are: one blow goes through all of them
+        first, last = d.timeline.track(beside), d.timeline.track(body)
+        last.at, last.hit, last.role = first.at, True, first.role
     return True
