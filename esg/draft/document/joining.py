@@ -15,12 +15,15 @@ from esg.draft.discourse.referents.parts import parts_of
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import Scene
+from esg.graph.joints import FOOT
 from esg.graph.models import EdgeEvent, Joint
 from esg.lexicon.articulations import Articulation
 
 _OPEN = {"open": 1.0, "opened": 1.0, "wide-open": 1.0, "half-open": 0.5, "ajar": 0.25}
 """Share of how far a thing opens at which it starts, by what it is called."""
 
+JOLT_MPS = 0.3
+"""A change of speed within a step after which nothing holds what sits on a seesaw but its weight."""
 _MOTIONS = (EdgeEvent.DRIVE, EdgeEvent.RELEASE)
 
 
@@ -62,7 +65,30 @@ def join_parts(scene: Scene) -> list[str]:
             scene.joints.append(_joint(scene, row, e, part, n, ratio))
         if row.carries == "becomes":
             _hand_over(scene, e.id, added[0].id)
+    _seat_on_seesaws(scene)
     return reasons
+
+
+def _seat_on_seesaws(scene: Scene) -> None:
+    """Holds what sits on the low end of a tipped seesaw there until the board jolts it."""
+    for node, board in scene.supported_by.items():
+        row = articulation_of(scene, scene.text, scene.world.entities[board])
+        if row is None or not row.tips or not scene.openings.get(board):
+            continue
+        e = scene.world.entities[node]
+        mass = e.mass_kg or e.noun.mass_kg
+        scene.joints.append(
+            Joint(
+                id=f"{node}_seat",
+                kind="fixed",
+                child=node,
+                child_mount=FOOT,
+                parent=board,
+                parent_mount="front end",
+                break_impulse=round(JOLT_MPS * mass, 4),
+                collide=True,
+            )
+        )
 
 
 def _hand_over(scene: Scene, named: str, part: str) -> None:

@@ -63,6 +63,28 @@ def tipped(d: Discourse, m: Mention) -> None:
             d.scene.openings.setdefault(body, TIPPED * (row.upper or 0.0) if row else 0.0)
 
 
+def sent_up(d: Discourse, f: Frame, agents: list[str], sent: list[str]) -> bool:
+    """ "A crate drops onto a seesaw and launches a ball": it sits on the end that is down.
+
+    Returns:
+        Whether a seesaw, or what landed on one, does the launching.
+    """
+    last = d.moves.last_hit
+    landed = [last[1]] if last is not None and last[0] in agents else []
+    board = next(iter(tipping(d, [*agents, *landed])), None)
+    if board is None or board in sent or not d.timeline.track(board).hit:
+        return False
+    row = row_of(d, board)
+    d.scene.openings[board] = (row.upper or 0.0) if row else 0.0
+    for body in sent:
+        d.scene.supported_by[body] = board
+        d.scene.relations = [r for r in d.scene.relations if body not in (r.source, r.target)]
+        track, under = d.timeline.track(body), d.timeline.track(board)
+        track.at, track.hit, track.role, track.closed = under.at, True, under.role, False
+    mark_used(d, f, "launched by the seesaw")
+    return True
+
+
 def turning(d: Discourse, bodies: list[str]) -> list[str]:
     """Those that turn on and on about an axle: a merry-go-round, the sails of a windmill."""
     rows = ((b, row_of(d, b)) for b in bodies)
