@@ -16,14 +16,16 @@ from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import Scene
 from esg.graph.joints import FOOT
-from esg.graph.models import EdgeEvent, Joint
+from esg.graph.models import EdgeEvent, Joint, NodeEvent
 from esg.lexicon.articulations import Articulation
 
 _OPEN = {"open": 1.0, "opened": 1.0, "wide-open": 1.0, "half-open": 0.5, "ajar": 0.25}
 """Share of how far a thing opens at which it starts, by what it is called."""
 
+GIVES_WAY_MPS = 1e-3
+"""Change of speed that a snapped rope still bears: far less than gravity's in a step."""
 JOLT_MPS = 0.3
-"""A change of speed within a step after which nothing holds what sits on a seesaw but its weight."""
+"""A change of speed within a step after which what sits on a seesaw is held by its weight alone."""
 _MOTIONS = (EdgeEvent.DRIVE, EdgeEvent.RELEASE)
 
 
@@ -86,7 +88,6 @@ def _seat_on_seesaws(scene: Scene) -> None:
                 parent=board,
                 parent_mount="front end",
                 break_impulse=round(JOLT_MPS * mass, 4),
-                collide=True,
             )
         )
 
@@ -161,6 +162,13 @@ def _joint(
     opening = scene.openings.get(named.id, start) if n == 1 else row.start
     opening = scene.openings.get(added.id, opening)
 
+    # what hangs and falls: whatever held it gives way under its weight as the scene starts
+    comes_down = row.hangs or (row.kind == "rope" and row.carries == "with")
+    falls = comes_down and any(
+        n.event is NodeEvent.FALL and child.id in n.participants for n in scene.timeline.nodes
+    )
+    gives_way = GIVES_WAY_MPS * (child.mass_kg or child.noun.mass_kg)
+
     def sized(value: float | None) -> float | None:
         return None if value is None else round(value * long, 3)
 
@@ -177,6 +185,7 @@ def _joint(
         stiffness=row.stiffness,
         damping=_grown(row.damping, size ** (5 if turns else 3)),
         friction=_grown(row.friction, size ** (4 if turns else 3)),
+        break_impulse=float(f"{gives_way:.6g}") if falls else None,
     )
 
 
