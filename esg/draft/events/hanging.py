@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, mark_used
 from esg.draft.discourse.jointed import articulation_of
@@ -19,6 +21,7 @@ from esg.lexicon.articulations import Articulation
 SHUTTING = lex.word_set("shutting") | {"closed"}
 _TURNING = lex.word_set("turning on an axle")
 _OPENING = SHUTTING | {"open"}
+OTHER_SIDE = re.compile(r"(?:on)?to (?:the|its) other (?:side|end)", re.IGNORECASE)
 _TIPPING = {("topple", "tip"), ("noop", "tilt"), ("noop", "rock"), ("noop", "seesaw")}
 TIPPED = 0.6
 """Share of its limit to which a seesaw with nobody on it is tipped; its friction holds it there."""
@@ -99,7 +102,8 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     if f.verb.lemma in _TURNING and turning(d, bodies):
         return "spin"
     if (f.verb.sense, f.verb.lemma) in _TIPPING and tipping(d, bodies[:1]):
-        return "tip"
+        landed_on = not at_rest(d, bodies[0]) or OTHER_SIDE.search(d.text, f.verb.end)
+        return "tip" if landed_on else None
     swings = _SWINGING.get((f.verb.sense, f.verb.lemma))
     return swings if swings is not None and hanging(d, bodies) else None
 

@@ -292,7 +292,9 @@ def _pass_on(f: Facts, disturbed: Bools) -> None:
     A domino that a marble hits strikes the next one before it has gone a centimetre.
     """
     c, r = f.replay.contacts, f.replay
-    moves = r.speed > MOVING_MPS
+    reach = np.array([float(np.linalg.norm(b.half_extents)) for b in r.scene.bodies])
+    # a seesaw turns about its middle, which stays where it is
+    moves = np.maximum(r.speed, np.linalg.norm(r.spin, axis=-1) * reach) > MOVING_MPS
     rows = np.flatnonzero((c.impulse > 0) & (c.a >= 0) & (c.b >= 0))
     frames = np.clip(np.searchsorted(r.time, c.time[rows] - 0.5 * r.frame_s), 0, len(r.time) - 1)
     met: set[int] = set()

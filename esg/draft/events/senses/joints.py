@@ -9,7 +9,16 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, add_hit
 from esg.draft.events.consequences import already_hit, struck_before
-from esg.draft.events.hanging import SHUTTING, hanging, let_go, openable, row_of, row_parts, tipping
+from esg.draft.events.hanging import (
+    OTHER_SIDE,
+    SHUTTING,
+    hanging,
+    let_go,
+    openable,
+    row_of,
+    row_parts,
+    tipping,
+)
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.senses.contact import hit_targets
 from esg.draft.events.senses.handling import so_often
@@ -21,7 +30,6 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import ForceDirection, NodeEvent
 
 _BACK_AND_FORTH = re.compile(r"back and forth|to and fro|from side to side", re.IGNORECASE)
-_OTHER_SIDE = re.compile(r"(?:on)?to (?:the|its) other (?:side|end)", re.IGNORECASE)
 _TO_AND_FRO = 3
 """How often what swings back and forth passes its lowest point, at least."""
 
@@ -67,7 +75,7 @@ def read_tip(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         note = add_event(d, NodeEvent.OPEN, (body,), f, time_of(d, f))
         d.timeline.track(body).motion = None
         mark_used(d, f, note)
-    way = _OTHER_SIDE.search(d.text, f.verb.end)
+    way = OTHER_SIDE.search(d.text, f.verb.end)
     if moved and way is not None:
         d.scene.used[way.span()] = "tips"
 
@@ -94,7 +102,7 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     note = "swings"
     if target:
         add_hit(d, f, hung[:1], target, time_of(d, f))
-    else:
+    elif "down" not in f.adverbs:  # "swings down and hits": the way there
         for body in hung:
             note = node = add_event(d, NodeEvent.SWING, (body,), f, time_of(d, f))
             so_often(d, f, node)
