@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
-from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import Relation
 from esg.graph.models import Quantity
@@ -74,9 +73,7 @@ def place(
 
 def _at_part(d: Discourse, kind: str, word: str, other: str) -> str:
     """The relation to a thing of what is at one of its parts ("at the edge of the table")."""
-    row = articulation_of(d.scene, d.text, entity_of(d, other))
-    holds_up = "support" in entity_of(d, other).noun.traits or (row is not None and row.tips)
-    if word in ("edge", "corner", "rim", "end") and holds_up:
+    if word in ("edge", "corner", "rim", "end") and "support" in entity_of(d, other).noun.traits:
         return "on"
     if word in ("side", "front", "back", "end", "left", "right"):
         beside = {"front": "in_front_of", "back": "behind"}.get(word, "adjacent")
