@@ -233,9 +233,10 @@ def _was_hit(
     """Whether the body was hit at the begin or, if it takes part in that, at an event before it.
 
     A hit of what the body rests on, or of another member of its plural (a stack, a train), moves
-    it too.
+    it too, and so does one of what hangs beside it (the balls of a cradle).
     """
     movers = {edge.actor, *ctx.supports(edge.actor)} | _plural(ctx, edge.actor)
+    movers |= _hung_beside(ctx, edge.actor)
     if edge.actor not in begin.participants:
         borne = bool(movers & {*begin.participants}) or not _support_known(ctx, edge.actor)
         return begin.event is NodeEvent.COLLISION and borne
@@ -272,6 +273,13 @@ def _plural(ctx: Context, name: str) -> set[str]:
     if node is None or node.group is None:
         return set()
     return {other for other, n in ctx.nodes.items() if n.group == node.group and other != name}
+
+
+def _hung_beside(ctx: Context, name: str) -> set[str]:
+    """What hangs on joints from the same thing as a node."""
+    joints = ctx.graph.joints or ()
+    carriers = {j.parent for j in joints if j.child == name and j.parent is not None}
+    return {j.child for j in joints if j.parent in carriers}
 
 
 def check_parameters(

@@ -65,6 +65,12 @@ class Articulation:
         return self.drawn is not None and self.carries == "with" and self.kind in ("ball", "hinge")
 
     @property
+    def tips(self) -> bool:
+        """Whether it tips to one side or to the other: a seesaw."""
+        free = self.opened is None and self.drawn is None
+        return self.kind == "hinge" and free and (self.lower or 0.0) < 0.0 < (self.upper or 0.0)
+
+    @property
     def turns(self) -> bool:
         """Whether it turns on and on, neither opening nor hanging."""
         free = self.lower is None and self.upper is None

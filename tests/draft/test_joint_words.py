@@ -112,3 +112,85 @@ def test_back_and_forth_is_more_than_once():
 )
 def test_what_no_joint_shows_is_owned_up_to(prompt, words):
     assert lost(draft(prompt)) == words
+
+
+@pytest.mark.parametrize(
+    ("prompt", "drawn", "events"),
+    [
+        (
+            "In a Newton's cradle, the first ball is lifted and released; the last ball swings out.",
+            {"first_ball_1": 35.0},
+            [("Collision", "first_ball_1", "ball_2"), ("Swing", "last_ball_1")],
+        ),
+        (
+            "The last ball of a Newton's cradle is released, and the first ball swings out.",
+            {"last_ball_1": -35.0},
+            [("Collision", "last_ball_1", "ball_4"), ("Swing", "first_ball_1")],
+        ),
+        (
+            "In a Newton's cradle the first ball swings down and hits the second one.",
+            {"first_ball_1": 35.0},
+            [("Collision", "first_ball_1", "second_ball_1")],
+        ),
+        (
+            "A Newton's cradle with five steel balls clicks back and forth.",
+            {"steel_ball_1": 35.0},
+            [("Swing", "steel_ball_1")],
+        ),
+    ],
+)
+def test_the_balls_of_a_cradle_go_by_their_number(prompt, drawn, events):
+    doc = draft(prompt)
+    assert not verify(doc)
+    joints = doc.spatial_relation_graph.joints or ()
+    assert len({j.child for j in joints}) == len(joints) == 5
+    assert {j.child: j.position for j in joints if j.position} == drawn
+    assert told(doc) == events
+
+
+def test_a_ball_beside_a_cradle_is_none_of_its_own():
+    doc = draft("A ball rolls into a Newton's cradle. The ball stops.")
+    assert "ball_1" not in {j.child for j in doc.spatial_relation_graph.joints or ()}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "start"),
+    [
+        ("A crate drops onto one end of a seesaw.", 12.0),
+        ("A stone lands on the raised end of a seesaw.", 12.0),
+        ("A seesaw tips to the other side when a stone lands on its raised end.", 12.0),
+        ("A crate drops onto one end of a seesaw and launches a ball from the other end.", 20.0),
+        ("A crate drops onto a seesaw.", 0.0),
+    ],
+)
+def test_a_seesaw_that_is_landed_on_at_one_end_starts_tipped(prompt, start):
+    doc = draft(prompt)
+    assert not verify(doc)
+    assert ("Collision", "seesaw_1") in [(e, a[-1]) for e, *a in told(doc)]
+    board = next(j for j in doc.spatial_relation_graph.joints or () if j.child == "seesaw_1")
+    assert board.position == start
+
+
+def test_what_a_seesaw_launches_sits_on_its_low_end_until_the_jolt():
+    doc = draft("A crate drops onto one end of a seesaw and launches a ball from the other end.")
+    seat = next(j for j in doc.spatial_relation_graph.joints or () if j.child == "ball_1")
+    assert (seat.kind, seat.parent, seat.parent_mount) == ("fixed", "seesaw_1", "front end")
+    assert seat.break_impulse
+    assert "ball_1" not in segments(doc)  # nothing throws it
+
+
+@pytest.mark.parametrize(
+    ("prompt", "child", "falls"),
+    [
+        ("The rope of a hanging flower pot snaps, and the pot falls down.", "flower_pot_1", True),
+        (
+            "A wrecking ball's chain snaps and the ball drops to the ground.",
+            "wrecking_ball_1",
+            True,
+        ),
+        ("A wrecking ball swings into a car.", "wrecking_ball_1", False),
+    ],
+)
+def test_what_hangs_and_falls_is_held_by_nothing(prompt, child, falls):
+    held = next(j for j in draft(prompt).spatial_relation_graph.joints or () if j.child == child)
+    assert (held.break_impulse is not None) is falls

@@ -358,3 +358,20 @@ def test_a_world_that_diverged_is_not_plausible() -> None:
     world = World().add(ball("ball_1"))
     found = assess(world.scene, world.program, world.rollout(valid=False), Told())
     assert not found.plausible
+
+
+@pytest.mark.parametrize(("held", "ok"), [(True, True), (False, False)])
+@pytest.mark.parametrize(("struck", "passes"), [(True, True), (False, False)])
+def test_what_a_joint_holds_is_moved_by_it(
+    held: bool, ok: bool, struck: bool, passes: bool
+) -> None:
+    """A board that a crate strikes turns about its middle, and sends up what is fixed to it."""
+    world = World().add(ball("crate_1"), x=line(-3.0, 3.0), y=5.0)
+    world.add(body("board_1"), pitch_deg=line(0.0, 90.0, 1.0, 1.2))
+    world.add(body("duck_1"), x=0.5, z=line(0.1, 2.0, 1.0, 1.5))
+    world.run(SetVelocity("crate_1", 0.0, (3.0, 0.0, 0.0)))
+    if held:
+        world.join("fixed", "duck_1", "board_1")
+    if struck:
+        world.touch(1.0, "crate_1", "board_1")
+    assert checked(world)["motion_before"].ok is (ok and passes)

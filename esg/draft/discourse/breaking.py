@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from esg.draft.discourse.jointed import articulation_of, head_of
-from esg.draft.discourse.referents.entities import Entity
+from esg.draft.discourse.jointed import articulation_of
+from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.scene import Scene
 from esg.lexicon.breakables import Breakable, breakables
 

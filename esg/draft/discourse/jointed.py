@@ -6,7 +6,8 @@ from dataclasses import replace
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import Entity
+from esg.draft.discourse.referents.entities import Entity, head_of
+from esg.draft.discourse.referents.registry import current_id
 from esg.draft.discourse.scene import Scene
 from esg.lexicon.articulations import Articulation, articulations
 
@@ -23,6 +24,8 @@ def articulation_of(scene: Scene, text: str, e: Entity) -> Articulation | None:
     their own, and so has a lamp below a ceiling, which hangs.
     """
     table = articulations()
+    if e.whole:  # a ball of a cradle
+        e = scene.world.entities[current_id(scene.world, e.whole)]
     row = next((table[name] for name in _names(scene, text, e) if name in table), None)
     if row is None or (e.id in scene.attached and not (row.hangs and _below_ceiling(scene, e))):
         return None
@@ -55,8 +58,3 @@ def loosen(scene: Scene, text: str) -> None:
         row = articulation_of(scene, text, e)
         if row is not None and row.drawn is not None and row.carries == "with":
             e.noun = replace(e.noun, traits=e.noun.traits - {"fixed", "structural"})
-
-
-def head_of(e: Entity) -> str:
-    """The noun as the table has it: tokens part a possessive ("newton 's cradle")."""
-    return e.head.lower().replace(" 's", "'s")

@@ -7,6 +7,7 @@ from esg.draft.discourse.places import carries, elevated, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.acts import add_event, add_hit, share_support
 from esg.draft.events.ends import opening, takes_up_from_above
+from esg.draft.events.hanging import tipped
 from esg.draft.events.roles import role
 from esg.draft.events.timing import enter, enterable, is_airborne, representatives, time_of
 from esg.draft.events.told import happened, mates_of, recent, traits_of
@@ -118,6 +119,7 @@ def landing_of(d: Discourse, f: Frame, moved: list[str]) -> bool:
     if not m.entities or (structural(d, m.entities[0]) and m.start < f.verb.start):
         return False  # "In a café a waiter drops a tray": where, not where to
     other = m.entities[0]
+    tipped(d, m)
     d.moves.came_down.update(moved)
     for t in [t for t in moved if t != other]:
         if structural(d, other):

@@ -2,24 +2,37 @@
 
 from __future__ import annotations
 
+import re
+
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, mark_used
 from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.parts import parts_of
+from esg.draft.discourse.referents.registry import current_id
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.timing import moved_by_others
 from esg.draft.events.told import amount, at_rest
 from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.text.elements import Mention
 from esg.graph.models import ForceDirection
 from esg.lexicon.articulations import Articulation
 
 SHUTTING = lex.word_set("shutting") | {"closed"}
 _TURNING = lex.word_set("turning on an axle")
 _OPENING = SHUTTING | {"open"}
+OTHER_SIDE = re.compile(r"(?:on)?to (?:the|its) other (?:side|end)", re.IGNORECASE)
+_TIPPING = {("topple", "tip"), ("noop", "tilt"), ("noop", "rock"), ("noop", "seesaw")}
+TIPPED = 0.6
+"""Share of its limit to which a seesaw with nobody on it is tipped; its friction holds it there."""
 _SWINGING = {
     ("noop", "sway"): "swing",
     ("noop", "oscillate"): "swing",
+    ("noop", "click"): "swing",
     ("drop", "release"): "let_go",
+    ("carry", "lift"): "let_go",
+    ("carry", "raise"): "let_go",
+    ("tow", "pull"): "let_go",
 }
 
 
@@ -40,6 +53,41 @@ def openable(d: Discourse, bodies: list[str]) -> list[str]:
     return [b for b in bodies if (row := row_of(d, b)) is not None and row.opened is not None]
 
 
+def tipping(d: Discourse, bodies: list[str]) -> list[str]:
+    """Those that tip to one side or the other: a seesaw."""
+    return [b for b in bodies if (row := row_of(d, b)) is not None and row.tips]
+
+
+def tipped(d: Discourse, m: Mention) -> None:
+    """ "On the raised end of a seesaw": one end is up before something lands there."""
+    if m.part.endswith("end"):
+        for body in tipping(d, m.entities):
+            row = row_of(d, body)
+            d.scene.openings.setdefault(body, TIPPED * (row.upper or 0.0) if row else 0.0)
+
+
+def sent_up(d: Discourse, f: Frame, agents: list[str], sent: list[str]) -> bool:
+    """ "A crate drops onto a seesaw and launches a ball": it sits on the end that is down.
+
+    Returns:
+        Whether a seesaw, or what landed on one, does the launching.
+    """
+    last = d.moves.last_hit
+    landed = [last[1]] if last is not None and last[0] in agents else []
+    board = next(iter(tipping(d, [*agents, *landed])), None)
+    if board is None or board in sent or not d.timeline.track(board).hit:
+        return False
+    row = row_of(d, board)
+    d.scene.openings[board] = (row.upper or 0.0) if row else 0.0
+    for body in sent:
+        d.scene.supported_by[body] = board
+        d.scene.relations = [r for r in d.scene.relations if body not in (r.source, r.target)]
+        track, under = d.timeline.track(body), d.timeline.track(board)
+        track.at, track.hit, track.role, track.closed = under.at, True, under.role, False
+    mark_used(d, f, "launched by the seesaw")
+    return True
+
+
 def turning(d: Discourse, bodies: list[str]) -> list[str]:
     """Those that turn on and on about an axle: a merry-go-round, the sails of a windmill."""
     rows = ((b, row_of(d, b)) for b in bodies)
@@ -53,6 +101,9 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
         return "open"
     if f.verb.lemma in _TURNING and turning(d, bodies):
         return "spin"
+    if (f.verb.sense, f.verb.lemma) in _TIPPING and tipping(d, bodies[:1]):
+        landed_on = not at_rest(d, bodies[0]) or OTHER_SIDE.search(d.text, f.verb.end)
+        return "tip" if landed_on else None
     swings = _SWINGING.get((f.verb.sense, f.verb.lemma))
     return swings if swings is not None and hanging(d, bodies) else None
 
@@ -64,7 +115,21 @@ def let_go(d: Discourse, f: Frame, bodies: list[str]) -> None:
         row = row_of(d, body)
         if row is None or moved_by_others(d, body) or not at_rest(d, body):
             continue
-        d.scene.openings[body] = (row.drawn or 0.0) if angle is None else angle.high
+        drawn = (row.drawn or 0.0) if angle is None else angle.high
+        d.scene.openings[body] = -drawn if _on_the_far_side(d, body) else drawn
         if angle is not None:
             mark_used(d, angle, "where it is let go")
         d.timeline.move(body, Motion("release"), ForceDirection.ANY_3D)
+
+
+def row_parts(d: Discourse, body: str) -> list[str]:
+    """The parts among which a part goes by its number, in their order: the balls of a cradle."""
+    e = entity_of(d, body)
+    whole = d.world.entities.get(current_id(d.world, e.whole))
+    return [] if whole is None else [x.id for x in parts_of(d.world, whole)]
+
+
+def _on_the_far_side(d: Discourse, body: str) -> bool:
+    """Whether a part is drawn back the other way: the last ball of a cradle."""
+    row = row_parts(d, body)
+    return body in row and 2 * row.index(body) > len(row)

@@ -16,6 +16,7 @@ from esg.draft.discourse.core import (
     amounts_of,
     entity_of,
     facts_of,
+    ids_of,
     kind_of,
     mark_used,
 )
@@ -25,6 +26,7 @@ from esg.draft.discourse.jointed import loosen
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, refer_all
+from esg.draft.discourse.referents.parts import has_counted_parts
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import apply_amount
 from esg.draft.discourse.scene import SELF_POWERED, Scene
@@ -119,6 +121,11 @@ def interpret(
     """Walks over frames in order of time and fills the scene."""
     # references are resolved in the order of the text, events in the order of time
     d.told, d.attached = frames, attachments
+    named = [m for m, p in attachments for m in (m, p.mention)]
+    named += [m for f in frames for m in (f.subject, f.object, *(p.mention for p in f.phrases))]
+    for m in named:
+        if m is not None and has_counted_parts(m):
+            ids_of(d, m)  # "the first ball of a Newton's cradle": there before its parts
     refer_all(d, frames)
     loosen(d.scene, d.text)
     dodge(frames, d.text)

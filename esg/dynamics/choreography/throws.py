@@ -9,6 +9,7 @@ from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.stagecraft import Prop, release_height, support_of, top_surface
 from esg.dynamics.story.story import Phase, Story, bounds
+from esg.dynamics.story.suspension import landing_place
 from esg.dynamics.story.tipping import FLIES_AT
 from esg.engines.scene import Region
 from esg.graph.models import EdgeEvent, NamedRegion, NodeEvent, RelationType, TimelineNode
@@ -224,10 +225,12 @@ def drop(stage: Stage, e: Encounter) -> None:
         # Into the hoop, not onto its post.
         cx, cy, _ = region.center_cm
         x, y = Frame(x, y, yaw or 0.0).apply(cx / 100.0, cy / 100.0)
+    along, top = landing_place(stage.doc, stage.member(b)) or (0.0, pb.height)
+    x, y = Frame(x, y, yaw or 0.0).apply(along, 0.0) if along else (x, y)
     height = drop_height(stage, node, a, pb)
     stage.places[a] = (x, y, 0.0)
     stage.frames[a] = Frame(x, y, 0.0)
-    stage.heights[a] = pb.height + height
+    stage.heights[a] = top + height
     stage.tracks[a].time += math.sqrt(2.0 * height / GRAVITY_MPS2)
 
 

@@ -13,9 +13,19 @@ import math
 
 import numpy as np
 
-from esg.graph.joints import KINDS_OF_JOINT, child_frame, drawn_back_about, mount_of
+from esg.graph.joints import (
+    KINDS_OF_JOINT,
+    child_frame,
+    drawn_back_about,
+    mount_of,
+    placing_joints,
+    start_frames,
+)
 from esg.graph.models import EdgeEvent, EsgDocument, Joint
 from esg.units import GRAVITY_MPS2, quat_rotate, yaw_from_quat
+
+AT_END = 0.85
+"""Where on its half length a seesaw is landed on."""
 
 
 @dataclass(frozen=True)
@@ -87,6 +97,34 @@ def suspension(doc: EsgDocument, name: str) -> Suspension | None:
         time=quarter_period(turning, torque, angle),
         speed=rate * off,
     )
+
+
+def landing_place(doc: EsgDocument, name: str) -> tuple[float, float] | None:
+    """Where something comes down on what a joint holds; None on what none does.
+
+    Of what starts tipped about a level axis (a seesaw) that is its raised end.
+
+    Args:
+        doc: With asset configurations.
+        name: Of the node.
+
+    Returns:
+        Way from its origin along its heading, and height there above its root's foot [m].
+    """
+    found = start_frames(doc).get(name)
+    if found is None:
+        return None
+    frame, joint = found[1], placing_joints(doc)[name]
+    asset = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
+    length, _, height = asset.dimensions_cm
+    mount = mount_of(asset, joint.child_mount)
+    tips = joint.kind == "hinge" and mount is not None and abs(mount.axis[1]) > 0.9
+    tips = tips and (joint.lower or 0.0) < 0.0 < (joint.upper or 0.0)
+    if not tips or suspension(doc, name) is not None:
+        return 0.0, float(frame.position[2] + height) / 100.0
+    out = -math.copysign(AT_END * 0.5 * length, joint.position) if joint.position else 0.0
+    end = frame.position + quat_rotate(frame.quaternion, np.array([out, 0.0, height]))
+    return float(end[0] - frame.position[0]) / 100.0, float(end[2]) / 100.0
 
 
 def quarter_period(inertia: float, torque: float, angle: float) -> float:

@@ -292,7 +292,9 @@ def _pass_on(f: Facts, disturbed: Bools) -> None:
     A domino that a marble hits strikes the next one before it has gone a centimetre.
     """
     c, r = f.replay.contacts, f.replay
-    moves = r.speed > MOVING_MPS
+    reach = np.array([float(np.linalg.norm(b.half_extents)) for b in r.scene.bodies])
+    # a seesaw turns about its middle, which stays where it is
+    moves = np.maximum(r.speed, np.linalg.norm(r.spin, axis=-1) * reach) > MOVING_MPS
     rows = np.flatnonzero((c.impulse > 0) & (c.a >= 0) & (c.b >= 0))
     frames = np.clip(np.searchsorted(r.time, c.time[rows] - 0.5 * r.frame_s), 0, len(r.time) - 1)
     met: set[int] = set()
@@ -304,10 +306,17 @@ def _pass_on(f: Facts, disturbed: Bools) -> None:
 
 
 def _first_touch(f: Facts, i: int, disturbed: Bools) -> int:
-    """The frame at which something disturbed first touches a body; all frames without."""
+    """The frame at which something disturbed first touches a body; all frames without.
+
+    What a joint holds to it is moved as by a touch.
+    """
     c, r = f.replay.contacts, f.replay
     mine = np.flatnonzero(((c.a == i) | (c.b == i)) & (c.impulse > 0) & (c.a >= 0) & (c.b >= 0))
     other = np.where(c.a[mine] == i, c.b[mine], c.a[mine])
     frames = np.clip(np.searchsorted(r.time, c.time[mine] - 0.5 * r.frame_s), 0, len(r.time) - 1)
-    found = frames[disturbed[frames, other]]
-    return int(found.min()) if len(found) else len(r.time)
+    found = [int(k) for k in frames[disturbed[frames, other]]]
+    for j in f.joints:
+        if i in j.bodies and len(j.bodies) == 2:
+            there = sum(j.bodies) - i
+            found += [int(k) for k in np.flatnonzero(disturbed[:, there] & j.intact)[:1]]
+    return min(found, default=len(r.time))

@@ -61,6 +61,8 @@ class Entity:
     """A part of a jointed thing (`esg/lexicon/articulations.csv`)."""
     implied: bool = False
     """A part that stands as the one that is named does."""
+    whole: str = ""
+    """The jointed thing of which it is one of several parts, by node id."""
     place: str = ""
     """front, rear, left, right or an ordinal, once known."""
     origin: int = -1
@@ -87,6 +89,11 @@ class Entity:
     @property
     def color(self) -> str | None:
         return next((lex.COLORS[a] for a in self.adjectives if a in lex.COLORS), None)
+
+
+def head_of(e: Entity) -> str:
+    """The noun as the table of jointed things has it: tokens part a possessive ("newton 's")."""
+    return e.head.lower().replace(" 's", "'s")
 
 
 def slug(text: str) -> str:

@@ -14,6 +14,7 @@ from esg.draft.discourse.referents.members import (
     place_word,
     ranked,
 )
+from esg.draft.discourse.referents.parts import counted_parts
 from esg.draft.discourse.referents.pronouns import pronoun
 from esg.draft.discourse.referents.ranks import measured, same_quantity
 from esg.draft.discourse.referents.record import World, last_group, named_alone
@@ -112,7 +113,7 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
     ):
         found = []  # "a curling stone hits the guard stone": not itself
     enrich(world, m, found)
-    return found or create(world, m)
+    return found or counted_parts(world, m) or create(world, m)
 
 
 def _any(owner: Mention, m: Mention) -> bool:

@@ -3,10 +3,11 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import WORN
+from esg.draft.discourse.referents.entities import WORN, head_of
 from esg.draft.discourse.referents.pronouns import pronoun
 from esg.draft.discourse.referents.record import World
 from esg.draft.text.elements import Mention
+from esg.lexicon.articulations import articulations
 
 _BODYWORK = lex.word_set("bodywork")
 _OWN = lex.OWN_PARTS | lex.word_set("cabs")
@@ -23,6 +24,9 @@ _HAVE = (
 def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
     """What a part belongs to: "the dog's tail", "the open door of a car", "its roof"."""
     body = m.head in lex.BODY_PARTS
+    if m.attribute and m.part.endswith("end"):
+        rows = ((e.id, articulations().get(head_of(e))) for e in world.entities.values())
+        return [node for node, row in rows if row is not None and row.tips][-1:]
     if m.possessor is not None:
         return _of_owner(world, m, m.possessor, subject and not body)
     if m.head in _BODYWORK and m.determiner in ("the", "a"):

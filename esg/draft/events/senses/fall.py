@@ -22,6 +22,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.events.acts import add_event, add_hit, goes_in
 from esg.draft.events.consequences import landing_of, struck_before
 from esg.draft.events.ends import off_the_edge
+from esg.draft.events.hanging import hanging
 from esg.draft.events.motions import (
     flies_itself,
     motion,
@@ -149,7 +150,7 @@ def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     floor = things(f.phrase("to"))
     down = bool(actors and floor) and all(map(partial(structural, d), floor))
     low = down and not _tall(d, actors[0])  # "a vase tumbles to the floor"
-    upright = [a for a in actors if _falls_over(d, a) and not low]
+    upright = [a for a in actors if _falls_over(d, a) and not low and not hanging(d, [a])]
     source = f.phrase("off", "from", "out of", "over", "down")
     if not things(source) or _landed_before(f, source):
         source = None

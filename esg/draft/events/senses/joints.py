@@ -9,7 +9,16 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, add_hit
 from esg.draft.events.consequences import already_hit, struck_before
-from esg.draft.events.hanging import SHUTTING, hanging, let_go, openable, row_of
+from esg.draft.events.hanging import (
+    OTHER_SIDE,
+    SHUTTING,
+    hanging,
+    let_go,
+    openable,
+    row_of,
+    row_parts,
+    tipping,
+)
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.senses.contact import hit_targets
 from esg.draft.events.senses.handling import so_often
@@ -53,6 +62,24 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             d.scene.used[at] = note
 
 
+@sense("tip")
+def read_tip(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    """ "A seesaw tips to the other side": by what landed on it, else of its own accord."""
+    doers, moved = doer_and_done(f, s, o) if o or f.verb.passive else ([], s)
+    moved = tipping(d, moved)
+    if doers and not already_hit(d, f, doers, moved):
+        add_hit(d, f, doers[:1], moved, time_of(d, f))
+    for body in moved:
+        if at_rest(d, body) and not moved_by_others(d, body):
+            d.timeline.move(body, Motion("drive"), ForceDirection.ANY_3D)
+        note = add_event(d, NodeEvent.OPEN, (body,), f, time_of(d, f))
+        d.timeline.track(body).motion = None
+        mark_used(d, f, note)
+    way = OTHER_SIDE.search(d.text, f.verb.end)
+    if moved and way is not None:
+        d.scene.used[way.span()] = "tips"
+
+
 @sense("swing")
 def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "A pendulum swings into a box", "the lamp sways": what hangs is let go, or was hit."""
@@ -69,13 +96,13 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         add_hit(d, f, things[:1], hung, time_of(d, f))
     for body in hung:
         struck_before(d, f, body)
-    let_go(d, f, hung)
+    let_go(d, f, [body for body in hung if not _handed_on(d, f, body)])
     met = f.phrase("at", "into", "against", "through", "on") is not None
     target = [i for i in hit_targets(f, s, o) if i not in hung] if met else []
     note = "swings"
     if target:
         add_hit(d, f, hung[:1], target, time_of(d, f))
-    else:
+    elif "down" not in f.adverbs:  # "swings down and hits": the way there
         for body in hung:
             note = node = add_event(d, NodeEvent.SWING, (body,), f, time_of(d, f))
             so_often(d, f, node)
@@ -95,3 +122,20 @@ def read_let_go(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     let_go(d, f, hung)
     mark_used(d, f, "let go")
+
+
+def _handed_on(d: Discourse, f: Frame, body: str) -> bool:
+    """Lets the part of a row that was let go hit its neighbour, whose blow goes on to `body`."""
+    row = row_parts(d, body)
+    sent = next((i for i in row if i in d.scene.openings and i != body), None)
+    if sent is None:
+        return False
+    beside = row[row.index(sent) + (1 if row.index(body) > row.index(sent) else -1)]
+    first = d.timeline.tracks.get(beside)
+    if first is None or not first.hit:
+        add_hit(d, f, [sent], [beside], time_of(d, f))
+    if body != beside and at_rest(d, body):
+        # the balls between them stay where they are: one blow goes through all of them
+        first, last = d.timeline.track(beside), d.timeline.track(body)
+        last.at, last.hit, last.role = first.at, True, first.role
+    return True

@@ -20,7 +20,7 @@ from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.events.acts import add_event, add_hit, go_into, kinematics, outcomes
 from esg.draft.events.consequences import already_hit, consequence, knock_on
-from esg.draft.events.hanging import hanging, turning
+from esg.draft.events.hanging import hanging, sent_up, turning
 from esg.draft.events.lengths import distance
 from esg.draft.events.motions import each_passed, motion, start_motion, target_of
 from esg.draft.events.roles import doer_and_done
@@ -146,6 +146,8 @@ def launch_by(d: Discourse, f: Frame, agents: list[str], sent: list[str]) -> Non
     """Sends things off: a body pushes them by a hit, a person throws or rolls them."""
     if not sent:
         motion(d, f, agents, None)
+        return
+    if sent_up(d, f, agents, sent):
         return
     mode = f.verb.note or "roll"
     hung = hanging(d, sent)

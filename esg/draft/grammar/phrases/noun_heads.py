@@ -352,7 +352,7 @@ def _part(c: Chunks, p: Place, m: Mention) -> Head | None:
     """ "the edge of a table": the table, and which part of it."""
     low, j = p.low, p.at
     part = lex.singular(low)[0]
-    told = m.determiner or m.adjectives or low_at(c, j + 1) == "of"
+    told = m.determiner or m.adjectives or m.count == 1 or low_at(c, j + 1) == "of"
     if not low or not {low, part} & lex.PARTS or not told or part_alone(c, j, m):
         return OTHER
     sided = low in _HANDS and {low_at(c, j + 1)} & lex.PARTS  # "the left side of a car"

@@ -124,6 +124,8 @@ def _counts_one(c: Chunks, j: int, m: Mention, following: NounMatch | None) -> b
     nxt = token_at(c, j + 1)
     if nxt is None or nxt.kind != "word" or (following is not None and following[2]):
         return False
+    if low_at(c, j + 1) in lex.PARTS and low_at(c, j + 2) == "of":
+        return True  # "one end of a seesaw"
     return bool(following or is_adjective(c, j + 1) or m.determiner)
 
 
