@@ -121,6 +121,23 @@ def test_braking_stays_under_friction(surface: str, rate: float, ok: bool) -> No
     assert found.measured == pytest.approx(rate, rel=0.02)
 
 
+@pytest.mark.parametrize(("lost_at_once", "ok"), [(0.008, True), (0.03, False)])
+def test_what_creeps_may_stop_at_once(lost_at_once: float, ok: bool) -> None:
+    """A grip that takes the last centimetre a second is the engine's, not a brake's."""
+    puck = body(
+        "puck_1", Shape("box", (0.04, 0.04, 0.0125)), label="puck", friction=0.04, mass=0.17
+    )
+
+    def way(t: np.ndarray) -> np.ndarray:
+        v = np.maximum(0.3 - 0.39 * t, 0.0)
+        return np.cumsum(np.where(v > lost_at_once, v, 0.0)) * DT
+
+    world = World().add(puck, x=way)
+    floor = replace(world.scene, ground_friction=0.04)
+    checks = assess(floor, world.program, world.rollout(), Told()).checks
+    assert next(c for c in checks if c.name == "braking").ok is ok
+
+
 @pytest.mark.parametrize(("said", "ok"), [("dry", True), ("wet", False)])
 def test_a_smooth_floor_that_nobody_calls_wet_grips_as_its_pair_does(said: str, ok: bool) -> None:
     """0.45 on 0.5 are 0.475 for what slides on its soles."""

@@ -75,6 +75,8 @@ def braking(f: Facts) -> Check:
         normal = np.maximum(f.gains(v[:, 2]) + f.g, f.g)
         drag = f.replay.scene.bodies[i].linear_damping * level[: -f.window]
         most = f.friction(i) * normal * (1.0 + limit("brake tolerance")) + drag
+        stopping = level[f.window :] < limit("creep")
+        most += np.where(stopping, limit("creep") / (f.window * f.replay.frame_s), 0.0)
         free = f.clear(f.struck(i), f.guided(i))
         free &= f.clear(~f.powered(i)) if motion.flies else f.clear(~f.level(i))
         _look(f, worst, i, -f.gains(level), most, free)

@@ -59,7 +59,8 @@ def read_drop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     dropped = s if f.verb.passive or not o else o
     agents = [x for x in s if x not in dropped]
     if agents and dropped:
-        stand_by(d, agents, dropped)
+        place(d, agents, dropped, "near")
+        stand_by(d, [a for a in agents if kind_of(d, a) in ("person", "animal")], dropped)
     wheeled = bool(dropped) and kind_of(d, dropped[0]) in ("cart", "vehicle")
     if f.verb.lemma == "let" and wheeled and not _held_up(d, dropped[0]):
         motion(d, f, dropped, None)  # "lets go of a cart"
