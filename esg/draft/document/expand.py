@@ -16,6 +16,7 @@ from esg.draft.discourse.scene import GROUND, Scene
 from esg.draft.discourse.windows import START
 from esg.draft.document.joining import join_parts
 from esg.draft.document.riding import put_into_cars, seat_riders
+from esg.draft.document.towing import tie_tows
 from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, TimelineEdge
 
 RAISED_CM = 25.0
@@ -54,6 +55,7 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     if not restricted:
         _add_context(scene, reasons)
     reasons += join_parts(scene)
+    tie_tows(scene)
     return reasons
 
 
