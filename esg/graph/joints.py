@@ -30,7 +30,7 @@ ACROSS: Vec3 = (0.0, 1.0, 0.0)
 """What hangs on a ball joint, a rope or a spring is drawn back about this axis of its parent."""
 KINDS_OF_JOINT: dict[EdgeEvent, tuple[str, ...]] = {
     EdgeEvent.DRIVE: ("hinge", "slider"),
-    EdgeEvent.RELEASE: ("hinge", "ball", "rope"),
+    EdgeEvent.RELEASE: ("hinge", "ball", "rope", "spring"),
 }
 """Segments along a joint, and the kinds of joint on which they can be."""
 _IDENTITY = np.array([0.0, 0.0, 0.0, 1.0])
@@ -174,7 +174,9 @@ def child_frame(joint: Joint, parent: AssetConfiguration, child: AssetConfigurat
         at = theirs.position_cm[0] - ahead - mine.position_cm[0]
         return Frame(np.array([at, 0.0, 0.0]), _IDENTITY)
     axis = _unit(theirs.axis)
-    turned = quat_multiply(_started(joint, axis), _least_turn(_unit(mine.axis), axis))
+    free = joint.kind in ("rope", "spring") and joint.child_mount == SEAT
+    upright = _IDENTITY if free else _least_turn(_unit(mine.axis), axis)
+    turned = quat_multiply(_started(joint, axis), upright)
     end = np.asarray(theirs.position_cm, float) + _offset(joint, axis)
     return Frame(end - quat_rotate(turned, np.asarray(mine.position_cm, float)), turned)
 

@@ -22,7 +22,7 @@ class Articulation:
 
     Args:
         nouns: Heads of phrases that name it.
-        becomes: Part that the named node is.
+        becomes: Part that the named node is; "" if it stays as it is drawn.
         with_part: Part that is added.
         carries: Which of them is the parent.
         count: How many are added.
@@ -63,6 +63,11 @@ class Articulation:
     def hangs(self) -> bool:
         """Whether it hangs by one point or bar, so that a ceiling does as well as its stand."""
         return self.drawn is not None and self.carries == "with" and self.kind in ("ball", "hinge")
+
+    @property
+    def hangs_anywhere(self) -> bool:
+        """Whether it hangs from a ceiling as well as from its stand, or is drawn as it is."""
+        return self.hangs or not self.becomes
 
     @property
     def tips(self) -> bool:

@@ -11,6 +11,9 @@ from esg.draft.discourse.referents.registry import current_id
 from esg.draft.discourse.scene import Scene
 from esg.lexicon.articulations import Articulation, articulations
 
+HUNG = "hanging thing"
+"""Row of what hangs by a rope and has none of its own."""
+SPRUNG = "thing on a spring"
 _WHOLES = frozenset(
     {"appliance", "box", "container", "electronics", "flyer", "furniture", "toyvehicle", "vehicle"}
 )
@@ -27,6 +30,10 @@ def articulation_of(scene: Scene, text: str, e: Entity) -> Articulation | None:
     if e.whole:  # a ball of a cradle
         e = scene.world.entities[current_id(scene.world, e.whole)]
     row = next((table[name] for name in _names(scene, text, e) if name in table), None)
+    if e.id in scene.sprung:
+        return table[SPRUNG]
+    if row is None and e.id in scene.hung and (scene.hung[e.id] or e.id in scene.loosed):
+        row = table[HUNG]
     if row is None or (e.id in scene.attached and not (row.hangs and _below_ceiling(scene, e))):
         return None
     return row
@@ -38,13 +45,19 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
     told = rf"\b{re.escape(e.head)}s? of (?:an?|the|his|her|its|their|my) ((?:[\w-]+ ?){{1,4}})"
     whole = re.search(told, text, re.IGNORECASE)
     if whole is not None:
-        things = {head_of(x) for x in scene.world.entities.values() if x is not e}
-        return [f"{x} {head}" for x in sorted(things) if x in whole[1].lower()]
+        others = (x for x in scene.world.entities.values() if x is not e)
+        things = {head_of(x) for x in others if "structural" not in x.noun.traits}
+        named = [f"{x} {head}" for x in sorted(things) if x in whole[1].lower()]
+        return named or [head]  # "the gate of a paddock", which is no thing
     nouns = lex.nouns()
     compounds = [f"{a} {head}" for a in e.adjectives]
     if any(a in nouns and nouns[a].kind in _WHOLES for a in e.adjectives):
         return compounds
-    return [*compounds, *([f"hanging {head}"] if _below_ceiling(scene, e) else []), head]
+    return [
+        *compounds,
+        *([f"hanging {head}"] if _below_ceiling(scene, e) or e.id in scene.hung else []),
+        head,
+    ]
 
 
 def _below_ceiling(scene: Scene, e: Entity) -> bool:

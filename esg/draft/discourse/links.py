@@ -6,11 +6,25 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, mark_used
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.scene import SELF_POWERED, Scene, Tow
+from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.text.elements import Mention
+from esg.lexicon.articulations import articulations
 
 LINKS = lex.word_set("links")
 """Heads of phrases that may name what joins two things."""
+SNAPPING = lex.word_set("snapping")
+"""Verbs of what a rope does that holds no more."""
+_HANGING = lex.word_set("hanging")
+_SWINGING = _HANGING | lex.word_set("swinging")
+_BY = ("on", "from", "by", "with")
+SPRINGS = frozenset({"spring", "coil spring"})
+_RODS = frozenset({"rod", "arm", "stick"})
+"""What a pendulum may be on besides."""
+
+
 def is_link(scene: Scene, node: str) -> bool:
     """Whether a node is a rope, a chain, a cable."""
     e = scene.world.entities.get(node)
@@ -64,3 +78,119 @@ def drop_link(d: Discourse, link: str) -> None:
     for places in (scene.supported_by, scene.inside_of, scene.marked, scene.attached):
         for node in [n for n, at in places.items() if link in (n, at)]:
             del places[node]
+
+
+def take_links(d: Discourse) -> set[int]:
+    """Reads what hangs on a rope; the rope is a joint then, and no thing.
+
+    Returns:
+        Phrases that say no more than that, by the id of their noun phrase.
+    """
+    taken: set[int] = set()
+    for m, p in d.attached:
+        if p.mention is None:
+            continue
+        if p.prep in _BY and p.mention.head in SPRINGS:
+            taken |= _sprung(d, m.entities, p.mention)
+            continue
+        if p.prep == "of" and any(is_link(d.scene, i) for i in m.entities):
+            link, held = m.entities[0], p.mention.entities
+        elif p.prep in _BY and any(
+            is_link(d.scene, i) or p.mention.head in _RODS for i in p.mention.entities
+        ):
+            link, held = p.mention.entities[0], m.entities
+            held = held if is_link(d.scene, link) else [i for i in held if _is_pendulum(d, i)]
+        else:
+            continue
+        for node in held:
+            if _hangs(d, node):
+                taken.add(id(p.mention))
+                _hang(d, node, link)
+    for f in d.told:
+        for p in f.phrases if f.verb.lemma in _SWINGING else ():
+            if p.mention is not None and p.prep in _BY and p.mention.head in SPRINGS:
+                taken |= _sprung(d, f.subject.entities if f.subject else [], p.mention)
+        named = [i for m in (f.subject, f.object) if m is not None for i in m.entities]
+        if f.verb.lemma in _HANGING:
+            link = next((i for p in f.phrases for i in things(p) if is_link(d.scene, i)), "")
+            for node in named:
+                if link or f.phrase("from") is not None or _acted_on(d, f, node):
+                    _hang(d, node, link or link_of(d, f))
+                    taken |= {id(p.mention) for p in f.phrases if link and link in things(p)}
+        if snapped(d, f) and f.subject is not None:
+            for node in f.subject.entities:
+                holder = held_by(d, node)
+                if holder:
+                    _hang(d, holder, node if is_link(d.scene, node) else "")
+    for m in d.mentions:
+        for node in m.entities if "hanging" in m.adjectives else []:
+            _hang(d, node, "")
+    return taken
+
+
+def _sprung(d: Discourse, held: list[str], spring: Mention) -> set[int]:
+    """What hangs on a spring, if one may hang it up; the phrase that is read with it."""
+    loose = [i for i in held if i in d.world.entities and i not in spring.entities]
+    loose = [i for i in loose if kind_of(d, i) not in SELF_POWERED]
+    d.scene.sprung.update(loose)
+    mark_used(d, spring, "a joint")
+    return {id(spring)} if loose else set()
+
+
+def snapped(d: Discourse, f: Frame) -> bool:
+    """ "The rope snaps", "its chain breaks": a clause about a rope that holds no more."""
+    m = f.subject
+    link = m is not None and (m.head.lower().split() or [""])[-1] in LINKS
+    return link and f.verb.lemma in SNAPPING and not f.verb.negated
+
+
+def held_by(d: Discourse, node: str) -> str:
+    """What a rope holds: what it is of, what is towed or hangs by it, the only thing that hangs."""
+    if not is_link(d.scene, node):
+        return node
+    by_it = [i for i, link in d.scene.hung.items() if link == node]
+    hung = by_it or [*d.scene.hung] or [i for m in d.mentions if "hanging" in m.adjectives
+                                        for i in m.entities]  # fmt: skip
+    return hung[0] if len({*hung}) == 1 or by_it else ""
+
+
+def _hangs(d: Discourse, node: str) -> bool:
+    """Whether something is told of a thing that only what hangs does."""
+    if node not in d.world.entities or is_link(d.scene, node):
+        return False
+    told = {f.verb.lemma for f in d.told for m in (f.subject, f.object) if m and node in m.entities}
+    own = articulations().get(head_of(entity_of(d, node)))
+    return bool(told & _SWINGING) or (own is not None and own.drawn is not None)
+
+
+def _is_pendulum(d: Discourse, node: str) -> bool:
+    row = articulations().get(head_of(entity_of(d, node))) if node in d.world.entities else None
+    return row is not None and row.kind == "hinge" and row.hangs
+
+
+def _acted_on(d: Discourse, f: Frame, node: str) -> bool:
+    """Whether another clause tells that something is done to what hangs in a way of its own."""
+    row = articulations().get(f"hanging {head_of(entity_of(d, node))}")
+    others = (g.object for g in d.told if g is not f and g.object is not None)
+    return row is not None and any(node in m.entities for m in others)
+
+
+def _hang(d: Discourse, node: str, link: str) -> None:
+    if node not in d.world.entities or is_link(d.scene, node):
+        return
+    if link or node not in d.scene.hung:
+        d.scene.hung[node] = link
+    if link:
+        _as_long(d, entity_of(d, node), entity_of(d, link))
+        drop_link(d, link)
+
+
+def _as_long(d: Discourse, e: Entity, link: Entity) -> None:
+    """Makes a pendulum as long as the rod or string that the prompt states for it."""
+    if link.dimensions_cm is None or not _is_pendulum(d, e.id):
+        return
+    part = lex.part(articulations()[head_of(e)].becomes)
+    width, depth, height = e.noun.dimensions_cm
+    share = max(link.dimensions_cm) / part.dimensions_cm[2]
+    e.dimensions_cm = [width, depth, height * share]
+    e.dimensions_prescribed = True

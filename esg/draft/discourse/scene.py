@@ -64,6 +64,12 @@ class Scene:
     """Where the joint of a node starts, as events ask for it [deg or cm]."""
     tows: dict[str, Tow] = field(default_factory=dict[str, Tow])
     """What is drawn along, and by what."""
+    hung: dict[str, str] = field(default_factory=dict[str, str])
+    """What is told to hang, and the rope that the prompt names for it, "" if none."""
+    sprung: set[str] = field(default_factory=set[str])
+    """What hangs on a spring."""
+    loosed: set[str] = field(default_factory=set[str])
+    """What hangs on something that gives way."""
     links: set[str] = field(default_factory=set[str])
     """Ropes and chains that joints of the scene stand for."""
     breaking: dict[str, Breakable] = field(default_factory=dict[str, Breakable])
