@@ -82,15 +82,26 @@ class Articulation:
         return self.kind == "hinge" and free and self.opened is None and self.drawn is None
 
 
-@cache
 def articulations() -> dict[str, Articulation]:
-    """Every row by each of its nouns."""
-    out: dict[str, Articulation] = {}
+    """The rows of things with parts of their own, by each of their nouns."""
+    return _rows()[0]
+
+
+def hangers() -> dict[str, Articulation]:
+    """The rows of things that hang as they are drawn: on a rope, on a spring."""
+    return _rows()[1]
+
+
+@cache
+def _rows() -> tuple[dict[str, Articulation], dict[str, Articulation]]:
+    drawn: dict[str, Articulation] = {}
+    kept: dict[str, Articulation] = {}
     with open(TABLE, encoding="utf-8", newline="") as file:
         for line in csv.DictReader(file):
             row = _row(line)
-            out |= dict.fromkeys(row.nouns, row)
-    return out
+            table = drawn if row.becomes else kept
+            table |= dict.fromkeys(row.nouns, row)
+    return drawn, kept
 
 
 def _row(line: dict[str, str]) -> Articulation:

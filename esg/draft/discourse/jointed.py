@@ -9,7 +9,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.referents.registry import current_id
 from esg.draft.discourse.scene import Scene
-from esg.lexicon.articulations import Articulation, articulations
+from esg.lexicon.articulations import Articulation, articulations, hangers
 
 HUNG = "hanging thing"
 """Row of what hangs by a rope and has none of its own."""
@@ -31,9 +31,10 @@ def articulation_of(scene: Scene, text: str, e: Entity) -> Articulation | None:
         e = scene.world.entities[current_id(scene.world, e.whole)]
     row = next((table[name] for name in _names(scene, text, e) if name in table), None)
     if e.id in scene.sprung:
-        return table[SPRUNG]
-    if row is None and e.id in scene.hung and (scene.hung[e.id] or e.id in scene.loosed):
-        row = table[HUNG]
+        return hangers()[SPRUNG]
+    hung = bool(scene.hung.get(e.id)) or e.id in scene.loosed
+    if row is None and (hung or not hangers().keys().isdisjoint(_names(scene, text, e))):
+        row = hangers()[HUNG]
     if row is None or (e.id in scene.attached and not (row.hangs and _below_ceiling(scene, e))):
         return None
     return row
