@@ -8,8 +8,7 @@ from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.scene import SELF_POWERED, Scene, Tow
-from esg.draft.events.told import things
-from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
 from esg.lexicon.articulations import articulations
 
@@ -81,50 +80,55 @@ def drop_link(d: Discourse, link: str) -> None:
 
 
 def take_links(d: Discourse) -> set[int]:
-    """Reads what hangs on a rope; the rope is a joint then, and no thing.
+    """Reads what hangs on a rope or a spring; these are joints then, and no things.
 
     Returns:
         Phrases that say no more than that, by the id of their noun phrase.
     """
     taken: set[int] = set()
     for m, p in d.attached:
-        if p.mention is None:
-            continue
-        if p.prep in _BY and p.mention.head in SPRINGS:
-            taken |= _sprung(d, m.entities, p.mention)
-            continue
-        if p.prep == "of" and any(is_link(d.scene, i) for i in m.entities):
-            link, held = m.entities[0], p.mention.entities
-        elif p.prep in _BY and any(
-            is_link(d.scene, i) or p.mention.head in _RODS for i in p.mention.entities
-        ):
-            link, held = p.mention.entities[0], m.entities
-            held = held if is_link(d.scene, link) else [i for i in held if _is_pendulum(d, i)]
-        else:
-            continue
-        for node in held:
-            if _hangs(d, node):
-                taken.add(id(p.mention))
-                _hang(d, node, link)
+        taken |= _of_a_noun(d, m, p)
     for f in d.told:
-        for p in f.phrases if f.verb.lemma in _SWINGING else ():
-            if p.mention is not None and p.prep in _BY and p.mention.head in SPRINGS:
-                taken |= _sprung(d, f.subject.entities if f.subject else [], p.mention)
-        named = [i for m in (f.subject, f.object) if m is not None for i in m.entities]
-        if f.verb.lemma in _HANGING:
-            link = next((i for p in f.phrases for i in things(p) if is_link(d.scene, i)), "")
-            for node in named:
-                if link or f.phrase("from") is not None or _acted_on(d, f, node):
-                    _hang(d, node, link or link_of(d, f))
-                    taken |= {id(p.mention) for p in f.phrases if link and link in things(p)}
-        if snapped(d, f) and f.subject is not None:
-            for node in f.subject.entities:
-                holder = held_by(d, node)
-                if holder:
-                    _hang(d, holder, node if is_link(d.scene, node) else "")
+        taken |= _of_a_clause(d, f)
     for m in d.mentions:
         for node in m.entities if "hanging" in m.adjectives else []:
             _hang(d, node, "")
+    return taken
+
+
+def _of_a_noun(d: Discourse, m: Mention, p: Phrase) -> set[int]:
+    """ "A ball on a rope", "the rope of a lamp", "a bob on a rod", "a weight on a spring"."""
+    other = p.mention
+    if other is None or not (p.prep == "of" or p.prep in _BY):
+        return set()
+    if p.prep != "of" and other.head in SPRINGS:
+        return _sprung(d, m.entities, other)
+    rope, held = (m, other.entities) if p.prep == "of" else (other, m.entities)
+    links = [i for i in rope.entities if is_link(d.scene, i)]
+    if not links and p.prep != "of" and other.head in _RODS:
+        links, held = other.entities, [i for i in held if _is_pendulum(d, i)]
+    hung = [node for node in held if links and _hangs(d, node)]
+    for node in hung:
+        _hang(d, node, links[0])
+    return {id(other)} if hung else set()
+
+
+def _of_a_clause(d: Discourse, f: Frame) -> set[int]:
+    """ "A bucket dangles on a cord", "a ball bobs on a spring", "the rope snaps"."""
+    taken: set[int] = set()
+    subject = f.subject.entities if f.subject is not None else []
+    named = {i: p.mention for p in f.phrases if p.mention for i in p.mention.entities}
+    springs = [p.mention for p in f.phrases if p.mention and p.mention.head in SPRINGS]
+    for spring in springs if f.verb.lemma in _SWINGING else []:
+        taken |= _sprung(d, subject, spring)
+    if f.verb.lemma in _HANGING:
+        link = next((i for i in named if is_link(d.scene, i)), "")
+        for node in [*subject, *(f.object.entities if f.object is not None else [])]:
+            if link or f.phrase("from") is not None or _acted_on(d, f, node):
+                _hang(d, node, link or link_of(d, f))
+        taken |= {id(named[link])} if link else set()
+    for node in subject if snapped(d, f) else []:
+        _hang(d, held_by(d, node), node if is_link(d.scene, node) else "")
     return taken
 
 

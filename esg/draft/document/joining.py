@@ -36,6 +36,12 @@ CLEAR_CM = 200.0
 """Height above the ground at which a crane's load hangs."""
 _HOOK = 0.96
 """Height of the hook of a crane over its own (`demolition_crane`)."""
+LOWERED, ARM_CM = 0.6, 12.0
+"""A post is lowered to this share of its height at most, so that arms are met so far below the top
+of what runs into them."""
+SWUNG_BY, LEAST_SHARE = 20.0, 0.1
+"""What a blow is to set swinging has at most so many times the mass of what strikes it (at 10 m/s
+it rises by 2 cm then), and at least this share of its own."""
 MEETS_CM = 12.0
 """What hangs reaches so far below the top of what it is told to meet, or four fifths of that."""
 _MOTIONS = (EdgeEvent.DRIVE, EdgeEvent.RELEASE)
@@ -55,6 +61,7 @@ def join_parts(scene: Scene) -> list[str]:
         fixed = e.id in scene.attached and e.id not in acting  # nothing happens to it
         if row is None or e.whole or fixed or f"{e.id}/inside" in entered:
             continue
+        _light_enough(scene, row, e)
         ratio = _become(e, row.becomes) if row.becomes else [1.0, 1.0, 1.0]
         if e.id in scene.loosed and row.hangs_anywhere and _met(scene, e):
             reasons += _under_a_ceiling(scene, row, e)
@@ -126,10 +133,46 @@ def _hung_on(scene: Scene, row: Articulation, e: Entity, part: Entity) -> Articu
 def _lower(scene: Scene, row: Articulation, e: Entity, part: Entity) -> None:
     """Lowers what carries a thing that would swing over what it is told to meet: dominoes."""
     over = row.above_cm - _clears(scene, e)
-    swings = row.drawn is not None and row.carries == "with" and row.becomes
+    if row.turns:
+        over = row.above_cm - _reached(scene, row, e)
+    swings = (row.drawn is not None or row.turns) and row.carries == "with" and row.becomes
     if swings and part.dimensions_cm is not None and over > 0.0:
         part.dimensions_prescribed = True
         part.dimensions_cm[2] *= 1.0 - over / (row.above_cm + e.noun.dimensions_cm[2])
+
+
+def lowers(row: Articulation, height: float) -> bool:
+    """Whether what turns on its post stands lower for what runs into its arms, so high [cm]."""
+    return row.turns and row.carries == "with" and LOWERED * row.above_cm < height < row.above_cm
+
+
+def _reached(scene: Scene, row: Articulation, e: Entity) -> float:
+    """How high above the ground arms may be that something on the ground is to run into [cm]."""
+    entities = scene.world.entities
+    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
+    movers = [n.participants[0] for n in hits if e.id in n.participants[1:]]
+    low = [dimensions_of(entities[i])[2] for i in movers if i in entities]
+    low = [h for h in low if lowers(row, h + ARM_CM)]
+    return min(low, default=math.inf) - ARM_CM
+
+
+def _light_enough(scene: Scene, row: Articulation, e: Entity) -> None:
+    """Makes what a blow is to set swinging small enough for what strikes it: a bell for a ball."""
+    entities = scene.world.entities
+    swings = any(
+        n.event is NodeEvent.SWING and n.participants[0] == e.id for n in scene.timeline.nodes
+    )
+    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
+    movers = [n.participants[0] for n in hits if e.id in n.participants[1:]]
+    struck = [m.mass_kg or m.noun.mass_kg for i in movers if (m := entities.get(i)) is not None]
+    told = e.mass_prescribed or e.dimensions_prescribed or e.dimensions_cm is not None
+    if not struck or not swings or told or not row.hangs or not row.becomes:
+        return
+    share = SWUNG_BY * min(struck) / lex.part(row.becomes).mass_kg
+    if share < 1.0:
+        scale = max(share, LEAST_SHARE) ** (1.0 / 3.0)
+        e.dimensions_cm = [d * scale for d in e.noun.dimensions_cm]
+        e.dimensions_prescribed = True
 
 
 def _met(scene: Scene, e: Entity) -> list[float]:

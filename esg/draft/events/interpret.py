@@ -364,6 +364,10 @@ def _runs_now(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
+def _comes_down(f: Frame) -> bool:
+    return f.verb.sense in ("fall", "drop")
+
+
 def _gives_way(d: Discourse, f: Frame, parts: Parts) -> bool:
     """ "The rope snaps": what hangs by it comes down."""
     if not snapped(d, f):
@@ -373,8 +377,8 @@ def _gives_way(d: Discourse, f: Frame, parts: Parts) -> bool:
         return False
     d.scene.loosed.update(held)
     mark_used(d, f, "gives way")
-    later = [g for g in d.told if g.verb.start > f.verb.start and g.subject is not None]
-    if not any({*held} & {*g.subject.entities} for g in later if g.verb.sense in ("fall", "drop")):
+    later = [g.subject for g in d.told if g.verb.start > f.verb.start and _comes_down(g)]
+    if not any({*held} & {*m.entities} for m in later if m is not None):
         read_as(d, "fall", f, held, [])
     return True
 

@@ -29,7 +29,9 @@ from esg.draft.events.told import at_rest
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import ForceDirection, NodeEvent
 
-_BACK_AND_FORTH = re.compile(r"back and forth|to and fro|from side to side|up and down", re.IGNORECASE)
+_BACK_AND_FORTH = re.compile(
+    r"back and forth|to and fro|from side to side|up and down", re.IGNORECASE
+)
 _TO_AND_FRO = 3
 """How often what swings back and forth passes its lowest point, at least."""
 
