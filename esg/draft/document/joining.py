@@ -32,8 +32,6 @@ SAG_M = 0.15
 """What hangs on a spring stretches it so far: it bobs in 0.8 s."""
 ROPE_CM = (60.0, 300.0)
 """Ropes by which things hang that have no row of their own: as long as they are high."""
-CLEAR_CM = 200.0
-"""Height above the ground at which a crane's load hangs."""
 _HOOK = 0.96
 """Height of the hook of a crane over its own (`demolition_crane`)."""
 LOWERED, ARM_CM = 0.6, 12.0
@@ -120,7 +118,8 @@ def _hung_on(scene: Scene, row: Articulation, e: Entity, part: Entity) -> Articu
     if row.kind == "spring":
         rope = row.upper or 0.0
     elif part.mentioned:
-        return replace(row, upper=max(_HOOK * dimensions_of(part)[2] - height - CLEAR_CM, rope))
+        hook = _HOOK * dimensions_of(part)[2]
+        return replace(row, upper=max(hook - height - row.above_cm, rope))
     post, arm, _ = part.noun.dimensions_cm
     reach = max(length, width) / 1.6 + 20.0
     above = row.above_cm + _tallest_below(scene, e)
@@ -138,7 +137,9 @@ def _lower(scene: Scene, row: Articulation, e: Entity, part: Entity) -> None:
     swings = (row.drawn is not None or row.turns) and row.carries == "with" and row.becomes
     if swings and part.dimensions_cm is not None and over > 0.0:
         part.dimensions_prescribed = True
-        part.dimensions_cm[2] *= 1.0 - over / (row.above_cm + e.noun.dimensions_cm[2])
+        pivot = row.above_cm + e.noun.dimensions_cm[2]
+        pivot += (row.upper or 0.0) if row.kind == "rope" else 0.0
+        part.dimensions_cm[2] *= 1.0 - over / pivot
 
 
 def lowers(row: Articulation, height: float) -> bool:
