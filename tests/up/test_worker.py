@@ -70,11 +70,16 @@ def until(holds: Callable[[], bool], seconds: float = 60.0) -> None:
         time.sleep(0.02)
 
 
-def ask(*arguments: str, **options: object) -> subprocess.CompletedProcess[str]:
+def ask(
+    *arguments: str,
+    input: str | None = None,
+    cwd: Path | None = None,
+    env: dict[str, str] | None = None,
+) -> subprocess.CompletedProcess[str]:
     """A command that asks the worker."""
-    return subprocess.run(  # type: ignore[call-overload]
-        [sys.executable, "-c", ASK, *arguments],
-        text=True, capture_output=True, check=False, timeout=120, **options,
+    return subprocess.run(
+        [sys.executable, "-c", ASK, *arguments], input=input, cwd=cwd, env=env,
+        text=True, capture_output=True, check=False, timeout=120,
     )  # fmt: skip
 
 
