@@ -109,7 +109,7 @@ def atomic_file(path: Path) -> Generator[IO[bytes]]:
     """
     temporary = temporary_name(path)
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        make_folder(path.parent)
         with temporary.open("wb") as file:
             yield file
             file.flush()
@@ -140,7 +140,7 @@ def atomic_write(path: Path, write: Callable[[Path], object]) -> None:
     """
     temporary = temporary_name(path)
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        make_folder(path.parent)
         write(temporary)
         sync_file(temporary)
         os.replace(temporary, path)
@@ -149,6 +149,21 @@ def atomic_write(path: Path, write: Callable[[Path], object]) -> None:
         raise explained(error, path) from error
     finally:
         temporary.unlink(missing_ok=True)
+
+
+def make_folder(path: Path) -> None:
+    """Makes a folder and those above it, and forces their names to the disk."""
+    missing = [p for p in (path, *path.parents) if not p.exists()]
+    path.mkdir(parents=True, exist_ok=True)
+    for made in missing:
+        sync_folder(made.parent)
+
+
+def sync_tree(folder: Path) -> None:
+    """Forces everything in a folder to the disk, and the names of it."""
+    for path in folder.rglob("*"):
+        sync_folder(path) if path.is_dir() else sync_file(path)
+    sync_folder(folder)
 
 
 def sync_file(path: Path) -> None:

@@ -28,6 +28,20 @@ scenes:
     constraints:
       - {{kind: initial, quantity: speed, object: toy truck, value: 3, unit: m/s}}
 """
+HALF = [
+    "dataset",
+    "--sample",
+    "4",
+    "--batch",
+    "2",
+    "--out",
+    "half",
+    "--shard",
+    "1/2",
+    "--workers",
+    "1",
+]
+"""A dataset of which half is made: its batches lie there as a killed run leaves them."""
 MEMORY_BYTES = 2 * 2**30
 """What a command may allocate on malformed input."""
 PATIENCE_S = 30.0
@@ -194,6 +208,7 @@ def prepared(folder: Path) -> Path:
         ["generate", PROMPT],
         ["bench", "faults.yaml", "--runs", "1"],
         ["dataset", "--sample", "4", "--out", "data", "--workers", "1", "--mcap", "all"],
+        HALF,
         ["report", "runs/bench-faults-batched-physx"],
     ):
         ended = esg(arguments, folder, folder / "cache")

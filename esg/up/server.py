@@ -196,6 +196,7 @@ def _accept(worker: Worker, waiting: selectors.BaseSelector) -> None:
     try:
         if wire.peer(connection) != os.getuid():
             raise wire.WireError("another user")
+        wire.tell(connection, wire.HERE)
         request, handles = wire.receive_request(connection)
     except (OSError, wire.WireError):
         connection.close()
