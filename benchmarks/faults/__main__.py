@@ -8,6 +8,7 @@
     python -m benchmarks.faults disks --count 3
     python -m benchmarks.faults clocks
     python -m benchmarks.faults stalls
+    python -m benchmarks.faults attacks [--before CHECKOUT]
 
 What must hold: malformed input ends with the right exit code, a message and no traceback within
 30 s and 2 GiB; a flipped bit is noticed or changes nothing; a killed command, run again, leaves
@@ -30,7 +31,7 @@ import time
 from typing import TypeVar
 
 from benchmarks.faults import clocks, disks, flips, kills, losses, malformed, stalls
-from benchmarks.faults.ground import prepared
+from benchmarks.faults.ground import ROOT, prepared
 from benchmarks.faults.spread import spread
 
 T = TypeVar("T")
@@ -48,10 +49,13 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=1, help="faults done at once")
     parser.add_argument("--ground", type=Path, help="folder of the undisturbed work; kept")
+    parser.add_argument("--before", type=Path, help="attacks: an earlier checkout, to compare")
     args = parser.parse_args()
     wrong = 0
     with tempfile.TemporaryDirectory(prefix="esg-faults-") as folder:
-        ground = prepared(args.ground or Path(folder) / "ground").resolve()
+        ground = args.ground or Path(folder) / "ground"
+        if args.what != ["attacks"]:  # they make scenes of their own
+            ground = prepared(ground).resolve()
         for what in args.what:
             started = time.monotonic()
             place = Path(folder).resolve() / what
@@ -120,7 +124,11 @@ def _one_flip(ground: Path, seed: int, place: Path, item: tuple[str, int]) -> st
 
 def _flips(ground: Path, place: Path, args: argparse.Namespace) -> int:
     malformed.load_libraries()
-    items = _chosen(flips.KINDS, args.only, args.count)
+    items = [
+        (name, k)
+        for name, k in _chosen(flips.KINDS, args.only, args.count)
+        if args.only or k < max(1, round(args.count * flips.KINDS[name].share))
+    ]
     ends = ("noticed", "no effect", "another number")
     _table(("file", "flips", *ends, "wrong"))
     wrong = 0
@@ -136,8 +144,11 @@ Pair = tuple[str, int]
 """A command, and how many of it run at once."""
 
 
-def _undisturbed(ground: Path, place: Path, pair: Pair) -> kills.Sound:
-    return kills.undisturbed(*pair, ground, place)
+def _undisturbed(ground: Path, place: Path, pair: Pair) -> kills.Sound | str:
+    try:
+        return kills.undisturbed(*pair, ground, place)
+    except RuntimeError as error:
+        return str(error)
 
 
 def _one_kill(
@@ -163,15 +174,14 @@ def _pairs(ground: Path, place: Path, args: argparse.Namespace) -> int:
 
 
 def _killed(ground: Path, place: Path, args: argparse.Namespace, pairs: list[Pair]) -> int:
-    sound = dict(
-        zip(pairs, spread(partial(_undisturbed, ground), pairs, place, args.jobs), strict=True)
-    )
-    items = [(pair, k) for pair in pairs for k in range(args.rounds)]
+    found = zip(pairs, spread(partial(_undisturbed, ground), pairs, place, args.jobs), strict=True)
+    sound, wrong = _sound_ones(found)
+    items = [(pair, k) for pair in sound for k in range(args.rounds)]
     _table(("command", "at once", "killed", "reruns", "equal"))
-    wrong = total = 0
+    total = 0
     work = partial(_one_kill, ground, sound, args)
-    found = zip(items, spread(work, items, place, args.jobs), strict=True)
-    for (name, together), group in groupby(found, key=lambda pair: pair[0][0]):
+    ends = zip(items, spread(work, items, place, args.jobs), strict=True)
+    for (name, together), group in groupby(ends, key=lambda pair: pair[0][0]):
         results = [result for _, result in group]
         bad = [end for _, end in results if end != "same"]
         died = sum(n for n, _ in results)
@@ -181,8 +191,24 @@ def _killed(ground: Path, place: Path, args: argparse.Namespace, pairs: list[Pai
     return wrong
 
 
-def _before_loss(ground: Path, place: Path, name: str) -> tuple[kills.Facts, int]:
-    return losses.sound(name, ground, place)
+def _sound_ones(found: Iterable[tuple[T, R | str]]) -> tuple[dict[T, R], int]:
+    """Undisturbed runs that were sound, and how many were not; those are told."""
+    sound: dict[T, R] = {}
+    wrong = 0
+    for what, result in found:
+        if isinstance(result, str):
+            print(f"undisturbed: {result}", flush=True)
+            wrong += 1
+        else:
+            sound[what] = result
+    return sound, wrong
+
+
+def _before_loss(ground: Path, place: Path, name: str) -> tuple[kills.Facts, int] | str:
+    try:
+        return losses.sound(name, ground, place)
+    except RuntimeError as error:
+        return str(error)
 
 
 def _one_loss(
@@ -198,9 +224,9 @@ def _losses(ground: Path, place: Path, args: argparse.Namespace) -> int:
     items = _chosen(kills.COMMANDS, args.only, args.count)
     names = list(dict.fromkeys(name for name, _ in items))
     work = partial(_before_loss, ground)
-    sound = dict(zip(names, spread(work, names, place, args.jobs), strict=True))
+    sound, wrong = _sound_ones(zip(names, spread(work, names, place, args.jobs), strict=True))
+    items = [item for item in items if item[0] in sound]
     _table(("command", "operations", "losses", "after its end", "lost something", "equal"))
-    wrong = 0
     run = partial(_one_loss, ground, sound, args.seed)
     for name, found in _by_name(run, items, place, args):
         bad = [f"{name}:{k} {loss.wrong}" for k, loss in found if loss.wrong]
@@ -238,6 +264,30 @@ def _stalls(ground: Path, place: Path, args: argparse.Namespace) -> int:
     return _told(stalls.HEADS, stalls.stalled, stalls.SERVERS, ground, place, args)
 
 
+def _one_attack(checkouts: dict[Path, Path], place: Path, name: str) -> list[list[str]]:
+    from benchmarks.faults import attacks
+
+    return [attacks.attacked(name, made, place, of) for of, made in checkouts.items()]
+
+
+def _attacks(ground: Path, place: Path, args: argparse.Namespace) -> int:
+    from benchmarks.faults import attacks  # which are the tests', and need what tests need
+
+    checkouts = [args.before.resolve()] if args.before else []
+    checkouts.append(ROOT)
+    made = {c: attacks.made_by(c, place / f"made{k}") for k, c in enumerate(checkouts)}
+    names = [name for name, _ in _chosen(attacks.ATTACKS, args.only, 1)]
+    _table(("attack", *(["before"] if args.before else []), "now"))
+    wrong = 0
+    for name, ends in zip(
+        names, spread(partial(_one_attack, made), names, place, args.jobs), strict=True
+    ):
+        _row((name, *("; ".join(end) or "nothing" for end in ends)), [])
+        wrong += len(ends[-1])
+    print(f"\n{len(names)} attacks, {wrong} wrong")
+    return wrong
+
+
 _FAULTS: dict[str, Callable[[Path, Path, argparse.Namespace], int]] = {
     "malformed": _malformed,
     "flips": _flips,
@@ -247,6 +297,7 @@ _FAULTS: dict[str, Callable[[Path, Path, argparse.Namespace], int]] = {
     "disks": _disks,
     "clocks": _clocks,
     "stalls": _stalls,
+    "attacks": _attacks,
 }
 
 

@@ -10,7 +10,7 @@ import random
 import shutil
 
 from benchmarks.faults import kills
-from benchmarks.faults.ground import HALF, PROMPT, Ended, copied, forked, scene_of
+from benchmarks.faults.ground import HALF, PROMPT, Ended, copied, esg, forked, scene_of
 
 ROWS = "SELECT * EXCLUDE (artifacts, seconds, cached_stages) FROM scenes ORDER BY ALL"
 
@@ -26,6 +26,8 @@ class Kind:
         codes: Exit codes of a command that noticed.
         sealed: Whether the file has checksums; a text that people edit has none, and a digit of it
             that flips is another number.
+        alone: Whether the command needs a process of its own, since it starts others.
+        share: Of the flips of others that it gets; less for what takes long.
         told: What the command prints where it noticed and went on without the file.
     """
 
@@ -35,6 +37,8 @@ class Kind:
     codes: tuple[int, ...] = (1, 2, 3)
     sealed: bool = True
     told: str = "\0"
+    alone: bool = False
+    share: float = 1.0
 
 
 def _out(place: Path, ended: Ended) -> object:
@@ -111,7 +115,7 @@ KINDS = {
     "stage results": Kind("cache/artifacts/*/*/data/**/*", _again, _scene_made),
     "compiled classes": Kind("cache/classes/**/*", _replay, _out),
     "emitted classes": Kind("runs/a*/unreal/*", _replay, _out, told='"proof": "program"'),
-    "marks of batches": Kind("half/marks/*.json", _resume, _half_made),
+    "marks of batches": Kind("half/marks/*.json", _resume, _half_made, alone=True, share=0.1),
     "parts of batches": Kind("half/parts/*/*.parquet", _verify, lambda place, ended: "whole"),
     "marks of stage results": Kind("cache/artifacts/*/*/artifact.json", _again, _scene_made),
 }
@@ -155,4 +159,6 @@ _sound: dict[tuple[Kind, str], object] = {}
 
 
 def _done(kind: Kind, place: Path, path: Path) -> Ended:
+    if kind.alone:
+        return esg(kind.arguments(place, path), place, place / "cache")
     return forked(kind.arguments(place, path), place, place / "cache")

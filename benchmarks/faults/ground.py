@@ -192,13 +192,15 @@ def prepared(folder: Path) -> Path:
     """A folder in which a scene was made, a suite run and a small dataset built, undisturbed.
 
     Args:
-        folder: Kept from call to call if it is complete.
+        folder: Kept from call to call if it is complete and the code is the same.
 
     Raises:
         RuntimeError: If one of the commands fails.
     """
+    from esg.up.place import stamp
+
     done = folder / "complete"
-    if done.exists():
+    if done.is_file() and done.read_text() == stamp():
         return folder
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
@@ -215,7 +217,7 @@ def prepared(folder: Path) -> Path:
         if ended.code not in (0, 3):
             raise RuntimeError(f"esg {' '.join(arguments)}: {ended.err or ended.out}")
     shutil.rmtree(folder / "tmp", ignore_errors=True)
-    done.touch()
+    done.write_text(stamp())
     return folder
 
 

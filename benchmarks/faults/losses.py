@@ -316,25 +316,47 @@ def _folders(folder: Folder, path: Path) -> Iterator[Path]:
             yield from _folders(inner, path / name)
 
 
-def _preloaded(name: str, place: Path, library: Path, journal: Path, at: int) -> int:
-    """Runs a command until an operation, or to its end; returns the number of operations."""
-    shutil.rmtree(journal, ignore_errors=True)
-    (journal / "snap").mkdir(parents=True)
-    (journal / "journal").touch()
-    (journal / "counter").write_bytes(bytes(8))
-    variables = {
+def open_journal(folder: Path) -> None:
+    """Makes an empty journal."""
+    shutil.rmtree(folder, ignore_errors=True)
+    (folder / "snap").mkdir(parents=True)
+    (folder / "journal").touch()
+    (folder / "counter").write_bytes(bytes(8))
+
+
+def operations(folder: Path) -> int:
+    """How many operations on files a journal counts."""
+    return int.from_bytes((folder / "counter").read_bytes(), "little")
+
+
+def variables(place: Path, library: Path, journal: Path, at: int) -> dict[str, str]:
+    """The environment of a command whose power fails.
+
+    Args:
+        place: Folder whose changes are written down.
+        library: To preload.
+        journal: Of `open_journal`.
+        at: The operation that it does not survive; 0: none.
+    """
+    return {
         "LD_PRELOAD": str(library),
         "ESG_LOSS_ROOT": str(place),
         "ESG_LOSS_JOURNAL": str(journal),
         "ESG_LOSS_AT": str(at),
     }
-    command = begin(arguments(name, place), place, place / "cache", **variables)
+
+
+def _preloaded(name: str, place: Path, library: Path, journal: Path, at: int) -> int:
+    """Runs a command until an operation, or to its end; returns the number of operations."""
+    open_journal(journal)
+    more = variables(place, library, journal, at)
+    command = begin(arguments(name, place), place, place / "cache", **more)
     ended = finish(command, 600.0, time.monotonic())
     with contextlib.suppress(ProcessLookupError):
         os.killpg(command.pid, signal.SIGKILL)
     if ended.wrong((0, 3)) and not (at and ended.code == -signal.SIGKILL):
         raise RuntimeError(f"{name}: {ended.wrong((0, 3))}")
-    return int.from_bytes((journal / "counter").read_bytes(), "little")
+    return operations(journal)
 
 
 def sound(name: str, ground: Path, place: Path) -> tuple[Facts, int]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
+import shutil
 import subprocess
 
 
@@ -20,6 +21,7 @@ def compiled(name: str, folder: Path) -> Path:
     if not library.is_file():
         folder.mkdir(parents=True, exist_ok=True)
         source = Path(__file__).with_name(f"{name}.c")
-        command = ["cc", "-shared", "-fPIC", "-O1", str(source), "-o", str(library), "-ldl"]
+        cc = next((c for c in ("cc", "gcc", "clang") if shutil.which(c)), "cc")
+        command = [cc, "-shared", "-fPIC", "-O1", str(source), "-o", str(library), "-ldl"]
         subprocess.run(command, check=True, capture_output=True)
     return library
