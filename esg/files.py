@@ -101,8 +101,13 @@ def read_limited(path: Path, limit: int) -> bytes:
 
 
 @contextlib.contextmanager
-def atomic_file(path: Path) -> Generator[IO[bytes]]:
+def atomic_file(path: Path, *, durable: bool = True) -> Generator[IO[bytes]]:
     """Opens a temporary file that becomes `path` when the block ends, or vanishes if it fails.
+
+    Args:
+        path: The file; folders above it are made.
+        durable: Whether it is forced to the disk. Without that a power failure may leave half of
+            it, which is for files whose reader notices and makes them again.
 
     Raises:
         OSError: With the remedy in its text for a full, read-only or forbidden disk.
@@ -112,10 +117,12 @@ def atomic_file(path: Path) -> Generator[IO[bytes]]:
         make_folder(path.parent)
         with temporary.open("wb") as file:
             yield file
-            file.flush()
-            os.fsync(file.fileno())
+            if durable:
+                file.flush()
+                os.fsync(file.fileno())
         os.replace(temporary, path)
-        sync_folder(path.parent)
+        if durable:
+            sync_folder(path.parent)
     except OSError as error:
         raise explained(error, path) from error
     finally:
