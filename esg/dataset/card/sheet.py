@@ -110,7 +110,7 @@ def _still(film: bytes | Path, wanted: int) -> Image | None:
     import av
 
     try:
-        with av.open(io.BytesIO(film) if isinstance(film, bytes) else str(film)) as container:
+        with av.open(io.BytesIO(film) if isinstance(film, bytes) else film, "r") as container:
             for number, frame in enumerate(container.decode(video=0)):
                 if number == wanted:
                     return frame.to_image()
