@@ -15,7 +15,7 @@ import threading
 import time
 from typing import Any, Literal
 
-from esg.outcomes import UserError
+from esg.outcomes import Outcome, UserError
 from esg.pipeline import STAGES, SceneRequest, SceneState, run_scene
 from esg.progress import StageEvent, listening
 from esg.scenefolder import publish
@@ -56,8 +56,9 @@ class Job:
     reason: str = ""
 
     def to_json(self) -> dict[str, Any]:
-        """For the page: all but the document, of which it says whether there is one."""
+        """For the page: all but the document, of which it says whether there is one; advice."""
         row = asdict(self)
+        row["advice"] = Outcome(self.outcome).advice if self.outcome else ""
         row["edited"] = bool(row.pop("document"))
         row["stages"] = [
             {"name": name, "seconds": seconds, "cached": cached}
@@ -72,13 +73,18 @@ class Jobs:
     Args:
         folder: Where scene folders and the log go.
         pool: Makes the process that scenes are made in: one, replaced when a scene is cancelled.
+        prepare: Called with a new scene folder before its job is done: what its page needs is
+            there when somebody looks.
     """
 
     def __init__(
-        self, folder: Path, pool: Callable[[], WorkerPool] = lambda: WorkerPool(1)
+        self,
+        folder: Path,
+        pool: Callable[[], WorkerPool] = lambda: WorkerPool(1),
+        prepare: Callable[[Path], object] = lambda folder: None,
     ) -> None:
         self.folder = folder
-        self._make_pool, self._pool = pool, pool()
+        self._make_pool, self._pool, self._prepare = pool, pool(), prepare
         self._changed = threading.Condition()
         self._version = 0
         self._ended = False
@@ -194,6 +200,8 @@ class Jobs:
             if self.get(job.id).status != "running":
                 return {}
             folder = publish(state, self.folder)
+            with contextlib.suppress(UserError, OSError):  # told to whoever opens the page
+                self._prepare(folder)
         except KeyboardInterrupt:  # the pool was stopped: cancelled, or the studio closes
             self._renew()
             return {"status": "cancelled", "reason": "cancelled"}
