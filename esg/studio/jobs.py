@@ -73,18 +73,13 @@ class Jobs:
     Args:
         folder: Where scene folders and the log go.
         pool: Makes the process that scenes are made in: one, replaced when a scene is cancelled.
-        prepare: Called with a new scene folder before its job is done: what its page needs is
-            there when somebody looks.
     """
 
     def __init__(
-        self,
-        folder: Path,
-        pool: Callable[[], WorkerPool] = lambda: WorkerPool(1),
-        prepare: Callable[[Path], object] = lambda folder: None,
+        self, folder: Path, pool: Callable[[], WorkerPool] = lambda: WorkerPool(1)
     ) -> None:
         self.folder = folder
-        self._make_pool, self._pool, self._prepare = pool, pool(), prepare
+        self._make_pool, self._pool = pool, pool()
         self._changed = threading.Condition()
         self._version = 0
         self._ended = False
@@ -200,8 +195,6 @@ class Jobs:
             if self.get(job.id).status != "running":
                 return {}
             folder = publish(state, self.folder)
-            with contextlib.suppress(UserError, OSError):  # told to whoever opens the page
-                self._prepare(folder)
         except KeyboardInterrupt:  # the pool was stopped: cancelled, or the studio closes
             self._renew()
             return {"status": "cancelled", "reason": "cancelled"}

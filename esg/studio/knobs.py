@@ -189,7 +189,9 @@ def _timed(node: TimelineNode, values: Mapping[str, float]) -> TimelineNode:
             return constraint
         return constraint.model_copy(update={"value": 100.0 * gap_m})
 
-    changed: dict[str, Any] = {"constraints": tuple(ended(k, c) for k, c in enumerate(node.constraints))}
+    changed: dict[str, Any] = {
+        "constraints": tuple(ended(k, c) for k, c in enumerate(node.constraints))
+    }
     time = values.get(f"time/{node.id}")
     if time is not None:
         changed |= {"timestamp": time, "window": None, "time_is_prescribed": True}

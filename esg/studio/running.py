@@ -34,11 +34,10 @@ def run(folder: Path, port: int, ready: Callable[[str], None], *, once: bool = F
     import uvicorn
 
     from esg.studio.jobs import Jobs
-    from esg.studio.playing import page_of
 
     listener = _bound(port)
     load_usd()  # before any thread
-    jobs = Jobs(folder, _warm_pool, page_of)
+    jobs = Jobs(folder, _warm_pool)
     config = uvicorn.Config(
         build(jobs), log_level="critical", access_log=False, timeout_graceful_shutdown=GRACE_S
     )

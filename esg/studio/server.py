@@ -36,7 +36,7 @@ TARGETS = ("unreal", "usd", "mjcf", "glb")
 _KINDS = {".html": "text/html", ".js": "text/javascript", ".css": "text/css"}
 _PAGE_POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
-    "connect-src 'self'; frame-src 'self'; base-uri 'none'; form-action 'none'"
+    "connect-src 'self'; frame-src 'self'; media-src 'self'; base-uri 'none'; form-action 'none'"
 )
 _EVERYWHERE = {
     "X-Content-Type-Options": "nosniff",
@@ -145,11 +145,21 @@ def _serve_scenes(app: FastAPI, jobs: Jobs) -> None:
         page = page_of(folder_of(jobs.folder, jobs.get(number)))
         return Response(page, media_type="text/html; charset=utf-8")
 
-    @app.get("/scenes/{number}/files/{name:path}")
-    def file(number: int, name: str) -> Response:
+    def found(number: int, name: str) -> Path | None:
         from esg.strangers.folders import file_in
 
-        path = file_in(folder_of(jobs.folder, jobs.get(number)), name)
+        return file_in(folder_of(jobs.folder, jobs.get(number)), name)
+
+    @app.get("/scenes/{number}/film")
+    def film(number: int) -> Response:
+        path = found(number, "preview.mp4")
+        if path is None:
+            return JSONResponse({"error": "there is no film"}, 404)
+        return Response(path.read_bytes(), media_type="video/mp4")
+
+    @app.get("/scenes/{number}/files/{name:path}")
+    def file(number: int, name: str) -> Response:
+        path = found(number, name)
         if path is None:
             return JSONResponse({"error": "there is no such file"}, 404)
         return _attachment(path.name, path.read_bytes())

@@ -11,6 +11,7 @@ const EXAMPLES = [
 ];
 const PAUSE_MS = 60;
 const TURNED_MS = 700;
+const FILM_MS = 1500; // the player is loaded after this time, whatever keeps the film
 const FATES = {
   used: "became an object, an event, a number or a relation",
   not_judged: "a statement: the replay will be measured by it",
@@ -292,8 +293,26 @@ function show() {
   const link = (to, text) => h("a", { href: to, download: "" }, text);
   $("scene").replaceChildren(
     h("div", { class: "downloads" }, "Take it along:", ["usd", "glb", "mjcf", "unreal"].map((to) => link(`${base}/export/${to}`, to)), link(`${base}/files/esg.json`, "scene graph"), link(`${base}/files/rollout.mcap`, "MCAP"), link(`${base}/files/preview.mp4`, "film"), link(`${base}/files/preview.png`, "contact sheet"), h("a", { href: `${base}/`, target: "_blank" }, "open alone")),
-    h("iframe", { src: `${base}/`, title: `Player of: ${job.prompt.slice(0, 120)}` }),
+    player(base, job.prompt.slice(0, 120)),
   );
+}
+
+// The film plays at once; it gives way to the 3-D player as soon as that has drawn.
+function player(base, prompt) {
+  const frame = h("iframe", { title: `Player of: ${prompt}` });
+  const film = h("video", { src: `${base}/film`, title: `Film of: ${prompt}`, muted: true, autoplay: true, loop: true, playsinline: true });
+  film.muted = true; // the attribute alone does not count for elements made by scripts
+  const box = h("div", { class: "player" }, frame, film);
+  const load = () => frame.src || (frame.src = `${base}/`);
+  film.addEventListener("playing", load, { once: true });
+  film.addEventListener("error", () => (film.remove(), load()));
+  setTimeout(load, FILM_MS);
+  const waiting = setInterval(() => {
+    const ready = frame.contentDocument?.documentElement?.dataset.ready === "yes";
+    if (ready) film.remove();
+    if (ready || !box.isConnected) clearInterval(waiting);
+  }, 100);
+  return box;
 }
 
 function row(job) {
