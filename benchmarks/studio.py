@@ -21,7 +21,7 @@ import threading
 import time
 from typing import Any
 
-from esg.api.warming import load_usd, warm_up
+from esg.api.warming import warm_up
 from esg.studio.jobs import Jobs
 from esg.studio.playing import warm
 from esg.studio.reading import read
@@ -72,7 +72,6 @@ def main() -> None:
     args = parser.parse_args()
     if reason := chrome.missing():
         sys.exit(reason)
-    load_usd()
     with tempfile.TemporaryDirectory() as work:
         found = measure(Path(work))
     text = json.dumps(found, indent=1)

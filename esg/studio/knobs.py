@@ -8,6 +8,7 @@ from typing import Any
 
 from esg.graph.models import (
     BinaryRelation,
+    EdgeEvent,
     EsgDocument,
     EventConstraint,
     Quantity,
@@ -29,6 +30,16 @@ APART = (
 )  # fmt: skip
 """Relations of things that stand apart, which a distance can be stated of."""
 FASTEST_CM_S = 15000.0
+HOW = {
+    EdgeEvent.TOWARD: " when launched",
+    EdgeEvent.ACCELERATED_MOTION: " as it speeds up",
+    EdgeEvent.BRAKE: " as it brakes",
+    EdgeEvent.TURN: " in its turn",
+    EdgeEvent.INERTIAL_CONNECTOR: " between its hits",
+    EdgeEvent.GUIDE: " as it is moved",
+    EdgeEvent.DRIVE: " at its joint",
+}
+"""What a slider says of the part of a motion that it turns."""
 
 
 @dataclass(frozen=True)
@@ -119,7 +130,7 @@ def _speed(edge: TimelineEdge, who: str) -> Knob:
     span = (SPEED_SPAN[0] * middle, SPEED_SPAN[1] * middle) if low == high else (0.5 * low, high)
     return Knob(
         f"speed/{edge.id}",
-        f"speed of {who} ({edge.event.value})",
+        f"speed of {who}{HOW.get(edge.event, '')}",
         "m/s",
         max(span[0], 5.0) / 100.0,
         min(span[1], FASTEST_CM_S) / 100.0,

@@ -15,6 +15,7 @@ import time
 
 import uvicorn
 
+from esg.api.warming import load_usd
 from esg.studio.jobs import Jobs
 from esg.studio.server import HOST, build
 from tests.studio.fakes import Pool
@@ -23,6 +24,7 @@ from tests.studio.fakes import Pool
 @contextlib.contextmanager
 def served(jobs: Jobs) -> Iterator[str]:
     """The address of a studio that ends with the block."""
+    load_usd()  # before any thread
     listener = socket.socket()
     listener.bind((HOST, 0))
     server = uvicorn.Server(
@@ -49,6 +51,7 @@ def pools() -> Callable[[], Pool]:
 
 
 def main(folder: Path, port: int) -> None:
+    load_usd()
     jobs = Jobs(folder, pools())  # type: ignore[arg-type]  # stands for a WorkerPool
     uvicorn.run(build(jobs), host=HOST, port=port, log_level="critical", access_log=False)
 

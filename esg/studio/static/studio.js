@@ -290,17 +290,32 @@ function show() {
     return;
   }
   const base = `/scenes/${job.id}`;
-  const link = (to, text) => h("a", { href: to, download: "" }, text);
-  $("scene").replaceChildren(
-    h("div", { class: "downloads" }, "Take it along:", ["usd", "glb", "mjcf", "unreal"].map((to) => link(`${base}/export/${to}`, to)), link(`${base}/files/esg.json`, "scene graph"), link(`${base}/files/rollout.mcap`, "MCAP"), link(`${base}/files/preview.mp4`, "film"), link(`${base}/files/preview.png`, "contact sheet"), h("a", { href: `${base}/`, target: "_blank" }, "open alone")),
-    player(base, job.prompt.slice(0, 120)),
+  $("scene").replaceChildren(...(job.status === "done" ? [downloads(base), player(base, job)] : [page(base, job)]));
+}
+
+function downloads(base) {
+  const link = (to, text) => h("a", { href: `${base}/${to}`, download: "" }, text);
+  return h(
+    "div",
+    { class: "downloads" },
+    "Take it along:",
+    ["usd", "glb", "mjcf", "unreal"].map((to) => link(`export/${to}`, to)),
+    link("files/esg.json", "scene graph"),
+    link("files/rollout.mcap", "MCAP"),
+    link("files/preview.mp4", "film"),
+    link("files/preview.png", "contact sheet"),
+    h("a", { href: `${base}/`, target: "_blank" }, "open alone"),
   );
 }
 
+function page(base, job) {
+  return h("iframe", { src: base && `${base}/`, title: `Scene of: ${job.prompt.slice(0, 120)}` });
+}
+
 // The film plays at once; it gives way to the 3-D player as soon as that has drawn.
-function player(base, prompt) {
-  const frame = h("iframe", { title: `Player of: ${prompt}` });
-  const film = h("video", { src: `${base}/film`, title: `Film of: ${prompt}`, muted: true, autoplay: true, loop: true, playsinline: true });
+function player(base, job) {
+  const frame = page(null, job);
+  const film = h("video", { src: `${base}/film`, title: `Film of: ${job.prompt.slice(0, 120)}`, muted: true, autoplay: true, loop: true, playsinline: true });
   film.muted = true; // the attribute alone does not count for elements made by scripts
   const box = h("div", { class: "player" }, frame, film);
   const load = () => frame.src || (frame.src = `${base}/`);
