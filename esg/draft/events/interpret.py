@@ -179,7 +179,7 @@ Step = Callable[[Discourse, Frame, Parts], bool]
 
 def read_frame(d: Discourse, f: Frame) -> None:
     """Reads a clause: who it is about, then what its verb's sense says, then what is left."""
-    d.now.each = _one_by_one(f)
+    d.now.each = _one_by_one(d, f)
     parts = _parts(d, f)
     if any(step(d, f, parts) for step in STEPS):
         return
@@ -487,14 +487,15 @@ def _neither(d: Discourse, f: Frame, subject: list[str]) -> None:
     mark_used(d, f, "misses")
 
 
-def _one_by_one(f: Frame) -> set[str]:
-    """Few things that "both" or "each" distributes over; "all" of a row stays one chain."""
+def _one_by_one(d: Discourse, f: Frame) -> set[str]:
+    """Few things that "both" or "each" distributes over; a row or a stack stays one chain."""
     out: set[str] = set()
     for m in (f.subject, f.object, *[p.mention for p in f.phrases]):
         if m is None or not (2 <= len(m.entities) <= 3):
             continue
         told = m is f.object and m.count == len(m.entities) and not m.vague and not m.single
-        felled = told and f.verb.sense in ("knock", "topple")  # "mows down two cones"
+        apart = all(entity_of(d, i).pattern != "stack" for i in m.entities)
+        felled = told and apart and f.verb.sense in ("knock", "topple")  # "mows down two cones"
         if {"both", "each"} & {m.determiner, m.pronoun} or felled:
             out |= set(m.entities)
     return out
