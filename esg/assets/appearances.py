@@ -18,10 +18,10 @@ from esg.assets.appearance import RIDDEN, USUAL, Appearance
 from esg.assets.builders.living.beasts import GAITS
 from esg.assets.colors import find_color
 from esg.assets.configuration import parametric_entry, stated_material
-from esg.assets.library.catalogue import Entry, parse_hex
+from esg.assets.library.catalogue import Entry, normalize, parse_hex
 from esg.assets.looks import Color
 from esg.graph.casting import effective
-from esg.graph.models import CoverageItem, EsgDocument, Predicate
+from esg.graph.models import AssetRequirement, CoverageItem, EsgDocument, Predicate
 
 _DATA = Path(__file__).parent / "data"
 _PEOPLE = frozenset({"figure", "child_figure"})
@@ -72,6 +72,31 @@ def _palettes() -> dict[str, tuple[Color, ...]]:
     return out
 
 
+@cache
+def _typical_colors() -> dict[str, Color]:
+    out: dict[str, Color] = {}
+    with (_DATA / "typical_colors.csv").open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            out |= dict.fromkeys(row["nouns"].split(";"), parse_hex(row["color"]))
+    return out
+
+
+def typical_color(requirement: AssetRequirement | None) -> Color | None:
+    """The colour of what the words name, where it is not that of the kind that is drawn for them.
+
+    A lemon has the body of an orange, and a school bus that of a bus.
+
+    Args:
+        requirement: What the document asks for.
+    """
+    if requirement is None:
+        return None
+    said, colon, _ = requirement.asset_description.partition(":")
+    words = normalize(said if colon else requirement.asset_category).split()
+    endings = (" ".join(words[start:]) for start in range(len(words)))
+    return next((_typical_colors()[e] for e in endings if e in _typical_colors()), None)
+
+
 def appearances(doc: EsgDocument) -> dict[str, Appearance]:
     """How every node of a resolved document looks, by its id."""
     doc = effective(doc)
@@ -96,6 +121,10 @@ def appearances(doc: EsgDocument) -> dict[str, Appearance]:
         )
         if own.livery and not _colored(doc, node.asset_id, entry):
             out[name] = replace(own, color=_LIVERIES[own.livery])
+            continue
+        typical = typical_color(doc.asset_requirement.get(node.asset_id))
+        if typical is not None and not _colored(doc, node.asset_id, entry):
+            out[name] = replace(own, color=typical)
             continue
         color = None if own.livery else _free_color(doc, node.asset_id, entry, own, taken)
         if color is not None:
