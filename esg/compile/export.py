@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 import tempfile
 from typing import Literal, get_args
@@ -32,6 +33,7 @@ def export(
     rollout: Rollout | None = None,
     setting: Setting | None = None,
     form: UsdForm = "usda",
+    self_contained: bool = False,
 ) -> list[Path]:
     """Writes a scene for another program.
 
@@ -44,6 +46,7 @@ def export(
             default the recorded one, else the program is replayed in PhysX.
         setting: Ground, dressing, light and cameras of `usd` and `glb`; None: the bodies alone.
         form: Of `usd`: layers as text or in binary, or a package of what is seen.
+        self_contained: Of `unreal`: the class brings what plays it.
 
     Returns:
         The files written, sorted.
@@ -60,10 +63,16 @@ def export(
     manifest = load_manifest(folder / "manifest.json")
     target.mkdir(parents=True, exist_ok=True)
     # A disk that fills up on the way leaves earlier exports as they were.
+    if to == "unreal":
+        from esg.compile.plugin import write_plugin
+
+        write = partial(write_plugin, folder, alone=self_contained)
+    else:
+        write = partial(_write, folder, manifest, to, rollout=rollout, setting=setting, form=form)
     with tempfile.TemporaryDirectory(prefix=".export-", suffix=TEMPORARY, dir=target) as aside:
         work = Path(aside)
         files: list[Path] = []
-        for file in _write(folder, manifest, to, work, rollout, setting, form):
+        for file in write(work):
             path = target / file.relative_to(work)
             path.parent.mkdir(parents=True, exist_ok=True)
             file.replace(path)
@@ -78,14 +87,11 @@ def _write(
     manifest: Manifest,
     to: Target,
     out: Path,
+    *,
     rollout: Rollout | None,
     setting: Setting | None,
     form: UsdForm,
 ) -> list[Path]:
-    if to == "unreal":
-        from esg.compile.plugin import write_plugin
-
-        return write_plugin(folder, out)
     if to == "mjcf":
         from esg.compile.mjcf import scene_mjcf
 

@@ -278,16 +278,18 @@ def _build(
     remote: Remote | None,
 ) -> dict[str, Any]:
     from esg.commands.datasets.layouts import lay_out, push_layouts
-    from esg.dataset.finish import clean, finish
+    from esg.dataset.finish import clean, describe_again, finish
     from esg.dataset.folder import finish_lock
     from esg.dataset.remote import is_media
 
     if folder.finished():
         clean(folder.path)
         summary = _summary(folder, spec, {}, remote)
-        if lay_out(folder, remote, bar.show) and remote is not None:
-            push_layouts(folder, remote)
-            shutil.rmtree(folder.path, ignore_errors=True)
+        if lay_out(folder, remote, bar.show):
+            describe_again(folder.path, spec)
+            if remote is not None:
+                push_layouts(folder, remote)
+                shutil.rmtree(folder.path, ignore_errors=True)
         return summary
     if remote is not None:
         remote.push_beginning(folder.path)
