@@ -35,6 +35,7 @@ from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.courses import follow, keep_on, snapshot
 from esg.draft.events.hanging import sense_on_joint
+from esg.draft.events.motions import hold_back
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.breaking import gone_through, sense_of_breaking, who_breaks
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
@@ -141,6 +142,7 @@ def interpret(
         before = f.verb.start
     settle(d, None, None)
     keep_on(d)
+    hold_back(d)
     for actor in d.moves.still:
         track = d.timeline.tracks.get(actor)
         if track is not None and track.role is Role.ACTIVE and actor in d.world.entities:

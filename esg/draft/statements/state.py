@@ -439,7 +439,7 @@ def _support(book: _Book, clause: Clause, p: Phrase) -> None:
 def _when(d: Discourse, clause: Clause, mover: str) -> str:
     """The part of the scene that a clause tells: from one event to the next."""
     since = clause.since.get(mover, START)
-    edge = next((e for e in _of(d, mover) if e.from_ == since), None)
+    edge = _going(d, mover, since)
     kinds = {n.id: n.event for n in d.timeline.nodes}
     begin = "start" if since == START else since
     end = edge.to if edge is not None else "end"
@@ -456,10 +456,18 @@ def _of(d: Discourse, mover: str) -> Iterator[TimelineEdge]:
     return (e for e in d.timeline.edges if e.actor == mover)
 
 
+def _going(d: Discourse, mover: str, since: str) -> TimelineEdge | None:
+    """The segment of a motion that is told from an event on: the one after a wait, if it waits."""
+    edge = next((e for e in _of(d, mover) if e.from_ == since), None)
+    if edge is not None and edge.event is EdgeEvent.UNIFORM_MOTION and edge.params.speed == 0.0:
+        return next((e for e in _of(d, mover) if e.from_ == edge.to), edge)
+    return edge
+
+
 def _pace(d: Discourse, clause: Clause, mover: str, says: Predicate) -> float | None:
     """The speed [cm/s] that a word such as "slowly" leaves a mover of its kind."""
     since = clause.since.get(mover, START)
-    edge = next((e for e in _of(d, mover) if e.from_ == since), None)
+    edge = _going(d, mover, since)
     if edge is not None and edge.event is EdgeEvent.GUIDE:
         return GENTLE_CM_S if says is Predicate.SLOWER_THAN else None
     speed: Quantity | None = edge.params.speed if edge is not None else None

@@ -33,6 +33,7 @@ from esg.draft.text.quantities import Amount
 from esg.graph.models import NodeEvent
 
 _WAITING = lex.word_set("waiting")
+_PATIENT = frozenset({"wait", "pause", "queue", "idle"})
 _PATTERN_VERBS = {
     "stack": "stack",
     "pile": "stack",
@@ -180,6 +181,8 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """A state, and how long it lasts; what sticks to something has hit it."""
     lasting = amount(d, f, "time")
     waits = lasting is not None and f.verb.lemma in _WAITING and not f.reduced
+    if f.verb.lemma in _PATIENT and lasting is None and not f.reduced and not f.unreal:
+        d.moves.patient.update(a for a in s if kind_of(d, a) in SELF_POWERED and at_rest(d, a))
     for actor in [a for a in s if waits and kind_of(d, a) in SELF_POWERED]:
         if moves(d, actor):
             add_event(d, NodeEvent.TRIGGER, (actor,), f, None)  # "drives for 4 s, waits"
