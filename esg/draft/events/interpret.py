@@ -33,7 +33,7 @@ from esg.draft.discourse.scene import SELF_POWERED, Scene
 from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
-from esg.draft.events.courses import follow, keep_on, snapshot
+from esg.draft.events.courses import by_its_participle, follow, keep_on, snapshot
 from esg.draft.events.hanging import sense_on_joint
 from esg.draft.events.motions import hold_back
 from esg.draft.events.senses import SENSES
@@ -190,6 +190,7 @@ def read_frame(d: Discourse, f: Frame) -> None:
     was = snapshot(d)
     handler(d, f, parts.subject, parts.objects)
     gone_through(d, f)
+    d.scene.clauses += by_its_participle(d, f, was, parts.subject)
     d.scene.clauses.append(follow(d, f, was, parts.subject, parts.objects))
     hand_on(d, f)
     for p, a in amounts_of(d, f):
