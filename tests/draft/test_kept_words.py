@@ -223,3 +223,44 @@ def test_a_taxi_is_yellow_unless_it_is_said_otherwise():
         for p in ("A taxi hits a bin.", "A blue taxi hits a bin.")
     }
     assert list(colors.values()) == [{"yellow"}, {"blue"}]
+
+
+def _on(prompt: str) -> dict[str, str]:
+    """What everything mentioned stands on, but for the ground."""
+    graph = draft(prompt).spatial_relation_graph
+    regions = graph.semantic_regions
+    at = {i: regions[n.semantic_region] for i, n in graph.nodes.items() if n.semantic_region}
+    return {i: r.parent_object for i, r in at.items() if not r.parent_object.startswith("ground")}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "on"),
+    [
+        ("A girl stacks two cubes on a box.", {"cube_1": "box_1", "cube_2": "box_1"}),
+        ("A boy balances a ball on a box.", {"ball_1": "box_1"}),
+        ("A man loads a cart with two sacks.", {"sack_1": "cart_1", "sack_2": "cart_1"}),
+        ("A crane lowers a container onto a truck.", {}),
+        ("A woman leans a broom against a wall.", {}),
+    ],
+)
+def test_who_puts_a_thing_somewhere_is_not_there_too(prompt: str, on: dict[str, str]) -> None:
+    """Place what a transitive verb of posture acts on, and not who acts."""
+    assert _on(prompt) == on
+
+
+@pytest.mark.parametrize(
+    ("prompt", "placed"),
+    [
+        ("A girl stacks a red cube on top of a blue cube.", ("red_cube_1", "blue_cube_1")),
+        ("A worker loads a crate onto a truck.", ("crate_1", "truck_1")),
+        ("A man lifts a box and puts it down.", ("box_1", "ground_1")),
+        ("A robot picks up a cup from a table and sets it down again.", ("cup_1", "table_1")),
+    ],
+)
+def test_what_is_put_somewhere_ends_there(prompt: str, placed: tuple[str, str]) -> None:
+    """Guide what is stacked, loaded or set down again, and own up to nothing."""
+    doc = draft(prompt)
+    assert doc.timeline_system is not None
+    last = doc.timeline_system.sequence_graph.nodes[-1]
+    assert (last.event.value, last.participants) == ("Placed", placed)
+    assert not [s for s in doc.statements or () if s.predicate.value == "not_represented"]

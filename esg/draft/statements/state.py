@@ -311,7 +311,8 @@ def _posture(book: _Book, clause: Clause) -> None:
     targets = [i for i in things(held) if i in d.world.entities][:1]
     if says is None or not targets or held is None or held.mention is None:
         return
-    for body in _ids(f.subject):
+    acted_on = [] if f.verb.passive else _ids(f.object)
+    for body in acted_on or _ids(f.subject):
         if body in d.world.entities and body not in targets:
             start = start_of(held, d.text)
             book.add(says, start, held.mention.end, object=(body,), target=tuple(targets),

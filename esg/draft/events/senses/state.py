@@ -51,8 +51,6 @@ _HANGING = lex.word_set("hanging")
 _HUNG_BY = lex.word_set("hung by")
 _BESIDE = ("on", "against", "at", "by")
 _FILLING = ("cover", "load", "fill", "stack", "set")
-_PUTTING = frozenset({"put", "place", "set", "position", "lay"})
-"""Verbs whose object comes to be where they say, not who does it."""
 _MEASURES = ("tall", "high", "wide", "long", "thick", "deep")
 _SIDES = lex.word_set("sides (state)")
 _CARRIED_ALONG = lex.word_set("carried along")
@@ -150,7 +148,8 @@ def mass_of_load(d: Discourse, a: Amount) -> bool:
 @sense("be")
 def read_be(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """How high, large and where things are."""
-    bodies = o if f.verb.lemma in _PUTTING and o and not f.verb.passive else s or o
+    acts = f.verb.sense in ("posture", "carry") and f.object is not None and not f.verb.passive
+    bodies = (o if acts else []) or s or o  # who leans a broom on a wall does not lean
     _hovering(d, f, bodies)
     places(d, f, bodies)
     named = f.subject.head if f.subject is not None and f.subject.attribute else ""
