@@ -1,4 +1,4 @@
-"""What a scene keeps of its prompt: every statement and every verb by what became of it.
+"""What a scene keeps of its prompt: every statement, verb and quantity by what became of it.
 
 Documents, verdicts and rows are plain JSON here, as commands, tables and pages read them. A row of
 a statement has id, says (its predicate), words, start and end (their place in the prompt), status,
@@ -19,6 +19,11 @@ NOT_UNDERSTOOD = "not_understood"
 UNSEEN = (NOT_REPRESENTED, NOT_UNDERSTOOD)
 """Statuses of words of which no scene shows anything."""
 _LOST = ("broken", NOT_REPRESENTED)
+_DROPPED = {
+    "event": "no event was made of this verb",
+    "quantity": "nothing in the scene has this quantity",
+}
+"""Kinds of words that a scene must show, and what is said of one that it does not."""
 _MOST = 10
 
 
@@ -71,7 +76,8 @@ def judged(verdict: Mapping[str, Any]) -> Row:
 def shortfalls(document: Mapping[str, Any], rows: Iterable[Mapping[str, Any]]) -> list[Row]:
     """What of a prompt is not shown, in its order.
 
-    Statements that are broken or not represented, and verbs of which no event was made.
+    Statements that are broken or not represented, verbs of which no event was made, and quantities
+    of which nothing was made.
 
     Args:
         document: The ESG, of which only the coverage is read.
@@ -82,14 +88,14 @@ def shortfalls(document: Mapping[str, Any], rows: Iterable[Mapping[str, Any]]) -
     told = [(row["start"], row["end"]) for row in lost]
     lost += [
         {
-            "words": verb["text"],
-            "start": verb["start"],
-            "end": verb["end"],
+            "words": item["text"],
+            "start": item["start"],
+            "end": item["end"],
             "status": NOT_UNDERSTOOD,
-            "reason": verb.get("note") or "no event was made of this verb",
+            "reason": item.get("note") or _DROPPED[item["kind"]],
         }
-        for verb in _dropped_verbs(document)
-        if not any(a <= verb["start"] and verb["end"] <= b for a, b in told)
+        for item in _dropped(document)
+        if not any(a <= item["start"] and item["end"] <= b for a, b in told)
     ]
     return sorted(lost, key=lambda row: (row["start"], row["end"]))
 
@@ -130,10 +136,10 @@ def lost_in(document: Mapping[str, Any], metrics: Mapping[str, Any] | None) -> l
 
 
 def fully_understood(document: Mapping[str, Any]) -> bool:
-    """Whether every statement is represented and an event was made of every verb."""
+    """Whether every statement is represented and something was made of every verb and quantity."""
     rows = statement_rows(document)
     represented = all(row["status"] != NOT_REPRESENTED for row in rows)
-    return represented and not _dropped_verbs(document)
+    return represented and not _dropped(document)
 
 
 def share_kept(rows: Sequence[Mapping[str, Any]]) -> float | None:
@@ -193,6 +199,6 @@ def counted(rows: Iterable[Mapping[str, Any]]) -> str:
     return ", ".join(f'"{row["words"]}" ({row["scenes"]})' for row in rows)
 
 
-def _dropped_verbs(document: Mapping[str, Any]) -> list[Mapping[str, Any]]:
+def _dropped(document: Mapping[str, Any]) -> list[Mapping[str, Any]]:
     items = (document.get("coverage") or {}).get("items", ())
-    return [i for i in items if i["kind"] == "event" and i["status"] == NOT_UNDERSTOOD]
+    return [i for i in items if i["kind"] in _DROPPED and i["status"] == NOT_UNDERSTOOD]

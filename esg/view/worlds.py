@@ -24,6 +24,8 @@ NOTHING, GROUND = -2, -1
 """Body indices of pixels that hit nothing, and the ground."""
 SEEN = ("depth", "normal", "mover", "paint", "point", "albedo", "light", "mirror", "shine", "rest")
 """Pictures that the first ray of every pixel makes; most are vectors."""
+SURFACES = SEEN[:5]
+"""Those by which surfaces are told apart."""
 SAMPLES = 4
 """Rays a pixel where surfaces meet; elsewhere there is one."""
 
@@ -141,14 +143,25 @@ class WorldRenderer:
         views["tangent"] = [math.tan(c.fov / 2) for c in cameras]
         shown = wp.array(views, dtype=kernels.View, device=self._device)
         dim = images["depth"].shape
+        spots = (
+            dim[0],
+            -(-dim[1] // kernels.TILE_ROWS) * -(-dim[2] // kernels.TILE) * kernels.TILE_PX,
+        )
         seen = [images[k] for k in SEEN]
         rays = (2 if samples >= SAMPLES else 1) if rgb else 0
-        wp.launch(kernels.look, dim, inputs=[scene, shown, rays, *seen], device=self._device)
+        wp.launch(kernels.look, spots, inputs=[scene, shown, rays, *seen], device=self._device)
         if rgb:
             edges = [images["edge"], images["is_edge"]]
             k, count = instant
-            inputs = [scene, shown, samples, *seen, *edges]
-            wp.launch(kernels.refine, dim, inputs=inputs, device=self._device)
+            images["is_edge"].zero_()
+            if samples > 1:
+                listed = [images["edges"], images["count"]]
+                images["count"].zero_()
+                surfaces = [images[k] for k in SURFACES]
+                inputs = [*surfaces, images["is_edge"], *listed]
+                wp.launch(kernels.outline, spots, inputs=inputs, device=self._device)
+                inputs = [scene, shown, samples, *seen, images["edge"], *listed]
+                wp.launch(kernels.refine, math.prod(dim), inputs=inputs, device=self._device)
             light = [int(k == 0), 1.0 / count, images["radiance"], images["packed"]]
             inputs = [scene, *seen, *edges, *light]
             wp.launch(kernels.develop, dim, inputs=inputs, device=self._device)
@@ -187,4 +200,8 @@ class WorldRenderer:
                 name: wp.zeros(shape, dtype=kind, device=self._device)
                 for name, kind in types.items()
             }
+            self._images[size]["edges"] = wp.empty(
+                math.prod(shape), dtype=wp.vec3i, device=self._device
+            )
+            self._images[size]["count"] = wp.zeros(1, dtype=wp.int32, device=self._device)
         return self._images[size]

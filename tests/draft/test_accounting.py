@@ -106,6 +106,24 @@ def test_what_is_not_understood_is_a_warning() -> None:
         assert any(text in warning for warning in doc.coverage.warnings), text
 
 
+@pytest.mark.parametrize(
+    ("prompt", "act"),
+    [
+        ("Startled by a train, a cow breaks through the fence.", "Startled"),
+        ("A ball rolls because somebody has removed the wedge.", "removed"),
+        ("A car drives past a man who is filming.", "filming"),
+    ],
+)
+def test_an_unknown_word_that_acts_is_a_verb_that_was_dropped(prompt: str, act: str) -> None:
+    kinds = {i.text: (i.kind, i.status) for i in draft(prompt).coverage.items}
+    assert kinds[act] == ("event", "not_understood")
+
+
+def test_an_unknown_word_that_describes_is_no_verb() -> None:
+    items = draft("A fire engine stops next to a burning house.").coverage.items
+    assert ("burning", "modifier") in [(i.text, i.kind) for i in items]
+
+
 def test_places_of_words_are_those_of_the_prompt_as_typed() -> None:
     prompt = "A block slides with v = 3 m/s towards a box (m = 4 kg) and hits it 2 s later."
     doc = draft(prompt)

@@ -93,6 +93,12 @@ def test_a_verb_inside_lost_words_is_told_once() -> None:
     ]
 
 
+def test_a_quantity_of_which_nothing_was_made_is_a_shortfall() -> None:
+    doc = document(verbs=(verb("wags") | {"kind": "quantity"},))
+    assert sentence(shortfalls(doc, [])) == 'not understood: "wags"'
+    assert not fully_understood(doc)
+
+
 def test_a_kept_statement_does_not_excuse_its_dropped_verb() -> None:
     doc = document(said("wags", "stays_still"), verbs=(verb("wags"),))
     rows = statement_rows(doc, [verdict("wags", True)])
@@ -100,7 +106,7 @@ def test_a_kept_statement_does_not_excuse_its_dropped_verb() -> None:
 
 
 def test_an_object_that_is_not_understood_is_no_shortfall() -> None:
-    """Outcomes ask for verbs; nouns have their warnings."""
+    """Outcomes ask for verbs and quantities; nouns have their warnings."""
     assert shortfalls(document(verbs=(verb("ball") | {"kind": "object"},)), []) == []
 
 

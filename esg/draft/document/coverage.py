@@ -44,6 +44,8 @@ _DIRECTIONS = lex.word_set("directions") | {"heading"}
 _NO_OBJECT = frozenset({"i", "we", "you", "something", "everything", "this", "that", "it"})
 _ADJECTIVES = frozenset(lex.COLORS) | lex.PLAIN_ADJECTIVES | lex.PLACE_ADJECTIVES
 _SILENT = lex.DETERMINERS | {"who", "whom"}
+_DESCRIBED_AFTER = frozenset({"DET", "ADJ"})
+"""Parts of speech after which a participle stands before a noun."""
 
 NOTHING_HAPPENS = "No event of the prompt was understood"
 """Start of the warning of a draft whose verbs all failed."""
@@ -54,6 +56,7 @@ def account(
 ) -> Coverage:
     """The coverage record, in order of the text."""
     amounts = [t.amount for t in tokens if t.amount is not None]
+    acts = _acts(tokens)
     fates: list[tuple[Mention | Verb | Word | Amount, _Fate]] = [
         *((m, _mention(m, text[m.start : m.end], scene)) for m in mentions),
         *((a, _quantity(a, mentions, scene)) for a in amounts),
@@ -62,7 +65,7 @@ def account(
         words = text[e.start : e.end]
         if isinstance(e, Verb):
             fates.append((e, _verb(e, words, scene)))
-        elif isinstance(e, Word) and (fate := _word(e, words, scene)) is not None:
+        elif isinstance(e, Word) and (fate := _word(e, words, scene, e.start in acts)) is not None:
             fates.append((e, fate))
     items = [
         CoverageItem(text=text[at.start : at.end], start=at.start, end=at.end, kind=f.kind,
@@ -76,6 +79,15 @@ def account(
         warnings.insert(0, f"{NOTHING_HAPPENS} ({words}): the scene shows none of it.")
     items.sort(key=lambda i: (i.start, i.end))
     return Coverage(items=tuple(items), warnings=tuple(dict.fromkeys(warnings)))
+
+
+def _acts(tokens: list[Token]) -> frozenset[int]:
+    """Where words begin that tell of an act: not those that describe ("a burning house")."""
+    return frozenset(
+        token.start
+        for before, token in zip([None, *tokens], tokens, strict=False)
+        if token.tag == "VERB" and (before is None or before.tag not in _DESCRIBED_AFTER)
+    )
 
 
 def _mention(m: Mention, words: str, scene: Scene) -> _Fate:
@@ -125,8 +137,12 @@ def _verb(v: Verb, words: str, scene: Scene) -> _Fate:
     return _Fate("event", "not_understood", warning=f'The verb "{words}" was not understood.')
 
 
-def _word(w: Word, words: str, scene: Scene) -> _Fate | None:
-    """What became of a small word; None for those that need no account."""
+def _word(w: Word, words: str, scene: Scene, acts: bool) -> _Fate | None:
+    """What became of a small word; None for those that need no account.
+
+    Args:
+        acts: Whether an unknown word is a verb here.
+    """
     if w.kind == "adv" and (w.start, w.end) in scene.used:
         return _Fate("modifier", note=scene.used[w.start, w.end])
     if w.kind == "adv" and w.low in _ORDER:
@@ -146,6 +162,8 @@ def _word(w: Word, words: str, scene: Scene) -> _Fate | None:
         return _Fate("modifier")
     if len(w.low) < 2 or not w.low[0].isalpha() or w.low in _SILENT:
         return None
+    if acts:
+        return _Fate("event", "not_understood", warning=f'The verb "{words}" was not understood.')
     return _Fate("modifier", "not_understood", warning=f'The word "{words}" was not understood.')
 
 

@@ -1,9 +1,10 @@
 """Warp kernels of the tracer: what a pixel sees, how it is lit, finer edges, and the picture.
 
-`look` traces one ray through the centre of every pixel and shades what it hits; `refine` shades
-more rays where neighbours differ; `develop` smooths the light over neighbours of one surface and
-makes the picture. Light of the sun and of the sky is sampled with few rays in a pattern of three
-by three pixels, which the smoothing over three by three pixels makes whole again.
+`look` traces one ray through the centre of every pixel and shades what it hits; `outline` lists
+the pixels whose neighbours differ and `refine` shades more rays there; `develop` smooths the light
+over neighbours of one surface and makes the picture. Light of the sun and of the sky is
+sampled with few rays in a pattern of three by three pixels, which the smoothing over three by three
+pixels makes whole again.
 """
 
 from __future__ import annotations
@@ -17,6 +18,9 @@ from __future__ import annotations
 # Without `float()` a number is a constant to it.
 # ruff: noqa: SIM102, UP018, RUF046
 import warp as wp
+
+# Searches in loops, unrolled, make kernels so long that a GPU holds few of their threads.
+wp.set_module_options({"max_unroll": 1})
 
 NOTHING = wp.constant(-2)
 """Owner of what is not there."""
@@ -33,6 +37,10 @@ LAYERS = wp.constant(4)
 """So many clear surfaces are looked through."""
 ALIKE = wp.constant(0.92)
 """Cosine between normals above which two pixels show one surface."""
+TILE = wp.constant(8)
+TILE_ROWS = wp.constant(4)
+"""Width and height of the tiles that pictures are drawn in [px]: one warp of a GPU."""
+TILE_PX = wp.constant(32)
 
 
 @wp.struct
@@ -429,15 +437,12 @@ def _shade(s: Scene, world: int, o: wp.vec3, d: wp.vec3, hit: Hit, pixel: float,
         if wp.dot(n, d) > -0.02:  # a smooth normal that looks away at the rim
             n = wp.normalize(n - d * (wp.dot(n, d) + 0.02))
         opaque = m.alpha
-        light = wp.vec3(1.0, 0.5, 0.5)
-        if layer == 0 or opaque >= 0.5:
-            light = _lit(s, world, at, n, here.normal, travelled, k, rays)
         haze = float(0.0)
         if s.haze_m > 0.0:
             haze = 1.0 - wp.exp(-wp.pow(travelled / s.haze_m, 1.5))
         clear = left * (1.0 - haze)
         if layer == 0:
-            out.light = light
+            out.light = _lit(s, world, at, n, here.normal, travelled, k, rays)
         out.albedo = out.albedo + m.color * (clear * opaque * (1.0 - m.metalness))
         facing = wp.max(1.0e-3, -wp.dot(n, d))
         seen = _mirrored(s, d + n * (2.0 * facing), m.roughness)
@@ -458,6 +463,17 @@ def _ray(view: View, x: float, y: float, width: int, height: int) -> wp.vec3:
     scale = 2.0 * view.tangent / float(height)
     local = wp.vec3((x - 0.5 * float(width)) * scale, (0.5 * float(height) - y) * scale, -1.0)
     return wp.transform_vector(view.pose, wp.normalize(local))
+
+
+@wp.func
+def _pixel(i: int, width: int) -> wp.vec2i:
+    """Column and row of the i-th pixel, tile after tile: neighbours run together."""
+    inside = i % TILE_PX
+    tile = i / TILE_PX
+    across = (width + TILE - 1) / TILE
+    return wp.vec2i(
+        (tile % across) * TILE + inside % TILE, (tile / across) * TILE_ROWS + inside / TILE
+    )
 
 
 @wp.kernel(enable_backward=False)
@@ -503,9 +519,14 @@ def look(
     rest: wp.array3d(dtype=wp.vec3),
 ):
     """One ray through every pixel, and `rays` toward sun and sky each; 0 for no colour."""
-    w, y, x = wp.tid()
+    w, i = wp.tid()
     height = depth.shape[1]
     width = depth.shape[2]
+    at = _pixel(i, width)
+    x = at[0]
+    y = at[1]
+    if x >= width or y >= height:
+        return
     view = views[w]
     o = wp.transform_get_translation(view.pose)
     d = _ray(view, float(x) + 0.5, float(y) + 0.5, width, height)
@@ -597,6 +618,40 @@ def _smoothed(
 
 
 @wp.kernel(enable_backward=False)
+def outline(
+    depth: wp.array3d(dtype=float),
+    normal: wp.array3d(dtype=wp.vec3),
+    mover: wp.array3d(dtype=int),
+    paint: wp.array3d(dtype=int),
+    point: wp.array3d(dtype=wp.vec3),
+    is_edge: wp.array3d(dtype=int),
+    edges: wp.array(dtype=wp.vec3i),
+    count: wp.array(dtype=int),
+):
+    """Lists world, row and column of the pixels beside which another surface is seen.
+
+    Their order is any: each is worked on alone.
+    """
+    w, i = wp.tid()
+    at = _pixel(i, depth.shape[2])
+    x = at[0]
+    y = at[1]
+    if x >= depth.shape[2] or y >= depth.shape[1]:
+        return
+    found = bool(False)
+    for j in range(9):
+        v = wp.clamp(y + j / 3 - 1, 0, depth.shape[1] - 1)
+        u = wp.clamp(x + j % 3 - 1, 0, depth.shape[2] - 1)
+        if not found:
+            found = paint[w, v, u] != paint[w, y, x]
+        if not found:
+            found = _differs(depth, normal, mover, point, w, y, x, v, u)
+    if found:
+        is_edge[w, y, x] = 1
+        edges[wp.atomic_add(count, 0, 1)] = wp.vec3i(w, y, x)
+
+
+@wp.kernel(enable_backward=False)
 def refine(
     s: Scene,
     views: wp.array(dtype=View),
@@ -612,25 +667,20 @@ def refine(
     shine: wp.array3d(dtype=wp.vec3),
     rest: wp.array3d(dtype=wp.vec3),
     edge: wp.array3d(dtype=wp.vec3),
-    is_edge: wp.array3d(dtype=int),
+    edges: wp.array(dtype=wp.vec3i),
+    count: wp.array(dtype=int),
 ):
-    """The mean of more rays where neighbouring pixels show different surfaces.
+    """The mean of more rays at each pixel of the list.
 
     They take their light from the same places of the pattern everywhere: what is not smoothed
     must not show it.
     """
-    w, y, x = wp.tid()
-    is_edge[w, y, x] = 0
-    found = bool(False)
-    for j in range(9):
-        v = wp.clamp(y + j / 3 - 1, 0, depth.shape[1] - 1)
-        u = wp.clamp(x + j % 3 - 1, 0, depth.shape[2] - 1)
-        if not found:
-            found = paint[w, v, u] != paint[w, y, x]
-        if not found:
-            found = _differs(depth, normal, mover, point, w, y, x, v, u)
-    if samples < 2 or not found:
+    k = wp.tid()
+    if k >= count[0]:
         return
+    w = edges[k][0]
+    y = edges[k][1]
+    x = edges[k][2]
     view = views[w]
     height = depth.shape[1]
     width = depth.shape[2]
@@ -657,7 +707,6 @@ def refine(
         shade = _shade(s, w, o, d, hit, pixel, (4 * i) % PATTERN, 1)
         total = total + _added(s, shade, shade.light)
     edge[w, y, x] = total / float(samples)
-    is_edge[w, y, x] = 1
 
 
 @wp.func
