@@ -228,6 +228,8 @@ def each_passed(f: Frame, o: list[str]) -> list[str]:
         return o[:3]
     named = [x.entities[0] for x in (m, *m.coordinated) if x.entities and not x.attribute]
     listed = [i for i in dict.fromkeys(named) if i in o]
+    if m.count == len(o) <= 3:
+        return o  # "overtakes two trucks"
     return listed if m.coordinated and len(listed) > 1 else o[:1]
 
 
@@ -248,7 +250,7 @@ def target_of(d: Discourse, f: Frame, avoid: list[str]) -> list[str]:
 def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
     """Common part of all self motion: speed, target, and what the phrases say happens."""
     fresh = [a for a in actors if at_rest(d, a)]
-    under = _moves_on_it(d, f, fresh)
+    under = moves_on_it(d, f, fresh)
     d.moves.on_top.update((a, under[0]) for a in fresh if under)
     actors = mounts_of(d, f, actors)
     speeds = [a for _, a in amounts_of(d, f) if a.dimension == "speed"]
@@ -279,10 +281,13 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
     d.outcomes(f, actors)
 
 
-def _moves_on_it(d: Discourse, f: Frame, fresh: list[str]) -> list[str]:
+def moves_on_it(d: Discourse, f: Frame, fresh: list[str]) -> list[str]:
     """ "A ball rolls on a table", "drives out on the pier": it is on that from the start."""
-    on = f.phrase(*_CARRYING)
-    if on is None or on.mention is None or on.mention.part or f.verb.lemma in _COMES_ONTO:
+    on = f.phrase(*_CARRYING) or f.phrase("from")
+    part = on.mention.part.split()[-1:] if on is not None and on.mention is not None else []
+    across = on is not None and on.prep == "from" and part in (["side"], ["end"], ["edge"])
+    across = across and f.phrase("to") is not None  # "from one end of the table to the other"
+    if on is None or f.verb.lemma in _COMES_ONTO or (not across and (part or on.prep == "from")):
         return []
     hosts = [h for h in things(on) if aimable(d, h) and all(carries(d, h, a) for a in fresh)]
     if not fresh or not hosts or any(a in d.scene.supported_by for a in fresh):

@@ -72,7 +72,8 @@ def said_before(text: str, f: Frame) -> list[Said]:
 def said(text: str, f: Frame) -> list[Said]:
     """What the adverbs, phrases and the verb of a clause state of its motion."""
     verb = (f.verb.start, f.verb.end)
-    out = [Said(row, *verb) for row in _by_word().get(("verb", f.verb.lemma), ())]
+    lemma = f.verb.sense if f.verb.sense == "follow" else f.verb.lemma  # "runs after it"
+    out = [Said(row, *verb) for row in _by_word().get(("verb", lemma), ())]
     part = "braking" if f.verb.sense == "brake" else "adverb"
     for word in adverbs_of(text, f):
         for row in _by_word().get((part, word), ()):

@@ -325,6 +325,8 @@ def _goal(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
     if not targets or structural(d, targets[0]) or _met(d, mover, targets):
         return
+    if s.row.states is Predicate.ABOVE and clause.frame.verb.sense in ("drop", "fall"):
+        return  # that is where it starts
     if queues_behind(d, s, mover) is not None:
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(targets),
                  direction="toward", when=_when(d, clause, mover))  # fmt: skip
@@ -389,6 +391,12 @@ def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> 
         return
     if direction in ("along", "across") and d.scene.supported_by.get(mover) in targets:
         return  # told as what carries it
+    if direction == "between" and len(targets) == 1:  # "a cube left of a bin ... between them"
+        pairs = [(r.source, r.target) for r in d.scene.relations if targets[0] in
+                 (r.source, r.target) and mover not in (r.source, r.target)]  # fmt: skip
+        targets = [*pairs[0]] if pairs else []
+    if not targets:
+        return
     some = tuple(targets) if direction == "between" else tuple(targets[:1])
     book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=some, direction=direction,
              when=where)  # fmt: skip

@@ -231,6 +231,7 @@ def bounces_on_ground(d: Discourse, f: Frame, s: list[str], met: list[str]) -> b
     free = [i for i in free if not moved_by_others(d, i)]
     target = met[0] if met and not structural(d, met[0]) else _ground(d)
     for body in free:
+        target = target if met else _below(d, body) or target
         if at_rest(d, body):
             drop = Motion("drop", 0.0, params={"elevation_deg": -90.0, "spin": "none"})
             drop.target = target
@@ -240,6 +241,13 @@ def bounces_on_ground(d: Discourse, f: Frame, s: list[str], met: list[str]) -> b
     if free:
         mark_used(d, f, "bounce")
     return bool(free)
+
+
+def _below(d: Discourse, body: str) -> str | None:
+    """What a body was released above ("is released above a table and bounces")."""
+    above = [r.target for r in d.scene.relations if (r.source, r.kind) == (body, "above")]
+    falls_on = d.times.pending.get(body, (None, None, None))[2]
+    return next((i for i in above if i == falls_on), None)
 
 
 def _ground(d: Discourse) -> str:
