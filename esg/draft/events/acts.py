@@ -30,6 +30,7 @@ from esg.draft.events.ends import (
     takes_up_from_above,
     touches_later,
 )
+from esg.draft.events.hanging import turning
 from esg.draft.events.motions import natural, own, speed_of, start_motion
 from esg.draft.events.roles import role
 from esg.draft.events.timing import (
@@ -228,6 +229,7 @@ def _breaks(d: Discourse, f: Frame, other: str) -> bool:
     """ "drives through a hedge": what stops what goes through it."""
     noun = entity_of(d, other).noun
     barrier = noun.kind in ("wall", "street") or noun.name in ("hedge", "bush")
+    barrier = barrier or bool(turning(d, [other]))  # "walks through a turnstile"
     return barrier and noun.name not in ("door", "window") and f.verb.sense not in _STANDING
 
 

@@ -104,6 +104,7 @@ def state(
         why = missing(d, clause)
         if why:
             _unkept(book, clause.frame, why)
+        _tow(book, clause)
         if clause.movers:
             _motion(book, clause)
         else:
@@ -298,6 +299,16 @@ def _back(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     if since.participants[0] == mover:
         book.add(s.row.states, s.start, s.end, object=(mover,), target=since.participants[1:],
                  direction=s.row.direction, when=_when(d, clause, mover))  # fmt: skip
+
+
+def _tow(book: _Book, clause: Clause) -> None:
+    """ "A truck tows a trailer": a joint holds them together."""
+    if clause.frame.verb.sense == "tow":
+        for node in [i for m in (clause.frame.subject, clause.frame.object) for i in _ids(m)]:
+            tow = book.d.scene.tows.get(node)
+            if tow is not None:
+                book.add(Predicate.ATTACHED_TO, *_span(clause.frame), object=(node,),
+                         target=(tow.by,), when="start")  # fmt: skip
 
 
 def _posture(book: _Book, clause: Clause) -> None:

@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+import math
+
 from esg.dynamics.choreography.moves import plain
 from esg.dynamics.choreography.placing import join
 from esg.dynamics.choreography.stage import Encounter, Stage
+from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.story import bounds
 from esg.dynamics.story.suspension import joint_of, suspension
 from esg.graph.models import EdgeEvent, TimelineNode
 
+DROPS_S = 0.5
+"""What comes down from where it hangs takes so long, about."""
 OPENS_S = 1.5
 """How long something is opened or closed, where nobody says."""
 
@@ -19,14 +24,27 @@ def swings_in(stage: Stage, e: Encounter) -> bool:
 
 
 def swing_in(stage: Stage, e: Encounter) -> None:
-    """Puts b where a passes its lowest point."""
+    """Puts b where a passes its lowest point, or below a, whose joint gives way."""
     hangs = suspension(stage.doc, e.a)
+    joint = joint_of(stage.doc, e.a)
+    if hangs is None and joint is not None and joint.break_impulse is not None:
+        _come_down(stage, e)
+        return
     if hangs is not None:
         stage.tracks[e.a].straight(hangs.way, hangs.time, hangs.speed)
     join(stage, e.a, e.b, e.node)
     if hangs is not None:
         x, y, _ = stage.places[e.a]
         stage.places[e.a] = (x, y, stage.frames[e.a].angle - hangs.along)
+
+
+def _come_down(stage: Stage, e: Encounter) -> None:
+    """What hangs and is held no more falls straight on b."""
+    frame = stage.frames.setdefault(e.a, Frame() if not stage.places else stage.free_frame())
+    x, y = frame.apply(0.0, 0.0)
+    stage.places[e.a] = (x, y, frame.angle)
+    stage.places.setdefault(e.b, (x, y, frame.angle + math.pi))
+    stage.tracks[e.a].straight(0.0, DROPS_S, 0.0)
 
 
 def swung(stage: Stage, node: TimelineNode) -> None:

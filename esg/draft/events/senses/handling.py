@@ -12,9 +12,10 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.scene import GROUND, SELF_POWERED, SPEEDS
 from esg.draft.discourse.tracks import Motion
-from esg.draft.events.acts import add_event
+from esg.draft.events.acts import add_event, add_hit
+from esg.draft.events.consequences import already_hit
 from esg.draft.events.ends import takes_up_from_above
-from esg.draft.events.hanging import turning
+from esg.draft.events.hanging import turning, turns_told
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import enter, enterable, moved_by_others, time_of
@@ -186,6 +187,10 @@ def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     mark_used(d, f, "jump")
 
 
+PUSHED_DEG = 90.0
+"""What is pushed round on its axle turns so far, at least: a turnstile by one arm of four."""
+
+
 @sense("spin")
 def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "A top spins on the table", "the car spins around": it turns where it is."""
@@ -203,8 +208,17 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if turned and on and not structural(d, on[0]):
         place(d, turned, on, "on")
     note = "spin"
+    told = turns_told(d, f) if on_axle else None
+    doers = [i for i in s if i not in turned and movable(d, i)]
+    if on_axle and doers and not already_hit(d, f, doers, on_axle):
+        add_hit(d, f, doers[:1], on_axle[:1], time_of(d, f))
     for body in turned:
         if not at_rest(d, body):
+            if body in on_axle:
+                note = add_event(d, NodeEvent.SPIN, (body,), f, time_of(d, f))
+                draft = d.timeline.node(note)
+                if draft is not None:
+                    draft.extra["turn_degrees"] = told or PUSHED_DEG
             continue
         mode = Motion("drive" if body in on_axle else "spin")
         d.timeline.move(body, mode, ForceDirection.HORIZONTAL_PLANE)
@@ -214,6 +228,8 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         draft = d.timeline.node(node)
         if draft is not None and "times" in draft.extra:
             draft.extra["turn_degrees"] = 360.0 * draft.extra.pop("times")
+        if told is not None and draft is not None:
+            draft.extra["turn_degrees"] = told
         if angle is not None and draft is not None:
             draft.extra["turn_degrees"] = angle.high
             mark_used(d, angle, "how far it turns")
