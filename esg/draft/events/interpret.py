@@ -34,8 +34,9 @@ from esg.draft.discourse.scene import SELF_POWERED, Scene
 from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
-from esg.draft.events.courses import follow, keep_on, snapshot
+from esg.draft.events.courses import by_its_participle, follow, keep_on, snapshot
 from esg.draft.events.hanging import SWAYING, hanging, sense_on_joint
+from esg.draft.events.motions import hold_back
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.breaking import gone_through, sense_of_breaking, who_breaks
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
@@ -145,6 +146,7 @@ def interpret(
         before = f.verb.start
     settle(d, None, None)
     keep_on(d)
+    hold_back(d)
     for actor in d.moves.still:
         track = d.timeline.tracks.get(actor)
         if track is not None and track.role is Role.ACTIVE and actor in d.world.entities:
@@ -192,6 +194,7 @@ def read_frame(d: Discourse, f: Frame) -> None:
     was = snapshot(d)
     handler(d, f, parts.subject, parts.objects)
     gone_through(d, f)
+    d.scene.clauses += by_its_participle(d, f, was, parts.subject)
     d.scene.clauses.append(follow(d, f, was, parts.subject, parts.objects))
     hand_on(d, f)
     for p, a in amounts_of(d, f):
