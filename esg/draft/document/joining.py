@@ -286,6 +286,8 @@ def _served(scene: Scene, row: Articulation, named: Entity) -> list[Entity]:
     parts = parts_of(scene.world, named)
     for part in parts:
         _become(part, row.with_part)
+        # "Ball" is rubber and "steel ball" mild steel; a cradle's rebound as its drawing says.
+        part.noun = replace(part.noun, material=lex.part(row.with_part).material)
         part.group = part.pattern = None
         _not_placed(scene, part.id)
     if parts:
