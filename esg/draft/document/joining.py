@@ -143,7 +143,7 @@ def _lower(scene: Scene, row: Articulation, e: Entity, part: Entity) -> None:
     swings = (row.drawn is not None or row.turns) and row.carries == "with" and row.becomes
     if swings and part.dimensions_cm is not None and over > 0.0:
         part.dimensions_prescribed = True
-        pivot = row.above_cm + e.noun.dimensions_cm[2]
+        pivot = row.above_cm + (0.0 if row.turns else e.noun.dimensions_cm[2])
         pivot += (row.upper or 0.0) if row.kind == "rope" else 0.0
         part.dimensions_cm[2] *= 1.0 - over / pivot
 
