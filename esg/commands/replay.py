@@ -144,8 +144,8 @@ def matrix(
 
 def verdict_table(result: dict[str, Any]) -> str:
     """The judge's table of one replay."""
+    from esg.commands.comparing.verdicts import completed, event_rows
     from esg.commands.console import table
-    from esg.commands.verdicts import completed, event_rows
     from esg.fidelity import judged
 
     verdict = result["verdict"]

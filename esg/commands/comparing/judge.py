@@ -75,8 +75,8 @@ def judge(
 
 def verdict_table(result: dict[str, Any]) -> str:
     """What the judge says of one file, for people."""
+    from esg.commands.comparing.verdicts import completed, event_rows
     from esg.commands.console import table
-    from esg.commands.verdicts import completed, event_rows
 
     verdict = result["verdict"]
     rows = event_rows(verdict)
