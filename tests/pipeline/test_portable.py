@@ -23,7 +23,6 @@ NAMES = {
 LINUX_ONLY = ("esg/up/", "esg/compile/trust/", "esg/machine/beside.py")
 """Warm workers, locks on classes, forks: each asks for the system first and does without it."""
 GUARDED = {
-    "esg/dataset/folder.py": {"fcntl"},
     "esg/commands/stopping.py": {"os.set_blocking"},
     "esg/leftovers.py": {"os.getuid"},
     "esg/workers.py": {"os.sched_getaffinity", "os.sysconf", "resource"},
