@@ -242,6 +242,7 @@ class Scene:
         out: str | Path | None = None,
         *,
         form: UsdForm = "usda",
+        self_contained: bool = False,
         trust: bool = False,
     ) -> list[Path]:
         """Writes the scene for another program.
@@ -252,6 +253,7 @@ class Scene:
             out: Folder to write into; default the scene folder.
             form: Of usd: layers as text (usda) or in binary (usdc), which simulate and play, or a
                 package (usdz) that shows the scene on phones.
+            self_contained: Of unreal: write what plays all scenes into the class.
             trust: Export the class of an unreal plugin whatever it is.
 
         Returns:
@@ -270,7 +272,7 @@ class Scene:
         if to == "unreal" and not trust:
             require_ours(self.folder)
         with refused(target):
-            return export_folder(self.folder, to, target, form=form)
+            return export_folder(self.folder, to, target, form=form, self_contained=self_contained)
 
     def show(self) -> Any:
         """Its film, for a notebook.

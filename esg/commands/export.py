@@ -15,6 +15,7 @@ def export(
     to: Literal["unreal", "usd", "mjcf", "glb", "mcap"],
     form: Literal["usda", "usdc", "usdz"] = "usda",
     out: Path | None = None,
+    self_contained: Annotated[bool, Parameter(negative="")] = False,
     trust: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
@@ -27,6 +28,8 @@ def export(
         form: Of usd: layers as text or in binary, which simulate and play, or a package that
             shows the scene on phones.
         out: Folder to write into; default the scene folder. Needed for scenes of the database.
+        self_contained: Of unreal: write what plays all scenes into the class, which then needs
+            nothing else.
         trust: Export the class of an unreal plugin whatever it is: you vouch for who made it.
         json: Print one JSON document: the files written.
     """
@@ -51,7 +54,9 @@ def export(
             with refused(target):
                 files = _mcap(folder, target)
         else:
-            files = Scene(folder).export(to, target, form=form, trust=trust)
+            files = Scene(folder).export(
+                to, target, form=form, self_contained=self_contained, trust=trust
+            )
     if json:
         emit({"scene": scene, "to": to, "files": [str(f) for f in files]})
     else:

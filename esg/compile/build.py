@@ -1,8 +1,8 @@
 """Compiles emitted classes with g++ under the shim, cached by content.
 
-A library's key is the hash of the class's two files, the shim and the compiler's version, so that
-an unchanged class is never compiled twice. Several classes share a translation unit and all units
-share a precompiled header: that is what makes batches fast.
+A library's key is the hash of the class's two files, the shim, the class that plays all scenes and
+the compiler's version, so that an unchanged class is never compiled twice. What all classes share
+is compiled once; several classes share a translation unit and all units a precompiled header.
 
 Whatever the cache holds is loaded or linked only if it has the hash that was noted when it was
 written; what a crash or a failing disk left damaged is compiled again.
@@ -26,7 +26,7 @@ import tempfile
 import time
 import uuid
 
-from esg.compile.lint import ENGINE_HEADERS, generated_header, lint
+from esg.compile.lint import ENGINE_HEADERS, PLAYER, generated_header, lint
 from esg.files import is_intact, sha256_of, sync_file, sync_folder
 from esg.outcomes import UserError
 
@@ -43,7 +43,16 @@ FLAGS = (
 CLASSES_PER_UNIT = 16
 """More classes save little more header time and make one failure cost more."""
 
-_SHIM = Path(__file__).parent / "shim"
+_SHARED = {
+    "UEShim.h": Path(__file__).parent / "shim" / "UEShim.h",
+    "runtime.cpp": Path(__file__).parent / "shim" / "runtime.cpp",
+    f"{PLAYER}.h": Path(__file__).parent / "unreal" / f"{PLAYER}.h",
+    f"{PLAYER}.cpp": Path(__file__).parent / "unreal" / f"{PLAYER}.cpp",
+}
+"""What every class is compiled with: the stand-in for Unreal, and what plays all scenes."""
+_OBJECTS = ("runtime.o", f"{PLAYER}.o")
+_COMMON = "Common.h"
+"""Includes what every unit begins with, and is precompiled."""
 _KEY_LENGTH = 20
 _EXPORT = '__attribute__((visibility("default")))'
 _HASHES = "hashes.json"
@@ -149,12 +158,13 @@ def _compiler_version(path: str) -> str:
 
 
 @cache
-def _shim_text() -> tuple[str, str]:
-    return (_SHIM / "UEShim.h").read_text("utf-8"), (_SHIM / "runtime.cpp").read_text("utf-8")
+def shared_texts() -> dict[str, str]:
+    """The files that every class is compiled with, by their names."""
+    return {name: path.read_text("utf-8") for name, path in _SHARED.items()}
 
 
 def _environment_key(cxx: str) -> str:
-    parts = (*_shim_text(), _compiler_version(cxx), *FLAGS)
+    parts = (*shared_texts().values(), _compiler_version(cxx), *FLAGS)
     return hashlib.sha256("\0".join(parts).encode()).hexdigest()[:_KEY_LENGTH]
 
 
@@ -287,8 +297,9 @@ def _compile_unit(
         unit_cpp = Path(work, "unit.cpp")
         unit_cpp.write_text("\n".join(main) + "\n", "utf-8")
         built = Path(work, "unit.so")
-        command = [cxx, *FLAGS, "-shared", "-include", "UEShim.h", f"-I{include}", f"-I{work}",
-                   str(unit_cpp), str(include / "runtime.o"), "-o", str(built)]  # fmt: skip
+        objects = [str(include / name) for name in _OBJECTS]
+        command = [cxx, *FLAGS, "-shared", "-include", _COMMON, f"-I{include}", f"-I{work}",
+                   str(unit_cpp), *objects, "-o", str(built)]  # fmt: skip
         command = [*(_LIMITED if limited else ()), *command]
         done = subprocess.run(command, capture_output=True, text=True, check=False)
         digest = ""
@@ -367,7 +378,7 @@ def _write(path: Path, text: str) -> None:
 
 
 def _include_dir(cxx: str) -> Path:
-    """Folder with the shim precompiled, its runtime and a stub per engine header."""
+    """Folder with what every class shares, compiled, and a stub per engine header."""
     root = cache_dir()
     root.mkdir(parents=True, exist_ok=True)
     folder = root / f"include-{_environment_key(cxx)}"
@@ -376,16 +387,21 @@ def _include_dir(cxx: str) -> Path:
     with tempfile.TemporaryDirectory(dir=root, prefix="include-build-") as work:
         build = Path(work, "include")
         build.mkdir()
-        shim, runtime = _shim_text()
-        (build / "UEShim.h").write_text(shim, "utf-8")
-        (build / "runtime.cpp").write_text(runtime, "utf-8")
+        texts = shared_texts()
+        texts |= {
+            f"{PLAYER}.generated.h": generated_header(texts[f"{PLAYER}.h"], PLAYER),
+            _COMMON: f'#include "{PLAYER}.h"\n',
+        }
+        for name, text in texts.items():
+            (build / name).write_text(text, "utf-8")
         for name in sorted(ENGINE_HEADERS):
             stub = build / name
             stub.parent.mkdir(parents=True, exist_ok=True)
             stub.write_text('#pragma once\n#include "UEShim.h"\n', "utf-8")
         for arguments in (
-            ["-x", "c++-header", "UEShim.h", "-o", "UEShim.h.gch"],
+            ["-x", "c++-header", _COMMON, "-o", f"{_COMMON}.gch"],
             ["-c", "runtime.cpp", "-o", "runtime.o"],
+            ["-c", f"{PLAYER}.cpp", "-o", f"{PLAYER}.o"],
         ):
             command = [cxx, *FLAGS, *arguments]
             done = subprocess.run(command, cwd=build, capture_output=True, text=True, check=False)
@@ -409,7 +425,8 @@ def _include_dir(cxx: str) -> Path:
 
 
 def _include_files() -> list[str]:
-    return [*sorted(ENGINE_HEADERS), "UEShim.h", "UEShim.h.gch", "runtime.cpp", "runtime.o"]
+    own = (*_SHARED, *_OBJECTS, f"{PLAYER}.generated.h", _COMMON, f"{_COMMON}.gch")
+    return [*ENGINE_HEADERS, *own]
 
 
 def _is_sound(folder: Path) -> bool:

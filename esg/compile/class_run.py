@@ -31,7 +31,7 @@ from esg.compile.records import (
     shape_of,
 )
 from esg.engines.breaking.swap import brittle, settle
-from esg.engines.executor import play
+from esg.engines.executor import play, touch_order
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.engines.worlds import ContactRecorder, Frames, Principal, Values, rest_states, world_values
 from esg.units import quat_rotate
@@ -406,9 +406,8 @@ class _Driver:
 
     def _report(self, world: Any) -> None:
         notifies = self._run._records
-        # The engine lists the shape pairs of two compound bodies in an order that differs between
-        # runs; the class logs the first that passes its threshold.
-        for a, b, impulse, depth, point, normal in sorted(world.contacts(True), key=_order):
+        # The class logs the first that passes its threshold.
+        for a, b, impulse, depth, point, normal in sorted(world.contacts(True), key=touch_order):
             first, second = self._component(a, b), self._component(b, a)
             if not (notifies[first].notifies or notifies[second].notifies):
                 continue
@@ -428,12 +427,6 @@ class _Driver:
         if body >= 0:
             return self._run._component_of[body]
         return self._run._plane[self._run.scene.bodies[other].wheeled]
-
-
-def _order(touch: Any) -> tuple[Any, ...]:
-    """Bodies, then the strongest contact, then its place."""
-    a, b, impulse, depth, point, _ = touch
-    return (a, b, -impulse, depth, *(float(v) for v in point))
 
 
 def _fill(pointer: Any, values: Any) -> None:

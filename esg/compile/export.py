@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import partial
 from pathlib import Path
 import tempfile
 from typing import Literal, get_args
@@ -14,7 +15,7 @@ from esg.engines.manifest import Manifest, carried_json, load_manifest
 from esg.engines.program import batch_programs
 from esg.engines.registry import get_engine
 from esg.engines.scene import Rollout
-from esg.files import TEMPORARY
+from esg.files import TEMPORARY, make_folder, sync_file, sync_folder
 from esg.outcomes import UserError
 from esg.scenereading import absent, read_rollout
 from esg.strangers.sums import seal
@@ -32,6 +33,7 @@ def export(
     rollout: Rollout | None = None,
     setting: Setting | None = None,
     form: UsdForm = "usda",
+    self_contained: bool = False,
 ) -> list[Path]:
     """Writes a scene for another program.
 
@@ -44,6 +46,7 @@ def export(
             default the recorded one, else the program is replayed in PhysX.
         setting: Ground, dressing, light and cameras of `usd` and `glb`; None: the bodies alone.
         form: Of `usd`: layers as text or in binary, or a package of what is seen.
+        self_contained: Of `unreal`: the class brings what plays it.
 
     Returns:
         The files written, sorted.
@@ -58,16 +61,25 @@ def export(
     if not (folder / "manifest.json").is_file():
         raise UserError(f"{folder} holds no manifest.json: compile the scene first")
     manifest = load_manifest(folder / "manifest.json")
-    target.mkdir(parents=True, exist_ok=True)
+    make_folder(target)
     # A disk that fills up on the way leaves earlier exports as they were.
+    if to == "unreal":
+        from esg.compile.plugin import write_plugin
+
+        write = partial(write_plugin, folder, alone=self_contained)
+    else:
+        write = partial(_write, folder, manifest, to, rollout=rollout, setting=setting, form=form)
     with tempfile.TemporaryDirectory(prefix=".export-", suffix=TEMPORARY, dir=target) as aside:
         work = Path(aside)
         files: list[Path] = []
-        for file in _write(folder, manifest, to, work, rollout, setting, form):
+        for file in write(work):
             path = target / file.relative_to(work)
-            path.parent.mkdir(parents=True, exist_ok=True)
+            make_folder(path.parent)
+            sync_file(file)
             file.replace(path)
             files.append(path)
+    for changed in {path.parent for path in files}:
+        sync_folder(changed)
     if target == folder:
         seal(folder, files)
     return files
@@ -78,14 +90,11 @@ def _write(
     manifest: Manifest,
     to: Target,
     out: Path,
+    *,
     rollout: Rollout | None,
     setting: Setting | None,
     form: UsdForm,
 ) -> list[Path]:
-    if to == "unreal":
-        from esg.compile.plugin import write_plugin
-
-        return write_plugin(folder, out)
     if to == "mjcf":
         from esg.compile.mjcf import scene_mjcf
 

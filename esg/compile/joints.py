@@ -13,7 +13,6 @@ import math
 import numpy as np
 
 from esg.compile import frames, names
-from esg.engines.joint_rules import APPROACH_RATE, BREAK_WINDOW_S
 from esg.engines.joints import Joint, JointKind, Motor
 from esg.engines.scene import SimScene
 
@@ -163,79 +162,10 @@ def _bool(value: bool) -> str:
     return "true" if value else "false"
 
 
-DECLARATIONS = """\
-	/** What a joint leaves free. */
-	enum class EJointKind : uint8 { Hinge, Slider, Ball, Fixed, Rope, Spring };
-
-	/** A joint together with its settings and the motor that is on. */
-	struct FJointRef
-	{
-		UPhysicsConstraintComponent* Constraint = nullptr;
-		UPhysicsConstraintComponent* Return = nullptr;
-		UPrimitiveComponent* Child = nullptr;
-		UPrimitiveComponent* Parent = nullptr;
-		const F@CLASS@Joint* Settings = nullptr;
-		EJointKind Kind = EJointKind::Fixed;
-		bool bMotor = false;
-		bool bToPlace = false;
-		bool bGone = false;
-		double Speed = 0.0;
-		double Place = 0.0;
-		double Limit = 0.0;
-		TArray<double> Given{};
-	};
-
-	UPhysicsConstraintComponent* CreateConstraint(const TCHAR* Name);
-	void CollectJoints();
-	void ConfigureJoint(FJointRef& Joint);
-	void ConfigureReturn(FJointRef& Joint);
-	void DriveJoints(double Step);
-	void ApplySpring(FJointRef& Joint, double Step);
-	double PositionOf(const FJointRef& Joint) const;
-	double EaseOf(UPrimitiveComponent* Body, const FVector& At, const FVector& Line) const;
-	FVector SpeedAt(UPrimitiveComponent* Body, const FVector& At) const;
-	void PushAt(UPrimitiveComponent* Body, const FVector& At, const FVector& Impulse);
-	bool AreJoined(const UPrimitiveComponent* First, const UPrimitiveComponent* Second) const;
-	TArray<FJointRef> Joints;
-
-"""
-"""What classes with joints declare besides."""
-
-CONSTANTS = f"""\
-	/** Where a joint with a limit on one side stops on the other [deg, cm]. */
-	constexpr double FarTurn = {frames.literal(FAR_TURN_DEG)};
-	constexpr double FarSlide = {frames.literal(FAR_SLIDE_M * frames.CM_PER_M)};
-
-	/** Unreal tells spins in full turns [deg]. */
-	constexpr double FullTurn = 360.0;
-
-	/** A drive that its limit alone holds back, and a limit that holds nothing back. */
-	constexpr float RigidDrive = {frames.float_literal(RIGID_DRIVE)};
-	constexpr float Unlimited = {frames.float_literal(UNLIMITED)};
-
-	/** A motor nears a place at no more than this times the way that is left [1/s]. */
-	constexpr double ApproachRate = {frames.literal(APPROACH_RATE)};
-
-	/** What a joint takes within this adds up [s]. */
-	constexpr double BreakWindow = {frames.literal(BREAK_WINDOW_S)};
-
-	/** A spring that is shorter has no direction [cm]. */
-	constexpr double LeastLength = 1.0e-7;
-
-"""
-"""Constants of classes with joints."""
-
 INCLUDES = ("PhysicsEngine/ConstraintInstance.h", "PhysicsEngine/PhysicsConstraintComponent.h")
-JOINED = """\
-			if (AreJoined(A.Component, B.Component))
-			{
-				continue;
-			}
-"""
-"""Keeps bodies that do not touch each other from counting as overlapping."""
 
 
-def members_of(joints: Sequence[UnrealJoint], name: str) -> str:
+def members_of(joints: Sequence[UnrealJoint]) -> str:
     """Declarations of the joints' components and settings in a class."""
     out: list[str] = []
     for joint in joints:
@@ -246,8 +176,7 @@ def members_of(joints: Sequence[UnrealJoint], name: str) -> str:
             for part in parts
         ]
         out.append(
-            f'\tUPROPERTY(EditAnywhere, Category = "ESG|Joints")\n'
-            f"\tF{name}Joint {joint.settings};\n"
+            f'\tUPROPERTY(EditAnywhere, Category = "ESG|Joints")\n\tFEsgJoint {joint.settings};\n'
         )
     return "\n".join(out)
 
@@ -261,21 +190,9 @@ def defaults_of(joint: UnrealJoint) -> list[str]:
     return lines + [f"\t{joint.settings}.{field} = {value};" for field, value in joint.values]
 
 
-def collect(joints: Sequence[UnrealJoint]) -> str:
-    """What gathers the joints of a class and sets them up."""
-    lines = "\n".join(
-        f"\tJoints.Add(FJointRef{{ {j.member}, {j.name + RETURN if j.returns else 'nullptr'}, "
-        f"{j.child}, {j.parent or 'nullptr'}, &{j.settings}, EJointKind::{j.kind.capitalize()} }});"
-        for j in joints
-    )
-    return f"""
-void A@CLASS@::CollectJoints()
-{{
-	Joints.Reset();
-{lines}
-	for (FJointRef& Joint : Joints)
-	{{
-		ConfigureJoint(Joint);
-	}}
-}}
-"""
+def added(joint: UnrealJoint) -> str:
+    """The line that adds a joint to what a class consists of."""
+    back = joint.name + RETURN if joint.returns else "nullptr"
+    kind = f"EJointKind::{joint.kind.capitalize()}"
+    held = f"{joint.settings}, {joint.member}, {back}"
+    return f"\tAddJoint({kind}, {held}, {joint.child}, {joint.parent or 'nullptr'});"

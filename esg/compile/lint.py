@@ -15,6 +15,7 @@ HEADER_OF = {
     "USceneComponent": "Components/SceneComponent.h",
     "UPrimitiveComponent": "Components/PrimitiveComponent.h",
     "UStaticMesh": "Engine/StaticMesh.h",
+    "FCollisionShape": "CollisionShape.h",
     "FHitResult": "Engine/EngineTypes.h",
     "ECC_Vehicle": "Engine/EngineTypes.h",
     "GetWorld": "Engine/World.h",
@@ -30,6 +31,9 @@ HEADER_OF = {
 """Unreal header that declares each name an emitted source uses."""
 
 ENGINE_HEADERS = frozenset({*HEADER_OF.values(), "CoreMinimal.h", "GameFramework/Actor.h"})
+
+PLAYER = "EsgScene"
+"""File of the class that plays all scenes, and its name without Unreal's A."""
 
 _CLASS = re.compile(
     r"UCLASS\([^)]*\)\s*class\s+(?:\w+_API\s+)?([AU]\w+)\s*:\s*public\s+(\w+)\s*\{\s*"
@@ -55,10 +59,10 @@ def lint(header: str, source: str, stem: str) -> list[str]:
         out.append(f"{stem}.generated.h must be the header's last include")
     if "#pragma once" not in header:
         out.append("the header lacks #pragma once")
-    found = _CLASS.search(header)
-    if not found:
+    parents = {m.group(1): m.group(2) for m in _CLASS.finditer(header)}
+    if not parents:
         return [*out, "no UCLASS() with GENERATED_BODY() as first line of its body"]
-    name = found.group(1)
+    name = list(parents)[-1]
     if name[1:] != stem:
         out.append(f"class {name} does not match its file {stem}.h")
     out += [
@@ -71,11 +75,12 @@ def lint(header: str, source: str, stem: str) -> list[str]:
         for m in _STRUCT.finditer(header)
         if not m.group(1).startswith("F")
     ]
-    out += _lint_includes(source, stem)
+    out += _lint_includes(header, source, stem)
     out += _lint_reflection(header, source)
     out += _lint_text(header, source)
-    out += _lint_constructor(source, name)
-    out += _lint_lifecycle(header, source, name)
+    for each, parent in parents.items():
+        out += _lint_constructor(source, each)
+        out += _lint_lifecycle(header, source) if parent == "AActor" else []
     return out
 
 
@@ -85,13 +90,17 @@ def _code(text: str) -> str:
     return re.sub(r"//[^\n]*|/\*.*?\*/", "", text, flags=re.S)
 
 
-def _lint_includes(source: str, stem: str) -> list[str]:
+def _lint_includes(header: str, source: str, stem: str) -> list[str]:
     includes = re.findall(r'^#include\s+"([^"]+)"', source, re.M)
     out: list[str] = []
     if not includes or includes[0] != f"{stem}.h":
         out.append(f"the source must include {stem}.h first")
-    out += [f"unknown engine header {i}" for i in includes[1:] if i not in ENGINE_HEADERS]
+    known = {*ENGINE_HEADERS, f"{PLAYER}.h"}
+    out += [f"unknown engine header {i}" for i in includes[1:] if i not in known]
     out += [f"#include {i}" for i in re.findall(r"^#include\s+(<[^>]+>)", source, re.M)]
+    includes += re.findall(r'^#include\s+"([^"]+)"', header, re.M)
+    if f"{PLAYER}.h" in includes:
+        includes.append("CollisionShape.h")
     code = _code(source)
     for symbol, path in HEADER_OF.items():
         if re.search(rf"\b{symbol}\b", code) and path not in includes:
@@ -118,14 +127,15 @@ def _lint_reflection(header: str, source: str) -> list[str]:
     for match in re.finditer(r"UPROPERTY\((EditAnywhere[^\n]*)\)\n([^\n;]+);", header):
         if "Category" not in match.group(1):
             out.append(f"editable {match.group(2).split()[1]} has no Category")
-    names = [m.group(2) for m in _MEMBER.finditer(_class_body(header))]
+    # Unreal lets no class declare what one that it is derived from has.
+    names = [m.group(2) for m in _MEMBER.finditer(_class_bodies(header))]
     out += [
         f"member {n} is declared twice" for n in sorted({n for n in names if names.count(n) > 1})
     ]
     return out
 
 
-def _class_body(header: str) -> str:
+def _class_bodies(header: str) -> str:
     found = _CLASS.search(header)
     body = _code(header[found.end() :]) if found else ""
     return re.sub(r"struct \w+\s*\{.*?\};", "", body, flags=re.S)
@@ -159,7 +169,8 @@ def _lint_constructor(source: str, name: str) -> list[str]:
     return out
 
 
-def _lint_lifecycle(header: str, source: str, name: str) -> list[str]:
+def _lint_lifecycle(header: str, source: str) -> list[str]:
+    """What an actor that is played must have; a class of ours inherits it."""
     out: list[str] = []
     for function, arguments in (
         ("BeginPlay", ""),
@@ -182,9 +193,10 @@ def generated_header(header: str, stem: str) -> str:
         header: Text of the class's header.
         stem: Its file name without extension.
     """
-    found = _CLASS.search(header)
-    parent, name = (found.group(2), found.group(1)) if found else ("UObject", f"A{stem}")
-    class_line = header.count("\n", 0, found.end()) + 1 if found else 0
+    classes = {
+        header.count("\n", 0, m.end()) + 1: (m.group(2), m.group(1))
+        for m in _CLASS.finditer(header)
+    }
     lines = [
         "#pragma once",
         "#undef GENERATED_BODY",
@@ -195,11 +207,9 @@ def generated_header(header: str, stem: str) -> str:
     lines[2:2] = ["#undef ESG_GLUE3", "#undef ESG_GLUE2"]
     for number, line in enumerate(header.splitlines(), 1):
         if "GENERATED_BODY()" in line:
-            body = (
-                f"public: typedef {parent} Super; typedef {name} ThisClass; private:"
-                if number == class_line
-                else ""
-            )
+            parent, name = classes.get(number, ("", ""))
+            body = f"public: typedef {parent} Super; typedef {name} ThisClass; private:"
+            body = body if name else ""
             lines.append(f"#undef {stem}_{number}_BODY")
             lines.append(f"#define {stem}_{number}_BODY {body}".rstrip())
     return "\n".join(lines) + "\n"

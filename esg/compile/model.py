@@ -188,21 +188,6 @@ class ScenePlan:
     joints: tuple[UnrealJoint, ...] = ()
 
     @property
-    def kinds(self) -> frozenset[str]:
-        """Kinds of primitive that the program uses."""
-        return frozenset(p.kind for p in self.primitives)
-
-    @property
-    def flies(self) -> bool:
-        """Whether a hold keeps its body in the air; classes without one say nothing of it."""
-        return any(field == "bFlies" for p in self.primitives for field, _ in p.values)
-
-    @property
-    def takes_time(self) -> bool:
-        """Whether a hold comes to its speed; classes without one say nothing of it."""
-        return any(field == "bTakesTime" for p in self.primitives for field, _ in p.values)
-
-    @property
     def wheels(self) -> tuple[tuple[UnrealBody, UnrealWheel], ...]:
         """All wheels with their bodies; classes without any say nothing of them."""
         return tuple((b, w) for b in self.bodies for w in b.wheels)
@@ -216,16 +201,6 @@ class ScenePlan:
     def tyres(self) -> bool:
         """Whether bodies stand on tyres; classes without them say nothing of it."""
         return any(b.simulated and b.source.tyre_friction > 0.0 for b in self.bodies)
-
-    @property
-    def breaks(self) -> bool:
-        """Whether something breaks; classes without it say nothing of it."""
-        return any(b.source.fragments for b in self.bodies)
-
-    @property
-    def guides(self) -> bool:
-        """Whether something else than motion under its own power lasts."""
-        return bool({"GuideAlong", "HoldSpin"} & self.kinds)
 
 
 def class_name(scene_id: str) -> str:

@@ -14,10 +14,11 @@ from typing import Any
 from esg.assets.gltf.parts import parts_of
 from esg.compile import names
 from esg.compile.assets import mesh_file
-from esg.compile.build import ClassFiles
+from esg.compile.build import ClassFiles, shared_texts
 from esg.compile.glb import part_of
-from esg.compile.lint import lint
+from esg.compile.lint import PLAYER, lint
 from esg.compile.replay import load_imports
+from esg.compile.selfcontained import is_self_contained, self_contained
 from esg.outcomes import UserError
 from esg.scenereading import damaged
 from esg.strangers.gltf import read_glb
@@ -26,12 +27,13 @@ PLUGIN = "ESGScenes"
 _TEMPLATES = Path(__file__).parent / "templates"
 
 
-def write_plugin(folder: Path, out: Path) -> list[Path]:
+def write_plugin(folder: Path, out: Path, *, alone: bool = False) -> list[Path]:
     """Writes the plugin of a compiled scene folder below `out`.
 
     Args:
         folder: Scene folder with `unreal/` and the meshes it names.
         out: Where the plugin folder goes.
+        alone: Whether the class brings what plays it, instead of sharing it with other scenes.
 
     Returns:
         The files written, sorted.
@@ -46,6 +48,7 @@ def write_plugin(folder: Path, out: Path) -> list[Path]:
     complaints = lint(files.header, files.source, files.name)
     if complaints:
         raise damaged(folder / "unreal", "; ".join(complaints))
+    files = self_contained(files) if alone else files
     imports = load_imports(folder / "unreal" / "imports.json")
     root = out / PLUGIN
     resources = root / "Resources" / files.name
@@ -54,7 +57,7 @@ def write_plugin(folder: Path, out: Path) -> list[Path]:
     source = root / "Source" / PLUGIN
     texts = {
         root / f"{PLUGIN}.uplugin": _descriptor(),
-        root / "README.md": _template("plugin_readme.md").replace("@CLASS@", files.name),
+        root / "README.md": _readme(files),
         root / "Config" / "DefaultEngine.fragment.ini": _template("plugin_engine.ini"),
         root / "Content" / "Python" / "import_esg_assets.py": _template("plugin_import.py.txt"),
         resources / "imports.json": json.dumps(imports, indent=1) + "\n",
@@ -63,6 +66,10 @@ def write_plugin(folder: Path, out: Path) -> list[Path]:
         source / "Public" / f"{files.name}.h": files.header,
         source / "Private" / f"{files.name}.cpp": files.source,
     }
+    if not is_self_contained(files):
+        shared = shared_texts()
+        texts[source / "Public" / f"{PLAYER}.h"] = shared[f"{PLAYER}.h"]
+        texts[source / "Private" / f"{PLAYER}.cpp"] = shared[f"{PLAYER}.cpp"]
     for path, text in texts.items():
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text, "utf-8", newline="\n")
@@ -71,6 +78,12 @@ def write_plugin(folder: Path, out: Path) -> list[Path]:
         target.parent.mkdir(parents=True, exist_ok=True)
         target.write_bytes(data)
     return sorted({*texts, *(resources / source for source in meshes)})
+
+
+def _readme(files: ClassFiles) -> str:
+    log = files.name if is_self_contained(files) else PLAYER
+    text = _template("plugin_readme.md")
+    return text.replace("@CLASS@", files.name).replace("@LOG@", f"Log{log}")
 
 
 def _resource(folder: Path, asset: dict[str, Any], meshes: dict[str, bytes]) -> dict[str, Any]:

@@ -119,7 +119,7 @@ def replay_class(
         library=str(library.path),
         create=library.create,
         imports=parse_imports(folder / "unreal" / "imports.json", text),
-        duration=scene_duration(files.header) if duration is None else duration,
+        duration=scene_duration(files) if duration is None else duration,
         dt=dt,
         record_every=record_every,
         ground_contacts=ground_contacts,
@@ -206,9 +206,10 @@ def parse_imports(path: Path, text: str) -> dict[str, Any]:
     return data
 
 
-def scene_duration(header: str) -> float:
-    """The default of the class's SceneDuration property [s]."""
-    found = re.search(r"double SceneDuration = ([0-9.e+-]+);", header)
+def scene_duration(files: build.ClassFiles) -> float:
+    """The value of the class's SceneDuration property [s]."""
+    text = files.source + files.header  # where a class that inherits it states it comes first
+    found = re.search(r"\bSceneDuration = ([0-9.e+-]+);", text)
     if not found:
         raise ReplayError("the class has no SceneDuration")
     return float(found.group(1))

@@ -56,6 +56,12 @@ Touch = tuple[int, int, float, float, Any, Any]
 """(a, b, impulse [N s], depth [m], point [m], unit normal from b to a); the ground is -1."""
 
 
+def touch_order(touch: Touch) -> tuple[float, ...]:
+    """Bodies, then the strongest contact, then its place: nothing that memory decides."""
+    a, b, impulse, depth, point, _ = touch
+    return (min(a, b), max(a, b), -impulse, depth, *(float(v) for v in point))
+
+
 class World(BodyAccess, Protocol):
     """One world that can be stepped."""
 

@@ -17,7 +17,7 @@ import numpy as np
 
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.breaking.world import Breaks
-from esg.engines.executor import Touch, Vec, play_all
+from esg.engines.executor import Touch, Vec, play_all, touch_order
 from esg.engines.joint_rules import Masses
 from esg.engines.joints import Motor
 from esg.engines.physx_joints import PhysxJoints
@@ -394,8 +394,13 @@ class PhysxWorld:
         if self._log is None:
             yield from self._touches(ground)
 
-    def _touches(self, ground: bool) -> Iterator[Touch]:
+    def _touches(self, ground: bool) -> list[Touch]:
         """What touched in the last part of the step."""
+        # SAPIEN lists pairs of shapes by where they lie in memory, which tells of the scenes that
+        # this process has played before: of two bodies the strongest contact comes first.
+        return sorted(self._listed(ground), key=touch_order)
+
+    def _listed(self, ground: bool) -> Iterator[Touch]:
         for contact in self.system.get_contacts():
             a, b = (self._index[c._physx_pointer] for c in contact.bodies)
             if (a < 0 or b < 0) and not ground:

@@ -93,7 +93,14 @@ def setting_in(folder: Path, scene: SimScene, rollout: Rollout) -> Setting | Non
     return setting_of(scene, rollout, verdict, doc)
 
 
-def export_folder(folder: Path, to: Target, out: Path, *, form: UsdForm = "usda") -> list[Path]:
+def export_folder(
+    folder: Path,
+    to: Target,
+    out: Path,
+    *,
+    form: UsdForm = "usda",
+    self_contained: bool = False,
+) -> list[Path]:
     """Writes a scene folder for another program, in its setting where the format has one.
 
     Args:
@@ -101,9 +108,10 @@ def export_folder(folder: Path, to: Target, out: Path, *, form: UsdForm = "usda"
         to: As for `esg.compile.export.export`, which tells what it raises.
         out: Folder to write into.
         form: Of `usd`.
+        self_contained: Of `unreal`.
     """
     if to not in ("usd", "glb") or not (folder / "manifest.json").is_file():
-        return export(folder, to, out)
+        return export(folder, to, out, self_contained=self_contained)
     manifest = load_manifest(folder / "manifest.json")
     rollout = animation(folder, manifest)
     setting = setting_in(folder, manifest.scene, rollout)

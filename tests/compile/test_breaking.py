@@ -92,7 +92,7 @@ def test_every_value_is_a_property_and_other_classes_say_nothing_of_it() -> None
     made = emit_class(scene, Program(commands, 1.0))
     assert "CrateSettings.BreakImpulse = 600.0;" in made.source
     assert "AddBrittle(0, { 1, 2, 3, 4, 5, 6 });" in made.source
-    assert "double BreakImpulse = 0.0;" in made.header
+    assert "FEsgBody CrateSettings;" in made.header
     plain = SimScene("plain", (scenes.box("crate", (0, 0, 0.1), (0.1, 0.1, 0.1), 1.0),))
     other = emit_class(plain, Program((), 1.0))
     for word in ("Brittle", "BreakImpulse", "RememberSpeeds", "IsCollisionEnabled"):

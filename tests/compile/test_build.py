@@ -40,7 +40,7 @@ def test_batch_of_one_name_keeps_the_classes_apart(
 def test_one_bad_class_does_not_fail_its_neighbours(tmp_path: Path) -> None:
     folders = [written(tmp_path / str(i), *ball_scene(f"n{i}", 0.3 + i)) for i in range(4)]
     bad = next((folders[2] / "unreal").glob("*.cpp"))
-    bad.write_text(bad.read_text().replace("SceneTime += Step;", "SceneTime += Stop;"))
+    bad.write_text(bad.read_text().replace("SceneDuration = ", "SceneDuration = Stop + "))
     results = compile_many(read_classes(folders), jobs=1)
     assert [isinstance(r, Library) for r in results] == [True, True, False, True]
     error = results[2]
@@ -129,7 +129,9 @@ def test_a_damaged_library_is_compiled_again(
     assert replay_class(folder, duration=0.1).compile_seconds == 0.0
 
 
-@pytest.mark.parametrize("name", ["runtime.o", "UEShim.h.gch", "UEShim.h"])
+@pytest.mark.parametrize(
+    "name", ["runtime.o", "EsgScene.o", "EsgScene.cpp", "Common.h.gch", "UEShim.h"]
+)
 def test_a_damaged_shim_is_compiled_again(tmp_path: Path, fresh: Path, name: str) -> None:
     """A class compiled after it runs; the damage is not blamed on the class."""
     first = written(tmp_path / "first", *ball_scene("before", 12.0))

@@ -13,7 +13,7 @@ import pytest
 import scenes
 
 from esg.compile import WatchedEvent, compile_many, emit_class, replay_class
-from esg.compile.build import Library, read_classes
+from esg.compile.build import Library, read_classes, shared_texts
 from esg.engines.program import HoldVelocity, Program, SetVelocity
 from esg.engines.scene import SimScene
 from esg.outcomes import UserError
@@ -32,12 +32,13 @@ def test_golden(name: str) -> None:
 
 
 def test_the_docs_read_the_golden_class_aloud() -> None:
-    """Every C++ excerpt in docs/unreal.md stands in the golden files, `...` aside."""
+    """Every C++ excerpt in docs/unreal.md stands in the golden or shared files, `...` aside."""
     text = (Path(__file__).parents[2] / "docs" / "unreal.md").read_text("utf-8")
     excerpts = re.findall(r"```cpp\n(.*?)```", text, re.DOTALL)
     assert len(excerpts) >= 10
-    emitted = golden.emitted()
-    lines = [line.strip() for line in (emitted.header + emitted.source).splitlines()]
+    emitted, shared = golden.emitted(), shared_texts()
+    files = emitted.header, emitted.source, shared["EsgScene.h"], shared["EsgScene.cpp"]
+    lines = [line.strip() for line in "\n".join(files).splitlines()]
     for excerpt in excerpts:
         at = 0
         for line in filter(None, map(str.strip, excerpt.splitlines())):
@@ -49,15 +50,15 @@ def test_the_docs_read_the_golden_class_aloud() -> None:
 
 def test_every_number_of_the_class_is_named() -> None:
     """Function bodies hold no bare numbers other than 0, 1, 2 and indices."""
-    source = golden.emitted().source
-    body = source[source.index("::DispatchProgram") :]
+    source = shared_texts()["EsgScene.cpp"]
+    body = source[source.index("AEsgScene::AEsgScene()") :]
     body = re.sub(r'"(?:[^"\\]|\\.)*"|Commands\[\d+\]|Events\[\d+\]', "", body)
     numbers = {float(n) for n in re.findall(r"(?<![\w.])\d+(?:\.\d+)?(?![\w.])", body)}
     assert numbers <= {0.0, 1.0, 2.0}
 
 
 def test_every_setting_is_editable_and_has_a_range_or_unit() -> None:
-    header = golden.emitted().header
+    header = shared_texts()["EsgScene.h"]
     numeric = re.findall(r"UPROPERTY\(([^\n]*)\)\n\t(?:float|double) (\w+) =", header)
     assert len(numeric) > 30
     for specifiers, name in numeric:

@@ -18,6 +18,7 @@ import scenes
 from test_emit import HOSTILE
 
 from esg.compile import replay_class
+from esg.compile.build import shared_texts
 from esg.compile.export import export
 from esg.compile.glb import read_glb
 from esg.compile.mjcf import start_velocities
@@ -360,6 +361,21 @@ def test_plugin_has_all_parts_and_the_proven_class(folder: Path, tmp_path: Path)
     ):  # fmt: skip
         value = next(v for v in settings.splitlines() if v.startswith(f"{name}="))
         assert float(value.split("=")[1]) == pytest.approx(100.0 * metres)
+
+
+@pytest.mark.parametrize("alone", [False, True])
+def test_a_plugin_brings_what_plays_its_scenes(folder: Path, tmp_path: Path, alone: bool) -> None:
+    """Once for all scenes of the plugin, or in the scene's own class."""
+    files = export(folder, "unreal", tmp_path, self_contained=alone)
+    source = tmp_path / "ESGScenes" / "Source" / "ESGScenes"
+    shared = {source / "Public" / "EsgScene.h", source / "Private" / "EsgScene.cpp"}
+    assert shared.isdisjoint(files) if alone else shared <= set(files)
+    for path in shared & set(files):
+        assert path.read_text("utf-8") == shared_texts()[path.name]
+    (header,) = (p for p in files if p.suffix == ".h" and p not in shared)
+    assert ('#include "EsgScene.h"' in header.read_text()) is not alone
+    log = header.stem if alone else "EsgScene"
+    assert f"`Log{log}`" in (tmp_path / "ESGScenes" / "README.md").read_text()
 
 
 def test_plugin_refuses_a_class_that_was_cut_off(tmp_path: Path) -> None:

@@ -1,5 +1,8 @@
 # edits are quoted as they stand in the emitted files
-"""Faults seeded into an emitted class: each must be caught before or while the class runs."""
+"""Faults seeded into an emitted class: each must be caught before or while the class runs.
+
+The class is the self-contained form of the emitted one, which holds what plays all scenes as well.
+"""
 
 from __future__ import annotations
 
@@ -15,6 +18,7 @@ import scenes
 from esg.compile import ClassError, ReplayError, compile_many, replay_class
 from esg.compile.build import read_classes
 from esg.compile.replay import ClassReplay
+from esg.compile.selfcontained import self_contained
 from esg.engines.scene import Rollout
 
 
@@ -105,8 +109,9 @@ FAULTS = {
         ClassError, "no physics body yet",
     ),
     "velocity in BeginPlay before physics": Fault(
-        "cpp", "\tPinSimulation();\n\tGround",
-        "\tPinSimulation();\n\tCar1Mesh->SetPhysicsLinearVelocity(FVector(1.0, 0.0, 0.0));\n\tGround",
+        "cpp", "\tCheckLayout();\n}\n\nvoid AEsgScene_S6Player::Pin",
+        "\tCheckLayout();\n\tBodies[0].Component->SetPhysicsLinearVelocity(FVector(1.0, 0.0, 0.0));\n}\n\n"
+        "void AEsgScene_S6Player::Pin",
         ReplayError, "before there is a physics body",
     ),
     "misspelled API": Fault(
@@ -166,7 +171,7 @@ FAULTS = {
         "cpp", "bWorldGravitySet = true", "bWorldGravitySet = false", ReplayError, "gravity",
     ),
     "gravity upside down": Fault(
-        "h", "float WorldGravityZ = -981.0f", "float WorldGravityZ = 981.0f", differs,
+        "cpp", "WorldGravityZ = -981.0f", "WorldGravityZ = 981.0f", differs,
     ),
     "time step left to the project": Fault(
         "h", "bool bPinTimeStep = true", "bool bPinTimeStep = false", ReplayError, "time step",
@@ -190,9 +195,9 @@ FAULTS = {
         "cpp", "Car1Settings.bReportsHits = true", "Car1Settings.bReportsHits = false", event_lost,
     ),
     "callback bound twice": Fault(
-        "cpp", "AddDynamic(this, &AEsgScene_S6::OnBodyHit);\n",
-        "AddDynamic(this, &AEsgScene_S6::OnBodyHit);\n"
-        "\t\t\tBody.Component->OnComponentHit.AddDynamic(this, &AEsgScene_S6::OnBodyHit);\n",
+        "cpp", "AddDynamic(this, &AEsgScene_S6Player::OnBodyHit);\n",
+        "AddDynamic(this, &AEsgScene_S6Player::OnBodyHit);\n"
+        "\t\t\tBody.Component->OnComponentHit.AddDynamic(this, &AEsgScene_S6Player::OnBodyHit);\n",
         ReplayError, "AddDynamic twice",
     ),
     "overlapping placement": Fault(
@@ -214,7 +219,7 @@ FAULTS = {
         "cpp", "Car1Settings.Mass = 1200.0f", "Car1Settings.Mass = 1.2f", differs,
     ),
     "drive survives its touch": Fault(
-        "cpp", "EndsAtTouchOf = { TrashBin1Mesh }", "EndsAtTouchOf = { Table1Mesh }", differs,
+        "cpp", "AddCommand(Car1Mesh, { TrashBin1Mesh })", "AddCommand(Car1Mesh, { Table1Mesh })", differs,
     ),
     "command one step late": Fault(
         "cpp", "SceneTime + EsgScene_S6Detail::HalfStep * Step", "SceneTime - EsgScene_S6Detail::HalfStep * Step",
@@ -224,7 +229,7 @@ FAULTS = {
         "cpp", "Table1Settings.Rotation = FQuat(0.0, 0.0, 0.34", "Table1Settings.Rotation = FQuat(0.0, 0.0, 0.84",
         ReplayError, "unit quaternion",
     ),
-    "index out of bounds": Fault("cpp", "Commands.SetNum(4)", "Commands.SetNum(3)", ReplayError, "bounds"),
+    "index out of bounds": Fault("cpp", "\tAddCommand(Car1Mesh);\n", "", ReplayError, "bounds"),
 }  # fmt: skip
 
 
@@ -239,10 +244,13 @@ def folders(tmp_path_factory: pytest.TempPathFactory) -> dict[str, Path]:
     out: dict[str, Path] = {}
     for i, (name, fault) in enumerate(FAULTS.items()):
         folder = out[name] = written(root / str(i), *scenes.street(), scenes.STREET_WATCH)
-        path = folder / "unreal" / f"EsgScene_S6.{fault.file}"
-        text = path.read_text()
-        assert fault.old in text, f"{name} does not apply: the emitted text has changed"
-        path.write_text(text.replace(fault.old, fault.new, 1))
+        (emitted,) = read_classes([folder])
+        whole = self_contained(emitted)
+        for suffix, text in (("h", whole.header), ("cpp", whole.source)):
+            if suffix == fault.file:
+                assert fault.old in text, f"{name} does not apply: the emitted text has changed"
+                text = text.replace(fault.old, fault.new, 1)
+            (folder / "unreal" / f"EsgScene_S6.{suffix}").write_text(text)
         vouched(folder)
     compiled = [n for n, f in FAULTS.items() if f.caught is not ClassError]
     compile_many(read_classes(out[n] for n in compiled))

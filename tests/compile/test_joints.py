@@ -14,8 +14,10 @@ from usd import usd_of
 from benchmarks.joints import Case as Swing
 from benchmarks.joints import kept, pendulums, period
 from esg.compile import ReplayError, emit_class, replay_class
+from esg.compile.build import read_classes
 from esg.compile.mjcf import scene_mjcf
 from esg.compile.names import unique_identifiers
+from esg.compile.selfcontained import self_contained
 from esg.engines import get_engine
 from esg.engines.joints import Joint, Motor, joint_between
 from esg.engines.manifest import manifest_from_json, manifest_to_json
@@ -142,7 +144,7 @@ def test_every_value_of_a_joint_is_a_property_that_the_constructor_sets() -> Non
     ):
         assert line in made.source
     assert "TObjectPtr<UPhysicsConstraintComponent> HingeJointConstraint;" in made.header
-    assert "F" + made.name + "Joint HingeJointSettings;" in made.header
+    assert "FEsgJoint HingeJointSettings;" in made.header
 
 
 def test_a_command_to_a_joint_is_logged_and_unknown_joints_are_refused(tmp_path: Path) -> None:
@@ -179,8 +181,10 @@ def test_classes_without_joints_say_nothing_of_them() -> None:
 def test_a_constraint_that_is_no_joint_is_refused(tmp_path: Path) -> None:
     scene, program = built("swing")
     written(tmp_path, scene, program)
-    (source,) = tmp_path.glob("unreal/*.cpp")
-    text = source.read_text()
+    (files,) = read_classes([tmp_path])
+    whole = self_contained(files)
+    (tmp_path / "unreal" / f"{files.name}.h").write_text(whole.header)
+    source, text = tmp_path / "unreal" / f"{files.name}.cpp", whole.source
     assert "Held->SetLinearYLimit(Across, Reach);" in text
     source.write_text(text.replace("SetLinearYLimit(Across,", "SetLinearYLimit(LCM_Free,"))
     with pytest.raises(ReplayError, match="PivotJoint leaves free what no joint does"):

@@ -305,7 +305,7 @@ def test_the_class_of_a_hold_that_takes_its_time_plays_as_its_program(tmp_path: 
 def test_only_classes_with_flight_speak_of_it() -> None:
     scene, program, _ = drone()
     flying = emit_class(scene, program)
-    assert "bFlies" in flying.header and "Command.Climb - WorldGravityZ * Step" in flying.source
+    assert "Drone1Drive1.bFlies = true;" in flying.source
     walking = Program(tuple(replace(p, climb=None) for p in program.primitives), 3.0)  # type: ignore[type-var]
     plain = emit_class(scene, walking)
     assert "Flies" not in plain.header + plain.source
@@ -360,16 +360,16 @@ def test_the_class_guides_and_spins_as_its_program(tmp_path: Path, engine: str, 
     assert r.angular_velocity[0, round(1.0 / dt), 2, 2] == pytest.approx(5.0, abs=1.5)
     assert r.position[0, -1, 3, 2] < 0.5  # The bag fell when it met the wall.
     ends = [line for line in replayed.log if "ends body=Bag1" in line.replace("_", "")]
-    assert len(ends) == 1 and "Hold ends" in ends[0]
+    assert len(ends) == 1 and "GuideAlong ends" in ends[0]
 
 
 def test_only_classes_that_guide_speak_of_it() -> None:
     scene, program, _ = crane()
     guiding = emit_class(scene, program)
     assert lint(guiding.header, guiding.source, guiding.name) == []
-    assert "GuideRate = 10.0" in guiding.source and "PathPoint" in guiding.header
+    assert "RunGuideAlong(Crate1Mesh," in guiding.source and "FEsgGuideAlong" in guiding.header
     plain = emit_class(scene, Program((), 2.5))
-    assert not re.search("Guid|PathPoint|HoldSpin", plain.header + plain.source)
+    assert not re.search("Guid|HoldSpin", plain.header + plain.source)
 
 
 @pytest.mark.parametrize("engine", ["physx", "rapier"])

@@ -294,3 +294,34 @@ def test_physx_holds_what_a_heavy_body_presses_against_a_wall() -> None:
     even = scene.with_bodies((replace(truck, mass=1500.0, wheeled=True), crate, wall))
     r = get_engine("physx").rollout(even, batch_programs([program], even.names), duration=0.1)
     assert r.extra["iterations"] == [16, 1]
+
+
+def test_contacts_tell_nothing_of_where_physx_has_put_its_shapes() -> None:
+    """Two feet land at once; which shape lies first in memory follows from what was played before."""
+    import sapien
+
+    feet = tuple(
+        Shape("box", (0.1, 0.1, 0.1), (x, y, -0.1)) for x in (-0.3, 0.0, 0.3) for y in (-0.2, 0.2)
+    )
+    stool = replace(box("stool", (0.4, 0.3, 0.2), 5.0, (0.0, 0.0, 0.45)), shapes=feet)
+    table = replace(box("table", (1.0, 1.0, 0.1), 0.0, (0.0, 0.0, 0.1)), static=True)
+    scene, program = SimScene("lands", (stool, table)), Program((), 0.4)
+    rng, kept = np.random.default_rng(0), []
+    points: list[np.ndarray] = []
+    for _ in range(4):
+        played = sapien.Scene([sapien.physx.PhysxCpuSystem()])
+        bodies = []
+        for _ in range(400):
+            builder = played.create_actor_builder()
+            for _ in range(rng.integers(1, 5)):
+                builder.add_box_collision(half_size=[0.1, 0.1, 0.1])
+            bodies.append(builder.build_static())
+        for k in rng.permutation(400)[:300]:
+            played.remove_entity(bodies[k])
+        del bodies, builder
+        kept.append(played)
+        rollout = get_engine("physx").rollout(scene, batch_programs([program], scene.names))
+        points.append(rollout.contacts.point)
+    assert len(points[0])
+    for other in points[1:]:
+        np.testing.assert_array_equal(points[0], other)

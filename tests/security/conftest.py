@@ -51,7 +51,7 @@ def in_tick(scene: Path, code: str, before: str = "") -> Path:
     text = path.read_text("utf-8")
     head, last = text[: text.rindex("#include")], text[text.rindex("#include") :]
     line, rest = last.split("\n", 1)
-    mark = "\tSuper::Tick(DeltaTime);\n"
+    mark = "::DispatchProgram(double Due)\n{\n"
     assert mark in rest
     rest = rest.replace(mark, f"{mark}\t{code}\n", 1)
     path.write_text(f"{head}{line}\n{before}\n{rest}", "utf-8")

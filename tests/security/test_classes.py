@@ -50,10 +50,10 @@ def _in_a_static(scene: Path, marker: Path) -> None:
 
 def _in_the_constructor(scene: Path, marker: Path) -> None:
     path = source_of(scene)
-    mark = "\tPrimaryActorTick.bCanEverTick = true;"
+    mark = "\tFixedTimeStep = "
     text = path.read_text("utf-8")
     assert mark in text
-    path.write_text(text.replace(mark, f"{mark}\n\t{plants(marker)}", 1), "utf-8")
+    path.write_text(text.replace(mark, f"\t{plants(marker)}\n{mark}", 1), "utf-8")
 
 
 def _in_every_step(scene: Path, marker: Path) -> None:
@@ -297,9 +297,9 @@ def test_it_cannot_speak_for_the_command(scene: Path, capfd: pytest.CaptureFixtu
 @pytest.mark.parametrize("seconds", ["1e9", "1e300"])
 def test_a_class_that_wants_to_play_forever_is_refused(seconds: str, scene: Path) -> None:
     """Before anything is allocated for it."""
-    path = source_of(scene).with_suffix(".h")
-    before, after = path.read_text("utf-8").split("double SceneDuration = ", 1)
-    path.write_text(before + f"double SceneDuration = {seconds};" + after.split(";", 1)[1], "utf-8")
+    path = source_of(scene)
+    before, after = path.read_text("utf-8").split("SceneDuration = ", 1)
+    path.write_text(before + f"SceneDuration = {seconds};" + after.split(";", 1)[1], "utf-8")
     with pytest.raises(UserError, match=r"more than is recorded"):
         replay(str(scene), trust=True)
 

@@ -380,6 +380,7 @@ private:
 namespace EComponentMobility { enum Type { Static, Stationary, Movable }; }
 namespace ECollisionEnabled { enum Type { NoCollision, QueryOnly, PhysicsOnly, QueryAndPhysics }; }
 namespace EFrictionCombineMode { enum Type { Average, Min, Multiply, Max }; }
+enum { INDEX_NONE = -1 };
 enum ECollisionChannel { ECC_WorldStatic, ECC_WorldDynamic, ECC_Pawn, ECC_Visibility, ECC_Camera, ECC_PhysicsBody, ECC_Vehicle, ECC_Destructible };
 enum ECollisionResponse { ECR_Ignore, ECR_Overlap, ECR_Block };
 enum ETickingGroup { TG_PrePhysics, TG_StartPhysics, TG_DuringPhysics, TG_EndPhysics, TG_PostPhysics };

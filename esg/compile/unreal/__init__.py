@@ -1,0 +1,1 @@
+"""Unreal C++ that every emitted class is played with: `EsgScene.h` and `EsgScene.cpp`."""
