@@ -150,9 +150,8 @@ class ChannelFile:
         import av
 
         if self._codec.frames != _PLANAR:
-            return av.VideoFrame.from_ndarray(
-                np.ascontiguousarray(frame), format=self._codec.frames
-            )
+            whole: Any = np.ascontiguousarray(frame)
+            return av.VideoFrame.from_ndarray(whole, format=self._codec.frames)
         height, width, _ = frame.shape
         picture = av.VideoFrame(width, height, _PLANAR)
         # PyAV takes six times as long to part the colours.

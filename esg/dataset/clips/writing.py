@@ -116,7 +116,7 @@ def _known(vectors: NDArray[Any]) -> NDArray[np.bool_]:
 
 
 def _flow(values: NDArray[Any]) -> _Coded:
-    coded: list[tuple[Pictures, np.float32]] = []
+    coded: list[tuple[codes.Codes, np.float32]] = []
     for shift in values:
         known = _known(shift)
         coded.append(codes.shift_codes(np.where(known[..., None], shift, 0.0), known))
