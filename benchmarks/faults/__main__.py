@@ -8,6 +8,8 @@
     python -m benchmarks.faults disks --count 3
     python -m benchmarks.faults clocks
     python -m benchmarks.faults stalls
+    python -m benchmarks.faults interrupts --count 3
+    python -m benchmarks.faults limits
     python -m benchmarks.faults attacks [--before CHECKOUT]
 
 What must hold: malformed input ends with the right exit code, a message and no traceback within
@@ -30,7 +32,18 @@ import tempfile
 import time
 from typing import TypeVar
 
-from benchmarks.faults import clocks, disks, flips, kills, losses, malformed, stalls
+from benchmarks.faults import (
+    attacks,
+    clocks,
+    disks,
+    flips,
+    interrupts,
+    kills,
+    limits,
+    losses,
+    malformed,
+    stalls,
+)
 from benchmarks.faults.ground import ROOT, prepared
 from benchmarks.faults.spread import spread
 
@@ -264,15 +277,21 @@ def _stalls(ground: Path, place: Path, args: argparse.Namespace) -> int:
     return _told(stalls.HEADS, stalls.stalled, stalls.SERVERS, ground, place, args)
 
 
-def _one_attack(checkouts: dict[Path, Path], place: Path, name: str) -> list[list[str]]:
-    from benchmarks.faults import attacks
+def _interrupts(ground: Path, place: Path, args: argparse.Namespace) -> int:
+    run = partial(interrupts.interrupted, args.seed, args.count)
+    return _told(interrupts.HEADS, run, kills.COMMANDS, ground, place, args)
 
+
+def _limits(ground: Path, place: Path, args: argparse.Namespace) -> int:
+    return _told(limits.HEADS, limits.exceeded, limits.LIMITS, ground, place, args)
+
+
+def _one_attack(checkouts: dict[Path, Path], place: Path, name: str) -> list[list[str]]:
     return [attacks.attacked(name, made, place, of) for of, made in checkouts.items()]
 
 
 def _attacks(ground: Path, place: Path, args: argparse.Namespace) -> int:
-    from benchmarks.faults import attacks  # which are the tests', and need what tests need
-
+    malformed.load_libraries()
     checkouts = [args.before.resolve()] if args.before else []
     checkouts.append(ROOT)
     made = {c: attacks.made_by(c, place / f"made{k}") for k, c in enumerate(checkouts)}
@@ -297,6 +316,8 @@ _FAULTS: dict[str, Callable[[Path, Path, argparse.Namespace], int]] = {
     "disks": _disks,
     "clocks": _clocks,
     "stalls": _stalls,
+    "interrupts": _interrupts,
+    "limits": _limits,
     "attacks": _attacks,
 }
 
