@@ -64,6 +64,9 @@ def main() -> int:
     parser.add_argument("--ground", type=Path, help="folder of the undisturbed work; kept")
     parser.add_argument("--before", type=Path, help="attacks: an earlier checkout, to compare")
     args = parser.parse_args()
+    if "losses" in args.what:
+        losses.preload_here(Path(tempfile.mkdtemp(prefix="esg-losses-")))
+    malformed.load_libraries()
     wrong = 0
     with tempfile.TemporaryDirectory(prefix="esg-faults-") as folder:
         ground = args.ground or Path(folder) / "ground"
@@ -112,7 +115,6 @@ def _one_malformed(ground: Path, place: Path, item: tuple[str, int]) -> tuple[st
 
 
 def _malformed(ground: Path, place: Path, args: argparse.Namespace) -> int:
-    malformed.load_libraries()
     items = [
         (name, k)
         for name, k in _chosen(malformed.KINDS, args.only, args.count)
@@ -136,7 +138,6 @@ def _one_flip(ground: Path, seed: int, place: Path, item: tuple[str, int]) -> st
 
 
 def _flips(ground: Path, place: Path, args: argparse.Namespace) -> int:
-    malformed.load_libraries()
     items = [
         (name, k)
         for name, k in _chosen(flips.KINDS, args.only, args.count)
@@ -291,7 +292,6 @@ def _one_attack(checkouts: dict[Path, Path], place: Path, name: str) -> list[lis
 
 
 def _attacks(ground: Path, place: Path, args: argparse.Namespace) -> int:
-    malformed.load_libraries()
     checkouts = [args.before.resolve()] if args.before else []
     checkouts.append(ROOT)
     made = {c: attacks.made_by(c, place / f"made{k}") for k, c in enumerate(checkouts)}

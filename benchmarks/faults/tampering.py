@@ -9,6 +9,7 @@ import io
 import json
 import os
 from pathlib import Path
+import shutil
 import socket
 import struct
 from typing import Any
@@ -99,6 +100,8 @@ TAMPERED = [
 
 
 def _link(path: Path, target: Path) -> None:
+    if path.is_dir():
+        shutil.rmtree(path)
     path.unlink(missing_ok=True)
     path.symlink_to(target)
 
