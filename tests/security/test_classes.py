@@ -85,6 +85,20 @@ def test_looking_runs_nothing(
     assert not marker.exists()
 
 
+def test_a_place_that_nobody_knows_is_told(scene: Path, tmp_path: Path) -> None:
+    """A document fits its schema and yet names what is in no table."""
+    path = scene / "esg.json"
+    document = json.loads(path.read_text("utf-8"))
+    document["dressing"]["place"] = "the moon"
+    path.write_text(json.dumps(document), "utf-8")
+    (scene / "SHA256SUMS").unlink()
+    with pytest.raises(UserError, match="'the moon' is in no table"):
+        export(str(scene), to="glb", out=tmp_path / "glb")
+    with pytest.raises(UserError, match="'the moon' is in no table"):
+        render(str(scene), size="32x32", fps=2.0, out=tmp_path / "render")
+    assert report(scene, engines="physx") in (0, 3)
+
+
 def test_a_strangers_class_is_handed_on_only_on_trust(scene: Path, tmp_path: Path) -> None:
     """Who exports a plugin will compile it."""
     in_a_static(scene, tmp_path / "ran")
