@@ -16,6 +16,8 @@ import sys
 import tempfile
 import time
 
+from esg.paths import kernel_cache_dir
+
 ROOT = Path(__file__).parents[2]
 PROMPT = "A toy truck rolls forward at 3 m/s and hits a wooden crate."
 SUITE = f"""\
@@ -89,6 +91,7 @@ def environment(place: Path, cache: Path) -> dict[str, str]:
     variables = {k: v for k, v in os.environ.items() if not k.startswith(("ESG_", "PREFECT_"))}
     return variables | {
         "ESG_CACHE_DIR": str(cache),
+        "WARP_CACHE_PATH": str(kernel_cache_dir().parent),  # compiled once
         "ESG_DB": str(place / "runs" / "esg.duckdb"),
         "PYTHONPATH": str(ROOT),
         "TMPDIR": str(place / "tmp"),
