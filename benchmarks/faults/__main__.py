@@ -2,6 +2,7 @@
 
     python -m benchmarks.faults malformed --count 100 [--only suite:17]
     python -m benchmarks.faults flips --count 30
+    python -m benchmarks.faults bits --count 250
     python -m benchmarks.faults kills --count 4 --rounds 2 [--only "db rebuild"]
     python -m benchmarks.faults pairs
     python -m benchmarks.faults losses --count 25
@@ -34,6 +35,7 @@ from typing import TypeVar
 
 from benchmarks.faults import (
     attacks,
+    bits,
     clocks,
     disks,
     flips,
@@ -278,6 +280,11 @@ def _stalls(ground: Path, place: Path, args: argparse.Namespace) -> int:
     return _told(stalls.HEADS, stalls.stalled, stalls.SERVERS, ground, place, args)
 
 
+def _bits(ground: Path, place: Path, args: argparse.Namespace) -> int:
+    run = partial(bits.flipped, args.seed, args.count)
+    return _told(bits.HEADS, run, bits.READERS, ground, place, args)
+
+
 def _interrupts(ground: Path, place: Path, args: argparse.Namespace) -> int:
     run = partial(interrupts.interrupted, args.seed, args.count)
     return _told(interrupts.HEADS, run, kills.COMMANDS, ground, place, args)
@@ -310,6 +317,7 @@ def _attacks(ground: Path, place: Path, args: argparse.Namespace) -> int:
 _FAULTS: dict[str, Callable[[Path, Path, argparse.Namespace], int]] = {
     "malformed": _malformed,
     "flips": _flips,
+    "bits": _bits,
     "kills": _kills,
     "pairs": _pairs,
     "losses": _losses,

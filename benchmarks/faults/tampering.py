@@ -140,6 +140,7 @@ def _dangling(scene: Path, secret: Path) -> None:
 
 
 def _pipe(scene: Path, secret: Path) -> None:
+    (scene / "scene.glb").unlink(missing_ok=True)
     os.mkfifo(scene / "scene.glb")
 
 
@@ -149,6 +150,7 @@ def _pipe_for_a_document(scene: Path, secret: Path) -> None:
 
 
 def _socket(scene: Path, secret: Path) -> None:
+    (scene / "rollout.mcap").unlink(missing_ok=True)
     here = os.getcwd()
     os.chdir(scene)  # addresses of sockets are short
     try:
