@@ -16,7 +16,7 @@ import threading
 import time
 from typing import Any
 
-from benchmarks.resume import command_line, descendants
+from benchmarks.resume import command_line, descendants, kill
 
 MIB = 2**20
 ROLES = ("command", "server", "worker", "compiler")
@@ -85,15 +85,28 @@ class Watch:
     cpu: dict[int, float] = field(default_factory=dict)
     wall_s: float = 0.0
 
-    def run(self, command: Sequence[str], environment: dict[str, str]) -> int:
-        """Runs the command to its end; returns its exit code."""
+    def run(
+        self, command: Sequence[str], environment: dict[str, str], limit_s: float | None = None
+    ) -> int | None:
+        """Runs the command to its end, or kills it; returns its exit code.
+
+        Args:
+            command: The command.
+            environment: Of its processes.
+            limit_s: When it is killed, with its workers [s]; there is no exit code then.
+        """
         start = time.perf_counter()
         process = subprocess.Popen(command, env=environment, stdout=subprocess.DEVNULL)
         over = threading.Event()
         thread = threading.Thread(target=self._sample, args=(process.pid, start, over), daemon=True)
         thread.start()
-        code = process.wait()
-        self.wall_s = time.perf_counter() - start
+        code: int | None = None
+        try:
+            code = process.wait(limit_s)
+            self.wall_s = time.perf_counter() - start
+        except subprocess.TimeoutExpired:
+            self.wall_s = time.perf_counter() - start
+            kill(process)
         over.set()
         thread.join()
         return code

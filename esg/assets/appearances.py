@@ -15,12 +15,13 @@ from pathlib import Path
 import re
 
 from esg.assets.appearance import RIDDEN, USUAL, Appearance
+from esg.assets.builders.living.beasts import GAITS
 from esg.assets.colors import find_color
 from esg.assets.configuration import parametric_entry, stated_material
-from esg.assets.library.catalogue import Entry, parse_hex
+from esg.assets.library.catalogue import Entry, normalize, parse_hex
 from esg.assets.looks import Color
 from esg.graph.casting import effective
-from esg.graph.models import CoverageItem, EsgDocument, Predicate
+from esg.graph.models import AssetRequirement, CoverageItem, EsgDocument, Predicate
 
 _DATA = Path(__file__).parent / "data"
 _PEOPLE = frozenset({"figure", "child_figure"})
@@ -71,6 +72,31 @@ def _palettes() -> dict[str, tuple[Color, ...]]:
     return out
 
 
+@cache
+def _typical_colors() -> dict[str, Color]:
+    out: dict[str, Color] = {}
+    with (_DATA / "typical_colors.csv").open(encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file):
+            out |= dict.fromkeys(row["nouns"].split(";"), parse_hex(row["color"]))
+    return out
+
+
+def typical_color(requirement: AssetRequirement | None) -> Color | None:
+    """The colour of what the words name, where it is not that of the kind that is drawn for them.
+
+    A lemon has the body of an orange, and a school bus that of a bus.
+
+    Args:
+        requirement: What the document asks for.
+    """
+    if requirement is None:
+        return None
+    said, colon, _ = requirement.asset_description.partition(":")
+    words = normalize(said if colon else requirement.asset_category).split()
+    endings = (" ".join(words[start:]) for start in range(len(words)))
+    return next((_typical_colors()[e] for e in endings if e in _typical_colors()), None)
+
+
 def appearances(doc: EsgDocument) -> dict[str, Appearance]:
     """How every node of a resolved document looks, by its id."""
     doc = effective(doc)
@@ -95,6 +121,10 @@ def appearances(doc: EsgDocument) -> dict[str, Appearance]:
         )
         if own.livery and not _colored(doc, node.asset_id, entry):
             out[name] = replace(own, color=_LIVERIES[own.livery])
+            continue
+        typical = typical_color(doc.asset_requirement.get(node.asset_id))
+        if typical is not None and not _colored(doc, node.asset_id, entry):
+            out[name] = replace(own, color=typical)
             continue
         color = None if own.livery else _free_color(doc, node.asset_id, entry, own, taken)
         if color is not None:
@@ -161,23 +191,26 @@ def first_of_asset(doc: EsgDocument, looks: dict[str, Appearance]) -> dict[str, 
 
 
 def _poses(doc: EsgDocument) -> dict[str, str]:
-    """Poses of the people of a document, by node."""
+    """Poses of the people and animals of a document, and of what is ridden, by node."""
     nodes = doc.spatial_relation_graph.nodes
     kinds: dict[str, str] = {}
     builders: dict[str, str] = {}
-    people: set[str] = set()
     for name, node in nodes.items():
         config = doc.asset_configurations.get(node.asset_id)
         entry = None if config is None else parametric_entry(config)
         if entry is not None:
             kinds[name] = entry.name
             builders[name] = entry.builder
-            if entry.builder in _PEOPLE:
-                people.add(name)
+    people = {n for n, b in builders.items() if b in _PEOPLE}
+    beasts = {n for n, b in builders.items() if b == "quadruped"}
     ridden = _ridden(doc, {n for n, b in builders.items() if b in _RIDDEN}, people)
-    if not people:
+    if not people | beasts:
         return ridden
-    found = ridden | _moving(doc, people) | _doing(doc, people) | _loaded(doc, people)
+    going = _moving(doc, people | beasts)
+    done = _doing(doc, people | beasts)
+    # A dog that catches a ball walks or runs, or it stands.
+    done = {n: pose for n, pose in done.items() if n in people or pose in GAITS}
+    found = ridden | going | done | _loaded(doc, people)
     regions = doc.spatial_relation_graph.semantic_regions
     for name in sorted(people):
         region = regions.get(nodes[name].semantic_region or "")
@@ -199,13 +232,13 @@ def _ridden(doc: EsgDocument, mounts: set[str], people: set[str]) -> dict[str, s
     return dict.fromkeys(sorted((gone & mounts) - taken), RIDDEN)
 
 
-def _moving(doc: EsgDocument, people: set[str]) -> dict[str, str]:
+def _moving(doc: EsgDocument, walkers: set[str]) -> dict[str, str]:
     """Those who go somewhere by themselves walk."""
     if doc.timeline_system is None:
         return {}
     edges = doc.timeline_system.sequence_graph.edges
     gone = {e.actor for e in edges if e.event.value in ("UniformMotion", "Accelerate", "Toward")}
-    return dict.fromkeys(sorted(gone & people), "walk")
+    return dict.fromkeys(sorted(gone & walkers), "walk")
 
 
 def _loaded(doc: EsgDocument, people: set[str]) -> dict[str, str]:
@@ -221,7 +254,7 @@ def _loaded(doc: EsgDocument, people: set[str]) -> dict[str, str]:
     return dict.fromkeys(sorted(under & people & (told | under)), "bear")
 
 
-def _doing(doc: EsgDocument, people: set[str]) -> dict[str, str]:
+def _doing(doc: EsgDocument, actors: set[str]) -> dict[str, str]:
     """What the prompt says that somebody does: the pose of the last such verb of his."""
     prompt = doc.scene_definition.original_description
     items = sorted(doc.coverage.items, key=lambda item: item.start)
@@ -234,7 +267,7 @@ def _doing(doc: EsgDocument, people: set[str]) -> dict[str, str]:
         after = next((i for i in items[k + 1 :] if i.kind == "object"), None)
         passive = after is not None and re.search(r"\bby\b", prompt[item.end : after.start])
         for name in _named(doc, after if passive else before):
-            if pose is not None and name in people:
+            if pose is not None and name in actors:
                 out[name] = pose
     return out
 

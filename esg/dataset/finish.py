@@ -88,6 +88,42 @@ def describe(
     write_info(out, title, counts, {"statistics": facts})
 
 
+def describe_again(
+    out: Path, spec: DatasetSpec, failed: Sequence[Mapping[str, Any]] | None = None
+) -> None:
+    """The same of a finished dataset that something was added to.
+
+    Args:
+        out: Folder of the dataset.
+        spec: Its specification.
+        failed: Rows of `failures.jsonl`; default as they are.
+    """
+    title = json.loads((out / INFO).read_bytes())["title"]
+    rows = failures_of(out) if failed is None else failed
+    describe(out, spec, title, counts_of(out), rows)
+
+
+def failures_of(out: Path) -> list[dict[str, Any]]:
+    """Rows of a dataset's `failures.jsonl`."""
+    path = out / "failures.jsonl"
+    return [json.loads(t) for t in path.read_text("utf-8").splitlines()] if path.is_file() else []
+
+
+def counts_of(out: Path) -> Counts:
+    """Rows by table and split of a finished dataset."""
+    import pyarrow.parquet as pq
+
+    from esg.store.tables import part_files
+
+    counts: Counts = {}
+    for path in part_files(out):
+        table, split = path.parent.name, path.name.partition("-")[0]
+        rows = counts.setdefault(table, {})
+        split = "" if table == "runs" else split
+        rows[split] = rows.get(split, 0) + pq.read_metadata(path.absolute()).num_rows
+    return counts
+
+
 def clean(out: Path) -> None:
     """Removes the scaffold of a finished dataset; does nothing to an unfinished one."""
     if (out / INFO).is_file():

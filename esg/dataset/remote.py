@@ -19,7 +19,7 @@ from esg.outcomes import UserError
 
 _FIRST = ("meta/plan.json", "meta/prompts.jsonl", "meta/run.json", "meta/layouts.json")
 _INFO = "meta/info.json"
-_TOLD = ("README.md", "failures.jsonl", "meta/timings.json")
+_TOLD = ("README.md", "sheet.jpg", "failures.jsonl", "meta/timings.json")
 
 
 def is_url(text: str) -> bool:
@@ -189,25 +189,28 @@ class Remote:
         self.push(folder, [_INFO])
         self._remove_scaffold()
 
-    def pull_tables(self, folder: Path, tables: Iterable[str]) -> None:
-        """Downloads tables of a finished dataset, without the files of clips."""
-        wanted = [n for table in tables for n in self.names(table) if not is_media(n)]
-        self.pull(folder, [*wanted, *(n for n in _TOLD if self.has(n))])
+    def pull_tables(self, folder: Path) -> None:
+        """Downloads the tables of a finished dataset, without the files of clips."""
+        there = self.names("")
+        tables = [n for n in there if n.endswith(".parquet") and n.count("/") == 1]
+        self.pull(folder, [*tables, *(n for n in _TOLD if n in there)])
 
     def push_clips(self, folder: Path, tables: Iterable[str], scaffold: str) -> None:
         """Uploads what tells of a dataset's new clips, whose files came with their batches.
 
+        Layouts are of the clips it had: they are removed.
+
         Args:
             folder: Of the dataset on this machine.
-            tables: That may have changed.
+            tables: That have changed.
             scaffold: Folder of the rendering, which is removed.
         """
         files = [p for table in tables for p in sorted((folder / table).glob("*.parquet"))]
         names = [p.relative_to(folder).as_posix() for p in files]
         told = [n for n in _TOLD if (folder / n).is_file()]
         self.push(folder, [*names, *told, _FIRST[0], _INFO])
-        self._remove(self.names(scaffold))
-        stale = [n for n in self.names("clips") if not is_media(n) and n not in names]
+        self._remove([*self.names(scaffold), *self.names("layouts")])
+        stale = [n for t in tables for n in self.names(t) if not is_media(n) and n not in names]
         self._remove(stale)
 
     def _remove(self, names: Iterable[str]) -> None:

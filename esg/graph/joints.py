@@ -21,12 +21,18 @@ Floats = NDArray[np.float64]
 
 FOOT, SEAT = "foot", "seat"
 """Mounts that no asset has to name: its origin, and the middle of its first surface or its top."""
+FRONT, REAR = "front", "rear"
+"""Mounts that no asset has to name: where it is drawn along, and where it draws something."""
+TOWED = (REAR, FRONT)
+"""Mounts of what draws and of what it draws."""
+HITCH_CM = 40.0
+"""Height of those: couplings of cars are at 35 to 42 cm (ISO 1103), or half as high as it is."""
 UP: Vec3 = (0.0, 0.0, 1.0)
 ACROSS: Vec3 = (0.0, 1.0, 0.0)
 """What hangs on a ball joint, a rope or a spring is drawn back about this axis of its parent."""
 KINDS_OF_JOINT: dict[EdgeEvent, tuple[str, ...]] = {
     EdgeEvent.DRIVE: ("hinge", "slider"),
-    EdgeEvent.RELEASE: ("hinge", "ball", "rope"),
+    EdgeEvent.RELEASE: ("hinge", "ball", "rope", "spring"),
 }
 """Segments along a joint, and the kinds of joint on which they can be."""
 _IDENTITY = np.array([0.0, 0.0, 0.0, 1.0])
@@ -73,7 +79,37 @@ def mount_of(asset: AssetConfiguration, name: str | None) -> Mount | None:
         top = (0.0, 0.0, asset.dimensions_cm[2])
         seat = next((s.center_cm for s in asset.support_surfaces), top)
         return Mount(name=SEAT, position_cm=seat, axis=UP)
+    if name in (FRONT, REAR):
+        length, _, height = asset.dimensions_cm
+        end = (0.5 * length if name == FRONT else -0.5 * length, 0.0, hitch_cm(height))
+        return Mount(name=name, position_cm=end, axis=UP)
     return next((m for m in asset.mounts or () if m.name == name), None)
+
+
+def hitch_cm(height: float) -> float:
+    """Height above the ground at which a thing of a height is drawn along, or draws [cm]."""
+    return min(HITCH_CM, 0.5 * height)
+
+
+def trails(joint: Joint) -> bool:
+    """Whether a rope draws its child along behind its parent, on the same level."""
+    return joint.kind == "rope" and (joint.parent_mount, joint.child_mount) == TOWED
+
+
+def towed_by(doc: EsgDocument, name: str) -> list[str]:
+    """What a node draws along behind it, the nearest first."""
+    out: list[str] = []
+    ahead = [name]
+    while ahead:
+        parent = ahead.pop(0)
+        behind = [
+            j.child
+            for j in doc.spatial_relation_graph.joints or ()
+            if j.parent == parent and (j.parent_mount, j.child_mount) == TOWED
+        ]
+        ahead += behind
+        out += behind
+    return out
 
 
 def placing_joints(doc: EsgDocument) -> dict[str, Joint]:
@@ -134,8 +170,15 @@ def child_frame(joint: Joint, parent: AssetConfiguration, child: AssetConfigurat
     """
     theirs, mine = mount_of(parent, joint.parent_mount), mount_of(child, joint.child_mount)
     assert theirs is not None and mine is not None
+    if trails(joint):
+        lift, length = mine.position_cm[2] - theirs.position_cm[2], joint.upper or 0.0
+        ahead = math.sqrt(max(length * length - lift * lift, 0.0))
+        at = theirs.position_cm[0] - ahead - mine.position_cm[0]
+        return Frame(np.array([at, 0.0, 0.0]), _IDENTITY)
     axis = _unit(theirs.axis)
-    turned = quat_multiply(_started(joint, axis), _least_turn(_unit(mine.axis), axis))
+    free = joint.kind in ("rope", "spring") and joint.child_mount == SEAT
+    upright = _IDENTITY if free else _least_turn(_unit(mine.axis), axis)
+    turned = quat_multiply(_started(joint, axis), upright)
     end = np.asarray(theirs.position_cm, float) + _offset(joint, axis)
     return Frame(end - quat_rotate(turned, np.asarray(mine.position_cm, float)), turned)
 

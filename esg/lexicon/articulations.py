@@ -22,7 +22,7 @@ class Articulation:
 
     Args:
         nouns: Heads of phrases that name it.
-        becomes: Part that the named node is.
+        becomes: Part that the named node is; "" if it stays as it is drawn.
         with_part: Part that is added.
         carries: Which of them is the parent.
         count: How many are added.
@@ -65,6 +65,11 @@ class Articulation:
         return self.drawn is not None and self.carries == "with" and self.kind in ("ball", "hinge")
 
     @property
+    def hangs_anywhere(self) -> bool:
+        """Whether it hangs from a ceiling as well as from its stand, or is drawn as it is."""
+        return self.hangs or not self.becomes
+
+    @property
     def tips(self) -> bool:
         """Whether it tips to one side or to the other: a seesaw."""
         free = self.opened is None and self.drawn is None
@@ -77,15 +82,26 @@ class Articulation:
         return self.kind == "hinge" and free and self.opened is None and self.drawn is None
 
 
-@cache
 def articulations() -> dict[str, Articulation]:
-    """Every row by each of its nouns."""
-    out: dict[str, Articulation] = {}
+    """The rows of things with parts of their own, by each of their nouns."""
+    return _rows()[0]
+
+
+def hangers() -> dict[str, Articulation]:
+    """The rows of things that hang as they are drawn: on a rope, on a spring."""
+    return _rows()[1]
+
+
+@cache
+def _rows() -> tuple[dict[str, Articulation], dict[str, Articulation]]:
+    drawn: dict[str, Articulation] = {}
+    kept: dict[str, Articulation] = {}
     with open(TABLE, encoding="utf-8", newline="") as file:
         for line in csv.DictReader(file):
             row = _row(line)
-            out |= dict.fromkeys(row.nouns, row)
-    return out
+            table = drawn if row.becomes else kept
+            table |= dict.fromkeys(row.nouns, row)
+    return drawn, kept
 
 
 def _row(line: dict[str, str]) -> Articulation:

@@ -388,13 +388,13 @@ def part_files(folder: Path, table: str | None = None) -> list[Path]:
 
 
 def iter_batches(
-    paths: Iterable[Path], columns: Sequence[str], *, rows: int = ROW_GROUP_SCENES
+    paths: Iterable[Path], columns: Sequence[str] | None = None, *, rows: int = ROW_GROUP_SCENES
 ) -> Iterator[pa.RecordBatch]:
-    """Some columns of several files, few rows in memory at a time.
+    """Rows of several files, few in memory at a time.
 
     Args:
         paths: The files.
-        columns: Which every version of their table has.
+        columns: Only these, which every version of their table has; default all.
         rows: At a time.
 
     Raises:
@@ -402,30 +402,20 @@ def iter_batches(
     """
     import pyarrow.parquet as pq
 
+    wanted = None if columns is None else list(columns)
     for path in paths:
         table_of(path)
         try:
             with pq.ParquetFile(_local(path), page_checksum_verification=True) as file:
-                yield from file.iter_batches(batch_size=rows, columns=list(columns))
+                yield from file.iter_batches(batch_size=rows, columns=wanted)
         except Exception as error:  # whatever the reader meets in a damaged file
             why = (str(error).splitlines() or [type(error).__name__])[0]
             raise UserError(f"{path} is damaged ({why}); delete it and run again") from None
 
 
 def iter_rows(
-    paths: Iterable[Path], columns: Sequence[str] | None = None
+    paths: Iterable[Path], columns: Sequence[str] | None = None, *, rows: int = ROW_GROUP_SCENES
 ) -> Iterator[dict[str, Any]]:
-    """Rows of several files, one row group in memory at a time.
-
-    Args:
-        paths: The files.
-        columns: Only these, which every version of the table has; default all.
-    """
-    wanted = None if columns is None else list(columns)
-    import pyarrow.parquet as pq
-
-    for path in paths:
-        table_of(path)
-        with pq.ParquetFile(_local(path)) as file:
-            for batch in file.iter_batches(batch_size=ROW_GROUP_SCENES, columns=wanted):
-                yield from batch.to_pylist()
+    """The same as dictionaries."""
+    for batch in iter_batches(paths, columns, rows=rows):
+        yield from batch.to_pylist()

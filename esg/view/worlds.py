@@ -172,13 +172,14 @@ class WorldRenderer:
         owner = images["mover"].numpy()
         color = None
         if rgb:
-            packed = images["packed"].numpy()
-            color = np.stack([packed & 255, packed >> 8 & 255, packed >> 16 & 255], -1)
-            color = color.astype(np.uint8)
+            packed = images["packed"].numpy().astype("<u4", copy=False)
+            color = packed.view(np.uint8).reshape(*owner.shape, 4)[..., :3].copy()
+        # Arrays of the CPU are the images themselves, those of a GPU copies already.
+        own = np.copy if self._device == "cpu" else np.asarray
         return Views(
             rgb=color,
-            depth=images["depth"].numpy().copy(),
-            normal=images["normal"].numpy().reshape(*owner.shape, 3).copy(),
+            depth=own(images["depth"].numpy()),
+            normal=own(images["normal"].numpy().reshape(*owner.shape, 3)),
             body=self._body[owner],
             mover=self._mover[owner],
         )

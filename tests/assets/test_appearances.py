@@ -6,10 +6,11 @@ from pathlib import Path
 
 import pytest
 
-from esg.assets import resolve, write_meshes
+from esg.assets import build_mesh, resolve, write_meshes
 from esg.assets.appearance import Appearance
 from esg.assets.appearances import appearances, pose_of
 from esg.assets.configuration import node_mesh_path
+from esg.assets.library.catalogue import parse_hex
 from esg.compile.assets import mesh_file
 from esg.draft import draft
 
@@ -37,6 +38,9 @@ def looks(prompt: str, seed: int = 0) -> dict[str, Appearance]:
         ("A man rides a bicycle.", "bicycle_1", ""),
         ("A riderless motorcycle rolls into a wall.", "motorcycle_1", ""),
         ("A car hits a parked motorcycle.", "motorcycle_1", ""),
+        ("A horse gallops across a field.", "horse_1", "run"),
+        ("A cat walks to a bowl.", "cat_1", "walk"),
+        ("A ball hits a dog.", "dog_1", ""),
     ],
 )
 def test_a_person_is_posed_by_what_he_does(prompt: str, node: str, pose: str) -> None:
@@ -94,3 +98,31 @@ def test_nodes_that_differ_have_files_of_their_own(tmp_path: Path) -> None:
     assert second == tmp_path / node_mesh_path(mesh, "person_2")
     assert first is not None and second is not None
     assert first.read_bytes() != second.read_bytes()
+
+
+@pytest.mark.parametrize(
+    ("prompt", "node", "color"),
+    [
+        ("A lemon rolls off the table.", "lemon_1", "#f2d13c"),
+        ("A school bus stops at the light.", "school_bus_1", "#f5a81c"),
+        ("A crow lands on a fence.", "crow_1", "#1d1d20"),
+    ],
+)
+def test_what_a_kind_stands_for_has_its_own_colour(prompt: str, node: str, color: str) -> None:
+    assert looks(prompt)[node].color == parse_hex(color)
+
+
+def test_a_stated_colour_is_kept_by_what_has_a_usual_one() -> None:
+    assert looks("A green lemon rolls off the table.")["green_lemon_1"].color is None
+
+
+@pytest.mark.parametrize("pose", ["walk", "run"])
+def test_legs_that_are_not_bent_reach_the_ground_in_every_gait(pose: str) -> None:
+    config = resolve(draft("A horse gallops across a field."))
+    horse = next(c for c in config.asset_configurations.values() if c.asset_name == "horse")
+    scene = build_mesh(horse, Appearance(pose=pose))
+    hooves = {n: g for n, g in scene.geometry.items() if "horn" in n}
+    assert hooves
+    low = min(float(g.bounds[0][2]) for g in hooves.values())
+    assert abs(low) < 1.0
+    assert scene.bounds[0][2] > -1.0

@@ -54,7 +54,7 @@ def render_dataset(
     )
     folder, remote = opened(place)
     if remote is not None:
-        remote.pull_tables(folder.path, TABLES)
+        remote.pull_tables(folder.path)
     adding = begin_adding(folder, spec, batch=batches.batch, resume=batches.resume)
     with adding.scaffold.locked(shard), progress(len(adding.scenes), "starting") as bar:
         summary = _add(adding, shard, batches, remote, bar)
@@ -63,10 +63,6 @@ def render_dataset(
     else:
         print(_described(summary))
     return 3 if summary["failed"] else 0
-
-
-TABLES = ("scenes", "trajectories", "metrics", "clips")
-"""What rendering reads of a dataset, and what it writes anew."""
 
 
 def _not_of_scenes(given: Mapping[str, bool]) -> None:
@@ -81,7 +77,8 @@ def _add(
     adding: Adding, shard: Shard, options: BatchOptions, remote: Remote | None, bar: Any
 ) -> dict[str, Any]:
     """Renders what this shard has left; whoever is last puts the clips in."""
-    from esg.dataset.clips.adding import SCAFFOLD, add_clips, moving
+    from esg.commands.datasets.layouts import lay_out, push_layouts
+    from esg.dataset.clips.adding import SCAFFOLD, TABLES, add_clips, moving
     from esg.dataset.folder import finish_lock
     from esg.settings import STAGE_S
 
@@ -106,6 +103,8 @@ def _add(
             add_clips(adding, done)
             if remote is not None:
                 remote.push_clips(adding.folder.path, TABLES, SCAFFOLD)
+            if lay_out(adding.folder, remote, bar.show) and remote is not None:
+                push_layouts(adding.folder, remote)
     return {
         "dataset": remote.url if remote is not None else str(adding.folder.path),
         "scenes": len(adding.scenes),

@@ -84,12 +84,15 @@ def lay_out(folder: DatasetFolder, remote: Remote | None, show: Callable[[str], 
 def push_layouts(folder: DatasetFolder, remote: Remote) -> None:
     """Uploads the layouts of a dataset that is there already, what says that they are whole last.
 
+    The card, which tells how to read them, comes with them.
+
     Raises:
         UserError: If that fails.
     """
+    from esg.dataset.card import CARD
     from esg.dataset.layouts.building import DONE, FOLDER, WANTED
 
     paths = [p for p in (folder.path / FOLDER).rglob("*") if p.is_file() and p.name[0] != "."]
     ordered = sorted(paths, key=lambda p: (p.name == DONE, p))
     names = [p.relative_to(folder.path).as_posix() for p in ordered]
-    remote.push(folder.path, [*names, WANTED.as_posix()])
+    remote.push(folder.path, [*names, WANTED.as_posix(), CARD])

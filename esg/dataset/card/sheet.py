@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from esg.outcomes import UserError
-from esg.store.tables import iter_batches, part_files
+from esg.store.tables import iter_rows, part_files
 from esg.view.lettering import font, wrapped
 
 if TYPE_CHECKING:
@@ -66,33 +66,35 @@ def _spread(items: Sequence[Any]) -> list[Any]:
 def _pictures(out: Path) -> Iterator[tuple[Image, str]]:
     """Pictures with their prompts: of the first camera's clips, or else previews."""
     first = _first_events(out)
-    columns = ["scene_key", "camera", "prompt", "files", "time_s"]
-    clips = [
-        (row["scene_key"], _path(out, row), _frame(row, first), row["prompt"])
-        for batch in iter_batches(part_files(out, "clips"), columns)
-        for row in batch.to_pylist()
+    files = part_files(out, "clips")
+    columns = ["scene_key", "camera", "files", "time_s"]
+    frames = {
+        row["scene_key"]: _frame(row, first)
+        for row in iter_rows(files, columns)
         if row["camera"] == 0 and any(f["channel"] == "rgb" for f in row["files"])
-    ]
-    for _, path, wanted, prompt in _spread(sorted(clips)):
-        picture = _still(path, wanted)
-        if picture is not None:
-            yield picture, prompt
-    if not clips:
+    }
+    shown = set(_spread(sorted(frames)))
+    stills: dict[str, tuple[Image, str]] = {}
+    for row in iter_rows(files, ["scene_key", "camera", "prompt", "video"], rows=16):
+        key = row["scene_key"]
+        if row["camera"] == 0 and key in shown:
+            # Of a dataset at a URL, the films in the rows are all that is here.
+            film = row["video"]["bytes"] or out / row["video"]["path"]
+            picture = _still(film, frames[key])
+            if picture is not None:
+                stills[key] = picture, row["prompt"]
+    yield from (stills[key] for key in sorted(stills))
+    if not frames:
         yield from _previews(out)
-
-
-def _path(out: Path, row: dict[str, Any]) -> Path:
-    return out / next(f["path"] for f in row["files"] if f["channel"] == "rgb")
 
 
 def _first_events(out: Path) -> dict[str, float]:
     """When the first event of every scene happens [s]."""
     times: dict[str, float] = {}
-    for batch in iter_batches(part_files(out, "metrics"), ["scene_key", "time_s"]):
-        for row in batch.to_pylist():
-            if row["time_s"] is not None:
-                key, time = str(row["scene_key"]), float(row["time_s"])
-                times[key] = min(time, times.get(key, time))
+    for row in iter_rows(part_files(out, "metrics"), ["scene_key", "time_s"]):
+        if row["time_s"] is not None:
+            key, time = str(row["scene_key"]), float(row["time_s"])
+            times[key] = min(time, times.get(key, time))
     return times
 
 
@@ -103,12 +105,12 @@ def _frame(row: dict[str, Any], first: dict[str, float]) -> int:
     return min(range(len(times)), key=lambda k: abs(times[k] - wanted))
 
 
-def _still(path: Path, wanted: int) -> Image | None:
-    """One picture of a film; None if the film is damaged, which others tell."""
+def _still(film: bytes | Path, wanted: int) -> Image | None:
+    """One picture of a film; None if it is damaged, which others tell."""
     import av
 
     try:
-        with av.open(str(path)) as container:
+        with av.open(io.BytesIO(film) if isinstance(film, bytes) else film, "r") as container:
             for number, frame in enumerate(container.decode(video=0)):
                 if number == wanted:
                     return frame.to_image()
@@ -123,15 +125,13 @@ def _previews(out: Path) -> Iterator[tuple[Image, str]]:
     files = part_files(out, "scenes")
     keys = [
         row["scene_key"]
-        for batch in iter_batches(files, ["scene_key", "preview"], rows=16)
-        for row in batch.to_pylist()
+        for row in iter_rows(files, ["scene_key", "preview"], rows=16)
         if row["preview"] and row["preview"]["bytes"]
     ]
     wanted = set(_spread(sorted(keys)))
-    for batch in iter_batches(files, ["scene_key", "preview", "prompt"], rows=16):
-        for row in batch.to_pylist():
-            if row["scene_key"] in wanted:
-                try:
-                    yield Image.open(io.BytesIO(row["preview"]["bytes"])), row["prompt"]
-                except (OSError, UserError):
-                    continue
+    for row in iter_rows(files, ["scene_key", "preview", "prompt"], rows=16):
+        if row["scene_key"] in wanted:
+            try:
+                yield Image.open(io.BytesIO(row["preview"]["bytes"])), row["prompt"]
+            except (OSError, UserError):
+                continue

@@ -17,18 +17,17 @@ import json
 import os
 from pathlib import Path
 import shutil
-from typing import Any
 
 from esg.dataset.clips.batch import NOT_RENDERED
 from esg.dataset.clips.subjects import told_scenes
 from esg.dataset.clips.writing import sweep_clips
-from esg.dataset.finish import describe, write_json
-from esg.dataset.folder import INFO, PLAN, DatasetFolder
+from esg.dataset.finish import describe_again, failures_of, write_json
+from esg.dataset.folder import PLAN, DatasetFolder
 from esg.dataset.job import CROSSCHECK, RENDER, BatchJob, BatchResult, batch_name
 from esg.dataset.plan import DatasetSpec, PlannedScene, RenderSpec
 from esg.outcomes import UserError
 from esg.pipeline import SceneRequest
-from esg.store.assembling import Counts, assemble_tables
+from esg.store.assembling import assemble_tables
 from esg.store.tables import part_files, read_table, write_part
 
 TABLES = ("clips", "truth_checks")
@@ -209,22 +208,16 @@ def _keep(path: Path, done: set[str], kept: Path) -> None:
 def _tell(adding: Adding, results: Mapping[int, BatchResult], done: set[str]) -> None:
     """Failures, times, card and `meta/` of the dataset with its clips."""
     out = adding.folder.path
-    info = json.loads((out / INFO).read_bytes())
-    failed = _failures(out, {key.split("/")[2] for key in done})
     new = [dict(row) for n in sorted(results) for row in results[n].failures]
-    again = {row["scene"] for row in new}
-    failed = [r for r in failed if r["outcome"] != NOT_RENDERED or r["scene"] not in again]
+    tried = {key.split("/")[2] for key in done} | {row["scene"] for row in new}
+    failed = [
+        row
+        for row in failures_of(out)
+        if row["outcome"] != NOT_RENDERED or row["scene"] not in tried
+    ]
     _time(out / "meta" / "timings.json", results)
     write_json(out / PLAN, adding.spec.model_dump(mode="json"))
-    describe(out, adding.spec, info["title"], counts_of(out), [*failed, *new])
-
-
-def _failures(out: Path, rendered: set[str]) -> list[dict[str, Any]]:
-    """What failed before, without what is rendered by now."""
-    path = out / "failures.jsonl"
-    lines = path.read_text("utf-8").splitlines() if path.is_file() else []
-    rows = [json.loads(line) for line in lines]
-    return [r for r in rows if r["outcome"] != NOT_RENDERED or r["scene"] not in rendered]
+    describe_again(out, adding.spec, [*failed, *new])
 
 
 def _time(path: Path, results: Mapping[int, BatchResult]) -> None:
@@ -239,16 +232,3 @@ def _time(path: Path, results: Mapping[int, BatchResult]) -> None:
     times["seconds_per_scene"] = {k: round(v / scenes, 4) for k, v in seconds.items()}
     times["share"] = {k: round(v / whole, 4) if whole else 0.0 for k, v in seconds.items()}
     write_json(path, times)
-
-
-def counts_of(out: Path) -> Counts:
-    """Rows by table and split of a finished dataset."""
-    import pyarrow.parquet as pq
-
-    counts: Counts = {}
-    for path in part_files(out):
-        table, split = path.parent.name, path.name.partition("-")[0]
-        rows = counts.setdefault(table, {})
-        split = "" if table == "runs" else split
-        rows[split] = rows.get(split, 0) + pq.read_metadata(path.absolute()).num_rows
-    return counts

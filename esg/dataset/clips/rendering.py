@@ -116,8 +116,11 @@ def draw_scene(
     place = f"clips/{scene_id}"
     with whole_folder(out / place) as work, contextlib.ExitStack() as open_films:
         films: list[_Film] = []
+        taken = shots(sight)
+        for shot in taken:
+            _ = shot.scenery  # found out before others wait
         with turn_on(spec.device):
-            for camera, shot in enumerate(shots(sight)):
+            for camera, shot in enumerate(taken):
                 film = _Film(shot, spec, work / f"camera_{camera}")
                 open_films.callback(film.stop)
                 for numbers, views in shot.drawn():

@@ -15,7 +15,7 @@ from esg.dataset.clips.records import ClipRecord
 from esg.dataset.crosscheck import contacts
 from esg.dataset.crosscheck.checks import CHECKS, Residuals
 from esg.dataset.crosscheck.frames import Floats, Seen
-from esg.store.tables import iter_batches, part_files, to_table, write_part
+from esg.store.tables import iter_rows, part_files, to_table, write_part
 
 SHARE = 0.05
 """Of the scenes of a batch, at least one."""
@@ -100,7 +100,7 @@ def check_dataset(folder: Path, *, most: int | None = None) -> Iterator[dict[str
         most: Scenes at most, drawn by their keys; None for all.
     """
     files = part_files(folder, "clips") or part_files(folder / "parts", "clips")
-    keys = sorted({r["scene_key"] for r in _some(files, ["scene_key"])})
+    keys = sorted({r["scene_key"] for r in iter_rows(files, ["scene_key"])})
     if most is not None and len(keys) > most:
         keys = sampled(keys, most / len(keys))
     base = folder if part_files(folder, "scenes") else folder / "parts"
@@ -148,11 +148,6 @@ def _rows_of(files: Iterable[Path], table: str, key: str) -> list[dict[str, Any]
     wanted = [("scene_key", "==", key)]
     found = (pq.read_table(p.absolute(), columns=_COLUMNS[table], filters=wanted) for p in files)
     return [row for data in found for row in data.to_pylist()]
-
-
-def _some(files: Iterable[Path], columns: list[str]) -> Iterator[dict[str, Any]]:
-    for batch in iter_batches(files, columns):
-        yield from batch.to_pylist()
 
 
 def _digest(text: str) -> int:

@@ -16,7 +16,7 @@ from esg.dataset.clips.reading import Clip
 from esg.dataset.clips.records import PLAIN_COLUMNS, ClipRecord
 from esg.store.assembling import SPLITS
 from esg.store.checking import DIGEST_KEY
-from esg.store.tables import COLUMNS, part_files
+from esg.store.tables import COLUMNS, iter_rows, part_files
 
 Row = Mapping[str, Any]
 
@@ -128,14 +128,8 @@ def _scenes(
 def _rows(
     folder: Path, table: str, split: str, columns: Sequence[str] | None
 ) -> Iterator[dict[str, Any]]:
-    import pyarrow.parquet as pq
-
-    for path in part_files(folder, table):
-        if path.name.startswith(f"{split}-"):
-            with pq.ParquetFile(path.absolute()) as file:
-                wanted = None if columns is None else list(columns)
-                for batch in file.iter_batches(batch_size=16, columns=wanted):
-                    yield from batch.to_pylist()
+    files = [p for p in part_files(folder, table) if p.name.startswith(f"{split}-")]
+    return iter_rows(files, columns, rows=16)
 
 
 def splits() -> tuple[str, ...]:

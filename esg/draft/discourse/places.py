@@ -38,7 +38,7 @@ def place(
 ) -> None:
     """Records where things are with respect to others."""
     kind = RELATION_PREPS.get(prep)
-    if kind is None or not others:
+    if kind is None or not others or d.scene.links & {*things, *others}:
         return
     other = others[0]
     if part:

@@ -24,6 +24,19 @@ class Relation:
     text: str = ""
 
 
+@dataclass(frozen=True)
+class Tow:
+    """What something is drawn along by.
+
+    Args:
+        by: Node that draws it.
+        link: Node of the rope or chain that the prompt names, "" if none.
+    """
+
+    by: str
+    link: str = ""
+
+
 @dataclass
 class Scene:
     """What the prompt says, ready to be written as a document."""
@@ -49,6 +62,16 @@ class Scene:
     joints: list[Joint] = field(default_factory=list[Joint])
     openings: dict[str, float] = field(default_factory=dict[str, float])
     """Where the joint of a node starts, as events ask for it [deg or cm]."""
+    tows: dict[str, Tow] = field(default_factory=dict[str, Tow])
+    """What is drawn along, and by what."""
+    hung: dict[str, str] = field(default_factory=dict[str, str])
+    """What is told to hang, and the rope that the prompt names for it, "" if none."""
+    sprung: set[str] = field(default_factory=set[str])
+    """What hangs on a spring."""
+    loosed: set[str] = field(default_factory=set[str])
+    """What hangs on something that gives way."""
+    links: set[str] = field(default_factory=set[str])
+    """Ropes and chains that joints of the scene stand for."""
     breaking: dict[str, Breakable] = field(default_factory=dict[str, Breakable])
     """What is told to break."""
     used: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])

@@ -91,7 +91,10 @@ def _acts(tokens: list[Token]) -> frozenset[int]:
 
 
 def _mention(m: Mention, words: str, scene: Scene) -> _Fate:
-    ids = [i for i in scene.world.resolved.get(id(m), m.entities) if i in scene.world.entities]
+    named = scene.world.resolved.get(id(m), m.entities)
+    if named and scene.links.issuperset(named):
+        return _Fate("object", note="drawn as the joint that it is")
+    ids = [i for i in named if i in scene.world.entities]
     if ids:
         e = scene.world.entities[ids[0]]
         pointer = f"/spatial_relation_graph/nodes/{ids[0]}"

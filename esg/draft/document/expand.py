@@ -12,10 +12,12 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.decks import is_driven, lay_decks
 from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.referents.registry import add_entity
+from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import GROUND, Scene
 from esg.draft.discourse.windows import START
-from esg.draft.document.joining import join_parts
+from esg.draft.document.joining import ARM_CM, join_parts, lowers
 from esg.draft.document.riding import put_into_cars, seat_riders
+from esg.draft.document.towing import tie_tows
 from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, TimelineEdge
 
 RAISED_CM = 25.0
@@ -54,6 +56,7 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     if not restricted:
         _add_context(scene, reasons)
     reasons += join_parts(scene)
+    tie_tows(scene)
     return reasons
 
 
@@ -128,6 +131,8 @@ def _is_raised(scene: Scene, edge: TimelineEdge, told: bool) -> bool:
     if told:
         return False
     row = articulation_of(scene, scene.text, entities[edge.target])
+    if row is not None and lowers(row, dimensions_of(entities[edge.actor])[2] + ARM_CM):
+        return False
     hangs = row is not None and row.above_cm > entities[edge.actor].noun.dimensions_cm[2]
     return hangs or entities[edge.target].noun.kind == "hoop"
 

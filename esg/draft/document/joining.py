@@ -7,6 +7,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 import math
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.jointed import articulation_of
@@ -18,6 +19,7 @@ from esg.draft.discourse.scene import Scene
 from esg.graph.joints import FOOT
 from esg.graph.models import EdgeEvent, Joint, NodeEvent
 from esg.lexicon.articulations import Articulation
+from esg.units import GRAVITY_MPS2
 
 _OPEN = {"open": 1.0, "opened": 1.0, "wide-open": 1.0, "half-open": 0.5, "ajar": 0.25}
 """Share of how far a thing opens at which it starts, by what it is called."""
@@ -26,6 +28,24 @@ GIVES_WAY_MPS = 1e-3
 """Change of speed that a snapped rope still bears: far less than gravity's in a step."""
 JOLT_MPS = 0.3
 """A change of speed within a step after which what sits on a seesaw is held by its weight alone."""
+SAG_M = 0.15
+"""What hangs on a spring stretches it so far: it bobs in 0.8 s."""
+ROPE_CM = (60.0, 300.0)
+"""Ropes by which things hang that have no row of their own: as long as they are high."""
+_HOOK = 0.96
+"""Height of the hook of a crane over its own (`demolition_crane`)."""
+LOWERED, ARM_CM = 0.6, 20.0
+"""A post is lowered to this share of its height at most, so that arms are met so far below the top
+of what runs into them."""
+SWUNG_BY, LEAST_SHARE = 20.0, 0.1
+"""What a blow is to set swinging has at most so many times the mass of what strikes it (at 10 m/s
+it rises by 2 cm then), and at least this share of its own."""
+BREAKS_BY = 0.7
+"""Share of its momentum that what swings gives surely to what it is to break."""
+TOY = 0.3
+"""Size of a toy over that of what it is a toy of."""
+MEETS_CM = 12.0
+"""What hangs reaches so far below the top of what it is told to meet, or four fifths of that."""
 _MOTIONS = (EdgeEvent.DRIVE, EdgeEvent.RELEASE)
 
 
@@ -43,8 +63,14 @@ def join_parts(scene: Scene) -> list[str]:
         fixed = e.id in scene.attached and e.id not in acting  # nothing happens to it
         if row is None or e.whole or fixed or f"{e.id}/inside" in entered:
             continue
-        ratio = _become(e, row.becomes)
+        _light_enough(scene, row, e)
+        _toy_sized(scene, row, e)
+        _weak_enough(scene, row, e)
+        ratio = _become(e, row.becomes) if row.becomes else [1.0, 1.0, 1.0]
+        if e.id in scene.loosed and row.hangs_anywhere and _met(scene, e):
+            reasons += _under_a_ceiling(scene, row, e)
         if e.id in scene.attached:
+            row = replace(row, kind="ball") if not row.becomes else row
             held = _joint(scene, row, e, scene.world.entities[scene.attached[e.id]], 1, ratio)
             scene.joints.append(held.model_copy(update={"parent_mount": None}))
             continue
@@ -58,6 +84,10 @@ def join_parts(scene: Scene) -> list[str]:
             part.dimensions_cm = [
                 d * r for d, r in zip(part.noun.dimensions_cm, ratio, strict=True)
             ]
+            part.dimensions_prescribed = part.dimensions_prescribed or e.dimensions_prescribed
+            if not row.becomes:
+                row = _hung_on(scene, row, e, part)
+            _lower(scene, row, e, part)
             part.implied = not part.mentioned
             for places in (scene.supported_by, scene.inside_of, scene.marked):
                 if places.get(e.id) == part.id:
@@ -69,6 +99,134 @@ def join_parts(scene: Scene) -> list[str]:
             _hand_over(scene, e.id, added[0].id)
     _seat_on_seesaws(scene)
     return reasons
+
+
+def _under_a_ceiling(scene: Scene, row: Articulation, e: Entity) -> list[str]:
+    """Hangs what comes down on something below a ceiling: gallows would stand in its way."""
+    entities = scene.world.entities.values()
+    if e.id in scene.attached or any(head_of(x) in row.serves for x in entities):
+        return []
+    noun = lex.nouns()["ceiling"]
+    ceiling = next((x for x in entities if x.noun.name == noun.name), None)
+    if ceiling is None:
+        ceiling = add_entity(scene.world, noun, noun.name, mentioned=False)
+    scene.attached[e.id] = ceiling.id
+    return [f"{noun.name} added: {e.label} hangs from it"]
+
+
+def _hung_on(scene: Scene, row: Articulation, e: Entity, part: Entity) -> Articulation:
+    """The row of what hangs as it is drawn, by a rope that suits it and what it hangs on.
+
+    Gallows are made as large as it takes; from a crane it hangs lower.
+    """
+    length, width, height = dimensions_of(e)
+    rope = min(max(height, ROPE_CM[0]), ROPE_CM[1])
+    if row.kind == "spring":
+        rope = row.upper or 0.0
+    elif part.mentioned:
+        hook = _HOOK * dimensions_of(part)[2]
+        return replace(row, upper=max(hook - height - row.above_cm, rope))
+    post, arm, _ = part.noun.dimensions_cm
+    reach = max(length, width) / 1.6 + 20.0
+    above = row.above_cm + _tallest_below(scene, e)
+    if e.id not in scene.loosed:
+        above = min(row.above_cm, _clears(scene, e))
+    part.dimensions_cm = [post, max(arm, reach), height + rope + above]
+    return replace(row, upper=rope)
+
+
+def _lower(scene: Scene, row: Articulation, e: Entity, part: Entity) -> None:
+    """Lowers what carries a thing that would swing over what it is told to meet: dominoes."""
+    over = row.above_cm - _clears(scene, e)
+    if row.turns:
+        over = row.above_cm - _reached(scene, row, e)
+    swings = (row.drawn is not None or row.turns) and row.carries == "with" and row.becomes
+    if swings and part.dimensions_cm is not None and over > 0.0:
+        part.dimensions_prescribed = True
+        pivot = row.above_cm + e.noun.dimensions_cm[2]
+        pivot += (row.upper or 0.0) if row.kind == "rope" else 0.0
+        part.dimensions_cm[2] *= 1.0 - over / pivot
+
+
+def lowers(row: Articulation, height: float) -> bool:
+    """Whether what turns on its post stands lower for what runs into its arms, so high [cm]."""
+    return row.turns and row.carries == "with" and LOWERED * row.above_cm < height < row.above_cm
+
+
+def _reached(scene: Scene, row: Articulation, e: Entity) -> float:
+    """How high above the ground arms may be that something on the ground is to run into [cm]."""
+    entities = scene.world.entities
+    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
+    movers = [n.participants[0] for n in hits if e.id in n.participants[1:]]
+    low = [dimensions_of(entities[i])[2] for i in movers if i in entities]
+    low = [h for h in low if lowers(row, h + ARM_CM)]
+    return min(low, default=math.inf) - ARM_CM
+
+
+def _light_enough(scene: Scene, row: Articulation, e: Entity) -> None:
+    """Makes what a blow is to set swinging small enough for what strikes it: a bell for a ball."""
+    entities = scene.world.entities
+    swings = any(
+        n.event is NodeEvent.SWING and n.participants[0] == e.id for n in scene.timeline.nodes
+    )
+    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
+    movers = [n.participants[0] for n in hits if e.id in n.participants[1:]]
+    struck = [m.mass_kg or m.noun.mass_kg for i in movers if (m := entities.get(i)) is not None]
+    told = e.mass_prescribed or e.dimensions_prescribed or e.dimensions_cm is not None
+    if not struck or not swings or told or not row.hangs or not row.becomes:
+        return
+    share = SWUNG_BY * min(struck) / lex.part(row.becomes).mass_kg
+    if share < 1.0:
+        scale = max(share, LEAST_SHARE) ** (1.0 / 3.0)
+        e.dimensions_cm = [d * scale for d in e.noun.dimensions_cm]
+        e.dimensions_prescribed = True
+
+
+def _toy_sized(scene: Scene, row: Articulation, e: Entity) -> None:
+    """What a toy is to push open is a toy, too: a gate for a toy car."""
+    entities = scene.world.entities
+    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
+    movers = [entities.get(n.participants[0]) for n in hits if e.id in n.participants[1:]]
+    toys = [m is not None and m.noun.kind == "toyvehicle" for m in movers]
+    if toys and all(toys) and row.opened is not None and e.dimensions_cm is None:
+        e.dimensions_cm = [d * TOY for d in e.noun.dimensions_cm]
+        e.dimensions_prescribed = True
+
+
+def _weak_enough(scene: Scene, row: Articulation, e: Entity) -> None:
+    """Makes what a swinging thing of a stated mass is to break small enough for its blow."""
+    if row.drawn is None or row.carries != "with" or not e.mass_prescribed or e.mass_kg is None:
+        return
+    entities = scene.world.entities
+    length = ((row.upper or 0.0) if row.kind == "rope" else e.noun.dimensions_cm[2]) / 100.0
+    fall = length * (1.0 - math.cos(math.radians(row.drawn)))
+    blow = BREAKS_BY * e.mass_kg * math.sqrt(2.0 * GRAVITY_MPS2 * fall)
+    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
+    met = {i for n in hits if n.participants[0] == e.id for i in n.participants[1:]}
+    for body in (entities[i] for i in sorted(met & {*scene.breaking} & {*entities})):
+        bears = scene.breaking[body.id].at_mps * (body.mass_kg or body.noun.mass_kg)
+        if bears > blow and body.dimensions_cm is None and not body.mass_prescribed:
+            scale = max(blow / bears, LEAST_SHARE) ** (1.0 / 3.0)
+            body.dimensions_cm = [d * scale for d in body.noun.dimensions_cm]
+            body.dimensions_prescribed = True
+
+
+def _met(scene: Scene, e: Entity) -> list[float]:
+    """Heights of what stands on the ground and something is told to meet [cm]."""
+    entities = scene.world.entities
+    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
+    met = {i for n in hits if n.participants[0] == e.id for i in n.participants[1:]}
+    return [dimensions_of(entities[i])[2] for i in met & {*entities} - {*scene.supported_by}]
+
+
+def _clears(scene: Scene, e: Entity) -> float:
+    """How high above the ground something may hang that is to meet what stands there [cm]."""
+    low = min(_met(scene, e), default=math.inf)
+    return math.inf if e.id in scene.loosed else low - min(0.8 * low, MEETS_CM)
+
+
+def _tallest_below(scene: Scene, e: Entity) -> float:
+    return max(_met(scene, e), default=0.0)
 
 
 def _seat_on_seesaws(scene: Scene) -> None:
@@ -154,7 +312,7 @@ def _joint(
     size = math.prod(ratio) ** (1.0 / 3.0)
     turns = row.kind in ("hinge", "ball")
     long = 1.0 if turns else size
-    words = (*named.adjectives, *named.head.lower().split())
+    words = (*named.adjectives, *named.head.lower().split(), *_left(scene, named))
     start = max((_OPEN.get(a, 0.0) for a in words), default=0.0)
     start = (row.opened or 0.0) * start or row.start
 
@@ -164,9 +322,14 @@ def _joint(
 
     # what hangs and falls: whatever held it gives way under its weight as the scene starts
     comes_down = row.hangs or (row.kind == "rope" and row.carries == "with")
-    falls = comes_down and any(
-        n.event is NodeEvent.FALL and child.id in n.participants for n in scene.timeline.nodes
+    loosed = child.id in scene.loosed
+    falls = loosed or (
+        comes_down
+        and any(
+            n.event is NodeEvent.FALL and child.id in n.participants for n in scene.timeline.nodes
+        )
     )
+    opening = 0.0 if loosed else opening
     gives_way = GIVES_WAY_MPS * (child.mass_kg or child.noun.mass_kg)
 
     def sized(value: float | None) -> float | None:
@@ -182,11 +345,24 @@ def _joint(
         lower=sized(row.lower),
         upper=sized(row.upper),
         position=opening if row.kind == "rope" else sized(opening) or 0.0,
-        stiffness=row.stiffness,
+        stiffness=_stiff(row, child),
         damping=_grown(row.damping, size ** (5 if turns else 3)),
         friction=_grown(row.friction, size ** (4 if turns else 3)),
         break_impulse=float(f"{gives_way:.6g}") if falls else None,
     )
+
+
+def _left(scene: Scene, e: Entity) -> list[str]:
+    """ "Left the gate ajar", "the door stands ajar": how it is as the scene starts."""
+    told = re.search(rf"\b{re.escape(e.head)}\b[^.;]*?\b(ajar)\b", scene.text, re.IGNORECASE)
+    return [] if told is None else [told[1].lower()]
+
+
+def _stiff(row: Articulation, child: Entity) -> float | None:
+    """Stiffness of a joint; that of a spring bears what hangs on it [N/m]."""
+    if row.kind != "spring":
+        return row.stiffness
+    return round((child.mass_kg or child.noun.mass_kg) * GRAVITY_MPS2 / SAG_M, 3)
 
 
 def _grown(value: float | None, factor: float) -> float | None:

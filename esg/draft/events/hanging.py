@@ -25,6 +25,20 @@ OTHER_SIDE = re.compile(r"(?:on)?to (?:the|its) other (?:side|end)", re.IGNORECA
 _TIPPING = {("topple", "tip"), ("noop", "tilt"), ("noop", "rock"), ("noop", "seesaw")}
 TIPPED = 0.6
 """Share of its limit to which a seesaw with nobody on it is tipped; its friction holds it there."""
+SWAYING = frozenset({"swing", "sway", "oscillate"})
+_SLIDING = frozenset({"slide", "glide", "roll", "come", "pop", "shoot", "pull"})
+"""Verbs of how a drawer goes out."""
+_BOBBING = frozenset({"bounce", "bob", "oscillate", "vibrate", "jiggle"})
+_MAKING = frozenset({"make", "do", "complete", "perform"})
+_TIMES = {"half a": 0.5, "two": 2.0, "three": 3.0, "four": 4.0, "five": 5.0}
+_SHARES = {"quarter": 0.25, "half": 0.5, "three-quarter": 0.75}
+_TURNS = re.compile(
+    rf"(?:\b(an?|one|{'|'.join(_TIMES)})\s+)?"
+    r"(?:(quarter|half|three-quarter|full|complete|whole)[ -])?"
+    r"\b(?:turn|rotation|revolution)s?\b",
+    re.IGNORECASE,
+)
+"""How far something turns, in words."""
 _SWINGING = {
     ("noop", "sway"): "swing",
     ("noop", "oscillate"): "swing",
@@ -94,16 +108,30 @@ def turning(d: Discourse, bodies: list[str]) -> list[str]:
     return [b for b, row in rows if row is not None and row.turns]
 
 
+def turns_told(d: Discourse, f: Frame) -> float | None:
+    """How far something turns by what is told after its verb: "a quarter turn" [degrees]."""
+    told = _TURNS.search(d.text, f.verb.end)
+    if told is None or "." in d.text[f.verb.end : told.start()]:
+        return None
+    times, share = (told[1] or "").lower(), (told[2] or "").lower()
+    d.scene.used[told.span()] = "how far it turns"
+    return 360.0 * _TIMES.get(times, 1.0) * _SHARES.get(share, 1.0)
+
+
 def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     """The sense of a verb of what moves on a joint; None if nothing of the kind is told of."""
     opens = f.verb.sense == "noop" and f.verb.lemma in _OPENING
+    opens = opens or (f.verb.lemma in _SLIDING and bool({"out", "open"} & {*f.adverbs}))
     if (opens or "result" in f.verb.extra) and openable(d, bodies):
         return "open"
-    if f.verb.lemma in _TURNING and turning(d, bodies):
+    turns = f.object is not None and _TURNS.match(f.object.head) is not None
+    if (f.verb.lemma in _TURNING or (turns and f.verb.lemma in _MAKING)) and turning(d, bodies):
         return "spin"
     if (f.verb.sense, f.verb.lemma) in _TIPPING and tipping(d, bodies[:1]):
         landed_on = not at_rest(d, bodies[0]) or OTHER_SIDE.search(d.text, f.verb.end)
         return "tip" if landed_on else None
+    if f.verb.lemma in _BOBBING and {*bodies} & d.scene.sprung:
+        return "swing"
     swings = _SWINGING.get((f.verb.sense, f.verb.lemma))
     return swings if swings is not None and hanging(d, bodies) else None
 

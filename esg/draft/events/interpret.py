@@ -23,6 +23,7 @@ from esg.draft.discourse.core import (
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.jointed import loosen
+from esg.draft.discourse.links import drop_link, held_by, is_link, let_loose, snapped, take_links
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, refer_all
@@ -33,12 +34,14 @@ from esg.draft.discourse.scene import SELF_POWERED, Scene
 from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
-from esg.draft.events.courses import follow, keep_on, snapshot
-from esg.draft.events.hanging import sense_on_joint
+from esg.draft.events.courses import by_its_participle, follow, keep_on, snapshot
+from esg.draft.events.hanging import SWAYING, hanging, sense_on_joint
+from esg.draft.events.motions import hold_back
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.breaking import gone_through, sense_of_breaking, who_breaks
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
 from esg.draft.events.senses.state import attachment, mass_of_load
+from esg.draft.events.table import read_as
 from esg.draft.events.timing import hand_on, precedes, settle, time_of
 from esg.draft.events.told import (
     constrain,
@@ -46,6 +49,7 @@ from esg.draft.events.told import (
     last_event,
     mates_of,
     moves,
+    recent,
     traits_of,
     unread,
 )
@@ -127,11 +131,12 @@ def interpret(
         if m is not None and has_counted_parts(m):
             ids_of(d, m)  # "the first ball of a Newton's cradle": there before its parts
     refer_all(d, frames)
+    linked = take_links(d)
     loosen(d.scene, d.text)
     dodge(frames, d.text)
     goals = {id(p.mention) for f in frames if _tells_of_hands(f) for p in f.phrases}
     for m, p in attachments:
-        if p.mention is None or id(p.mention) not in goals:
+        if p.mention is None or id(p.mention) not in goals | linked:
             attachment(d, m, p)
     before = -1
     for f in frames:
@@ -141,6 +146,7 @@ def interpret(
         before = f.verb.start
     settle(d, None, None)
     keep_on(d)
+    hold_back(d)
     for actor in d.moves.still:
         track = d.timeline.tracks.get(actor)
         if track is not None and track.role is Role.ACTIVE and actor in d.world.entities:
@@ -175,7 +181,7 @@ Step = Callable[[Discourse, Frame, Parts], bool]
 
 def read_frame(d: Discourse, f: Frame) -> None:
     """Reads a clause: who it is about, then what its verb's sense says, then what is left."""
-    d.now.each = _one_by_one(f)
+    d.now.each = _one_by_one(d, f)
     parts = _parts(d, f)
     if any(step(d, f, parts) for step in STEPS):
         return
@@ -188,6 +194,7 @@ def read_frame(d: Discourse, f: Frame) -> None:
     was = snapshot(d)
     handler(d, f, parts.subject, parts.objects)
     gone_through(d, f)
+    d.scene.clauses += by_its_participle(d, f, was, parts.subject)
     d.scene.clauses.append(follow(d, f, was, parts.subject, parts.objects))
     hand_on(d, f)
     for p, a in amounts_of(d, f):
@@ -360,7 +367,53 @@ def _runs_now(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
+def _breaks_away(d: Discourse, f: Frame, node: str) -> None:
+    """What is towed breaks away as who tows it speeds up, and rolls on by itself."""
+    tow = d.scene.tows[node]
+    d.scene.loosed.add(node)
+    read_as(d, "accelerate", f, [tow.by], [])
+    track, ahead = d.timeline.track(node), d.timeline.track(tow.by)
+    track.at, track.hit, track.role, track.closed = ahead.at, True, Role.PASSIVE, False
+    for link in f.subject.entities if f.subject is not None else []:
+        if is_link(d.scene, link):
+            drop_link(d, link)
+    mark_used(d, f, "gives way")
+
+
+def _comes_down(f: Frame) -> bool:
+    return f.verb.sense in ("fall", "drop")
+
+
+def _gives_way(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "The rope snaps": what hangs by it comes down."""
+    for node in (towed := let_loose(d, f)):
+        _breaks_away(d, f, node)
+    if towed or not snapped(d, f):
+        return bool(towed)
+    held = [h for i in parts.subject if (h := held_by(d, i)) and h in d.scene.hung]
+    if not held or not hanging(d, held):
+        return False
+    d.scene.loosed.update(held)
+    mark_used(d, f, "gives way")
+    later = [g.subject for g in d.told if g.verb.start > f.verb.start and _comes_down(g)]
+    if not any({*held} & {*m.entities} for m in later if m is not None):
+        read_as(d, "fall", f, held, [])
+    return True
+
+
+def _what_sways(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "A hammer strikes the bell, then it sways": of those named last, what hangs."""
+    m = f.subject
+    pronoun = m is not None and m.pronoun in ("it", "that", "this", "which")
+    if pronoun and f.verb.lemma in SWAYING and not hanging(d, parts.subject):
+        hung = next((i for i in recent(d) if hanging(d, [i])), None)
+        parts.subject = parts.subject if hung is None else [hung]
+    return False
+
+
 STEPS: tuple[Step, ...] = (
+    _gives_way,
+    _what_sways,
     _comes_apart,
     _mount_instead,
     _no_ground,
@@ -437,14 +490,15 @@ def _neither(d: Discourse, f: Frame, subject: list[str]) -> None:
     mark_used(d, f, "misses")
 
 
-def _one_by_one(f: Frame) -> set[str]:
-    """Few things that "both" or "each" distributes over; "all" of a row stays one chain."""
+def _one_by_one(d: Discourse, f: Frame) -> set[str]:
+    """Few things that "both" or "each" distributes over; a row or a stack stays one chain."""
     out: set[str] = set()
     for m in (f.subject, f.object, *[p.mention for p in f.phrases]):
         if m is None or not (2 <= len(m.entities) <= 3):
             continue
         told = m is f.object and m.count == len(m.entities) and not m.vague and not m.single
-        felled = told and f.verb.sense in ("knock", "topple")  # "mows down two cones"
+        apart = all(entity_of(d, i).pattern != "stack" for i in m.entities)
+        felled = told and apart and f.verb.sense in ("knock", "topple")  # "mows down two cones"
         if {"both", "each"} & {m.determiner, m.pronoun} or felled:
             out |= set(m.entities)
     return out

@@ -83,4 +83,5 @@ def held(d: Discourse, about: set[str], others: set[str]) -> bool:
     scene = d.scene
     places = (scene.supported_by, scene.inside_of, scene.attached, scene.marked)
     pairs = [{*pair} for at in places for pair in at.items()]
+    pairs += [{node, tow.by} for node, tow in scene.tows.items()]
     return any(pair & about and pair & others for pair in pairs)

@@ -131,6 +131,11 @@ def _bumped(d: Discourse, f: Frame) -> bool:
     return any(n is not None and n.event is NodeEvent.COLLISION for n in told)
 
 
+def _tied(d: Discourse, f: Frame) -> bool:
+    """Whether what a clause acts on is joined to what draws it."""
+    return f.object is not None and bool({*f.object.entities} & {*d.scene.tows})
+
+
 def _goes_down(d: Discourse, clause: Clause) -> bool:
     verb = clause.frame.verb
     return "down" in d.text[verb.start : verb.end + 5].lower().split()
@@ -140,6 +145,7 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "loose": lambda d, c: bool(c.movers) and _loose(d, c),
     "bumped": lambda d, c: c.frame.verb.form == "ing" and _bumped(d, c.frame),
     "down": _goes_down,
+    "untied": lambda d, c: not _tied(d, c.frame),
 }
 """Conditions of a row that look at the scene or at the words around the verb."""
 

@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import math
+
 from esg.dynamics.choreography.moves import plain
 from esg.dynamics.choreography.placing import join
 from esg.dynamics.choreography.stage import Encounter, Stage
+from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.story import bounds
 from esg.dynamics.story.suspension import joint_of, suspension
 from esg.graph.models import EdgeEvent, TimelineNode
 
+MEETS_AT = 0.75
+"""What a drawer is to hit stands in its way at this share of it."""
+DROPS_S = 0.5
+"""What comes down from where it hangs takes so long, about."""
 OPENS_S = 1.5
 """How long something is opened or closed, where nobody says."""
 
@@ -19,14 +26,46 @@ def swings_in(stage: Stage, e: Encounter) -> bool:
 
 
 def swing_in(stage: Stage, e: Encounter) -> None:
-    """Puts b where a passes its lowest point."""
+    """Puts b where a passes its lowest point, or below a, whose joint gives way."""
     hangs = suspension(stage.doc, e.a)
+    joint = joint_of(stage.doc, e.a)
+    if hangs is None and joint is not None and joint.break_impulse is not None:
+        _come_down(stage, e)
+        return
     if hangs is not None:
         stage.tracks[e.a].straight(hangs.way, hangs.time, hangs.speed)
     join(stage, e.a, e.b, e.node)
     if hangs is not None:
         x, y, _ = stage.places[e.a]
         stage.places[e.a] = (x, y, stage.frames[e.a].angle - hangs.along)
+
+
+def _come_down(stage: Stage, e: Encounter) -> None:
+    """What hangs and is held no more falls straight on b."""
+    frame = stage.frames.setdefault(e.a, Frame() if not stage.places else stage.free_frame())
+    x, y = frame.apply(0.0, 0.0)
+    stage.places[e.a] = (x, y, frame.angle)
+    stage.places.setdefault(e.b, (x, y, frame.angle + math.pi))
+    stage.tracks[e.a].straight(0.0, DROPS_S, 0.0)
+
+
+def slides_in(stage: Stage, e: Encounter) -> bool:
+    """Whether a is driven along its slide to meet b."""
+    joint = joint_of(stage.doc, e.a)
+    driven = e.phase is not None and e.phase.edge.event is EdgeEvent.DRIVE
+    return driven and joint is not None and joint.kind == "slider"
+
+
+def slide_in(stage: Stage, e: Encounter) -> None:
+    """Puts b in the way of a, short of where its slide ends."""
+    joint = joint_of(stage.doc, e.a)
+    assert joint is not None and e.phase is not None
+    low, high, _ = bounds(e.phase.edge.params.duration, (OPENS_S, OPENS_S))
+    lasts = 0.5 * (low + high)
+    stage.nominal[f"{e.phase.edge.id}/duration"] = lasts
+    way = MEETS_AT * max(abs(joint.upper or 0.0), abs(joint.lower or 0.0)) / 100.0
+    stage.tracks[e.a].straight(way, lasts, way / lasts)
+    join(stage, e.a, e.b, e.node)
 
 
 def swung(stage: Stage, node: TimelineNode) -> None:

@@ -25,6 +25,10 @@ BY_THE_EAR, ARMS_UP = 1.0, 1.25
 """Height of a hand that throws, and of one that shoots or tosses up, over the body's height."""
 ARM_M = 0.1
 """From a body to what its hand lets go."""
+HELD_AT, HELD_OUT = 0.65, 0.4
+"""Height of a hand that holds something, and how far it reaches out, over the body's height."""
+BESIDE_M = 0.05
+"""From who drops something to the table that it falls on."""
 LOW_M = 0.6
 """What is lower is hit from above by a hand's throw."""
 SWUNG = 3.0
@@ -125,10 +129,45 @@ def stand_behind(stage: Stage) -> None:
             continue
         if support_of(stage.doc, who) is not None or support_of(stage.doc, stage.member(thrown)):
             continue
+        if is_dropped(first) and stand_in_front(stage, who, thrown, first):
+            continue
         x, y, _ = stage.places[thrown]
         heading = stage.frames[thrown].angle if thrown in stage.frames else 0.0
         back = 0.5 * (stage.prop(who).length + stage.prop(thrown).length) + ARM_M
         stage.places[who] = (x - back * math.cos(heading), y - back * math.sin(heading), heading)
+
+
+def stand_in_front(stage: Stage, who: str, thrown: str, phase: Phase) -> bool:
+    """Sets who drops something onto a table or a bench before it, and the drop within his reach.
+
+    Args:
+        stage: Where everything is put.
+        who: Who drops it.
+        thrown: What falls.
+        phase: Its fall.
+
+    Returns:
+        Whether something is in his way if he stands where he otherwise would.
+    """
+    below = [k for p in phase.end.participants if (k := stage.key(p)) != thrown]
+    if not below or below[0] not in stage.places or below[0] in stage.tracks:
+        return False
+    body, target, b = stage.prop(who), stage.prop(below[0]), below[0]
+    clear = 0.5 * (body.length + target.length) + BESIDE_M
+    if target.config is None or not target.config.proxies:
+        return False
+    if clear <= 0.5 * (body.length + stage.prop(thrown).length) + ARM_M:
+        return False
+    bx, by, angle = stage.places[b]
+    frame = Frame(bx, by, angle or 0.0)
+    along = min(max(clear - HELD_OUT * body.height, 0.0), 0.5 * target.length)
+    if along and region_of(stage, phase.end) is None:
+        x, y = frame.apply(along, 0.0)
+        stage.places[thrown] = (x, y, stage.places[thrown][2])
+        stage.frames[thrown] = Frame(x, y, 0.0)
+    x, y = frame.apply(clear, 0.0)
+    stage.places[who] = (x, y, frame.angle + math.pi)
+    return True
 
 
 def region_of(stage: Stage, node: TimelineNode) -> NamedRegion | None:
@@ -239,16 +278,26 @@ def fallen(duration: float) -> float:
     return 0.5 * GRAVITY_MPS2 * min(max(duration, SHORTEST_FALL_S), LONGEST_FALL_S) ** 2
 
 
+def held_height(stage: Stage, a: str, target: Prop) -> float:
+    """Height [m] over its target from which a hand lets something go; a metre without a hand."""
+    who = thrower_of(stage, a)
+    tall = 0.0 if who is None else stage.prop(who).height
+    if target.height + LOW_DROP_M > BY_THE_EAR * tall:
+        return 1.0
+    return min(1.0, max(HELD_AT * tall - target.height, LOW_DROP_M))
+
+
 def drop_height(stage: Stage, node: TimelineNode, a: str, target: Prop) -> float:
     """Height [m] over its target from which a body is let go.
 
-    As the prompt states it, else what its time to the hit takes, else a metre.
+    As the prompt states it, else what its time to the hit takes, else that of the hand that holds
+    it, at most a metre.
     """
     stated = asked_height(stage, node, a)
     if stated is None:
         time = stage.prescribed_time(node)
         if time is None:
-            return 1.0
+            return held_height(stage, a, target)
         # What enters something does so with its middle.
         deep = 0.5 * stage.prop(a).height if node.event is NodeEvent.ENTER_REGION else 0.0
         return fallen(time - stage.tracks[a].time) - deep

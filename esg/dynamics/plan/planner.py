@@ -17,6 +17,7 @@ from esg.dynamics.plan.variables import Declarations, Variable
 from esg.dynamics.story.story import Story
 from esg.engines.program import Primitive, Program
 from esg.engines.scene import SimScene
+from esg.graph.joints import towed_by
 from esg.graph.models import EsgDocument
 from esg.units import quat_inverse, quat_multiply, quat_rotate
 
@@ -97,24 +98,28 @@ def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: b
     def starts(theta: NDArray[np.float64]) -> dict[str, Start]:
         v = values(theta)
         driven = {a: composer.start_pose(a, v) for a in cast.story.phases if cast.drives(a)}
-        return driven | _seated(scene, driven)
+        return driven | _seated(cast.doc, scene, driven)
 
     variables = tuple(declared.variables.values())
     return Plan(variables, scene, cast.story, compile_theta, starts, duration, latest)
 
 
-def _seated(scene: SimScene, driven: dict[str, Start]) -> dict[str, Start]:
-    """Start poses of those who are fixed to what is re-aimed: a rider turns with his bicycle."""
+def _seated(doc: EsgDocument, scene: SimScene, driven: dict[str, Start]) -> dict[str, Start]:
+    """Start poses of those who are fixed to what is re-aimed, or drawn along by it: a rider turns
+    with his bicycle.
+    """
     out: dict[str, Start] = {}
-    for joint in scene.joints:
-        if joint.kind != "fixed" or joint.parent not in driven or joint.child in driven:
+    pairs = [(j.parent, j.child) for j in scene.joints if j.kind == "fixed"]
+    pairs += [(a, node) for a in driven for node in towed_by(doc, a)]
+    for parent, child in pairs:
+        if parent not in driven or child in driven:
             continue
-        mount, rider = scene.body(joint.parent), scene.body(joint.child)
-        at, turned = driven[joint.parent]
+        mount, rider = scene.body(parent), scene.body(child)
+        at, turned = driven[parent]
         back = quat_inverse(np.array(mount.quaternion))
         ahead = quat_rotate(back, np.array(rider.position) - np.array(mount.position))
         facing = quat_multiply(back, np.array(rider.quaternion))
-        out[joint.child] = (at + quat_rotate(turned, ahead), quat_multiply(turned, facing))
+        out[child] = (at + quat_rotate(turned, ahead), quat_multiply(turned, facing))
     return out
 
 

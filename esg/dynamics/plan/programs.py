@@ -41,6 +41,7 @@ from esg.engines.program import (
     SetVelocity,
 )
 from esg.engines.scene import FRAGMENT, Body
+from esg.graph.joints import towed_by
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2, quat_from_euler_deg, yaw_from_quat
 
@@ -158,12 +159,18 @@ class Composer:
 
     @cached_property
     def _riders(self) -> dict[str, tuple[str, ...]]:
-        """What lies on an actor and has no part of its own: it is under way with it."""
+        """What lies on an actor and has no part of its own, or is drawn along by it: it is under
+        way with it.
+        """
         nodes = self.doc.spatial_relation_graph.nodes
         told = {p for n in self.story.nodes.values() for p in n.participants}
         free = [n for n, x in nodes.items() if n not in told and not x.is_structural]
         free = [n for n in free if n in self.scene.names and not self.scene.body(n).static]
-        return {a: tuple(n for n in free if a in _supports(self.doc, n)) for a in self.story.phases}
+        return {
+            a: tuple(n for n in free if a in _supports(self.doc, n))
+            + tuple(n for n in towed_by(self.doc, a) if n in self.scene.names)
+            for a in self.story.phases
+        }
 
     @cached_property
     def _headings(self) -> dict[str, float]:
@@ -356,7 +363,14 @@ class Composer:
         if joint is None:
             return
         here = course.opening if not leg.first else start_position(self.scene, joint)
-        goal, lasts = goal_of(joint, leg.phase, here), leg.v[f"{edge.id}/duration"]
+        phases = self.story.phases[course.actor]
+        following = phases[phases.index(leg.phase) + 1 :][:1]
+        goes_on = any(
+            p.edge.event is EdgeEvent.DRIVE and p.end.event is NodeEvent.COLLISION
+            for p in following
+        )
+        goal = goal_of(joint, leg.phase, here, goes_on)
+        lasts = leg.v[f"{edge.id}/duration"]
         if leg.phase.end.event is NodeEvent.SPIN and leg.last:
             # It is turned on and on.
             goal, lasts = here + (goal - here) * HELD_ON_S / lasts, HELD_ON_S

@@ -12,7 +12,7 @@ import math
 
 import numpy as np
 
-from esg.graph.joints import Frame, child_frame, own_frame, placing_joints, start_frames
+from esg.graph.joints import Frame, child_frame, own_frame, placing_joints, start_frames, trails
 from esg.graph.models import AssetConfiguration, EsgDocument, Joint, Proxy, RelationType
 from esg.layout.problem.poses import Pose2, compose, inverse
 from esg.layout.problem.shapes import RECTANGLE, footprints
@@ -144,7 +144,7 @@ def swept(doc: EsgDocument) -> dict[str, list[tuple[float, ...]]]:
 
 def _positions(joint: Joint) -> list[float]:
     """Positions between the limits, or as far as it would swing [deg or cm]."""
-    if joint.kind == "fixed":
+    if joint.kind == "fixed" or trails(joint):
         return [0.0]
     if joint.kind in ("hinge", "slider"):
         far = max(SWING_DEG, abs(joint.position)) if joint.kind == "hinge" else 0.0

@@ -126,7 +126,10 @@ def swings(replay: Replay, q: Query) -> Iterator[Found]:
     for i in q.bound["object"].bodies:
         free = ~touching(replay, i) | held(joints, i, len(replay.time))
         low = _dips(replay.position[:, i, 2])
-        passes = [k for k in low if k >= begin and free[k] and replay.speed[k, i] > STOPPED_MPS]
+        # What bobs on a spring turns round where it is lowest.
+        bobs = any(j.joint.kind == "spring" and i in j.bodies for j in joints)
+        moves = bobs | (replay.speed[:, i] > STOPPED_MPS)
+        passes = [k for k in low if k >= begin and free[k] and moves[k]]
         if len(passes) >= q.event.times:
             k = passes[q.event.times - 1]
             yield Found(float(replay.time[k]), (i,), measured={"times": float(len(passes))})

@@ -201,6 +201,12 @@ class Shot:
             for c in self._cameras
         ]
 
+    @cached_property
+    def scenery(self) -> Scenery:
+        """What there is to see without what stands before the camera."""
+        sight = self.sight
+        return seen_from(sight.scenery, _some(self._cameras), sight.scene, sight.rollout)
+
     def drawn(self) -> Iterator[tuple[range, Views]]:
         """Pictures, batch by batch: their numbers, and the views in that order."""
         sight, settings = self.sight, self.sight.settings
@@ -212,8 +218,7 @@ class Shot:
             settings.size, settings.samples, settings.seed, settings.device,
             exact=wanted != {"rgb"}, color=color,
         )  # fmt: skip
-        seen = seen_from(sight.scenery, _some(self._cameras), sight.scene, sight.rollout)
-        drawer = kind.load(seen, quality)
+        drawer = kind.load(self.scenery, quality)
         batch = _batch(kind.batch, settings)
         for first in range(0, len(sight.frames), batch):
             numbers = range(first, min(first + batch, len(sight.frames)))

@@ -7,6 +7,7 @@ from dataclasses import replace
 import errno
 import json
 from pathlib import Path
+import tarfile
 
 import numpy as np
 import pytest
@@ -25,6 +26,7 @@ from esg.dataset.clips.rendering import Replay
 from esg.dataset.finish import finish
 from esg.dataset.folder import DatasetFolder
 from esg.dataset.job import BatchJob, BatchResult
+from esg.dataset.layouts.building import add_layouts, missing_layouts, want_layouts
 from esg.dataset.plan import DatasetSpec, Prompt, RenderSpec, plan_scenes
 from esg.dataset.running import mark_dead
 from esg.engines.scene import Rollout
@@ -271,6 +273,26 @@ def test_a_finished_dataset_gets_the_clips_it_would_have_had(
     assert add(tmp_path / "later") == 0 and rendered == []
     assert add(tmp_path / "later", replace(OPTIONS, cameras=3)) == 0
     assert len(rendered) == 5 and len(list(read_clips(tmp_path / "later"))) == 15
+
+
+def test_layouts_are_of_the_clips_that_a_dataset_has_now(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Tar files that were written before there was a third camera would lack it for ever."""
+    out = tmp_path / "a"
+    build(out, ["balls", "more balls"])
+    want_layouts(out, ["webdataset"])
+    add_layouts(out, ["webdataset"], print)
+    told(monkeypatch)
+    assert add(out, replace(OPTIONS, cameras=3)) == 0
+    assert missing_layouts(out, ["webdataset"]) == []
+    names: list[str] = []
+    for path in (out / "layouts" / "webdataset").glob("*.tar"):
+        with tarfile.open(path) as shard:
+            names += shard.getnames()
+    assert {n.partition(".")[0] for n in names} == {
+        f"000000{scene}_camera_{camera}" for scene in (0, 1) for camera in (0, 1, 2)
+    }
 
 
 @pytest.mark.parametrize("moment", ["render", "putting in"])

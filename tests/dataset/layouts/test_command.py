@@ -32,6 +32,8 @@ def test_a_finished_dataset_gets_layouts_and_remembers_them(plain, whole, capsys
     for path in (whole / "layouts" / "webdataset").iterdir():
         assert (plain / "layouts" / "webdataset" / path.name).read_bytes() == path.read_bytes()
     assert not list(plain.rglob(".*"))
+    card = (plain / "README.md").read_text("utf-8")
+    assert "wds.WebDataset" in card and "layouts/movi" in card and "lerobot" not in card
 
 
 def test_mistakes_cost_nothing(plain, tmp_path):

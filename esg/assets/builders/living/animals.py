@@ -1,23 +1,54 @@
 """Four-legged animals, all from one plan: trunk, neck, head, legs, tail and what marks the kind.
 
 They stand on four boxes, carry a box for the trunk and one for the head; the trunk's top is the
-surface "back", so that something can ride on it.
+surface "back", so that something can ride on it. The pose of their appearance says how the drawn
+legs are held (`GAITS`); what collides stands.
 """
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import mirrored, shade, shift
-from esg.assets.builders.living.beasts import BEASTS, Beast
+from esg.assets.builders.living.beasts import BEASTS, GAITS, Beast
 from esg.assets.builders.living.marks import HAIR, MARKS
 from esg.assets.geometry.sketch import DARK, Color, Sketch, rgb
 from esg.assets.lazy import forms
 
 
+def _swung(
+    path: list[tuple[float, float, float]], held: tuple[float, float], ground: float
+) -> list[tuple[float, float, float]]:
+    """The path of a leg, from its top to the foot, swung about its top.
+
+    Args:
+        path: Points [cm].
+        held: Swing of the leg and of its lower half, forwards [deg].
+        ground: Height of the last point where the foot is on the ground [cm].
+    """
+    swing, fold = (math.radians(v) for v in held)
+    (x0, _, z0), middle = path[0], 2
+
+    def turned(
+        point: tuple[float, float, float], at: tuple[float, float], angle: float
+    ) -> tuple[float, float, float]:
+        dx, down = point[0] - at[0], at[1] - point[2]
+        cos, sin = math.cos(angle), math.sin(angle)
+        return at[0] + dx * cos + down * sin, point[1], at[1] - down * cos + dx * sin
+
+    out = [turned(p, (x0, z0), swing) for p in path]
+    if fold:
+        knee = (out[middle][0], out[middle][2])
+        return [*out[: middle + 1], *(turned(p, knee, fold) for p in out[middle + 1 :])]
+    reach = (z0 - ground) / (z0 - out[-1][2])
+    return [(x0 + (x - x0) * reach, y, z0 - (z0 - z) * reach) for x, y, z in out]
+
+
 def _legs(s: Sketch, b: Beast, c: Color) -> None:
     rear, front, across, top, foot = b.legs
+    gait = GAITS.get(s.appearance.pose, {})
     for row, x, z, hock in (("rear", rear, b.trunk[0], 1.0), ("front", front, b.trunk[1], -0.45)):
         for side, word in ((-1, "right"), (1, "left")):
             y = side * across
@@ -43,6 +74,11 @@ def _legs(s: Sketch, b: Beast, c: Color) -> None:
                     0.86 * foot,
                     0.82 * foot,
                 ]
+                if name in gait:
+                    path = _swung(path, gait[name], path[-1][2])
+            toe, lifted = path[-1][0] + 0.2 * foot, path[-1][2] - 1.6 * foot
+            if "sprawl" in b.marks or name not in gait:
+                toe, lifted = x, 0.0
             s.add(
                 lambda p=path, r=radii: _curved(p, r, 12, 12, 0.8),
                 c,
@@ -52,14 +88,19 @@ def _legs(s: Sketch, b: Beast, c: Color) -> None:
             if "hooves" in b.marks:
                 hoof = [(1.25 * foot, 0.0), (1.05 * foot, 1.5 * foot), (0.8 * foot, 1.7 * foot)]
                 s.add(
-                    lambda h=hoof, x=x, y=y: forms.turned(h, (x, y, 0), 18),
+                    lambda h=hoof, at=(toe, y, lifted): forms.turned(h, at, 18),
                     DARK,
                     of="horn",
                     name=f"hoof_{name}",
                 )
             else:
                 tone = shade(c, 0.35) if "socks" in b.marks else c
-                s.add(lambda x=x, y=y: _paw(x, y, foot), tone, of=_coat(b), name=f"paw_{name}")
+                s.add(
+                    lambda at=(toe, y, lifted): _paw(at, foot),
+                    tone,
+                    of=_coat(b),
+                    name=f"paw_{name}",
+                )
 
 
 def _coat(b: Beast) -> str:
@@ -75,12 +116,13 @@ def _curved(path: Any, radii: Any, count: int, sections: int, flat: float = 1.0)
     return forms.tube(forms.smooth_path(path, count), fine, sections, flat=flat)
 
 
-def _paw(x: float, y: float, foot: float) -> Any:
+def _paw(at: tuple[float, float, float], foot: float) -> Any:
+    x, y, z = at
     size = (2.7 * foot, 2.3 * foot, 1.9 * foot)
     toes = [
         forms.cushion(
             (1.5 * foot, 0.72 * foot, 1.0 * foot),
-            (x + 1.15 * foot, y + k * 0.62 * foot, 0.5 * foot),
+            (x + 1.15 * foot, y + k * 0.62 * foot, z + 0.5 * foot),
             plan=2,
             side=0.8,
             sections=8,
@@ -91,7 +133,12 @@ def _paw(x: float, y: float, foot: float) -> Any:
     return forms.gather(
         [
             forms.cushion(
-                size, (x + 0.2 * foot, y, 0.95 * foot), plan=2.4, side=0.7, sections=14, levels=7
+                size,
+                (x + 0.2 * foot, y, z + 0.95 * foot),
+                plan=2.4,
+                side=0.7,
+                sections=14,
+                levels=7,
             ),
             *toes,
         ]

@@ -34,6 +34,29 @@ class Beast:
     bare: bool = False
 
 
+Gait = dict[str, tuple[float, float]]
+
+GAITS: dict[str, Gait] = {
+    "walk": {
+        "rear_right": (18.0, 0.0),
+        "rear_left": (-20.0, 0.0),
+        "front_right": (-16.0, 0.0),
+        "front_left": (20.0, -34.0),
+    },
+    "run": {
+        "rear_right": (-38.0, 0.0),
+        "rear_left": (-24.0, 0.0),
+        "front_right": (30.0, 0.0),
+        "front_left": (46.0, -58.0),
+    },
+}
+"""How each leg is held: its swing about hip or shoulder, forwards, and the lower half's own [deg].
+
+A walk with one leg in the air (Muybridge, Animals in Motion, 1899), and a gallop at full stretch. A
+leg that is not bent reaches the ground.
+"""
+
+
 def _kind(*values: object, marks: str = "", waist: float = 0.04, bare: bool = False) -> Beast:
     return Beast(*values, marks=frozenset(marks.split()), waist=waist, bare=bare)  # type: ignore[arg-type]
 

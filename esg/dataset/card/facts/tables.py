@@ -10,7 +10,7 @@ import math
 from pathlib import Path
 from typing import Any
 
-from esg.store.tables import iter_batches, part_files
+from esg.store.tables import iter_rows, part_files
 
 SCENE_COLUMNS = (
     "scene_key", "scene_id", "prompt", "family", "level", "rule", "pair", "changed", "parameters",
@@ -35,8 +35,7 @@ class Tables:
 
     def rows(self, table: str, columns: Sequence[str]) -> Iterator[dict[str, Any]]:
         """Rows with some columns; the others (documents, trajectories) are not even read."""
-        for batch in iter_batches(part_files(self.out, table), columns):
-            yield from batch.to_pylist()
+        return iter_rows(part_files(self.out, table), columns)
 
     @cached_property
     def scenes(self) -> list[dict[str, Any]]:

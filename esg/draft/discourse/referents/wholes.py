@@ -9,6 +9,8 @@ from esg.draft.discourse.referents.record import World
 from esg.draft.text.elements import Mention
 from esg.lexicon.articulations import articulations
 
+_TURNED_BY = frozenset({"arm", "bar", "wing", "panel", "leaf", "edge", "rim"})
+_LINKS = lex.word_set("links")
 _BODYWORK = lex.word_set("bodywork")
 _OWN = lex.OWN_PARTS | lex.word_set("cabs")
 _PRONOUNS = {"his": "he", "her": "she", "its": "it", "their": "they"}
@@ -27,6 +29,14 @@ def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     if m.attribute and m.part.endswith("end"):
         rows = ((e.id, articulations().get(head_of(e))) for e in world.entities.values())
         return [node for node, row in rows if row is not None and row.tips][-1:]
+    if m.possessor is not None and m.head in _LINKS and not m.possessor.pronoun:
+        m.part = m.head  # "the chandelier's rope"
+        return world.resolve(m.possessor)
+    if m.possessor is not None and m.head in _TURNED_BY and not m.possessor.pronoun:
+        row = articulations().get(m.possessor.head)
+        if row is not None and row.turns and row.carries == "with":
+            m.part = m.head  # "the arm of a turnstile"
+            return world.resolve(m.possessor)
     if m.possessor is not None:
         return _of_owner(world, m, m.possessor, subject and not body)
     if m.head in _BODYWORK and m.determiner in ("the", "a"):

@@ -29,7 +29,9 @@ from esg.draft.events.told import at_rest
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import ForceDirection, NodeEvent
 
-_BACK_AND_FORTH = re.compile(r"back and forth|to and fro|from side to side", re.IGNORECASE)
+_BACK_AND_FORTH = re.compile(
+    r"back and forth|to and fro|from side to side|up and down", re.IGNORECASE
+)
 _TO_AND_FRO = 3
 """How often what swings back and forth passes its lowest point, at least."""
 
@@ -98,11 +100,12 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         struck_before(d, f, body)
     let_go(d, f, [body for body in hung if not _handed_on(d, f, body)])
     met = f.phrase("at", "into", "against", "through", "on") is not None
+    met = met and not {*hung} & d.scene.sprung  # "bobs up and down on a spring"
     target = [i for i in hit_targets(f, s, o) if i not in hung] if met else []
     note = "swings"
     if target:
         add_hit(d, f, hung[:1], target, time_of(d, f))
-    elif "down" not in f.adverbs:  # "swings down and hits": the way there
+    elif "down" not in f.adverbs or "up" in f.adverbs:  # "swings down and hits": the way there
         for body in hung:
             note = node = add_event(d, NodeEvent.SWING, (body,), f, time_of(d, f))
             so_often(d, f, node)

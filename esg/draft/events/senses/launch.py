@@ -14,6 +14,7 @@ from esg.draft.discourse.core import (
     movable,
     structural,
 )
+from esg.draft.discourse.links import can_tow, tow
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import add_entity
@@ -130,16 +131,24 @@ def read_tow(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     s, o = doer_and_done(f, s, o)
     if not o:
         motion(d, f, s, None)  # "pulls out of a driveway"
+    elif can_tow(d, f, s, o):
+        tow(d, f, s, o)
+        _go_with(d, f, s, o)
     elif not s or kind_of(d, s[0]) == "person":
         launch_by(d, f, s, o)
     else:
         place(d, o, s, "behind")
-        into = f.phrase("into", "against", "over")
-        ways = [p for p in f.phrases if p.prep not in ("into", "against", "off", "from")]
-        motion(d, replace(f, phrases=ways), s, None)
-        met = [i for i in things(into) if i not in s + o][:1]
-        if into is not None and into.prep != "over" and met:
-            go_into(d, f, o[0], met, into, time_of(d, f))
+        _go_with(d, f, s, o)
+
+
+def _go_with(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    """Goes where the clause says, and takes what it draws there."""
+    into = f.phrase("into", "against", "over")
+    ways = [p for p in f.phrases if p.prep not in ("into", "against", "off", "from")]
+    motion(d, replace(f, phrases=ways), s, None)
+    met = [i for i in things(into) if i not in s + o][:1]
+    if into is not None and into.prep != "over" and met:
+        go_into(d, f, o[0], met, into, time_of(d, f))
 
 
 def launch_by(d: Discourse, f: Frame, agents: list[str], sent: list[str]) -> None:
