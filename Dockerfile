@@ -20,7 +20,7 @@ RUN python3 -m venv /opt/venv \
     && /opt/venv/bin/pip install --no-cache-dir -c constraints.txt .
 
 # Kernels and class runtime are compiled once, here: the first scene does not wait for them.
-ENV PATH=/opt/venv/bin:$PATH ESG_CACHE_DIR=/opt/cache WARP_CACHE_PATH=/opt/cache/warp PYTHONUNBUFFERED=1
+ENV PATH=/opt/venv/bin:$PATH ESG_CACHE_DIR=/opt/cache PYTHONUNBUFFERED=1
 RUN useradd --create-home --uid 1000 esg && mkdir -p /opt/cache /work && chown esg /opt/cache /work
 USER 1000
 RUN esg setup

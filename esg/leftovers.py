@@ -10,6 +10,7 @@ import contextlib
 import os
 from pathlib import Path
 import shutil
+import sys
 import tempfile
 import time
 
@@ -38,12 +39,16 @@ def sweep_leftovers(prefix: str, root: Path | None = None, now: float | None = N
     count = 0
     for folder in place.glob(f"{prefix}*"):
         with contextlib.suppress(OSError):
-            if folder.is_symlink() or folder.stat().st_uid != os.getuid():
+            if folder.is_symlink() or folder.stat().st_uid != _user():
                 continue
             if _abandoned(folder, moment):
                 shutil.rmtree(folder, ignore_errors=True)
                 count += not folder.exists()
     return count
+
+
+def _user() -> int:
+    return os.getuid() if hasattr(os, "getuid") else 0  # as Windows says of every file
 
 
 def _abandoned(folder: Path, now: float) -> bool:
@@ -59,6 +64,8 @@ def _started(pid: int) -> str:
     """When a process started, in the system's own words; "gone" if there is none."""
     with contextlib.suppress(OSError, IndexError):
         return Path(f"/proc/{pid}/stat").read_text().rsplit(")", 1)[1].split()[19]
+    if sys.platform == "win32":  # signal 0 would end it there; what is left is left
+        return "running"
     try:
         os.kill(pid, 0)
     except ProcessLookupError:

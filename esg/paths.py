@@ -31,10 +31,14 @@ def _user_cache() -> Path:
 def kernel_cache_dir() -> Path:
     """Where warp keeps the kernels it compiled; found without importing it.
 
-    `WARP_CACHE_PATH` wins; otherwise the platform's usual place. Each version has its own folder.
+    `WARP_CACHE_PATH` wins; then `warp` in `ESG_CACHE_DIR`; otherwise the platform's usual place,
+    which all that use warp share. Each version has its own folder.
     """
     explicit = os.environ.get("WARP_CACHE_PATH")
-    base = Path(explicit).resolve() if explicit else _user_cache() / "warp"
+    if explicit:
+        base = Path(explicit).resolve()
+    else:
+        base = (cache_dir() if os.environ.get("ESG_CACHE_DIR") else _user_cache()) / "warp"
     return base / metadata.version("warp-lang")
 
 

@@ -11,7 +11,7 @@ import shutil
 import tempfile
 import time
 
-from esg.files import explained, refused, safe_name
+from esg.files import explained, make_folder, refused, safe_name, sync_folder, sync_tree
 from esg.outcomes import UserError
 from esg.pipeline import STAGES, SceneState
 from esg.stages import DOCUMENT, ROLLOUT
@@ -43,7 +43,7 @@ def publish(state: SceneState, out: Path) -> Path:
             f"{target} exists and is not a scene folder; move it or choose another --out"
         )
     try:
-        out.mkdir(parents=True, exist_ok=True)
+        make_folder(out)
         work = Path(tempfile.mkdtemp(prefix=f".{target.name}.", suffix=".tmp", dir=out))
     except OSError as error:
         raise UserError(f"cannot write to --out {out}: {explained(error, out).strerror}") from None
@@ -52,6 +52,7 @@ def publish(state: SceneState, out: Path) -> Path:
             _fill(state, work)
             seal(work)
             work.chmod(0o755)
+            sync_tree(work)
             _replace(work, target)
     except BaseException:
         shutil.rmtree(work, ignore_errors=True)
@@ -74,6 +75,7 @@ def _replace(work: Path, target: Path) -> None:
                     (retired / "old").rename(target)
                 raise
         else:
+            sync_folder(work.parent)
             return
         finally:
             shutil.rmtree(retired, ignore_errors=True)

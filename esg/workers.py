@@ -15,7 +15,6 @@ import multiprocessing
 import os
 from pathlib import Path
 import queue
-import resource
 import signal
 import threading
 import time
@@ -220,6 +219,8 @@ def memory_bound(processes: int) -> int:
 
 def machine_memory() -> int:
     """Memory that this process can have [bytes]: the machine's, or its control group's."""
+    if not hasattr(os, "sysconf"):  # Windows, where workers have no bound
+        return LEAST_MEMORY_BYTES
     total = os.sysconf("SC_PAGE_SIZE") * os.sysconf("SC_PHYS_PAGES")
     with contextlib.suppress(OSError, ValueError):
         total = min(total, int(Path("/sys/fs/cgroup/memory.max").read_text()))
@@ -229,17 +230,25 @@ def machine_memory() -> int:
 def _begin(parent: int, tell: Any, sharing: bool, bound_bytes: int) -> None:
     if sharing:
         os.environ.setdefault("ESG_THREADS", "1")
-    # What a process allocates, without what it only reserves, as CUDA does by the terabyte.
-    _, most = resource.getrlimit(resource.RLIMIT_DATA)
-    bound = bound_bytes if most == resource.RLIM_INFINITY else min(bound_bytes, most)
-    with contextlib.suppress(OSError, ValueError):
-        resource.setrlimit(resource.RLIMIT_DATA, (bound, most))
+    _limit_memory(bound_bytes)
     # A terminal's Ctrl-C reaches workers too: the command decides what becomes of them, and lets
     # them leave no temporary folder behind.
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     forward_to(tell)
     _end_with_parent(parent)
+
+
+def _limit_memory(bound_bytes: int) -> None:
+    """Bounds what this process allocates; CUDA only reserves terabytes."""
+    try:
+        import resource
+    except ImportError:  # Windows
+        return
+    _, most = resource.getrlimit(resource.RLIMIT_DATA)
+    bound = bound_bytes if most == resource.RLIM_INFINITY else min(bound_bytes, most)
+    with contextlib.suppress(OSError, ValueError):
+        resource.setrlimit(resource.RLIMIT_DATA, (bound, most))
 
 
 def _end_with_parent(parent: int) -> None:

@@ -28,6 +28,8 @@ import subprocess
 import sys
 import tempfile
 import time
+import urllib.error
+import urllib.request
 
 from esg.files import atomic_write
 from esg.leftovers import owned_folder, sweep_leftovers
@@ -36,6 +38,8 @@ from esg.paths import cache_dir
 
 STARTUP_TIMEOUT_S = 300.0
 """Six commands that start at once on two cores need 100 s; an API that ends is noticed at once."""
+ANSWER_S = 10.0
+"""A server of the user's that says nothing for so long does not answer [s]."""
 TEMPLATE_WAIT_S = 120.0
 """So long a command waits for the one that makes the template, then makes its own."""
 ROOM_BYTES = 64 * 2**20
@@ -128,9 +132,11 @@ class EmbeddedServer:
         """Blocks until the API answers.
 
         Raises:
-            UserError: With exit code 1 if the process ends or does not answer in time.
+            UserError: With exit code 1 if the process ends or does not answer in time, or a server
+                of the user's says nothing.
         """
         if self._process is None:
+            _check_answer(os.environ.get("PREFECT_API_URL", ""))
             return
         deadline = time.monotonic() + STARTUP_TIMEOUT_S
         while time.monotonic() < deadline:
@@ -180,6 +186,25 @@ class EmbeddedServer:
             lines = (self._folder / "server.log").read_text(errors="replace").strip().splitlines()
             return lines[-1] if lines else ""
         return ""
+
+
+def _check_answer(url: str) -> None:
+    """Whether a server of the user's says anything at all; Prefect itself would wait for minutes.
+
+    Raises:
+        UserError: With exit code 1 if it does not.
+    """
+    try:
+        with urllib.request.urlopen(f"{url.rstrip('/')}/health", timeout=ANSWER_S):
+            return
+    except urllib.error.HTTPError:  # it wants a key, which Prefect has
+        return
+    except (OSError, ValueError, http.client.HTTPException) as error:
+        raise UserError(
+            f"PREFECT_API_URL={url}: no answer ({getattr(error, 'reason', error)}); start that "
+            "server, or unset the variable for a private one",
+            exit_code=1,
+        ) from None
 
 
 @contextlib.contextmanager

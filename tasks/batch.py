@@ -10,9 +10,9 @@ from prefect.cache_policies import NO_CACHE
 from prefect.client.schemas.objects import State, TaskRun
 from prefect.runtime import task_run
 from prefect.states import Completed
-from prefect.tasks import Task, exponential_backoff
+from prefect.tasks import Task
 
-from esg.alone.guarded import RETRIES, guarded_stage
+from esg.alone.guarded import PAUSES_S, guarded_stage
 from esg.files import unwritable
 from esg.pipeline import SceneState, crashed, may_pass
 from esg.workers import OutOfTime, WorkerDied
@@ -43,12 +43,12 @@ def make_stage_task(stage: str) -> Callable[[list[SceneState]], list[SceneState]
         # Prefect's own cache would remember keys whose artifacts may be gone: the store decides.
         cache_policy=NO_CACHE,
         persist_result=False,
-        retries=RETRIES,
-        retry_delay_seconds=exponential_backoff(1),
+        retries=len(PAUSES_S),
+        retry_delay_seconds=list(PAUSES_S),
         retry_condition_fn=_retry,
     )
     def run(states: list[SceneState], label: str = "batch") -> Any:
-        out = run_batch(stage, states, last_attempt=task_run.run_count > RETRIES)
+        out = run_batch(stage, states, last_attempt=task_run.run_count > len(PAUSES_S))
         if out and all(s.log and s.log[-1].get("cached") for s in out):
             return Completed(name="Cached", message=f"{len(out)} of {len(out)}", data=out)
         return out

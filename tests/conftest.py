@@ -2,7 +2,13 @@
 
 from __future__ import annotations
 
+import os
 import signal
+
+from esg.paths import kernel_cache_dir
+
+# Kernels take minutes to compile: a test with a cache folder of its own uses the machine's.
+os.environ.setdefault("WARP_CACHE_PATH", str(kernel_cache_dir().parent))
 
 # A job that a shell starts in the background ignores Ctrl-C, and so would its children.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:

@@ -2,102 +2,303 @@
 
     python -m benchmarks.faults malformed --count 100 [--only suite:17]
     python -m benchmarks.faults flips --count 30
-    python -m benchmarks.faults kills --count 3 [--only "db rebuild"]
+    python -m benchmarks.faults kills --count 4 --rounds 2 [--only "db rebuild"]
+    python -m benchmarks.faults pairs
+    python -m benchmarks.faults losses --count 25
+    python -m benchmarks.faults disks --count 3
+    python -m benchmarks.faults clocks
+    python -m benchmarks.faults stalls
+    python -m benchmarks.faults attacks [--before CHECKOUT]
 
 What must hold: malformed input ends with the right exit code, a message and no traceback within
 30 s and 2 GiB; a flipped bit is noticed or changes nothing; a killed command, run again, leaves
-what an undisturbed one leaves, also when two of them are killed at once. Prints a Markdown table.
+what an undisturbed one leaves, also when two of them are killed at once, or the power fails, the
+disk is full or read-only; a clock that jumps changes nothing; a server that says nothing is left.
+Prints Markdown tables. `--jobs` spreads the work over so many processes.
 """
 
 from __future__ import annotations
 
 import argparse
 from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from functools import partial
+from itertools import groupby
 from pathlib import Path
 import random
 import tempfile
+import time
+from typing import TypeVar
 
-from benchmarks.faults import flips, kills, malformed
-from benchmarks.faults.ground import prepared
+from benchmarks.faults import clocks, disks, flips, kills, losses, malformed, stalls
+from benchmarks.faults.ground import ROOT, prepared
+from benchmarks.faults.spread import spread
+
+T = TypeVar("T")
+R = TypeVar("R")
 
 
 def main() -> int:
-    parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
-    parser.add_argument("what", choices=("malformed", "flips", "kills"))
+    parser = argparse.ArgumentParser(
+        description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
+    )
+    parser.add_argument("what", choices=tuple(_FAULTS), nargs="+")
     parser.add_argument("--count", type=int, default=10, help="faults of every kind")
+    parser.add_argument("--rounds", type=int, default=1, help="of kills, with an end each")
     parser.add_argument("--only", default="", help="one kind, or one fault of it (KIND:NUMBER)")
     parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--jobs", type=int, default=1, help="faults done at once")
     parser.add_argument("--ground", type=Path, help="folder of the undisturbed work; kept")
+    parser.add_argument("--before", type=Path, help="attacks: an earlier checkout, to compare")
     args = parser.parse_args()
+    wrong = 0
     with tempfile.TemporaryDirectory(prefix="esg-faults-") as folder:
-        ground = prepared(args.ground or Path(folder) / "ground")
-        run = {"malformed": _malformed, "flips": _flips, "kills": _kills}[args.what]
-        return run(ground, Path(folder) / "place", args)
+        ground = args.ground or Path(folder) / "ground"
+        if args.what != ["attacks"]:  # they make scenes of their own
+            ground = prepared(ground).resolve()
+        for what in args.what:
+            started = time.monotonic()
+            place = Path(folder).resolve() / what
+            wrong += _FAULTS[what](ground, place, args)
+            print(f"\n{what}: {time.monotonic() - started:.0f} s\n", flush=True)
+    return int(wrong > 0)
 
 
-def _chosen(names: list[str], only: str) -> tuple[list[str], int | None]:
+def _chosen(names: Iterable[str], only: str, count: int) -> list[tuple[str, int]]:
+    """Kinds and numbers of the faults to be done."""
     kind, _, number = only.partition(":")
-    return [n for n in names if kind in ("", n)], int(number) if number else None
+    numbers = [int(number)] if number else range(count)
+    return [(name, k) for name in names if kind in ("", name) for k in numbers]
+
+
+def _table(heads: Sequence[str]) -> None:
+    print(f"| {' | '.join(heads)} |\n| --- |{' ---: |' * (len(heads) - 1)}", flush=True)
+
+
+def _row(cells: Sequence[object], faults: Sequence[str]) -> int:
+    """Prints a row and below it what is wrong; returns how much."""
+    print(f"| {' | '.join(str(c) for c in cells)} |")
+    print("".join(f"    {line}\n" for line in faults), end="", flush=True)
+    return len(faults)
+
+
+def _by_name(
+    work: Callable[[Path, tuple[str, int]], R], items: list[tuple[str, int]],
+    place: Path, args: argparse.Namespace,
+) -> Iterator[tuple[str, list[tuple[int, R]]]]:  # fmt: skip
+    """Results with their numbers, by kind."""
+    found = zip(items, spread(work, items, place, args.jobs), strict=True)
+    for name, of_name in groupby(found, key=lambda pair: pair[0][0]):
+        yield name, [(number, result) for (_, number), result in of_name]
+
+
+def _one_malformed(ground: Path, place: Path, item: tuple[str, int]) -> tuple[str, float, str]:
+    made, ended, fault = malformed.case(*item, ground, place)
+    said = f"{item[0]}:{item[1]} {made[0]}: {fault}" if fault else ""
+    return str(ended.code), ended.seconds, said
 
 
 def _malformed(ground: Path, place: Path, args: argparse.Namespace) -> int:
     malformed.load_libraries()
-    names, number = _chosen(list(malformed.KINDS), args.only)
-    wrong = total = 0
-    print("| input | inputs | exit codes | slowest s | wrong |\n| --- | ---: | --- | ---: | ---: |")
-    for name in names:
-        count = max(1, round(args.count * malformed.KINDS[name][1]))
-        codes: Counter[str] = Counter()
-        slowest, bad = 0.0, []
-        for k in range(count) if number is None else [number]:
-            made, ended, fault = malformed.case(name, k, ground, place)
-            codes[str(ended.code)] += 1
-            slowest = max(slowest, ended.seconds)
-            if fault:
-                bad.append(f"    {name}:{k} {made[0]}: {fault}")
+    items = [
+        (name, k)
+        for name, k in _chosen(malformed.KINDS, args.only, args.count)
+        if args.only or k < max(1, round(args.count * malformed.KINDS[name][1]))
+    ]
+    _table(("input", "inputs", "exit codes", "slowest s", "wrong"))
+    wrong = 0
+    for name, found in _by_name(partial(_one_malformed, ground), items, place, args):
+        codes = Counter(code for _, (code, _, _) in found)
         told = ", ".join(f"{n} x {code}" for code, n in sorted(codes.items()))
-        print(
-            f"| {name} | {sum(codes.values())} | {told} | {slowest:.1f} | {len(bad)} |", flush=True
-        )
-        print("".join(f"{line}\n" for line in bad), end="", flush=True)
-        wrong, total = wrong + len(bad), total + sum(codes.values())
-    print(f"\n{total} inputs, {wrong} wrong")
-    return int(wrong > 0)
+        slowest = max(seconds for _, (_, seconds, _) in found)
+        bad = [fault for _, (_, _, fault) in found if fault]
+        wrong += _row((name, len(found), told, f"{slowest:.1f}", len(bad)), bad)
+    print(f"\n{len(items)} inputs, {wrong} wrong")
+    return wrong
+
+
+def _one_flip(ground: Path, seed: int, place: Path, item: tuple[str, int]) -> str:
+    name, number = item
+    return flips.flip(flips.KINDS[name], random.Random(f"{seed} {name} {number}"), ground, place)
 
 
 def _flips(ground: Path, place: Path, args: argparse.Namespace) -> int:
     malformed.load_libraries()
-    names, number = _chosen(list(flips.KINDS), args.only)
+    items = [
+        (name, k)
+        for name, k in _chosen(flips.KINDS, args.only, args.count)
+        if args.only or k < max(1, round(args.count * flips.KINDS[name].share))
+    ]
+    ends = ("noticed", "no effect", "another number")
+    _table(("file", "flips", *ends, "wrong"))
     wrong = 0
-    print("| file | flips | noticed | no effect | another number | wrong |")
-    print("| --- | ---: | ---: | ---: | ---: | ---: |")
-    for name in names:
-        found = [
-            flips.flip(flips.KINDS[name], random.Random(f"{args.seed} {name} {k}"), ground, place)
-            for k in (range(args.count) if number is None else [number])
-        ]
-        ends = ("noticed", "no effect", "another number")
-        bad = [f for f in found if f not in ends]
-        told = " | ".join(str(n) for n in (*(found.count(end) for end in ends), len(bad)))
-        print(f"| {name} | {len(found)} | {told} |", flush=True)
-        print("".join(f"    {line}\n" for line in bad), end="", flush=True)
-        wrong += len(bad)
-    return int(wrong > 0)
+    for name, found in _by_name(partial(_one_flip, ground, args.seed), items, place, args):
+        bad = [f"{name}:{k} {end}" for k, end in found if end not in ends]
+        counts = Counter(end for _, end in found)
+        wrong += _row((name, len(found), *(counts[end] for end in ends), len(bad)), bad)
+    print(f"\n{len(items)} flips, {wrong} wrong")
+    return wrong
+
+
+Pair = tuple[str, int]
+"""A command, and how many of it run at once."""
+
+
+def _undisturbed(ground: Path, place: Path, pair: Pair) -> kills.Sound | str:
+    try:
+        return kills.undisturbed(*pair, ground, place)
+    except RuntimeError as error:
+        return str(error)
+
+
+def _one_kill(
+    ground: Path, sound: dict[Pair, kills.Sound], args: argparse.Namespace,
+    place: Path, item: tuple[Pair, int],
+) -> tuple[int, str]:  # fmt: skip
+    (name, together), number = item
+    rng = random.Random(f"{args.seed} {name} {together} {number}")
+    return kills.kill(name, rng, ground, place, args.count, together, sound[name, together])
 
 
 def _kills(ground: Path, place: Path, args: argparse.Namespace) -> int:
-    names, _ = _chosen(list(kills.COMMANDS), args.only)
+    names = [name for name, _ in _chosen(kills.COMMANDS, args.only, 1)]
+    pairs = [(n, t) for n in names for t in (1, 2) if t == 1 or n not in kills.ALONE]
+    return _killed(ground, place, args, pairs)
+
+
+def _pairs(ground: Path, place: Path, args: argparse.Namespace) -> int:
+    """Two of everything at once, and nobody killed."""
+    names = [name for name, _ in _chosen(kills.COMMANDS, args.only, 1)]
+    args = argparse.Namespace(**{**vars(args), "count": 0})
+    return _killed(ground, place, args, [(n, 2) for n in names if n not in kills.ALONE])
+
+
+def _killed(ground: Path, place: Path, args: argparse.Namespace, pairs: list[Pair]) -> int:
+    found = zip(pairs, spread(partial(_undisturbed, ground), pairs, place, args.jobs), strict=True)
+    sound, wrong = _sound_ones(found)
+    items = [(pair, k) for pair in sound for k in range(args.rounds)]
+    _table(("command", "at once", "killed", "reruns", "equal"))
+    total = 0
+    work = partial(_one_kill, ground, sound, args)
+    ends = zip(items, spread(work, items, place, args.jobs), strict=True)
+    for (name, together), group in groupby(ends, key=lambda pair: pair[0][0]):
+        results = [result for _, result in group]
+        bad = [end for _, end in results if end != "same"]
+        died = sum(n for n, _ in results)
+        total += died
+        wrong += _row((name, together, died, len(results), len(results) - len(bad)), bad)
+    print(f"\n{total} killed, {wrong} wrong")
+    return wrong
+
+
+def _sound_ones(found: Iterable[tuple[T, R | str]]) -> tuple[dict[T, R], int]:
+    """Undisturbed runs that were sound, and how many were not; those are told."""
+    sound: dict[T, R] = {}
     wrong = 0
-    print("| command | at once | kills | after them |\n| --- | ---: | ---: | --- |")
-    for name in names:
-        for together in (1, 2):
-            rng = random.Random(f"{args.seed} {name} {together}")
-            if name == "dataset" and together == 2:
-                continue  # a folder takes one writer: the second is told so
-            end = kills.kill(name, rng, ground, place, args.count, together)
-            print(f"| {name} | {together} | {args.count * together} | {end} |", flush=True)
-            wrong += end != "same"
-    return int(wrong > 0)
+    for what, result in found:
+        if isinstance(result, str):
+            print(f"undisturbed: {result}", flush=True)
+            wrong += 1
+        else:
+            sound[what] = result
+    return sound, wrong
+
+
+def _before_loss(ground: Path, place: Path, name: str) -> tuple[kills.Facts, int] | str:
+    try:
+        return losses.sound(name, ground, place)
+    except RuntimeError as error:
+        return str(error)
+
+
+def _one_loss(
+    ground: Path, sound: dict[str, tuple[kills.Facts, int]], seed: int,
+    place: Path, item: tuple[str, int],
+) -> losses.Loss:  # fmt: skip
+    name, number = item
+    rng = random.Random(f"{seed} {name} {number}")
+    return losses.loss(name, rng, ground, place, sound[name])
+
+
+def _losses(ground: Path, place: Path, args: argparse.Namespace) -> int:
+    items = _chosen(kills.COMMANDS, args.only, args.count)
+    names = list(dict.fromkeys(name for name, _ in items))
+    work = partial(_before_loss, ground)
+    sound, wrong = _sound_ones(zip(names, spread(work, names, place, args.jobs), strict=True))
+    items = [item for item in items if item[0] in sound]
+    _table(("command", "operations", "losses", "after its end", "lost something", "equal"))
+    run = partial(_one_loss, ground, sound, args.seed)
+    for name, found in _by_name(run, items, place, args):
+        bad = [f"{name}:{k} {loss.wrong}" for k, loss in found if loss.wrong]
+        after = sum(loss.after_end for _, loss in found)
+        lost = sum(loss.lost > 0 for _, loss in found)
+        cells = (name, sound[name][1], len(found), after, lost, len(found) - len(bad))
+        wrong += _row(cells, bad)
+    print(f"\n{len(items)} power losses, {wrong} wrong")
+    return wrong
+
+
+def _told(
+    heads: Sequence[str], run: Callable[[Path, Path, str], Sequence[tuple[Sequence[object], str]]],
+    names: Iterable[str], ground: Path, place: Path, args: argparse.Namespace,
+) -> int:  # fmt: skip
+    """A table whose rows faults of a kind give themselves, with what is wrong with each."""
+    chosen = [name for name, _ in _chosen(names, args.only, 1)]
+    _table(heads)
+    wrong = 0
+    for rows in spread(partial(run, ground), chosen, place, args.jobs):
+        wrong += sum(_row(cells, [fault] if fault else []) for cells, fault in rows)
+    return wrong
+
+
+def _disks(ground: Path, place: Path, args: argparse.Namespace) -> int:
+    run = partial(disks.filled, args.seed, args.count)
+    return _told(disks.HEADS, run, kills.COMMANDS, ground, place, args)
+
+
+def _clocks(ground: Path, place: Path, args: argparse.Namespace) -> int:
+    return _told(clocks.HEADS, clocks.jumped, kills.COMMANDS, ground, place, args)
+
+
+def _stalls(ground: Path, place: Path, args: argparse.Namespace) -> int:
+    return _told(stalls.HEADS, stalls.stalled, stalls.SERVERS, ground, place, args)
+
+
+def _one_attack(checkouts: dict[Path, Path], place: Path, name: str) -> list[list[str]]:
+    from benchmarks.faults import attacks
+
+    return [attacks.attacked(name, made, place, of) for of, made in checkouts.items()]
+
+
+def _attacks(ground: Path, place: Path, args: argparse.Namespace) -> int:
+    from benchmarks.faults import attacks  # which are the tests', and need what tests need
+
+    checkouts = [args.before.resolve()] if args.before else []
+    checkouts.append(ROOT)
+    made = {c: attacks.made_by(c, place / f"made{k}") for k, c in enumerate(checkouts)}
+    names = [name for name, _ in _chosen(attacks.ATTACKS, args.only, 1)]
+    _table(("attack", *(["before"] if args.before else []), "now"))
+    wrong = 0
+    for name, ends in zip(
+        names, spread(partial(_one_attack, made), names, place, args.jobs), strict=True
+    ):
+        _row((name, *("; ".join(end) or "nothing" for end in ends)), [])
+        wrong += len(ends[-1])
+    print(f"\n{len(names)} attacks, {wrong} wrong")
+    return wrong
+
+
+_FAULTS: dict[str, Callable[[Path, Path, argparse.Namespace], int]] = {
+    "malformed": _malformed,
+    "flips": _flips,
+    "kills": _kills,
+    "pairs": _pairs,
+    "losses": _losses,
+    "disks": _disks,
+    "clocks": _clocks,
+    "stalls": _stalls,
+    "attacks": _attacks,
+}
 
 
 if __name__ == "__main__":

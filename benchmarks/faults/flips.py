@@ -9,7 +9,8 @@ from pathlib import Path
 import random
 import shutil
 
-from benchmarks.faults.ground import PROMPT, Ended, copied, forked, scene_of
+from benchmarks.faults import kills
+from benchmarks.faults.ground import HALF, PROMPT, Ended, copied, esg, forked, scene_of
 
 ROWS = "SELECT * EXCLUDE (artifacts, seconds, cached_stages) FROM scenes ORDER BY ALL"
 
@@ -25,6 +26,9 @@ class Kind:
         codes: Exit codes of a command that noticed.
         sealed: Whether the file has checksums; a text that people edit has none, and a digit of it
             that flips is another number.
+        alone: Whether the command needs a process of its own, since it starts others.
+        share: Of the flips of others that it gets; less for what takes long.
+        told: What the command prints where it noticed and went on without the file.
     """
 
     pattern: str
@@ -32,6 +36,9 @@ class Kind:
     result: Callable[[Path, Ended], object]
     codes: tuple[int, ...] = (1, 2, 3)
     sealed: bool = True
+    told: str = "\0"
+    alone: bool = False
+    share: float = 1.0
 
 
 def _out(place: Path, ended: Ended) -> object:
@@ -67,6 +74,23 @@ def _again(place: Path, path: Path) -> list[str]:
     return ["generate", PROMPT, "--out", "o"]
 
 
+def _replay(place: Path, path: Path) -> list[str]:
+    return ["replay", str(scene_of(place)), "--json"]
+
+
+def _resume(place: Path, path: Path) -> list[str]:
+    return [*HALF, "--resume"]
+
+
+def _half_made(place: Path, ended: Ended) -> object:
+    """The marks of batches but for their times, and the rows of their tables."""
+    marks = [json.loads(p.read_bytes()) for p in sorted((place / "half").glob("marks/*.json"))]
+    rows = kills.facts(place, [place / "half" / "parts"])
+    return [
+        [m[k] for k in ("number", "scenes", "verified", "outcomes", "failures")] for m in marks
+    ], rows
+
+
 def _scene_made(place: Path, ended: Ended) -> object:
     skipped = ("log.jsonl", "SHA256SUMS")  # times, and the sum of them
     return {
@@ -89,6 +113,10 @@ KINDS = {
         "runs/*/esg.json", lambda place, path: ["check", str(path)], _out, sealed=False
     ),
     "stage results": Kind("cache/artifacts/*/*/data/**/*", _again, _scene_made),
+    "compiled classes": Kind("cache/classes/**/*", _replay, _out),
+    "emitted classes": Kind("runs/a*/unreal/*", _replay, _out, told='"proof": "program"'),
+    "marks of batches": Kind("half/marks/*.json", _resume, _half_made, alone=True, share=0.1),
+    "parts of batches": Kind("half/parts/*/*.parquet", _verify, lambda place, ended: "whole"),
     "marks of stage results": Kind("cache/artifacts/*/*/artifact.json", _again, _scene_made),
 }
 
@@ -104,30 +132,33 @@ def flip(kind: Kind, rng: random.Random, ground: Path, place: Path) -> str:
     """
     copied(ground, place)
     shutil.copytree(ground / "cache", place / "cache")
-    for path in (place / "o", place / "new.duckdb"):
-        shutil.rmtree(path, ignore_errors=True)
     files = [p for p in sorted(place.glob(kind.pattern)) if p.is_file() and p.stat().st_size]
     path = rng.choice(files)
-    sound = _done(kind, place, path)
-    for made in ("o", "new.duckdb", "new.duckdb.lock"):
-        target = place / made
-        shutil.rmtree(target) if target.is_dir() else target.unlink(missing_ok=True)
+    where = path.relative_to(place)
+    if (kind, str(where)) not in _sound:
+        _sound[kind, str(where)] = kind.result(place, _done(kind, place, path))
+        copied(ground, place)
+        shutil.copytree(ground / "cache", place / "cache")
     data = bytearray(path.read_bytes())
     at = rng.randrange(len(data))
     data[at] ^= 1 << rng.randrange(8)
     path.write_bytes(data)
-    where = f"{path.relative_to(place)} byte {at}"
-    ended = forked(kind.arguments(place, path), place, place / "cache")
+    ended = _done(kind, place, path)
     wrong = ended.wrong((0, *kind.codes))
     if wrong:
-        return f"{where}: {wrong}"
-    if ended.code != 0:
+        return f"{where} byte {at}: {wrong}"
+    if ended.code != 0 or kind.told in ended.out:
         return "noticed"
-    if kind.result(place, ended) == sound:
+    if kind.result(place, ended) == _sound[kind, str(where)]:
         return "no effect"
-    return f"{where}: another result" if kind.sealed else "another number"
+    return f"{where} byte {at}: another result" if kind.sealed else "another number"
 
 
-def _done(kind: Kind, place: Path, path: Path) -> object:
-    ended = forked(kind.arguments(place, path), place, place / "cache")
-    return kind.result(place, ended)
+_sound: dict[tuple[Kind, str], object] = {}
+"""What commands made of files before a bit flipped, by kind and file."""
+
+
+def _done(kind: Kind, place: Path, path: Path) -> Ended:
+    if kind.alone:
+        return esg(kind.arguments(place, path), place, place / "cache")
+    return forked(kind.arguments(place, path), place, place / "cache")

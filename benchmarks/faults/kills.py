@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 import contextlib
+import hashlib
 import os
 from pathlib import Path
 import random
@@ -11,59 +12,83 @@ import shutil
 import signal
 import time
 
-from benchmarks.faults.ground import PROMPT, begin, copied, esg, finish
+from benchmarks.faults.ground import PROMPT, begin, copied, esg, finish, scene_of
 
-Facts = dict[str, bytes]
+Facts = dict[str, str]
+Sound = tuple[Facts, float]
+"""What an undisturbed command left, and how long it took [s]."""
 
-COMMANDS: dict[str, tuple[Sequence[str], tuple[float, float]]] = {
-    "generate": (["generate", PROMPT, "--out", "k"], (1.0, 30.0)),
-    "generate from cache": (["generate", PROMPT, "--out", "k"], (0.3, 5.0)),
-    "bench": (["bench", "faults.yaml", "--runs", "1", "--out", "k"], (1.0, 30.0)),
-    "dataset": (
-        ["dataset", "--sample", "4", "--out", "k", "--workers", "1", "--resume"],
-        (2.0, 40.0),
-    ),
-    "db rebuild": (["db", "rebuild"], (0.3, 2.5)),
-    "db ingest": (["db", "ingest", "data", "--db", "k.duckdb"], (0.3, 2.5)),
-    "export": (["export", "SCENE", "--to", "usd", "--out", "k"], (0.3, 4.0)),
-    "report": (["report", "runs/bench-faults-batched-physx", "--out", "k.html"], (0.5, 4.0)),
+COMMANDS: dict[str, Sequence[str]] = {
+    "generate": ["generate", PROMPT, "--out", "k"],
+    "generate from cache": ["generate", PROMPT, "--out", "k"],
+    "bench": ["bench", "faults.yaml", "--runs", "1", "--out", "k"],
+    "dataset": ["dataset", "--sample", "4", "--out", "k", "--workers", "1", "--resume"],
+    "db rebuild": ["db", "rebuild"],
+    "db ingest": ["db", "ingest", "data", "--db", "k.duckdb"],
+    "export": ["export", "SCENE", "--to", "usd", "--out", "k"],
+    "report": ["report", "runs/bench-faults-batched-physx", "--out", "k.html"],
+    "replay": ["replay", "SCENE", "--json"],
 }
-"""Command lines, and the earliest and latest moment of the kill [s]."""
-WARM = ("generate from cache", "db rebuild", "db ingest", "export", "report")
+"""Command lines; what they make is `k`."""
+WARM = ("generate from cache", "db rebuild", "db ingest", "export", "report", "replay")
+ALONE = ("dataset",)
+"""A folder takes one writer: the second is told so."""
 _TIMES = (
-    "log.jsonl", "SHA256SUMS", "timings", "runs/", "run.json", ".lock", "card", "README",
+    "log.jsonl", "SHA256SUMS", "timings", "run.json", "card", "README",
 )  # fmt: skip
-"""Parts of names of files that hold times."""
+"""Parts of names of files that hold times: they are there and whole, no more is asked."""
 
 
-def facts(place: Path) -> Facts:
-    """What a command left: its files, times aside; of a database its rows."""
+def facts(place: Path, roots: Sequence[Path] = ()) -> Facts:
+    """What a command left: digests of its files, times aside; of tables and databases the rows.
+
+    Args:
+        place: Where it ran.
+        roots: Files and folders that it made; default those that `COMMANDS` name.
+    """
     out: Facts = {}
-    for root in (place / "k", place / "k.html"):
+    for root in roots or (place / "k", place / "k.html"):
         files = [root] if root.is_file() else sorted(p for p in root.rglob("*") if p.is_file())
         for path in files:
             name = path.relative_to(place).as_posix()
-            if not any(t in name for t in _TIMES):
-                out[name] = b"" if path.suffix in (".html", ".parquet") else path.read_bytes()
+            if not any(part.startswith(".") for part in path.relative_to(place).parts):
+                out[name] = _said(path)
     for name in ("k.duckdb", "runs/esg.duckdb"):
         if (place / name).is_file():
             out[name] = _rows(place / name)
     return out
 
 
-def _rows(path: Path) -> bytes:
+def _said(path: Path) -> str:
+    data = path.read_bytes()
+    if path.suffix == ".parquet":
+        return _count(path)
+    if path.suffix == ".html":
+        return "a page" if data.rstrip().endswith(b"</html>") and b"\0" not in data else "damaged"
+    if any(part in path.name for part in _TIMES):
+        return "there" if data and b"\0" not in data else "damaged"
+    return hashlib.sha256(data).hexdigest()
+
+
+def _count(path: Path) -> str:
+    import pyarrow as pa
+    import pyarrow.parquet as pq
+
+    try:
+        return f"{pq.read_table(path, page_checksum_verification=True).num_rows} rows"
+    except (OSError, pa.ArrowException) as error:
+        return f"damaged: {error}"
+
+
+def _rows(path: Path) -> str:
     import duckdb
 
     sql = "SELECT count(*), bit_xor(hash(prompt, seed, outcome, reason, verified)) FROM scenes"
-    with duckdb.connect(str(path), read_only=True) as connection:
-        return repr(connection.execute(sql).fetchall()).encode()
-
-
-def leftovers(place: Path) -> list[str]:
-    """Temporary files in the folders of results; those of a killed command may stay a day."""
-    return [
-        p.name for p in place.rglob("*.tmp*") if "cache" not in p.parts and "tmp" not in p.parts
-    ]
+    try:
+        with duckdb.connect(str(path), read_only=True) as connection:
+            return repr(connection.execute(sql).fetchall())
+    except duckdb.Error as error:
+        return f"damaged: {error}"
 
 
 def prepared_copy(ground: Path, place: Path, name: str) -> Path:
@@ -79,14 +104,34 @@ def prepared_copy(ground: Path, place: Path, name: str) -> Path:
 
 def arguments(name: str, place: Path) -> list[str]:
     """The command line of a kind of command in a place."""
-    from benchmarks.faults.ground import scene_of
+    return [str(scene_of(place)) if a == "SCENE" else a for a in COMMANDS[name]]
 
-    return [str(scene_of(place)) if a == "SCENE" else a for a in COMMANDS[name][0]]
+
+def undisturbed(name: str, together: int, ground: Path, place: Path) -> Sound:
+    """What commands leave that nothing disturbs, one after the other.
+
+    Raises:
+        RuntimeError: If one of them fails.
+    """
+    prepared_copy(ground, place, name)
+    seconds = 0.0
+    for _ in range(together):
+        ended = esg(arguments(name, place), place, place / "cache")
+        if ended.wrong((0, 3)):
+            raise RuntimeError(f"{name}, undisturbed: {ended.wrong((0, 3))}")
+        seconds = max(seconds, ended.seconds)
+    return facts(place), seconds
 
 
 def kill(
-    name: str, rng: random.Random, ground: Path, place: Path, times: int, together: int
-) -> str:
+    name: str,
+    rng: random.Random,
+    ground: Path,
+    place: Path,
+    times: int,
+    together: int,
+    sound: Sound,
+) -> tuple[int, str]:
     """Kills a command some times, runs it to its end and compares with an undisturbed run.
 
     Args:
@@ -96,41 +141,47 @@ def kill(
         place: Where it happens.
         times: Kills before the run that may end.
         together: Commands of the kind that run at once in the place.
+        sound: Of an undisturbed run.
 
     Returns:
-        `same`, or what differs.
+        How many processes died of it, and `same`, or what differs.
     """
-    undisturbed = prepared_copy(ground, place.with_name(place.name + "-sound"), name)
-    for _ in range(together):
-        first = esg(arguments(name, undisturbed), undisturbed, undisturbed / "cache")
-        if first.wrong((0, 3)):
-            return f"undisturbed: {first.wrong((0, 3))}"
     prepared_copy(ground, place, name)
-    line, (early, late) = arguments(name, place), COMMANDS[name][1]
+    line, died = arguments(name, place), 0
     for _ in range(times):
         started = [begin(line, place, place / "cache") for _ in range(together)]
-        time.sleep(rng.uniform(early, late))
+        time.sleep(rng.uniform(0.05, sound[1]))
         for command in started:
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(command.pid, signal.SIGKILL)
         for command in started:
             ended = finish(command, 60.0, time.monotonic())
-            if ended.code not in (-9, 0, 3):
-                return f"while killed: {ended.wrong((0, 3))}"
+            died += ended.code == -signal.SIGKILL
+            if ended.code != -signal.SIGKILL and ended.wrong((0, 3)):
+                return died, f"while killed: {ended.wrong((0, 3))}"
     now = time.monotonic()
-    ended_all = [finish(c, 600.0, now) for c in [begin(line, place, place / "cache")
-                                                 for _ in range(together)]]  # fmt: skip
-    for ended in ended_all:
+    last = [begin(line, place, place / "cache") for _ in range(together)]
+    for ended in [finish(command, 600.0, now) for command in last]:
         if ended.wrong((0, 3)):
-            return f"after {times} kills: {ended.wrong((0, 3))}"
-    return _difference(facts(undisturbed), facts(place), name)
+            return died, f"after {died} kills: {ended.wrong((0, 3))}"
+    return died, difference(sound[0], facts(place), name)
 
 
-def _difference(sound: Facts, found: Facts, name: str) -> str:
+def difference(sound: Facts, found: Facts, name: str) -> str:
+    """`same`, or the first files that differ.
+
+    Args:
+        sound: Of an undisturbed run.
+        found: To be compared.
+        name: Of the command; one that adds rows to the database of all runs may have added them
+            before it was killed, or not.
+    """
     if name in ("generate", "generate from cache", "bench"):
-        # A killed run may have recorded its row before it was killed, or not.
         sound, found = (
             {k: v for k, v in f.items() if k != "runs/esg.duckdb"} for f in (sound, found)
         )
     wrong = sorted({k for k in sound.keys() | found.keys() if sound.get(k) != found.get(k)})
-    return "same" if not wrong else f"differs: {', '.join(wrong[:5])}"
+    told = [
+        f"{k} ({sound.get(k, 'absent')[:24]}, now {found.get(k, 'absent')[:60]})" for k in wrong
+    ]
+    return "same" if not wrong else f"{len(wrong)} differ: {', '.join(told[:3])}"

@@ -44,6 +44,7 @@ from esg.dataset.finish import finish
 from esg.dataset.folder import DatasetFolder
 from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.plan import DatasetSpec, plan_scenes
+from esg.paths import kernel_cache_dir
 
 RESULTS = Path(__file__).parents[1] / "results"
 
@@ -130,7 +131,11 @@ def time_command(args: argparse.Namespace) -> None:
         work = Path(name)
         mix = work / "mix.yaml"
         mix.write_text(json.dumps({"levels": {level: 1.0 for level in args.levels}}))
-        environment = {**os.environ, "ESG_CACHE_DIR": str(work / "cache")}
+        environment = {
+            **os.environ,
+            "ESG_CACHE_DIR": str(work / "cache"),
+            "WARP_CACHE_PATH": str(kernel_cache_dir().parent),
+        }
         environment.pop("PREFECT_API_URL", None)
         own = ("OMP_NUM_THREADS", "ESG_THREADS")
         environment = {k: v for k, v in environment.items() if k not in own}

@@ -6,7 +6,7 @@ single one more than its search.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Sequence
 import contextlib
 from pathlib import Path
 import time
@@ -23,8 +23,8 @@ from esg.pipeline import (
     scratch_store,
 )
 
-RETRIES = 2
-"""So many times a stage that met an error that may pass is tried again."""
+PAUSES_S = (1.0, 2.0)
+"""A stage that met an error that may pass is tried again after each of these [s]."""
 
 
 def guarded_stage(stage: str, state: SceneState, store: Path | None = None) -> SceneState:
@@ -46,14 +46,12 @@ def guarded_stage(stage: str, state: SceneState, store: Path | None = None) -> S
             return crashed(state, TimeoutError(str(error)), stage)
 
 
-def run_guarded(
-    request: SceneRequest, *, pause: Callable[[float], None] = time.sleep
-) -> SceneState:
+def run_guarded(request: SceneRequest, pauses: Sequence[float] = PAUSES_S) -> SceneState:
     """All stages of one scene, in this process; what may pass is tried again.
 
     Args:
         request: What to make.
-        pause: Waits for so long before the next try [s]: 1, then 2.
+        pauses: Before each further try of a stage [s].
 
     Raises:
         OSError: If the disk cannot be written, which is no fault of the scene.
@@ -61,18 +59,17 @@ def run_guarded(
     state = SceneState(request)
     with forking():  # of a command whose other threads only wait
         for stage in STAGES:
-            state = _tried(stage, state, pause)
+            state = _tried(stage, state, pauses)
     return state
 
 
-def _tried(stage: str, state: SceneState, pause: Callable[[float], None]) -> SceneState:
-    for attempt in range(RETRIES + 1):
-        try:
-            return guarded_stage(stage, state)
-        except OSError as error:
-            if unwritable(error):
-                raise
-            if attempt == RETRIES:
-                return crashed(state, error, stage)
-            pause(float(2**attempt))
-    raise AssertionError("the last attempt returns")
+def _tried(stage: str, state: SceneState, pauses: Sequence[float]) -> SceneState:
+    try:
+        return guarded_stage(stage, state)
+    except OSError as error:
+        if unwritable(error):
+            raise
+        if not pauses:
+            return crashed(state, error, stage)
+    time.sleep(pauses[0])
+    return _tried(stage, state, pauses[1:])

@@ -64,10 +64,9 @@ def _python() -> str:
 
 
 def _cores() -> str:
-    import os
+    from esg.workers import usable_cores
 
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count()
-    return f"{cores} usable"
+    return f"{usable_cores()} usable"
 
 
 def _engine(name: str) -> Callable[[], str]:

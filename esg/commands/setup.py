@@ -27,7 +27,7 @@ def setup() -> int:
 
     from esg.api.inputs import check_cache
     from esg.engines import warmup
-    from esg.paths import cache_dir
+    from esg.paths import cache_dir, kernel_cache_dir
 
     check_cache()
     _step("scheduler database", _prefect)
@@ -37,7 +37,7 @@ def setup() -> int:
         for number, sample in enumerate(SAMPLES, 1):
             name = f"sample scene {number} of {len(SAMPLES)}"
             _step(name, lambda s=sample: _sample(*s, Path(folder)))
-    print(f"ready; caches are in {cache_dir()} and in warp's kernel cache")
+    print(f"ready; caches are in {cache_dir()} and {kernel_cache_dir()}")
     return 0
 
 

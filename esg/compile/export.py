@@ -15,7 +15,7 @@ from esg.engines.manifest import Manifest, carried_json, load_manifest
 from esg.engines.program import batch_programs
 from esg.engines.registry import get_engine
 from esg.engines.scene import Rollout
-from esg.files import TEMPORARY
+from esg.files import TEMPORARY, make_folder, sync_file, sync_folder
 from esg.outcomes import UserError
 from esg.scenereading import absent, read_rollout
 from esg.strangers.sums import seal
@@ -61,7 +61,7 @@ def export(
     if not (folder / "manifest.json").is_file():
         raise UserError(f"{folder} holds no manifest.json: compile the scene first")
     manifest = load_manifest(folder / "manifest.json")
-    target.mkdir(parents=True, exist_ok=True)
+    make_folder(target)
     # A disk that fills up on the way leaves earlier exports as they were.
     if to == "unreal":
         from esg.compile.plugin import write_plugin
@@ -74,9 +74,12 @@ def export(
         files: list[Path] = []
         for file in write(work):
             path = target / file.relative_to(work)
-            path.parent.mkdir(parents=True, exist_ok=True)
+            make_folder(path.parent)
+            sync_file(file)
             file.replace(path)
             files.append(path)
+    for changed in {path.parent for path in files}:
+        sync_folder(changed)
     if target == folder:
         seal(folder, files)
     return files

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
-import resource
+import os
+import time
 from typing import Any
 
 HOUR_S = 3600.0
@@ -14,8 +15,8 @@ _SHOWN_S = 0.005
 
 def core_time() -> float:
     """Processor time of this process and of those it has waited for: compilers, forks [s]."""
-    own, others = (resource.getrusage(w) for w in (resource.RUSAGE_SELF, resource.RUSAGE_CHILDREN))
-    return own.ru_utime + own.ru_stime + others.ru_utime + others.ru_stime
+    others = os.times()
+    return time.process_time() + others.children_user + others.children_system
 
 
 @dataclass(frozen=True)

@@ -19,12 +19,13 @@ from __future__ import annotations
 from collections.abc import Generator, Sequence
 import contextlib
 import datetime
-import errno
 import json
 import os
 from pathlib import Path
 import platform
 from typing import TYPE_CHECKING
+
+from filelock import FileLock, Timeout
 
 from esg.dataset.job import BatchResult, batch_name
 from esg.dataset.plan import DatasetSpec, Prompt, Shard, kept_prompts, prompts_text
@@ -193,33 +194,28 @@ class DatasetFolder:
         Raises:
             UserError: If another process works on the same shard.
         """
-        import fcntl
-
-        name = f".lock-{shard.index}-of-{shard.count}"
-        fresh = not (self.path / name).exists()
+        path = self.path / f".lock-{shard.index}-of-{shard.count}"
+        fresh = not path.exists()
+        lock = FileLock(path, blocking=False)
         try:
-            self.path.mkdir(parents=True, exist_ok=True)
-            file = (self.path / name).open("a")
+            lock.acquire()
+        except Timeout:
+            raise UserError(
+                f"another process is working on {self.label}; wait for it, give each its own "
+                "--shard, or choose another --out"
+            ) from None
         except OSError as error:
             raise UserError(f"cannot write to --out {self.label}: {error.strerror}") from None
-        with file:
-            try:
-                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
-            except OSError as error:
-                if error.errno not in (errno.EAGAIN, errno.EACCES):
-                    raise
-                raise UserError(
-                    f"another process is working on {self.label}; wait for it, give each its own "
-                    "--shard, or choose another --out"
-                ) from None
-            try:
-                yield
-            except UserError:
-                if fresh and not (self.path / PLAN).exists():
-                    (self.path / name).unlink(missing_ok=True)  # a folder of somebody else
-                raise
+        try:
+            yield
             if self.finished():
-                (self.path / name).unlink(missing_ok=True)
+                path.unlink(missing_ok=True)
+        except UserError:
+            if fresh and not (self.path / PLAN).exists():
+                path.unlink(missing_ok=True)  # a folder of somebody else
+            raise
+        finally:
+            lock.release()
 
 
 def _is_unbegun(path: Path) -> bool:
@@ -235,38 +231,28 @@ def _is_unbegun(path: Path) -> bool:
 @contextlib.contextmanager
 def batch_lock(out: Path, number: int) -> Generator[None]:
     """Waits for and holds a batch: of several processes that make it, one works at a time."""
-    import fcntl
-
-    path = out / "locks" / batch_name(number)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    with path.open("a") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
+    with FileLock(out / "locks" / batch_name(number)):
         yield
 
 
 @contextlib.contextmanager
 def finish_lock(out: Path) -> Generator[None]:
     """Waits for and holds the right to put the dataset together."""
-    import fcntl
-
-    with (out / ".lock-finish").open("a") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
+    with FileLock(out / ".lock-finish"):
         yield
         if (out / INFO).is_file():
             remove_locks(out)
 
 
 def remove_locks(out: Path) -> None:
-    """Removes the lock files of a finished dataset that no process holds.
+    """Removes the lock files of a finished dataset that no other process holds.
 
     Whoever waits for one, or opened it before, finds the dataset finished.
     """
-    import fcntl
-
     for path in out.glob(".lock-*"):
-        with contextlib.suppress(OSError), path.open("a") as file:
-            if path.name != ".lock-finish":
-                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        with contextlib.suppress(OSError), contextlib.ExitStack() as held:
+            if path.name != ".lock-finish":  # held by the caller
+                held.enter_context(FileLock(path, blocking=False))
             path.unlink(missing_ok=True)
 
 

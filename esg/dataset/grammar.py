@@ -19,6 +19,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -74,26 +75,25 @@ def sample_scenes(
     distribution: Distribution | None = None,
     *,
     counterfactual: bool = False,
+    first: int = 0,
 ) -> Iterator[SampledScene]:
-    """The first `n` scenes of a seed.
+    """Scenes of a seed; those before the first are not drawn.
 
     Args:
         n: Number of scenes.
         seed: Non-negative.
         distribution: What they are like.
         counterfactual: Every unit gives two scenes: a base and one with one slot changed.
+        first: Number of the first.
 
     Returns:
         Scenes in order; of a pair the base comes first.
     """
     chosen = distribution or Distribution()
-    unit = given = 0
-    while given < n:
-        for scene in _unit(unit, seed, chosen, counterfactual):
-            if given < n:
-                yield scene
-                given += 1
-        unit += 1
+    sides = 2 if counterfactual else 1
+    units = range(first // sides, -(-(first + n) // sides))
+    drawn = (scene for unit in units for scene in _unit(unit, seed, chosen, counterfactual))
+    return islice(drawn, first % sides, first % sides + n)
 
 
 def _unit(unit: int, seed: int, given: Distribution, pair: bool) -> list[SampledScene]:

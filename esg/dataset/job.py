@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
+import hashlib
 import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -92,17 +93,26 @@ class BatchResult:
     files: Mapping[str, int] = field(default_factory=dict)
 
     def to_json(self) -> str:
-        """Text of the mark."""
-        return json.dumps(vars(self), indent=1, sort_keys=True, ensure_ascii=False) + "\n"
+        """Text of the mark, with its own hash."""
+        told = vars(self) | {"sha256": _hash(vars(self))}
+        return json.dumps(told, indent=1, sort_keys=True, ensure_ascii=False) + "\n"
 
     @staticmethod
     def from_json(text: str) -> BatchResult:
         """The inverse of `to_json`.
 
         Raises:
-            ValueError, TypeError: If the text is no mark.
+            ValueError, TypeError: If the text is no mark, or a damaged one.
         """
-        return BatchResult(**json.loads(text))
+        fields = dict(json.loads(text))
+        if fields.pop("sha256", None) != _hash(fields):
+            raise ValueError("the mark is damaged")
+        return BatchResult(**fields)
+
+
+def _hash(fields: Mapping[str, Any]) -> str:
+    text = json.dumps(fields, sort_keys=True, ensure_ascii=False)
+    return hashlib.sha256(text.encode("utf-8", "surrogatepass")).hexdigest()
 
 
 def batch_name(number: int) -> str:

@@ -241,21 +241,27 @@ class Shard:
         return list(range(self.index - 1, spec.n_batches, self.count))
 
 
-def plan_scenes(spec: DatasetSpec, prompts: Sequence[Prompt] = ()) -> list[PlannedScene]:
-    """All scenes of a dataset in order.
+def plan_batch(
+    spec: DatasetSpec, number: int, prompts: Sequence[Prompt] = ()
+) -> tuple[PlannedScene, ...]:
+    """The scenes of one batch, without those of others.
 
     Args:
         spec: The specification.
+        number: Of the batch.
         prompts: The prompts, if that is the source.
     """
+    first = number * spec.batch_size
+    indices = range(first, min(first + spec.batch_size, spec.n))
     if spec.source == "prompts":
-        return [_from_prompt(spec, i, p) for i, p in enumerate(prompts)]
+        return tuple(_from_prompt(spec, i, prompts[i]) for i in indices)
+    sampled = sample_scenes(
+        len(indices), spec.seed, spec.distribution,
+        counterfactual=spec.counterfactual, first=first,
+    )  # fmt: skip
     out: list[PlannedScene] = []
     base = ""
-    sampled = sample_scenes(
-        spec.n, spec.seed, spec.distribution, counterfactual=spec.counterfactual
-    )
-    for i, scene in enumerate(sampled):
+    for i, scene in zip(indices, sampled, strict=True):
         scene_id = f"{i:07d}-{scene.rule}"
         if not scene.changed:
             base = scene_id
@@ -275,7 +281,17 @@ def plan_scenes(spec: DatasetSpec, prompts: Sequence[Prompt] = ()) -> list[Plann
                 camera=scene.camera,
             )
         )
-    return out
+    return tuple(out)
+
+
+def plan_scenes(spec: DatasetSpec, prompts: Sequence[Prompt] = ()) -> list[PlannedScene]:
+    """All scenes of a dataset in order.
+
+    Args:
+        spec: The specification.
+        prompts: The prompts, if that is the source.
+    """
+    return [scene for n in range(spec.n_batches) for scene in plan_batch(spec, n, prompts)]
 
 
 def _from_prompt(spec: DatasetSpec, i: int, p: Prompt) -> PlannedScene:

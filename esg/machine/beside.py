@@ -18,6 +18,8 @@ import signal
 import sys
 from typing import TypeVar
 
+from esg.workers import usable_cores
+
 T = TypeVar("T")
 
 _allowed: ContextVar[bool] = ContextVar("forking", default=False)
@@ -27,7 +29,7 @@ _PDEATHSIG = 1
 @contextlib.contextmanager
 def forking() -> Generator[None]:
     """Allows forks in the body, if this machine has a core for them."""
-    token = _allowed.set(sys.platform == "linux" and _cores() > 1)
+    token = _allowed.set(sys.platform == "linux" and usable_cores() > 1)
     try:
         yield
     finally:
@@ -75,10 +77,6 @@ def beside(work: Callable[[], T]) -> Generator[Callable[[], T]]:
         if not over:  # the body failed: nobody wants the work any more
             os.kill(pid, signal.SIGKILL)
             os.waitpid(pid, 0)
-
-
-def _cores() -> int:
-    return len(os.sched_getaffinity(0))
 
 
 def _in_fork(work: Callable[[], object], out: int, owner: int) -> None:

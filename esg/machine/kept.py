@@ -11,12 +11,11 @@ from collections.abc import Callable
 import contextlib
 from functools import cache
 import hashlib
-import os
 from pathlib import Path
 import shutil
 import time
 
-from esg.files import temporary_name
+from esg.files import atomic_file
 from esg.paths import cache_dir
 
 OTHER_VERSION_S = 30 * 86400.0
@@ -39,8 +38,10 @@ def kept(room: str, version: str, name: str, make: Callable[[], bytes]) -> bytes
         if hashlib.sha256(found[_DIGEST:]).digest() == found[:_DIGEST]:
             return found[_DIGEST:]
     data = make()
-    with contextlib.suppress(OSError):
-        _write(path, hashlib.sha256(data).digest() + data)
+    if not path.parent.is_dir():
+        _sweep(path.parent.parent)
+    with contextlib.suppress(OSError), atomic_file(path, durable=False) as file:
+        file.write(hashlib.sha256(data).digest() + data)
     return data
 
 
@@ -59,20 +60,9 @@ def version_of(folder: Path, *versions: str) -> str:
     return digest.hexdigest()[:20]
 
 
-def _write(path: Path, data: bytes) -> None:
-    if not path.parent.is_dir():
-        _sweep(path.parent.parent)
-        path.parent.mkdir(parents=True, exist_ok=True)
-    aside = temporary_name(path)
-    try:
-        aside.write_bytes(data)
-        os.replace(aside, path)
-    finally:
-        aside.unlink(missing_ok=True)
-
-
 def _sweep(room: Path) -> None:
     """Takes away what versions keep that nobody has used for long."""
-    for folder in room.iterdir() if room.is_dir() else ():
-        if time.time() - folder.stat().st_mtime > OTHER_VERSION_S:
-            shutil.rmtree(folder, ignore_errors=True)
+    with contextlib.suppress(OSError):
+        for folder in room.iterdir():
+            if time.time() - folder.stat().st_mtime > OTHER_VERSION_S:
+                shutil.rmtree(folder, ignore_errors=True)

@@ -12,11 +12,10 @@ from collections.abc import Callable, Iterable, Iterator, Sequence
 import hashlib
 import html
 import json
-import os
 from pathlib import Path
 from typing import Any
 
-from esg.files import refused
+from esg.files import atomic_file, refused
 from esg.outcomes import UserError
 from esg.report.meshes import MeshLibrary
 from esg.report.payload import index_entry, scene_chunk, thumbnail
@@ -84,16 +83,9 @@ def write_report(
         "files": _relative(run, path) if files is None else files,
         "problems": [_short(run.folder, p) for p in run.problems],
     }
-    partial = path.with_name(f".{path.name}.{os.getpid()}.tmp")
-    try:
-        with refused(path):
-            path.parent.mkdir(parents=True, exist_ok=True)
-            with partial.open("w", encoding="utf-8", newline="\n") as file:
-                for piece in page(title, index, _chunks(run.scenes, engines, problems, after)):
-                    file.write(piece)
-            partial.replace(path)
-    finally:
-        partial.unlink(missing_ok=True)
+    with refused(path), atomic_file(path) as file:
+        for piece in page(title, index, _chunks(run.scenes, engines, problems, after)):
+            file.write(piece.encode())
     return path
 
 

@@ -27,7 +27,7 @@ import time
 from typing import Any
 import uuid
 
-from esg.files import explained, sha256_of, sync_file, sync_folder
+from esg.files import explained, sha256_of, sync_folder, sync_tree
 from esg.paths import cache_dir
 
 FORMAT = 1
@@ -150,10 +150,7 @@ class ArtifactStore:
         mark["sha256"] = _mark_hash(mark)
         (work / MARK).write_text(json.dumps(mark, indent=1, sort_keys=True), encoding="utf-8")
         if self.durable:
-            for name in files:
-                sync_file(work / DATA / name)
-            sync_file(work / MARK)
-            sync_folder(work)
+            sync_tree(work)
 
     def _install(self, key: str, work: Path, home: Path) -> Path:
         home.parent.mkdir(parents=True, exist_ok=True)

@@ -15,7 +15,7 @@ import threading
 import time
 from typing import Any, Literal
 
-from esg.outcomes import UserError
+from esg.outcomes import Outcome, UserError
 from esg.pipeline import STAGES, SceneRequest, SceneState, run_scene
 from esg.progress import StageEvent, listening
 from esg.scenefolder import publish
@@ -56,8 +56,9 @@ class Job:
     reason: str = ""
 
     def to_json(self) -> dict[str, Any]:
-        """For the page: all but the document, of which it says whether there is one."""
+        """For the page: all but the document, of which it says whether there is one; advice."""
         row = asdict(self)
+        row["advice"] = Outcome(self.outcome).advice if self.outcome else ""
         row["edited"] = bool(row.pop("document"))
         row["stages"] = [
             {"name": name, "seconds": seconds, "cached": cached}

@@ -6,11 +6,15 @@ from collections.abc import Callable
 from pathlib import Path
 import socket
 import threading
+from typing import TYPE_CHECKING
 
 from esg.api.warming import load_usd, warm_up
 from esg.outcomes import UserError
 from esg.studio.server import HOST, build
 from esg.workers import WorkerPool
+
+if TYPE_CHECKING:
+    from esg.studio.jobs import Jobs
 
 GRACE_S = 1
 
@@ -39,7 +43,7 @@ def run(folder: Path, port: int, ready: Callable[[str], None], *, once: bool = F
     )
     server = uvicorn.Server(config)
     address = f"http://{HOST}:{listener.getsockname()[1]}/"
-    threading.Thread(target=_read_once, daemon=True).start()
+    threading.Thread(target=_warm, args=(jobs,), daemon=True).start()
     try:
         if once:
             threading.Thread(target=_stop_after_answer, args=(server, address), daemon=True).start()
@@ -69,11 +73,13 @@ def _warm_pool() -> WorkerPool:
     return pool
 
 
-def _read_once() -> None:
-    """Loads the language model: the first word that is typed does not wait for it."""
+def _warm(jobs: Jobs) -> None:
+    """Loads the language model and the player: what is typed or looked at first does not wait."""
+    from esg.studio.playing import warm
     from esg.studio.reading import read
 
     read("A ball rolls.", 0)
+    warm(jobs.folder, jobs.all())
 
 
 def _stop_after_answer(server: object, address: str) -> None:

@@ -9,7 +9,6 @@ from __future__ import annotations
 import asyncio
 from collections.abc import AsyncGenerator, AsyncIterator, Awaitable, Callable, Mapping
 import contextlib
-from functools import cache
 import io
 import json
 from pathlib import Path
@@ -23,7 +22,8 @@ from fastapi.responses import JSONResponse, Response, StreamingResponse
 
 from esg.api.inputs import check_seed, checked, clean_prompt
 from esg.outcomes import UserError
-from esg.studio.jobs import Job, Jobs
+from esg.studio.jobs import Jobs
+from esg.studio.playing import folder_of, page_of
 
 if TYPE_CHECKING:
     from esg.graph import EsgDocument
@@ -36,7 +36,7 @@ TARGETS = ("unreal", "usd", "mjcf", "glb")
 _KINDS = {".html": "text/html", ".js": "text/javascript", ".css": "text/css"}
 _PAGE_POLICY = (
     "default-src 'none'; script-src 'self'; style-src 'self'; img-src 'self' data:; "
-    "connect-src 'self'; frame-src 'self'; base-uri 'none'; form-action 'none'"
+    "connect-src 'self'; frame-src 'self'; media-src 'self'; base-uri 'none'; form-action 'none'"
 )
 _EVERYWHERE = {
     "X-Content-Type-Options": "nosniff",
@@ -142,20 +142,31 @@ def _serve_scenes(app: FastAPI, jobs: Jobs) -> None:
 
     @app.get("/scenes/{number}/")
     def scene(number: int) -> Response:
-        return Response(_player(jobs, number), media_type="text/html; charset=utf-8")
+        page = page_of(folder_of(jobs.folder, jobs.get(number)))
+        return Response(page, media_type="text/html; charset=utf-8")
+
+    def found(number: int, name: str) -> Path | None:
+        from esg.strangers.folders import file_in
+
+        return file_in(folder_of(jobs.folder, jobs.get(number)), name)
+
+    @app.get("/scenes/{number}/film")
+    def film(number: int) -> Response:
+        path = found(number, "preview.mp4")
+        if path is None:
+            return JSONResponse({"error": "there is no film"}, 404)
+        return Response(path.read_bytes(), media_type="video/mp4")
 
     @app.get("/scenes/{number}/files/{name:path}")
     def file(number: int, name: str) -> Response:
-        from esg.strangers.folders import file_in
-
-        path = file_in(_folder(jobs, jobs.get(number)), name)
+        path = found(number, name)
         if path is None:
             return JSONResponse({"error": "there is no such file"}, 404)
         return _attachment(path.name, path.read_bytes())
 
     @app.get("/scenes/{number}/export/{to}")
     def export(number: int, to: str) -> Response:
-        folder = _folder(jobs, jobs.get(number))
+        folder = folder_of(jobs.folder, jobs.get(number))
         return _attachment(f"{folder.name}-{to}.zip", _exported(folder, to))
 
 
@@ -224,7 +235,7 @@ def _changed(asked: dict[str, Any], prompt: str, seed: int) -> str:
 
         doc = draft(prompt, seed=seed)
     if values:
-        from esg.studio.reading import turned
+        from esg.studio.knobs import turned
 
         doc = turned(doc, {k: float(v) for k, v in values.items()})
     return canonical_json(doc).decode()
@@ -236,37 +247,6 @@ def _parsed(text: str) -> tuple[EsgDocument | None, list[dict[str, Any]]]:
 
     report = check_text(text)
     return report.document, [v.to_json() for v in report.violations]
-
-
-@cache
-def _page_of(folder: Path, stamp: int) -> bytes:
-    """The player's page of a scene folder, kept for those who look again."""
-    from esg.report import write_report
-    from esg.report.run import load_run
-
-    with tempfile.TemporaryDirectory() as work:
-        path = Path(work) / "scene.html"
-        write_report(load_run(folder), path, files="files")
-        return path.read_bytes()
-
-
-def _player(jobs: Jobs, number: int) -> bytes:
-    folder = _folder(jobs, jobs.get(number))
-    return _page_of(folder, (folder / "log.jsonl").stat().st_mtime_ns)
-
-
-def _folder(jobs: Jobs, job: Job) -> Path:
-    """The scene folder of a job.
-
-    Raises:
-        UserError: If it has none.
-    """
-    from esg.strangers.folders import admitted
-
-    folder = jobs.folder / job.folder
-    if not job.folder or not folder.is_dir():
-        raise UserError(f"job {job.id} has no scene: {job.reason or job.status}")
-    return admitted(folder)
 
 
 def _exported(folder: Path, to: str) -> bytes:

@@ -17,7 +17,7 @@ from esg.up import wire
 from esg.up.place import COMMANDS, OFF, private, socket_path, stamp
 
 CONNECT_S = 5.0
-"""A worker that does not take a request within this time is left alone [s]."""
+"""A worker that says nothing for so long is left alone [s]."""
 
 
 def delegated(arguments: Sequence[str]) -> int | None:
@@ -67,9 +67,9 @@ def connected(path: Path | None = None) -> socket.socket | None:
     connection.settimeout(CONNECT_S)
     try:
         connection.connect(str(path))
-        if wire.peer(connection) == os.getuid():
+        if wire.peer(connection) == os.getuid() and wire.hear(connection)[0] == wire.HERE:
             return connection
-    except OSError:  # a worker that was killed leaves its socket
+    except (OSError, wire.WireError):  # one that was killed leaves its socket, or it is stopped
         pass
     connection.close()
     return None

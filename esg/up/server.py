@@ -12,7 +12,6 @@ from collections.abc import Callable
 import contextlib
 import ctypes
 from dataclasses import dataclass, field
-import fcntl
 import gc
 import json
 import os
@@ -25,6 +24,8 @@ import sys
 import tempfile
 import threading
 import time
+
+from filelock import FileLock, Timeout
 
 from esg.up import wire
 from esg.up.place import OFF, make_private, stamp
@@ -68,7 +69,6 @@ class Worker:
         main: The command line: runs `sys.argv` and raises SystemExit.
         idle_s: It ends after so long without a command [s].
         stamp: Of the code that it loaded.
-        lock: Handle of the locked file that says that somebody serves there.
     """
 
     listener: socket.socket
@@ -76,7 +76,6 @@ class Worker:
     main: Callable[[], None]
     idle_s: float
     stamp: str
-    lock: int
     pid: int = field(default_factory=os.getpid)
     runs: dict[int, Run] = field(default_factory=dict)
     served: int = 0
@@ -97,10 +96,10 @@ def serve(main: Callable[[], None], path: Path, idle_s: float) -> int:
         0; `TAKEN_PLACE` if another worker serves there.
     """
     make_private(path.parent)
-    with path.with_suffix(".lock").open("a") as lock:
+    with contextlib.ExitStack() as alone:
         try:
-            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
-        except OSError:
+            alone.enter_context(FileLock(path.with_suffix(".lock"), blocking=False))
+        except Timeout:
             return TAKEN_PLACE
         own = stamp()  # before anything is loaded: a file changed meanwhile makes it stale
         warm()
@@ -112,7 +111,7 @@ def serve(main: Callable[[], None], path: Path, idle_s: float) -> int:
         finally:
             os.umask(before)
         listener.listen(16)
-        worker = Worker(listener, path, main, idle_s, own, lock.fileno())
+        worker = Worker(listener, path, main, idle_s, own)
         try:
             _loop(worker)
         finally:
@@ -197,6 +196,7 @@ def _accept(worker: Worker, waiting: selectors.BaseSelector) -> None:
     try:
         if wire.peer(connection) != os.getuid():
             raise wire.WireError("another user")
+        wire.tell(connection, wire.HERE)
         request, handles = wire.receive_request(connection)
     except (OSError, wire.WireError):
         connection.close()
@@ -314,7 +314,6 @@ def _become(
         os.setsid()
         waiting.close()
         worker.listener.close()
-        os.close(worker.lock)
         connection.close()
         for run in worker.runs.values():
             run.connection.close()

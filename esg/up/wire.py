@@ -1,8 +1,10 @@
 """What a command and a warm worker say to each other over a Unix socket.
 
-The command sends one message, with its folder and its three streams as file descriptors, then a
-letter for every signal that it gets. The worker answers with lines: `taken`, or `refused` and why;
-at the end `ended` and the exit code, or `lost` if the process that ran the command died.
+The worker says `here` to whoever connects: only one that lives is handed anything, since streams on
+the way to one that does not would stay open. The command sends one message, with its folder and its
+three streams as file descriptors, then a letter for every signal that it gets. The worker answers
+with lines: `taken`, or `refused` and why; at the end `ended` and the exit code, or `lost` if the
+process that ran the command died.
 """
 
 from __future__ import annotations
@@ -16,7 +18,7 @@ import struct
 
 SIGNALS = {2: b"i", 15: b"t"}
 """SIGINT and SIGTERM as they are passed on."""
-TAKEN, REFUSED, ENDED, LOST = "taken", "refused", "ended", "lost"
+HERE, TAKEN, REFUSED, ENDED, LOST = "here", "taken", "refused", "ended", "lost"
 _LENGTH = struct.Struct("!I")
 _MOST_BYTES = 16 * 2**20
 _HANDLES = 4

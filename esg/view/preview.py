@@ -35,6 +35,7 @@ from esg.view.ropes import ropes_at
 from esg.view.scenery import scenery_of, seen_from
 from esg.view.sheet import Panel, draw_ropes, draw_trail, write_sheet
 from esg.view.surroundings import surroundings_of
+from esg.workers import usable_cores
 
 if TYPE_CHECKING:
     from esg.metrics.models import SceneVerdict
@@ -142,8 +143,7 @@ def film(
 def _threads() -> int:
     """Pictures drawn at once: the tracer runs on one core, so two draw where two are free."""
     limit = os.environ.get("OMP_NUM_THREADS", "")
-    cores = len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else 1
-    return max(1, min(2, cores, int(limit) if limit.isdigit() else 2))
+    return max(1, min(2, usable_cores(), int(limit) if limit.isdigit() else 2))
 
 
 def _render(

@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Callable
 import errno
-import os
 from pathlib import Path
 
+from filelock import FileLock
 import pytest
 
 from esg.commands.bench import bench
@@ -26,13 +26,12 @@ def damaged(db: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     db.write_bytes(b"no database" * 1000)
 
 
-def locked(db: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """A second open of the lock file in one process waits like another process."""
-    import fcntl
-
+def locked(db: Path, monkeypatch: pytest.MonkeyPatch) -> FileLock:
+    """A second lock on the file in one process waits like another process's."""
     monkeypatch.setattr("esg.store.db.LOCK_WAIT_S", 0.2)
-    handle = os.open(db.with_name(db.name + ".lock"), os.O_CREAT | os.O_RDWR)
-    fcntl.flock(handle, fcntl.LOCK_EX)
+    held = FileLock(db.with_name(db.name + ".lock"))
+    held.acquire()
+    return held
 
 
 def full(db: Path, monkeypatch: pytest.MonkeyPatch) -> None:
@@ -75,7 +74,7 @@ def served(folder: Path) -> int:
 @pytest.mark.parametrize("fault", [None, damaged, locked, full, read_only, foreign])
 def test_a_run_that_is_not_recorded_ends_with_1(
     command: Callable[[Path], int],
-    fault: Callable[[Path, pytest.MonkeyPatch], None] | None,
+    fault: Callable[[Path, pytest.MonkeyPatch], FileLock | None] | None,
     tmp_path: Path,
     monkeypatch: pytest.MonkeyPatch,
     capsys: pytest.CaptureFixture[str],
@@ -99,9 +98,10 @@ def test_a_run_that_is_not_recorded_ends_with_1(
     monkeypatch.setattr("esg.pipeline.recall", solved)
     monkeypatch.setattr("esg.commands.serve._once", night)
     monkeypatch.setattr("esg.nightly._report", lambda *_: "")
-    if fault is not None:
-        fault(db, monkeypatch)
+    held = fault(db, monkeypatch) if fault else None
     code = command(tmp_path)
+    if held:
+        held.release()
     told = capsys.readouterr()
     assert code == (0 if fault is None else 1), told.err
     assert ("is not in the database" in told.err) is (fault is not None)

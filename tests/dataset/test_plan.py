@@ -7,10 +7,12 @@ from pathlib import Path
 
 import pytest
 
+from esg.dataset.grammar import sample_scenes
 from esg.dataset.plan import (
     DatasetSpec,
     Shard,
     kept_prompts,
+    plan_batch,
     plan_scenes,
     prompts_text,
     read_prompts,
@@ -49,6 +51,18 @@ def test_batches_part_no_pair() -> None:
     for base, twin in zip(scenes[::2], scenes[1::2], strict=True):
         assert base.pair == twin.pair == base.scene_id
         assert (base.split, base.family) == (twin.split, twin.family)
+
+
+@pytest.mark.parametrize("pairs", [False, True])
+def test_a_batch_is_planned_without_the_others(pairs: bool) -> None:
+    spec = sampled(70, counterfactual=pairs, batch=16)
+    whole = list(sample_scenes(70, spec.seed, spec.distribution, counterfactual=pairs))
+    batches = [plan_batch(spec, n) for n in range(spec.n_batches)]
+    assert [len(b) for b in batches] == [16, 16, 16, 16, 6]
+    assert [s.request.prompt for b in batches for s in b] == [s.prompt for s in whole]
+    assert [s.index for s in batches[3]] == list(range(48, 64))
+    far = sampled(10_000_000, batch=1000)
+    assert len(plan_batch(far, far.n_batches - 1)) == 1000
 
 
 def test_no_prompt_is_in_two_splits() -> None:

@@ -112,7 +112,45 @@ def test_who_waits_until_something_has_happened_goes_on() -> None:
     doc = draft("A red cart waits until a green cart has passed and then follows it at 1 m/s.")
     assert doc.timeline_system is not None
     edges = doc.timeline_system.sequence_graph.edges
-    assert [e.params.speed for e in edges if e.actor == "red_cart_1"] == [100.0]
+    assert [e.params.speed for e in edges if e.actor == "red_cart_1"] == [0.0, 100.0]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "who", "event"),
+    [
+        ("A car hits a cone and then a dog runs across a road.", "dog_1", "Collision"),
+        ("When a ball hits a box, a dog runs away.", "dog_1", "Collision"),
+        ("A man runs off once a crate hits a wall.", "man_1", "Collision"),
+        ("A car hits a cone before a dog runs off.", "dog_1", "Collision"),
+        ("A woman places a bowl on a table and walks away.", "woman_1", "Placed"),
+        ("A dog waits until a car passes, then crosses the road.", "dog_1", "Miss"),
+    ],
+)
+def test_who_comes_after_somebody_elses_event_stands_until_then(
+    prompt: str, who: str, event: str
+) -> None:
+    """Let an actor whose motion is told after what others do set off after it."""
+    doc = draft(prompt)
+    assert doc.timeline_system is not None
+    graph = doc.timeline_system.sequence_graph
+    first, second = [e for e in graph.edges if e.actor == who]
+    at = {n.id: n for n in graph.nodes}
+    seen = next(n for n in graph.nodes if n.event.value == event)
+    assert (first.params.speed, second.from_) == (0.0, first.to)
+    assert at[first.to].window is not None and seen.window is not None
+    assert at[first.to].window[0] > seen.window[1]
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    ["A ball hits a box and a dog runs away.", "A dog runs away while a ball hits a box."],
+)
+def test_who_is_not_said_to_come_after_sets_off_at_once(prompt: str) -> None:
+    """Leave open what comes first where nothing says it."""
+    doc = draft(prompt)
+    assert doc.timeline_system is not None
+    edges = doc.timeline_system.sequence_graph.edges
+    assert len([e for e in edges if e.actor == "dog_1"]) == 1
 
 
 def test_running_into_the_street_is_a_motion() -> None:

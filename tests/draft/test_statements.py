@@ -418,3 +418,21 @@ def test_what_is_round_about_some_axis_rolls(prompt: str) -> None:
     (said,) = [s for s in statements(prompt) if s.text == "rolls"]
     assert said.predicate is Predicate.ROLLS
     assert edge(prompt, said.object[0]).params.spin == "roll"
+
+
+def test_a_participle_states_the_course_and_the_pace_of_its_noun() -> None:
+    """Read a participle before the subject as a verb of it, whatever the clause's own verb."""
+    assert edge("A reversing truck knocks over a sign.", "truck_1").params.backward
+    assert told("A reversing truck knocks over a sign.") == [("moves", "reversing")]
+    assert told("A speeding car hits a wall.") == [("faster_than", "speeding")]
+    assert told("A racing car hits a wall.") == []
+
+
+@pytest.mark.parametrize("board", ["inclined plank", "tilted board", "sloping beam"])
+def test_what_is_set_aslant_is_a_slope(board: str) -> None:
+    """Put what goes down a board onto it, as onto a ramp."""
+    doc = draft(f"A ball rolls down an {board}.")
+    graph = doc.spatial_relation_graph
+    assert len([n for n in graph.nodes.values() if n.mentioned]) == 2
+    down = [s for s in doc.statements or () if s.direction == "down"]
+    assert len(down) == 1 and graph.nodes[down[0].target[0]].is_static

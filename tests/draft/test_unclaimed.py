@@ -154,6 +154,36 @@ def test_it_is_owned_up_to_only_where_the_scene_lacks_it(
 
 
 @pytest.mark.parametrize(
+    ("prompt", "lost"),
+    [
+        ("A rotating platform carries a rubber duck.", "rotating"),
+        ("A hanging coat hits a box.", "hanging"),
+        ("A swaying lamp hits a box.", "swaying"),
+        ("A bin is rammed by a reversing van.", "reversing"),
+        ("A ball hits a tilted table.", "tilted"),
+    ],
+)
+def test_a_participle_that_nothing_shows_is_owned_up_to(prompt: str, lost: str) -> None:
+    """Own up to what a participle before a noun tells, though the thing moves or stands."""
+    assert lost in words(prompt)
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A racing car hits a wall.",
+        "A car hits a sleeping dog.",
+        "A ball rolls into a swinging gate and knocks it open.",
+        "A reversing van hits a bin.",
+        "A ball rolls down an inclined plank.",
+    ],
+)
+def test_a_participle_that_is_shown_or_only_names_is_not(prompt: str) -> None:
+    """Leave alone what the scene shows, and what tells nothing of a motion."""
+    assert words(prompt) == []
+
+
+@pytest.mark.parametrize(
     "prompt",
     [
         "It takes the tram 6 seconds to stop after it brakes.",

@@ -15,7 +15,7 @@ from esg.machine.beside import beside, forking
 
 @pytest.fixture
 def cores(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(module, "_cores", lambda: 2)
+    monkeypatch.setattr(module, "usable_cores", lambda: 2)
 
 
 def test_a_batch_does_it_here_when_its_result_is_asked_for() -> None:
@@ -70,6 +70,6 @@ def test_who_fails_meanwhile_leaves_no_fork_behind(cores: None, tmp_path: Path) 
 
 
 def test_one_core_is_not_shared(monkeypatch: pytest.MonkeyPatch) -> None:
-    monkeypatch.setattr(module, "_cores", lambda: 1)
+    monkeypatch.setattr(module, "usable_cores", lambda: 1)
     with forking(), beside(os.getpid) as result:
         assert result() == os.getpid()

@@ -3,16 +3,20 @@
 from __future__ import annotations
 
 from importlib import metadata
+import os
 from pathlib import Path
 import shutil
+import subprocess
+import sys
 from types import SimpleNamespace
 
 import pytest
 
 from esg.commands.console import note_first_use
 from esg.outcomes import UserError
-from esg.paths import kernel_cache_dir
 from flows import embedded
+
+ROOT = Path(__file__).parents[2]
 
 
 def test_kernels_that_are_still_to_be_compiled_are_announced(
@@ -28,11 +32,28 @@ def test_kernels_that_are_still_to_be_compiled_are_announced(
     assert capsys.readouterr().err == ""
 
 
-def test_the_kernel_cache_is_where_warp_keeps_it() -> None:
-    from esg.engines.newton import quiet_warp
+WHERE = """
+from esg.engines.newton import quiet_warp
+from esg.paths import kernel_cache_dir
+found = quiet_warp().config.kernel_cache_dir
+assert found == str(kernel_cache_dir()), (found, kernel_cache_dir())
+print(found)
+"""
 
-    wp = quiet_warp()
-    assert Path(wp.config.kernel_cache_dir).resolve() == kernel_cache_dir().resolve()
+
+def test_kernels_are_kept_in_the_cache_folder(tmp_path: Path) -> None:
+    """`ESG_CACHE_DIR` moves all that is compiled; `WARP_CACHE_PATH` wins; else all share one."""
+    plain = {k: v for k, v in os.environ.items() if k not in ("ESG_CACHE_DIR", "WARP_CACHE_PATH")}
+    plain["XDG_CACHE_HOME"] = str(tmp_path / "user")
+    own = {"ESG_CACHE_DIR": str(tmp_path / "own")}
+    both = {**own, "WARP_CACHE_PATH": str(tmp_path / "warps")}
+    version = metadata.version("warp-lang")
+    for more, place in ((own, "own/warp"), (both, "warps"), ({}, "user/warp")):
+        done = subprocess.run(
+            [sys.executable, "-c", WHERE], env={**plain, **more}, cwd=ROOT, text=True,
+            capture_output=True, timeout=120, check=True,
+        )  # fmt: skip
+        assert Path(done.stdout.strip()) == tmp_path / place / version
 
 
 def test_a_full_temporary_folder_is_told_before_the_api_starts(

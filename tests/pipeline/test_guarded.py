@@ -35,7 +35,8 @@ def test_all_stages_run_in_order(monkeypatch: pytest.MonkeyPatch) -> None:
 def test_what_may_pass_is_tried_twice_more(monkeypatch: pytest.MonkeyPatch) -> None:
     seen = runs(monkeypatch, [TimeoutError("busy"), ConnectionResetError("reset")])
     waits: list[float] = []
-    state = guarded.run_guarded(SceneRequest("a ball"), pause=waits.append)
+    monkeypatch.setattr("time.sleep", waits.append)
+    state = guarded.run_guarded(SceneRequest("a ball"))
     assert state.outcome is None
     assert seen.count("layout") == 3
     assert waits == [1.0, 2.0]
@@ -43,7 +44,7 @@ def test_what_may_pass_is_tried_twice_more(monkeypatch: pytest.MonkeyPatch) -> N
 
 def test_what_does_not_pass_ends_the_scene(monkeypatch: pytest.MonkeyPatch) -> None:
     runs(monkeypatch, [TimeoutError("busy")] * 3)
-    state = guarded.run_guarded(SceneRequest("a ball"), pause=lambda _: None)
+    state = guarded.run_guarded(SceneRequest("a ball"), (0.0, 0.0))
     assert state.outcome is Outcome.CRASHED
     assert state.log[-1] != {}
     assert "busy" in state.reason

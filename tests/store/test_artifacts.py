@@ -189,7 +189,7 @@ def test_full_disk_names_the_remedy_and_leaves_nothing(store, monkeypatch):
     def full(path: Path) -> None:
         raise OSError(errno.ENOSPC, "No space left on device", str(path))
 
-    monkeypatch.setattr(module, "sync_file", full)
+    monkeypatch.setattr("esg.files.sync_file", full)
     with pytest.raises(OSError, match="free some space") as caught:
         store.create(key(), fill("hello"))
     assert caught.value.errno == errno.ENOSPC

@@ -8,6 +8,7 @@ import os
 from pathlib import Path
 import time
 
+from filelock import FileLock
 import pyarrow as pa
 import pyarrow.parquet as pq
 import pytest
@@ -512,13 +513,12 @@ def test_two_ingests_at_once_lose_nothing(tmp_path):
 
 
 def test_a_writer_that_holds_the_lock_too_long_is_reported(db, parts, monkeypatch):
-    import fcntl
-
     monkeypatch.setattr(module, "LOCK_WAIT_S", 0.2)
-    with db.with_name(db.name + ".lock").open("a") as file:
-        fcntl.flock(file, fcntl.LOCK_EX)
-        with pytest.raises(UserError, match="being written by another process"):
-            ingest(db, [parts])
+    with (
+        FileLock(db.with_name(db.name + ".lock")),
+        pytest.raises(UserError, match="being written by another process"),
+    ):
+        ingest(db, [parts])
     assert one(db, "SELECT count(*) FROM scenes") == (6,)
 
 

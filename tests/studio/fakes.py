@@ -16,10 +16,13 @@ class Pool:
 
     Args:
         hold: Whether a call waits until it is let go or the pool is stopped.
+        slow: Word of the prompts whose call waits until the pool is stopped.
     """
 
-    def __init__(self, *, hold: bool = False) -> None:
+    def __init__(self, *, hold: bool = False, slow: str = "") -> None:
         self.go = threading.Event()
+        self.slow = slow
+        self.ended = threading.Event()
         self.asked: list[SceneRequest] = []
         self.stopped = False
         if not hold:
@@ -33,6 +36,9 @@ class Pool:
         emit(StageEvent(name, "resolve", "finished", cached=True))
         if "crash" in request.prompt:
             raise RuntimeError("the worker process ended twice")
+        if self.slow and self.slow in request.prompt:
+            emit(StageEvent(name, "optimize", "started"))
+            self.ended.wait(60)
         self.go.wait(10)
         if self.stopped:
             raise KeyboardInterrupt
@@ -41,6 +47,7 @@ class Pool:
 
     def stop(self) -> None:
         self.stopped = True
+        self.ended.set()
         self.go.set()
 
     def close(self) -> None:

@@ -8,7 +8,8 @@ import pytest
 
 from esg.draft import draft
 from esg.graph import EsgDocument, check_text, verify
-from esg.studio.reading import knobs, read, turned
+from esg.studio.knobs import knobs, turned
+from esg.studio.reading import read
 
 PROMPT = "A red car at 10 m/s hits a bin and splashes loudly through paint."
 
@@ -25,7 +26,14 @@ def test_every_word_has_its_fate() -> None:
 
 @pytest.mark.parametrize(
     "prompt",
-    [PROMPT, "A ball rolls off a table.", "A vase stands on a shelf.", "A car brakes and stops."],
+    [
+        PROMPT,
+        "A ball rolls off a table.",
+        "A vase stands on a shelf.",
+        "A car brakes and stops.",
+        "A lamp stands left of a sofa.",
+        "A car stops 2 m in front of a gate.",
+    ],
 )
 def test_turned_numbers_are_stated_and_the_document_holds(prompt: str) -> None:
     doc = draft(prompt, seed=0)
@@ -40,3 +48,19 @@ def test_turned_numbers_are_stated_and_the_document_holds(prompt: str) -> None:
         assert knob.stated, knob.id
         assert knob.value == pytest.approx(chosen[knob.id])
     assert turned(doc, {}) == doc == turned(doc, {"speed/nothing": 1.0})
+
+
+def test_places_are_distances_of_relations_and_of_ends() -> None:
+    doc = draft("A lamp stands left of a sofa. A car stops 2 m in front of a gate.", seed=0)
+    found = {k.label: k for k in knobs(doc)}
+    gap = found["distance: lamp left of sofa"]
+    assert not gap.stated
+    (end,) = (k for label, k in found.items() if label.startswith("distance of car"))
+    assert end.stated and end.value == pytest.approx(2.0)
+    after = turned(doc, {gap.id: 1.5, end.id: 3.0})
+    relations = after.spatial_relation_graph.edges.binary_relations
+    assert [r.distance_cm for r in relations if r.distance_cm is not None] == [150.0]
+    assert after.timeline_system is not None
+    nodes = after.timeline_system.sequence_graph.nodes
+    assert [c.value for n in nodes for c in n.constraints] == [300.0]
+    assert verify(after) == verify(doc)

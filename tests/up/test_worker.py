@@ -8,6 +8,7 @@ import json
 import os
 from pathlib import Path
 import signal
+import socket
 import stat
 import subprocess
 import sys
@@ -70,11 +71,16 @@ def until(holds: Callable[[], bool], seconds: float = 60.0) -> None:
         time.sleep(0.02)
 
 
-def ask(*arguments: str, **options: object) -> subprocess.CompletedProcess[str]:
+def ask(
+    *arguments: str,
+    input: str | None = None,
+    cwd: Path | None = None,
+    env: dict[str, str] | None = None,
+) -> subprocess.CompletedProcess[str]:
     """A command that asks the worker."""
-    return subprocess.run(  # type: ignore[call-overload]
-        [sys.executable, "-c", ASK, *arguments],
-        text=True, capture_output=True, check=False, timeout=120, **options,
+    return subprocess.run(
+        [sys.executable, "-c", ASK, *arguments], input=input, cwd=cwd, env=env,
+        text=True, capture_output=True, check=False, timeout=120,
     )  # fmt: skip
 
 
@@ -120,10 +126,35 @@ def test_only_its_user_can_open_the_socket(start: Start, environment: dict[str, 
     assert stat.S_IMODE(path.parent.stat().st_mode) == 0o700
 
 
+def test_a_worker_that_is_stopped_is_handed_no_streams(
+    start: Start, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Nobody who reads the caller's output would ever see its end."""
+    worker = start()
+    monkeypatch.setattr(client, "CONNECT_S", 0.2)
+    sent: list[object] = []
+
+    def send(connection: socket.socket, request: object, handles: object) -> None:
+        sent.append(request)
+
+    monkeypatch.setattr("esg.up.wire.send_request", send)
+    worker.send_signal(signal.SIGSTOP)
+    try:
+        assert client.delegated(["generate", "fail"]) is None
+    finally:
+        worker.send_signal(signal.SIGCONT)
+    assert not sent
+
+
 def test_another_user_is_not_answered(start: Start, monkeypatch: pytest.MonkeyPatch) -> None:
     """The caller, too, looks who listens before it hands over its environment."""
     start()
-    monkeypatch.setattr("esg.up.wire.peer", lambda connection: os.getuid() + 1)
+    other = os.getuid() + 1
+
+    def peer(connection: socket.socket) -> int:
+        return other
+
+    monkeypatch.setattr("esg.up.wire.peer", peer)
     assert client.connected() is None
 
 

@@ -160,11 +160,10 @@ def _answered(
         yield None, numbers
         return
     from esg.commands.drafting import from_answers
-    from esg.dataset.plan import plan_scenes
+    from esg.dataset.plan import plan_batch
 
     Drafting(spec.drafter, drafting.llm_batch).check()  # type: ignore[arg-type]  # cyclopts checked
-    scenes, size = plan_scenes(spec, texts), spec.batch_size
-    mine = [(n, s.request) for n in numbers for s in scenes[n * size : (n + 1) * size]]
+    mine = [(n, s.request) for n in numbers for s in plan_batch(spec, n, texts)]
     found = drafting.gathered([r.prompt for _, r in mine], [r.seed for _, r in mine])
     assert found is not None
     held = {n for (n, _), made in zip(mine, found.drafts, strict=True) if made.waiting}
@@ -331,17 +330,16 @@ def _jobs(
     remote: Remote | None,
 ) -> list[BatchJob]:
     from esg.dataset.job import BatchJob, batch_name
-    from esg.dataset.plan import plan_scenes
+    from esg.dataset.plan import plan_batch
     from esg.settings import STAGE_S
 
-    scenes = plan_scenes(spec, texts)
-    size, out = spec.batch_size, folder.path.resolve()
+    out = folder.path.resolve()
     return [
         BatchJob(
             number=n,
             spec=spec,
             run=run,
-            scenes=tuple(scenes[n * size : (n + 1) * size]),
+            scenes=plan_batch(spec, n, texts),
             out=out,
             work=out / "work" / batch_name(n),
             stage_limit_s=STAGE_S.value,

@@ -21,6 +21,7 @@ from pathlib import Path
 import platform
 import signal
 import struct
+import sys
 
 LIMITS, FILES, CALLS, NETWORK = "limits", "files", "calls", "network"
 
@@ -91,7 +92,7 @@ def lock(memory_bytes: int, seconds: int, readable: Sequence[Path]) -> tuple[str
 def available() -> tuple[str, ...]:
     """The locks that this machine has; asking takes nothing from the process."""
     held = [LIMITS]
-    if os.uname().sysname == "Linux":
+    if sys.platform == "linux":
         held += [FILES] if _landlock_abi(C.CDLL(None, use_errno=True)) > 0 else []
         held += [CALLS] if calls_can_be_filtered() else []
     return tuple(held)
@@ -99,11 +100,7 @@ def available() -> tuple[str, ...]:
 
 def calls_can_be_filtered() -> bool:
     """Whether the filter of system calls is written for this machine."""
-    return (
-        os.uname().sysname == "Linux"
-        and platform.machine() == "x86_64"
-        and C.sizeof(C.c_void_p) == 8
-    )
+    return sys.platform == "linux" and platform.machine() == "x86_64" and C.sizeof(C.c_void_p) == 8
 
 
 def _limit(memory_bytes: int, seconds: int) -> bool:

@@ -108,6 +108,10 @@ class Moves:
     """What moves about on something, and on what."""
     still: dict[str, int] = field(default_factory=dict[str, int])
     """What is said not to move, and where the prompt says so."""
+    held_back: dict[str, list[Frame]] = field(default_factory=dict[str, "list[Frame]"])
+    """Clauses after which somebody sets off who has not moved before."""
+    patient: set[str] = field(default_factory=set[str])
+    """Who waits, nobody says how long."""
 
 
 @dataclass

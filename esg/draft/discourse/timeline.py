@@ -245,8 +245,18 @@ class TimelineBuilder:
         for actor, track in list(self.tracks.items()):
             if track.role is Role.ACTIVE and not track.closed and track.motion is not None:
                 keep, told = self.last_event, f"{actor} ends its described motion"
+                if track.after is not None and track.at == START:
+                    self._wait_for(actor, track, track.after)
                 self.event(NodeEvent.TRIGGER, (actor,), told, stem="motion_end")
                 self.last_event = keep
+
+    def _wait_for(self, actor: str, track: Track, node_id: str) -> None:
+        """Puts a wait until an event that it takes no part in before an actor's first motion."""
+        going, track.motion = track.motion, Motion("own", 0.0)
+        node = self.node(self.trigger(actor, f"{actor} sets off"))
+        assert node is not None
+        node.after.append(node_id)
+        track.motion, track.closed = going, False
 
     # -- result ----------------------------------------------------------------------------------
 

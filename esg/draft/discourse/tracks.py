@@ -33,6 +33,8 @@ class Track:
     direction: ForceDirection | None = None
     closed: bool = True
     """Whether the current motion already led to an event."""
+    after: str | None = None
+    """Somebody else's event that it waits for before its first motion."""
 
     @property
     def under_way(self) -> bool:

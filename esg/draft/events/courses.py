@@ -11,7 +11,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.tracks import Motion
 from esg.draft.discourse.windows import START
 from esg.draft.events.motions import paced
-from esg.draft.events.stated import said
+from esg.draft.events.stated import said, said_before
 from esg.draft.events.told import size_of, things
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import EdgeEvent, ForceDirection, NodeEvent, Predicate, TimelineEdge
@@ -94,19 +94,33 @@ def follow(d: Discourse, f: Frame, was: Before, subject: list[str], objects: lis
     return clause
 
 
+def by_its_participle(d: Discourse, f: Frame, was: Before, subject: list[str]) -> list[Clause]:
+    """What a participle says of a subject that sets off: "a reversing van knocks a sign over"."""
+    new = [a for a in subject if a in d.timeline.tracks and a not in was.tracks and movable(d, a)]
+    told = said_before(d.text, f) if new else []
+    if not told:
+        return []
+    clause = Clause(f, new, dict.fromkeys(new, START), told)
+    for mover in new:
+        _carry_over(d, clause, mover, was, by_verb=False)
+    return [clause]
+
+
 def chosen_pace(f: Frame, s: Said) -> bool:
     """Whether a word of pace is about a speed that one could choose ("then gallops": gained)."""
     gained = f.verb.sense == "accelerate" and s.row.part == "verb"
     return f.verb.sense not in _AT_ITS_OWN_PACE and not gained
 
 
-def _carry_over(d: Discourse, clause: Clause, mover: str, was: Before) -> None:
+def _carry_over(
+    d: Discourse, clause: Clause, mover: str, was: Before, by_verb: bool = True
+) -> None:
     """Gives the motions of a clause the course and the pace that its words state."""
     earlier = any(e.actor == mover for e in d.timeline.edges[: was.edges])
     first = d.timeline.tracks[mover].at == START or not earlier
     told = d.timeline.nodes[was.nodes :]
     turned = any(n.event is NodeEvent.HEADING_REACHED for n in told)
-    turned = turned or clause.frame.verb.sense in TURNING
+    turned = turned or (by_verb and clause.frame.verb.sense in TURNING)
     for s in clause.said:
         if s.row.part == "braking":
             _brake_so(d, mover, was, s.row.pace)

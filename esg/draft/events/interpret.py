@@ -23,7 +23,7 @@ from esg.draft.discourse.core import (
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.jointed import loosen
-from esg.draft.discourse.links import held_by, snapped, take_links
+from esg.draft.discourse.links import drop_link, held_by, is_link, let_loose, snapped, take_links
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, refer_all
@@ -34,8 +34,9 @@ from esg.draft.discourse.scene import SELF_POWERED, Scene
 from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
-from esg.draft.events.courses import follow, keep_on, snapshot
+from esg.draft.events.courses import by_its_participle, follow, keep_on, snapshot
 from esg.draft.events.hanging import SWAYING, hanging, sense_on_joint
+from esg.draft.events.motions import hold_back
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.breaking import gone_through, sense_of_breaking, who_breaks
 from esg.draft.events.senses.outcome import read_miss, target_of_mates
@@ -145,6 +146,7 @@ def interpret(
         before = f.verb.start
     settle(d, None, None)
     keep_on(d)
+    hold_back(d)
     for actor in d.moves.still:
         track = d.timeline.tracks.get(actor)
         if track is not None and track.role is Role.ACTIVE and actor in d.world.entities:
@@ -192,6 +194,7 @@ def read_frame(d: Discourse, f: Frame) -> None:
     was = snapshot(d)
     handler(d, f, parts.subject, parts.objects)
     gone_through(d, f)
+    d.scene.clauses += by_its_participle(d, f, was, parts.subject)
     d.scene.clauses.append(follow(d, f, was, parts.subject, parts.objects))
     hand_on(d, f)
     for p, a in amounts_of(d, f):
@@ -364,14 +367,29 @@ def _runs_now(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
+def _breaks_away(d: Discourse, f: Frame, node: str) -> None:
+    """What is towed breaks away as who tows it speeds up, and rolls on by itself."""
+    tow = d.scene.tows[node]
+    d.scene.loosed.add(node)
+    read_as(d, "accelerate", f, [tow.by], [])
+    track, ahead = d.timeline.track(node), d.timeline.track(tow.by)
+    track.at, track.hit, track.role, track.closed = ahead.at, True, Role.PASSIVE, False
+    for link in f.subject.entities if f.subject is not None else []:
+        if is_link(d.scene, link):
+            drop_link(d, link)
+    mark_used(d, f, "gives way")
+
+
 def _comes_down(f: Frame) -> bool:
     return f.verb.sense in ("fall", "drop")
 
 
 def _gives_way(d: Discourse, f: Frame, parts: Parts) -> bool:
     """ "The rope snaps": what hangs by it comes down."""
-    if not snapped(d, f):
-        return False
+    for node in (towed := let_loose(d, f)):
+        _breaks_away(d, f, node)
+    if towed or not snapped(d, f):
+        return bool(towed)
     held = [h for i in parts.subject if (h := held_by(d, i)) and h in d.scene.hung]
     if not held or not hanging(d, held):
         return False

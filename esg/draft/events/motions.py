@@ -28,6 +28,8 @@ from esg.draft.text.quantities import Amount
 from esg.graph.models import ForceDirection, NodeEvent, Quantity
 
 _AIRBORNE = lex.word_set("airborne")
+_ONCE = frozenset({"after", "once", "when", "whenever", "as soon as"})
+_THEN = lex.word_set("then")
 _SLOW, _FAST = (0.0, 0.25), (0.5, 1.0)
 """The parts of the range of plausible speeds that are slow and fast."""
 
@@ -112,6 +114,10 @@ def wait(d: Discourse, actor: str) -> None:
     """Stands still for the stated time before the motion that is about to start."""
     amount = d.moves.waiting.pop(actor, None)
     track = d.timeline.track(actor)
+    if actor in d.moves.patient and amount is None and track.motion is None:
+        d.moves.patient.discard(actor)
+        _stand(d, actor, None, d.timeline.last_event, f"{actor} has waited")
+        return
     if amount is None or (track.motion is not None and not track.closed):
         return
     since = track.at
@@ -138,12 +144,49 @@ def sets_off_late(d: Discourse, f: Frame, actors: list[str]) -> None:
         mark_used(d, time[1], "when it sets off")
 
 
-def _stand(d: Discourse, actor: str, until: Quantity, since: str | None, description: str) -> str:
-    """Stands still for a time since an event, or until a time since the start."""
+def comes_after(d: Discourse, f: Frame) -> list[Frame]:
+    """Earlier clauses that a clause says it comes after, whoever acts in them.
+
+    "When the ball hits the box, the dog runs away", "and then a dog crosses", "drops it and runs".
+    """
+    if f.link != "then" or f.relative or f.reduced or f not in d.told:
+        return []
+    earlier = [g for g in d.told[: d.told.index(f)] if not g.unreal and not g.reduced]
+    if not earlier:
+        return []
+    last = earlier[-1]
+    named = [g for g in earlier if g.main is f and g.subordinate in _ONCE]
+    if named or f.subordinate == "before":
+        return named or [last]
+    begin = last.verb.end if last.verb.end < f.verb.start else f.verb.start
+    words = {*d.text[begin : f.verb.end].lower().replace(",", " ").split(), *f.adverbs}
+    if words & _THEN:
+        return earlier
+    doer, before = ([*m.entities] if m is not None else [] for m in (f.subject, last.subject))
+    return [last] if doer and doer == before and last.link == "then" else []
+
+
+def hold_back(d: Discourse) -> None:
+    """Lets those wait whose first motion comes after what others do, as far as that is an event."""
+    for actor, clauses in d.moves.held_back.items():
+        verbs = {id(g.verb) for g in clauses}
+        events = [d.timeline.node(n) for g, n in d.times.of_frame if id(g.verb) in verbs]
+        others = [n for n in events if n is not None and actor not in n.participants]
+        if others:
+            d.timeline.track(actor).after = others[-1].id
+
+
+def _stand(
+    d: Discourse, actor: str, until: Quantity | None, since: str | None, description: str
+) -> str:
+    """Stands still for a time since an event, or until a time since the start, if one is said."""
     d.timeline.move(actor, Motion("own", 0.0), direction_of(d, actor, "own"))
     node = d.timeline.trigger(actor, description)
     draft = d.timeline.node(node)
-    if draft is not None and since is None:
+    if until is None:
+        if draft is not None and since is not None:
+            draft.after.append(since)
+    elif draft is not None and since is None:
         draft.time, draft.time_prescribed = until, True
     else:
         constrain(draft, "time_since", until, actor, since)
@@ -185,6 +228,8 @@ def each_passed(f: Frame, o: list[str]) -> list[str]:
         return o[:3]
     named = [x.entities[0] for x in (m, *m.coordinated) if x.entities and not x.attribute]
     listed = [i for i in dict.fromkeys(named) if i in o]
+    if m.count == len(o) <= 3:
+        return o  # "overtakes two trucks"
     return listed if m.coordinated and len(listed) > 1 else o[:1]
 
 
@@ -205,7 +250,7 @@ def target_of(d: Discourse, f: Frame, avoid: list[str]) -> list[str]:
 def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
     """Common part of all self motion: speed, target, and what the phrases say happens."""
     fresh = [a for a in actors if at_rest(d, a)]
-    under = _moves_on_it(d, f, fresh)
+    under = moves_on_it(d, f, fresh)
     d.moves.on_top.update((a, under[0]) for a in fresh if under)
     actors = mounts_of(d, f, actors)
     speeds = [a for _, a in amounts_of(d, f) if a.dimension == "speed"]
@@ -219,6 +264,7 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
     fresh = [a for a in actors if at_rest(d, a)]
     aim = next((t for t in target_of(d, f, actors) if aimable(d, t) and t not in under), None)
     sets_off_late(d, f, actors)
+    d.moves.held_back.update((a, comes_after(d, f)) for a in fresh)
     for actor in actors:
         if aim is not None:
             d.moves.aim[actor] = aim
@@ -235,10 +281,13 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
     d.outcomes(f, actors)
 
 
-def _moves_on_it(d: Discourse, f: Frame, fresh: list[str]) -> list[str]:
+def moves_on_it(d: Discourse, f: Frame, fresh: list[str]) -> list[str]:
     """ "A ball rolls on a table", "drives out on the pier": it is on that from the start."""
-    on = f.phrase(*_CARRYING)
-    if on is None or on.mention is None or on.mention.part or f.verb.lemma in _COMES_ONTO:
+    on = f.phrase(*_CARRYING) or f.phrase("from")
+    part = on.mention.part.split()[-1:] if on is not None and on.mention is not None else []
+    across = on is not None and on.prep == "from" and part in (["side"], ["end"], ["edge"])
+    across = across and f.phrase("to") is not None  # "from one end of the table to the other"
+    if on is None or f.verb.lemma in _COMES_ONTO or (not across and (part or on.prep == "from")):
         return []
     hosts = [h for h in things(on) if aimable(d, h) and all(carries(d, h, a) for a in fresh)]
     if not fresh or not hosts or any(a in d.scene.supported_by for a in fresh):

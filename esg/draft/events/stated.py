@@ -12,6 +12,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.proposition import Row, Said
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.verbphrases import verb_readings
 from esg.graph.models import Predicate
 
 _INTENSE = re.compile(
@@ -20,6 +21,9 @@ _INTENSE = re.compile(
 )
 """What follows a "right" that says how exactly, and not which way ("right in front of")."""
 _UPWARD = lex.word_set("goes up")
+NAMED_BY = lex.word_set("sports that name things")
+_WAYS = ("backward", "up", "down")
+"""Directions that a participle before a noun can state: "approaching" has an aim to find."""
 _REACH = 160
 """How far from its verb an adverb may stand, in characters."""
 
@@ -50,10 +54,26 @@ def _by_word() -> dict[tuple[str, str], tuple[Row, ...]]:
     return out
 
 
+def said_before(text: str, f: Frame) -> list[Said]:
+    """What a participle before the subject states of its motion: "a reversing van hits a sign"."""
+    m, out = f.subject, list[Said]()
+    if m is None or m.coordinated or f.verb.passive:
+        return out
+    for word in {*m.adjectives} - NAMED_BY:
+        at = re.compile(rf"\b{re.escape(word)}\b").search(text, m.start, m.end)
+        if at is None:
+            continue
+        lemmas = {r.lemma for r in verb_readings(word) if r.form == "ing"}
+        found = [row for lemma in sorted(lemmas) for row in _by_word().get(("verb", lemma), ())]
+        out += [Said(row, *at.span()) for row in found if row.pace or row.direction in _WAYS]
+    return out
+
+
 def said(text: str, f: Frame) -> list[Said]:
     """What the adverbs, phrases and the verb of a clause state of its motion."""
     verb = (f.verb.start, f.verb.end)
-    out = [Said(row, *verb) for row in _by_word().get(("verb", f.verb.lemma), ())]
+    lemma = f.verb.sense if f.verb.sense == "follow" else f.verb.lemma  # "runs after it"
+    out = [Said(row, *verb) for row in _by_word().get(("verb", lemma), ())]
     part = "braking" if f.verb.sense == "brake" else "adverb"
     for word in adverbs_of(text, f):
         for row in _by_word().get((part, word), ()):

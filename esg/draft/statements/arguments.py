@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, movable, structural
+from esg.draft.events.told import happened
 from esg.draft.statements.account import CHAINS, NOTHING, PASSED_OVER, Account, Gap, held, nodes_of
-from esg.graph.models import Predicate
+from esg.graph.models import NodeEvent, Predicate
 
 _EACH = frozenset(
     {"own", "fly", "fall", "roll", "slide", "launch", "drop", "bounce", "coast", "topple"}
@@ -20,6 +22,7 @@ _STATES = frozenset(
 )
 _ALONG = frozenset({"own", "tow", "carry"})
 """Senses of which who does it goes where the object goes."""
+_LIFTED = lex.word_set("picks up")
 NO_EVENT = "nothing of the kind happens in the scene"
 
 
@@ -57,6 +60,8 @@ def left_behind(a: Account) -> Iterator[Gap]:
         takes = f.verb.sense in _ALONG and c.movers and not f.verb.passive and f.object is not None
         if not takes or not any(f.verb is kept.verb for kept in a.frames):
             continue
+        if f.verb.lemma in _LIFTED and any(happened(d, NodeEvent.PICKED_UP, i) for i in c.movers):
+            continue  # who lifts a thing stays where he is
         doers = [i for i in nodes_of(d, f.subject) if movable(d, i) and i not in c.movers]
         going = {e.actor for e in d.timeline.edges}
         left = [i for i in doers if i not in going and not held(d, {i}, {*c.movers})]

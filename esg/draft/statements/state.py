@@ -322,7 +322,8 @@ def _posture(book: _Book, clause: Clause) -> None:
     targets = [i for i in things(held) if i in d.world.entities][:1]
     if says is None or not targets or held is None or held.mention is None:
         return
-    for body in _ids(f.subject):
+    acted_on = [] if f.verb.passive else _ids(f.object)
+    for body in acted_on or _ids(f.subject):
         if body in d.world.entities and body not in targets:
             start = start_of(held, d.text)
             book.add(says, start, held.mention.end, object=(body,), target=tuple(targets),
@@ -335,6 +336,8 @@ def _goal(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
     if not targets or structural(d, targets[0]) or _met(d, mover, targets):
         return
+    if s.row.states is Predicate.ABOVE and clause.frame.verb.sense in ("drop", "fall"):
+        return  # that is where it starts
     if queues_behind(d, s, mover) is not None:
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(targets),
                  direction="toward", when=_when(d, clause, mover))  # fmt: skip
@@ -399,6 +402,12 @@ def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> 
         return
     if direction in ("along", "across") and d.scene.supported_by.get(mover) in targets:
         return  # told as what carries it
+    if direction == "between" and len(targets) == 1:  # "a cube left of a bin ... between them"
+        pairs = [(r.source, r.target) for r in d.scene.relations if targets[0] in
+                 (r.source, r.target) and mover not in (r.source, r.target)]  # fmt: skip
+        targets = [*pairs[0]] if pairs else []
+    if not targets:
+        return
     some = tuple(targets) if direction == "between" else tuple(targets[:1])
     book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=some, direction=direction,
              when=where)  # fmt: skip
@@ -450,7 +459,7 @@ def _support(book: _Book, clause: Clause, p: Phrase) -> None:
 def _when(d: Discourse, clause: Clause, mover: str) -> str:
     """The part of the scene that a clause tells: from one event to the next."""
     since = clause.since.get(mover, START)
-    edge = next((e for e in _of(d, mover) if e.from_ == since), None)
+    edge = _going(d, mover, since)
     kinds = {n.id: n.event for n in d.timeline.nodes}
     begin = "start" if since == START else since
     end = edge.to if edge is not None else "end"
@@ -467,10 +476,18 @@ def _of(d: Discourse, mover: str) -> Iterator[TimelineEdge]:
     return (e for e in d.timeline.edges if e.actor == mover)
 
 
+def _going(d: Discourse, mover: str, since: str) -> TimelineEdge | None:
+    """The segment of a motion that is told from an event on: the one after a wait, if it waits."""
+    edge = next((e for e in _of(d, mover) if e.from_ == since), None)
+    if edge is not None and edge.event is EdgeEvent.UNIFORM_MOTION and edge.params.speed == 0.0:
+        return next((e for e in _of(d, mover) if e.from_ == edge.to), edge)
+    return edge
+
+
 def _pace(d: Discourse, clause: Clause, mover: str, says: Predicate) -> float | None:
     """The speed [cm/s] that a word such as "slowly" leaves a mover of its kind."""
     since = clause.since.get(mover, START)
-    edge = next((e for e in _of(d, mover) if e.from_ == since), None)
+    edge = _going(d, mover, since)
     if edge is not None and edge.event is EdgeEvent.GUIDE:
         return GENTLE_CM_S if says is Predicate.SLOWER_THAN else None
     speed: Quantity | None = edge.params.speed if edge is not None else None

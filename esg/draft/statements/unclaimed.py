@@ -13,13 +13,15 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, movable, structural
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.slopes import ASLANT
+from esg.draft.events.stated import NAMED_BY
 from esg.draft.statements.account import NOTHING, PASSED_OVER, Account, Gap, nodes_of, turns
 from esg.draft.statements.adverbs import adverbs
 from esg.draft.statements.arguments import arguments, idle, left_behind
 from esg.draft.statements.phrases import phrases
 from esg.draft.text.elements import ONE_OF_THESE
 from esg.draft.verbphrases import verb_readings
-from esg.graph.models import NodeEvent
+from esg.graph.models import NodeEvent, Predicate
 
 _QUALITIES = lex.word_set("unseen qualities")
 _MOTIONS = frozenset({"own", "fly", "fall", "roll", "accelerate", "spin"})
@@ -47,10 +49,11 @@ def _qualities(a: Account) -> Iterator[Gap]:
         for t in a.tokens:
             if not m.start <= t.start < m.end or t.low not in m.adjectives:
                 continue
+            noun = entity_of(a.d, ids[0]).noun
             going = t.low.endswith("ing") and _motion(t.low) and movable(a.d, ids[0])
-            named = t.low in entity_of(a.d, ids[0]).noun.name
-            shown = turns(a.d, {*ids}) if _spins(t.low) else bool({*ids} & moving)
-            if t.low in _QUALITIES or (going and not named and not shown):
+            shown = _shows(a, t.low, {*ids}) or bool({*ids} & moving and not _manner(t.low))
+            aslant = t.low in ASLANT and "incline" not in noun.traits
+            if t.low in _QUALITIES or (going and t.low not in noun.name and not shown) or aslant:
                 yield Gap(t.start, t.end, NOTHING, tuple(ids))
 
 
@@ -60,12 +63,47 @@ def _in_order(d: Discourse, who: str) -> bool:
     return any(who in {e.actor, e.target} <= movers for e in d.timeline.edges)
 
 
-def _spins(word: str) -> bool:
-    return any(r.form == "ing" and r.sense == "spin" for r in verb_readings(word))
-
-
 def _motion(word: str) -> bool:
-    return any(r.form == "ing" and r.sense in _MOTIONS for r in verb_readings(word))
+    return bool(_senses(word) & _MOTIONS) or _manner(word)
+
+
+def _manner(word: str) -> bool:
+    """Whether a participle tells more than that something moves ("a reversing van")."""
+    return bool(_senses(word) & {*_SHOWN_BY})
+
+
+def _senses(word: str) -> set[str]:
+    told = (r for r in verb_readings(word) if r.form == "ing" and word not in NAMED_BY)
+    return {r.lemma if r.lemma in _SHOWN_BY else r.sense for r in told}
+
+
+def _jointed(a: Account, ids: set[str]) -> bool:
+    return bool(ids & {j.child for j in a.d.scene.joints})
+
+
+def _hangs(a: Account, ids: set[str]) -> bool:
+    says = {i for s in a.kept if s.predicate is Predicate.HANGS_FROM for i in s.object}
+    return _jointed(a, ids) or bool(ids & ({*a.d.scene.attached} | says))
+
+
+def _backs(a: Account, ids: set[str]) -> bool:
+    return any(s.direction == "backward" and ids & {*s.object} for s in a.kept)
+
+
+_SHOWN_BY: dict[str, Callable[[Account, set[str]], bool]] = {
+    "spin": lambda a, ids: turns(a.d, ids),
+    "turn": lambda a, ids: turns(a.d, ids),
+    "reverse": _backs,
+    "swing": _jointed,
+    "sway": _jointed,
+    "hang": _hangs,
+    "dangle": _hangs,
+}
+"""What shows a participle by its sense: a van that is reversing has to go backward."""
+
+
+def _shows(a: Account, word: str, ids: set[str]) -> bool:
+    return any(_SHOWN_BY[s](a, ids) for s in _senses(word) & {*_SHOWN_BY})
 
 
 def _left_out(a: Account) -> Iterator[Gap]:

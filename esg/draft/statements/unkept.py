@@ -145,9 +145,7 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "loose": lambda d, c: bool(c.movers) and _loose(d, c),
     "bumped": lambda d, c: c.frame.verb.form == "ing" and _bumped(d, c.frame),
     "down": _goes_down,
-    "untied": lambda d, c: (
-        not {*(c.frame.object.entities if c.frame.object else [])} & {*d.scene.tows}
-    ),
+    "untied": lambda d, c: not _tied(d, c.frame),
 }
 """Conditions of a row that look at the scene or at the words around the verb."""
 

@@ -7,6 +7,8 @@ import os
 from typing import Any
 
 from esg.outcomes import UserError
+from esg.paths import kernel_cache_dir
+from esg.workers import usable_cores
 
 STEPS_PER_GRAPH, STEPS_PER_GRAPH_CPU = 4, 2
 """Even, so that the two states are back in place after one launch of the graph. On the CPU a launch
@@ -32,6 +34,7 @@ def quiet_warp() -> Any:
     import warp as wp
 
     wp.config.log_level = wp.LOG_WARNING
+    wp.config.kernel_cache_dir = str(kernel_cache_dir().parent)  # it adds its version
     # The notice is printed by native code, past Python's sys.stderr.
     saved = os.dup(2)
     null = os.open(os.devnull, os.O_WRONLY)
@@ -69,7 +72,7 @@ def cpu_threads() -> int:
     """
     text = os.environ.get("ESG_THREADS", "")
     if not text:
-        return min(4, len(os.sched_getaffinity(0)))
+        return min(4, usable_cores())
     if not (text.isdigit() and int(text) > 0):
         raise UserError(f"ESG_THREADS is {text!r}; it must be a positive number of threads")
     return int(text)

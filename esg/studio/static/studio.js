@@ -9,7 +9,9 @@ const EXAMPLES = [
   "A cyclist brakes hard behind a parked van and stops.",
   "A wrecking ball swings into a stack of boxes.",
 ];
-const PAUSE_MS = 90;
+const PAUSE_MS = 60;
+const TURNED_MS = 700;
+const FILM_MS = 1500; // the player is loaded after this time, whatever keeps the film
 const FATES = {
   used: "became an object, an event, a number or a relation",
   not_judged: "a statement: the replay will be measured by it",
@@ -39,7 +41,9 @@ function h(name, attributes = {}, ...children) {
 async function call(method, path, body) {
   const options = { method, headers: { "Content-Type": "application/json" } };
   if (body !== undefined) options.body = JSON.stringify(body);
-  const answer = await fetch(path, options);
+  const answer = await fetch(path, options).catch(() => {
+    throw new Error("The studio does not answer. What you wrote is kept: start esg studio again.");
+  });
   const value = await answer.json().catch(() => ({ error: `the studio answered ${answer.status}` }));
   if (!answer.ok) throw new Error(value.error ?? value.detail ?? `the studio answered ${answer.status}`);
   return value;
@@ -49,8 +53,29 @@ async function call(method, path, body) {
 
 const state = { reading: null, turned: new Map(), edited: false, shown: 0, jobs: [], asked: 0 };
 let pause = 0;
+let turning = 0;
 
-const kept = { prompt: "esg-studio-prompt", seed: "esg-studio-seed" };
+// A tab keeps what is in it over reloads; a new tab begins with what was written last in any.
+const DRAFT = "esg-studio-draft";
+
+function keep() {
+  const graph = state.edited ? $("graph").value : null;
+  const draft = JSON.stringify({ ...asked(), turned: [...state.turned], graph });
+  sessionStorage.setItem(DRAFT, draft);
+  localStorage.setItem(DRAFT, draft);
+}
+
+function restore() {
+  const draft = JSON.parse(sessionStorage.getItem(DRAFT) ?? localStorage.getItem(DRAFT) ?? "{}");
+  $("prompt").value = draft.prompt ?? "";
+  $("seed").value = String(draft.seed ?? 0);
+  state.turned = new Map(draft.turned ?? []);
+  if (draft.graph) {
+    $("graph").value = draft.graph;
+    $("graph-box").open = true;
+    checkGraph();
+  }
+}
 
 function asked() {
   return { prompt: $("prompt").value, seed: Number($("seed").value || 0) };
@@ -62,8 +87,7 @@ function mistake(error) {
 
 async function read() {
   const what = asked();
-  localStorage.setItem(kept.prompt, what.prompt);
-  localStorage.setItem(kept.seed, String(what.seed));
+  keep();
   const number = ++state.asked;
   if (!what.prompt.trim()) {
     state.reading = null;
@@ -137,7 +161,11 @@ function slider(knob) {
     state.turned.set(knob.id, Number(at(knob, Number(input.value)).toPrecision(4)));
     tell();
   });
-  input.addEventListener("change", () => make(true));
+  input.addEventListener("change", () => {
+    keep();
+    clearTimeout(turning);
+    turning = setTimeout(() => make(true), TURNED_MS); // a key changes it a step at a time
+  });
   tell();
   box.append(h("label", { for: id }, knob.label), output, input);
   return box;
@@ -153,6 +181,7 @@ function showViolations(violations) {
 
 async function checkGraph() {
   state.edited = state.reading === null || $("graph").value !== state.reading.document;
+  keep();
   try {
     showViolations((await call("POST", "/api/check", { document: $("graph").value })).violations);
   } catch (error) {
@@ -204,11 +233,38 @@ function stages(job) {
   );
 }
 
+// Rows that have not changed stay: whoever is at a button of one with the keyboard stays there.
+const rows = new Map();
+
+function showRows() {
+  const found = state.jobs.slice().reverse().map((job) => {
+    const { stages, ...told } = job;
+    const key = JSON.stringify([told, job.id === state.shown]);
+    const before = rows.get(job.id);
+    if (before?.key === key) return before.element;
+    const element = row(job);
+    const there = before?.element.contains(document.activeElement);
+    before?.element.replaceWith(element);
+    if (there) element.querySelector("button").focus();
+    rows.set(job.id, { key, element });
+    return element;
+  });
+  const list = $("jobs");
+  found.forEach((element, k) => list.children[k] !== element && list.insertBefore(element, list.children[k] ?? null));
+  while (list.children.length > found.length) list.lastElementChild.remove();
+}
+
+function tell(job) {
+  const stage = job.stages.find((s) => s.seconds === null);
+  const text = stage ? `${job.status}: ${stage.name}` : `${plain(job.outcome || job.status)}. ${job.reason}`;
+  if ($("told").textContent !== text) $("told").textContent = text;
+}
+
 let framed = "";
 
 function show() {
   const job = state.jobs.find((j) => j.id === state.shown);
-  $("jobs").replaceChildren(...state.jobs.slice().reverse().map(row));
+  showRows();
   if (!job) {
     $("job").replaceChildren(h("p", { class: "faint" }, "Nothing is being made yet."));
     $("scene").replaceChildren();
@@ -222,8 +278,10 @@ function show() {
       stages(job),
       job.status === "waiting" && h("p", { class: "faint" }, `${waiting} before it.`),
       job.reason && h("p", { class: job.outcome === "solved" ? "faint" : "mistake" }, job.reason),
+      job.advice && job.outcome !== "solved" && h("p", { class: "faint" }, job.advice),
     ].filter(Boolean),
   );
+  tell(job);
   const key = job.folder ? `${job.id}/${job.status}` : "";
   if (key === framed) return;
   framed = key;
@@ -232,11 +290,44 @@ function show() {
     return;
   }
   const base = `/scenes/${job.id}`;
-  const link = (to, text) => h("a", { href: to, download: "" }, text);
-  $("scene").replaceChildren(
-    h("div", { class: "downloads" }, "Take it along:", ["usd", "glb", "mjcf", "unreal"].map((to) => link(`${base}/export/${to}`, to)), link(`${base}/files/esg.json`, "scene graph"), link(`${base}/files/rollout.mcap`, "MCAP"), link(`${base}/files/preview.mp4`, "film"), link(`${base}/files/preview.png`, "contact sheet"), h("a", { href: `${base}/`, target: "_blank" }, "open alone")),
-    h("iframe", { src: `${base}/`, title: `Player of: ${job.prompt.slice(0, 120)}` }),
+  $("scene").replaceChildren(...(job.status === "done" ? [downloads(base), player(base, job)] : [page(base, job)]));
+}
+
+function downloads(base) {
+  const link = (to, text) => h("a", { href: `${base}/${to}`, download: "" }, text);
+  return h(
+    "div",
+    { class: "downloads" },
+    "Take it along:",
+    ["usd", "glb", "mjcf", "unreal"].map((to) => link(`export/${to}`, to)),
+    link("files/esg.json", "scene graph"),
+    link("files/rollout.mcap", "MCAP"),
+    link("files/preview.mp4", "film"),
+    link("files/preview.png", "contact sheet"),
+    h("a", { href: `${base}/`, target: "_blank" }, "open alone"),
   );
+}
+
+function page(base, job) {
+  return h("iframe", { src: base && `${base}/`, title: `Scene of: ${job.prompt.slice(0, 120)}` });
+}
+
+// The film plays at once; it gives way to the 3-D player as soon as that has drawn.
+function player(base, job) {
+  const frame = page(null, job);
+  const film = h("video", { src: `${base}/film`, title: `Film of: ${job.prompt.slice(0, 120)}`, muted: true, autoplay: true, loop: true, playsinline: true });
+  film.muted = true; // the attribute alone does not count for elements made by scripts
+  const box = h("div", { class: "player" }, frame, film);
+  const load = () => frame.src || (frame.src = `${base}/`);
+  film.addEventListener("playing", load, { once: true });
+  film.addEventListener("error", () => (film.remove(), load()));
+  setTimeout(load, FILM_MS);
+  const waiting = setInterval(() => {
+    const ready = frame.contentDocument?.documentElement?.dataset.ready === "yes";
+    if (ready) film.remove();
+    if (ready || !box.isConnected) clearInterval(waiting);
+  }, 100);
+  return box;
 }
 
 function row(job) {
@@ -277,8 +368,7 @@ function listen() {
 
 // ---- start ----
 
-$("prompt").value = localStorage.getItem(kept.prompt) ?? "";
-$("seed").value = localStorage.getItem(kept.seed) ?? "0";
+restore();
 state.shown = Number(location.hash.slice(1)) || 0;
 $("examples").append(
   ...EXAMPLES.map((text) =>
@@ -314,6 +404,7 @@ $("graph-reset").addEventListener("click", () => {
   state.edited = false;
   $("graph").value = state.reading?.document ?? "";
   showViolations(state.reading?.violations ?? []);
+  keep();
 });
 read();
 listen();

@@ -11,6 +11,7 @@ from esg.draft.discourse.referents.likeness import unknown_noun
 from esg.draft.discourse.referents.matching import same_kind
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.sizes import HOLLOW, holding, inclined, sized
+from esg.draft.discourse.referents.slopes import as_slope
 from esg.draft.discourse.referents.surroundings import noun_here
 from esg.draft.discourse.referents.toys import as_toy
 from esg.draft.grammar.rewrites.shares import dealt
@@ -60,7 +61,7 @@ def add_entity(
 ) -> Entity:
     """Creates one entity with a readable node id."""
     words = list(adjectives or [])
-    noun = as_toy(noun, head, words)
+    noun = as_slope(as_toy(noun, head, words), head, words)
     places = {a: p for a in words if (p := PLACES.get(a, a)) in _NAMING and a != "head"}
     stem = slug(" ".join([*[a for a in words if a in lex.COLORS or a in places], head])) or "object"
     if stem[0].isdigit():

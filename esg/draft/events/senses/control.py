@@ -20,7 +20,7 @@ from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, add_hit, braking, outcomes
 from esg.draft.events.lengths import stops_short
-from esg.draft.events.motions import direction_of, lasts, own, start_motion, wait
+from esg.draft.events.motions import direction_of, lasts, moves_on_it, own, start_motion, wait
 from esg.draft.events.roles import filling
 from esg.draft.events.senses.state import places, read_be
 from esg.draft.events.table import sense
@@ -33,6 +33,8 @@ from esg.graph.models import NodeEvent, Quantity, Role
 _STOPPING_BY = ("in front of", "before", "next to", "near", "beside", "by", "at", "close to")
 STOPS_BY_CM = (20.0, 120.0)
 """Gap that is left by what stops in front of or beside something [cm]."""
+_ROLLING = frozenset({"roll", "slide", "skid", "coast", "glide", "spin"})
+"""Verbs of which "to a stop" says how they end, and "on" where they are all the while."""
 _SHOWN = lex.word_set("shown")
 
 
@@ -215,6 +217,8 @@ def read_stop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     if f.verb.passive:
         add_hit(d, f, actors, filling(f, "agent"))
+    if f.verb.lemma in _ROLLING:  # "slides to a stop on a table"
+        moves_on_it(d, f, [a for a in actors if at_rest(d, a)])
     for actor in [a for a in actors if movable(d, a)]:
         time = time_of(d, f)
         rest = things(f.phrase("against"))

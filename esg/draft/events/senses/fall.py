@@ -104,18 +104,31 @@ def drop(d: Discourse, f: Frame, bodies: list[str]) -> None:
         landing_of(d, f, moved)
         return
     flying = {t for t in moved if is_airborne(d, t) and t not in d.scene.supported_by}
+    below = _below(d, f, moved)
     for t in moved:
         track = d.timeline.tracks.get(t)
         if not moved_by_others(d, t) and (track is None or track.motion is None):
-            start_motion(d, f, [t], "drop")
+            start_motion(d, f, [t], "drop", below)
+            if below is not None:
+                place(d, [t], [below], "above")
+                d.times.pending[t] = (NodeEvent.COLLISION, f, below, time_of(d, f))
     heights(d, f, moved)
     mark_used(d, f, "drop")
     if "in" in f.adverbs and any(map(partial(enterable, d), recent(d))):
         goes_in(d, f, moved, time_of(d, f))  # "circles the hole and drops in"
     elif not landing_of(d, f, moved):
-        for t in moved:
+        for t in moved if below is None else []:
             if t not in flying:  # "drops behind the net" after a throw: it leaves no support
                 d.times.pending[t] = (NodeEvent.FALL, f, None, time_of(d, f))
+
+
+def _below(d: Discourse, f: Frame, moved: list[str]) -> str | None:
+    """ "Is released above a table": what it comes down on, unless it is told where it lands."""
+    above, lands = f.phrase("above"), f.phrase("on", "onto", "into", "in", "beside", "next to")
+    if above is None or lands is not None:
+        return None
+    others = (i for i in things(above) if aimable(d, i) and i not in moved)
+    return next(others, None)
 
 
 @dataclass

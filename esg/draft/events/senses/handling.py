@@ -29,6 +29,7 @@ _PUT_IN = ("in", "into", "inside")
 _ELSEWHERE = frozenset({"in", "off", "on", "out", "down", "aboard", "aside", "away"})
 """Adverbs that lead a leap somewhere else than back to the ground it left."""
 _OFTEN = re.compile(r"\b(?:once|twice|thrice|(\w+)\s+times)\b", re.IGNORECASE)
+_DOWN = re.compile(r"(?:\w+\s+){1,4}?(?:back\s+)?down\b", re.IGNORECASE)
 _JUMPERS = ("person", "animal", "robot")
 
 
@@ -83,7 +84,9 @@ def read_put(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if f.object is None and {*s} & {*_in_hand(d)}:
         moved, f = s, replace(f, verb=replace(f.verb, passive=True))  # "is lifted and put on"
     act = not f.reduced and (_told_as_act(d, f) if f.verb.passive else f.object is not None)
-    if not moved or goal is None or not act or any(moved_by_others(d, i) for i in moved):
+    several = f.verb.lemma == "stack" and len(moved) > 1  # one upon the other
+    pushed = any(moved_by_others(d, i) for i in moved)
+    if not moved or goal is None or not act or pushed or several:
         read_as(d, "posture", f, s, o)
         return
     place(d, [a for a in agents if kind_of(d, a) in _JUMPERS], moved[:1], "near")
@@ -124,6 +127,8 @@ def _goal(d: Discourse, f: Frame, moved: list[str]) -> tuple[str, str] | None:
     said = found.mention if found is not None and things(found) else None
     if found is not None and said is not None and said.start > f.verb.start:
         return found.prep, things(found)[0]
+    if moved and found is None and {*moved} <= {*_in_hand(d)} and _DOWN.match(d.text, f.verb.start):
+        return "on", d.scene.supported_by.get(moved[0]) or _ground(d)  # "and sets it down again"
     inner = [i for i in recent(d) if holds(d, i) and i not in moved]
     inner = inner if found is None and "inside" in f.adverbs else []
     return ("inside", inner[0]) if inner else None  # "opens the drawer and puts a bowl inside"
@@ -132,8 +137,9 @@ def _goal(d: Discourse, f: Frame, moved: list[str]) -> tuple[str, str] | None:
 def _put(d: Discourse, f: Frame, moved: list[str], goal: tuple[str, str]) -> None:
     """Guides things to where they are put."""
     prep, target = goal
+    held = _in_hand(d)
     for body in [i for i in moved if i != target]:
-        if d.scene.supported_by.get(body) == target:
+        if d.scene.supported_by.get(body) == target and body not in held:
             if not at_rest(d, body):
                 continue
             _lay_aside(d, body, target)
@@ -241,6 +247,7 @@ def bounces_on_ground(d: Discourse, f: Frame, s: list[str], met: list[str]) -> b
     free = [i for i in free if not moved_by_others(d, i)]
     target = met[0] if met and not structural(d, met[0]) else _ground(d)
     for body in free:
+        target = target if met else _below(d, body) or target
         if at_rest(d, body):
             drop = Motion("drop", 0.0, params={"elevation_deg": -90.0, "spin": "none"})
             drop.target = target
@@ -250,6 +257,13 @@ def bounces_on_ground(d: Discourse, f: Frame, s: list[str], met: list[str]) -> b
     if free:
         mark_used(d, f, "bounce")
     return bool(free)
+
+
+def _below(d: Discourse, body: str) -> str | None:
+    """What a body was released above ("is released above a table and bounces")."""
+    above = [r.target for r in d.scene.relations if (r.source, r.kind) == (body, "above")]
+    falls_on = d.times.pending.get(body, (None, None, None))[2]
+    return next((i for i in above if i == falls_on), None)
 
 
 def _ground(d: Discourse) -> str:

@@ -33,6 +33,7 @@ from esg.draft.text.quantities import Amount
 from esg.graph.models import NodeEvent
 
 _WAITING = lex.word_set("waiting")
+_PATIENT = frozenset({"wait", "pause", "queue", "idle"})
 _PATTERN_VERBS = {
     "stack": "stack",
     "pile": "stack",
@@ -50,8 +51,6 @@ _HANGING = lex.word_set("hanging")
 _HUNG_BY = lex.word_set("hung by")
 _BESIDE = ("on", "against", "at", "by")
 _FILLING = ("cover", "load", "fill", "stack", "set")
-_PUTTING = frozenset({"put", "place", "set", "position", "lay"})
-"""Verbs whose object comes to be where they say, not who does it."""
 _MEASURES = ("tall", "high", "wide", "long", "thick", "deep")
 _SIDES = lex.word_set("sides (state)")
 _CARRIED_ALONG = lex.word_set("carried along")
@@ -149,7 +148,8 @@ def mass_of_load(d: Discourse, a: Amount) -> bool:
 @sense("be")
 def read_be(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """How high, large and where things are."""
-    bodies = o if f.verb.lemma in _PUTTING and o and not f.verb.passive else s or o
+    acts = f.verb.sense in ("posture", "carry") and f.object is not None and not f.verb.passive
+    bodies = (o if acts else []) or s or o  # who leans a broom on a wall does not lean
     _hovering(d, f, bodies)
     places(d, f, bodies)
     named = f.subject.head if f.subject is not None and f.subject.attribute else ""
@@ -180,6 +180,8 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """A state, and how long it lasts; what sticks to something has hit it."""
     lasting = amount(d, f, "time")
     waits = lasting is not None and f.verb.lemma in _WAITING and not f.reduced
+    if f.verb.lemma in _PATIENT and lasting is None and not f.reduced and not f.unreal:
+        d.moves.patient.update(a for a in s if kind_of(d, a) in SELF_POWERED and at_rest(d, a))
     for actor in [a for a in s if waits and kind_of(d, a) in SELF_POWERED]:
         if moves(d, actor):
             add_event(d, NodeEvent.TRIGGER, (actor,), f, None)  # "drives for 4 s, waits"

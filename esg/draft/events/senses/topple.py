@@ -3,16 +3,16 @@
 from __future__ import annotations
 
 from esg.draft.discourse.core import entity_of, kind_of, mark_used, movable, quantity_of
-from esg.draft.discourse.places import set_free
+from esg.draft.discourse.places import fits_on, set_free
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.acts import add_event, add_hit, kinematics
 from esg.draft.events.consequences import already_hit, consequence, knock_on, struck_before
-from esg.draft.events.motions import start_motion
+from esg.draft.events.motions import moves_on_it, start_motion
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.senses.contact import whose_way
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import moved_by_others, representatives, speed_after, time_of
-from esg.draft.events.told import at_rest, happened, mates_of, traits_of
+from esg.draft.events.told import at_rest, happened, mates_of, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 
@@ -91,6 +91,8 @@ def read_topple(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         struck_before(d, f, b)
         b = b if o or b in d.timeline.tracks else _collapsing(d, b)
         if at_rest(d, b):
+            if not o and fits_on(d, b, next(iter(things(f.phrase("on"))), b)):
+                moves_on_it(d, f, [b])  # "falls flat on the table"
             start_motion(d, f, [b], "slide")
         add_event(d, NodeEvent.TOPPLE, (b,), f, time_of(d, f))
     knock_on(d, f, bodies)

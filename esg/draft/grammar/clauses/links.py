@@ -57,9 +57,12 @@ def before_what_it_lets(previous: Frame, v: Verb) -> Frame:
 
 
 def before_what_it_waits_for(c: Clauses, previous: Frame, s: State, v: Verb) -> Frame:
-    """ "waits until the tram has passed and follows it": who waits follows it."""
+    """ "waits until the tram has passed and follows it", "until it passes, then": who waits."""
     perfect = previous.verb.auxiliary in ("has", "have", "had") and not v.auxiliary
-    if not (perfect and previous.subordinate and s.boundary and v.form in ("s", "past")):
+    between = c.elements[c.elements.index(previous.verb) : c.elements.index(v)]
+    then = previous.subordinate == "until" and any(getattr(e, "low", "") == "then" for e in between)
+    told = previous.subordinate and s.boundary and v.form in ("s", "past")
+    if not told or not (perfect or then):
         return previous
     mine = [g for g in c.frames if g.sentence == previous.sentence and not g.reduced]
     mains = [g for g in mine if not g.subordinate and g.verb.start < previous.verb.start]

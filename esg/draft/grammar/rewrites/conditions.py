@@ -163,6 +163,7 @@ PROPERTIES: dict[str, Callable[[Element], object]] = {
     "labelled": lambda e: bool(label_of(e)),
     "picked": picks,
     "place": place_of,
+    "opposite": lambda e: bool({"other", "opposite", "far"} & {*getattr(e, "adjectives", ())}),
     "sided": lambda e: bool({"left", "right"} & {*getattr(e, "adjectives", ())}),
     "unknown": lambda e: _unknown(e) is not None,
     "acting": lambda e: isinstance(e, Mention) and e.head.endswith(_PEOPLE),

@@ -119,7 +119,8 @@ def _change(e: Element, changes: str | None, elements: list[Element], spans: Spa
         elif isinstance(e, Verb) and name not in _VERB_FIELDS:
             e.extra = {**e.extra, name: value}
         elif value is None:
-            setattr(e, name, None if name == "noun" else not m["no"])
+            text = m["no"] and isinstance(getattr(e, name), str)
+            setattr(e, name, None if name == "noun" else "" if text else not m["no"])
         elif name == "noun":
             setattr(e, name, lex.nouns()[value])
         elif isinstance(getattr(e, name), list):

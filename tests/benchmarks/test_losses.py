@@ -1,0 +1,80 @@
+"""Simulated power losses: what was forced to the disk survives them, what was not may not."""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+import random
+import shutil
+import subprocess
+import sys
+
+import pytest
+
+from benchmarks.faults import losses
+from benchmarks.faults.shims import compiled
+
+ROOT = Path(__file__).parents[2]
+SAFE = """
+from pathlib import Path
+from esg.files import atomic_file
+for number in range(3):
+    with atomic_file(Path("a/b/result.txt")) as file:
+        file.write(str(number).encode() * 10000)
+"""
+UNSAFE = """
+from pathlib import Path
+Path("a/b").mkdir(parents=True)
+for number in range(3):
+    Path("a/b/aside").write_bytes(str(number).encode() * 10000)
+    Path("a/b/aside").replace("a/b/result.txt")
+"""
+WHOLE = {b"", *(str(number).encode() * 10000 for number in range(3))}
+
+pytestmark = pytest.mark.skipif(
+    sys.platform != "linux" or shutil.which("cc") is None, reason="needs Linux and a C compiler"
+)
+
+
+@pytest.fixture(scope="module")
+def library(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    return compiled("losses", tmp_path_factory.mktemp("library"))
+
+
+def lost(code: str, at: int, seed: int, folder: Path, library: Path) -> tuple[bytes, int]:
+    """What is left of the result after a loss at an operation, and how many there were."""
+    place, journal = folder / "place", folder / "journal"
+    for path in (place, journal):
+        shutil.rmtree(path, ignore_errors=True)
+    (place / "kept").mkdir(parents=True)
+    (place / "kept" / "old.txt").write_text("old")
+    shutil.copytree(place, folder / "pristine", dirs_exist_ok=True)
+    before = losses.scanned(place)
+    losses.open_journal(journal)
+    variables = losses.variables(place, library, journal, at)
+    done = subprocess.run([sys.executable, "-c", code], cwd=place, check=False,
+                          env={**os.environ, "PYTHONPATH": str(ROOT), **variables})  # fmt: skip
+    assert done.returncode == (-9 if at else 0)
+    losses.lose(place, before, journal, folder / "pristine", random.Random(seed))
+    assert (place / "kept" / "old.txt").read_text() == "old"
+    path = place / "a" / "b" / "result.txt"
+    return path.read_bytes() if path.exists() else b"", losses.operations(journal)
+
+
+def test_what_was_done_is_there(tmp_path: Path, library: Path) -> None:
+    for seed in range(5):
+        assert lost(SAFE, 0, seed, tmp_path, library)[0] == b"2" * 10000
+
+
+def test_what_was_being_done_is_whole_or_as_before(tmp_path: Path, library: Path) -> None:
+    _, count = lost(SAFE, 0, 0, tmp_path, library)
+    assert count > 15
+    for at in range(1, count, 3):
+        assert lost(SAFE, at, at, tmp_path, library)[0] in WHOLE
+
+
+def test_what_was_not_forced_is_lost_or_torn(tmp_path: Path, library: Path) -> None:
+    """Otherwise the simulation would find nothing."""
+    found = {lost(UNSAFE, 0, seed, tmp_path, library)[0] for seed in range(30)}
+    assert b"" in found
+    assert found - WHOLE
