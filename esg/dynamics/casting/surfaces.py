@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-import re
-
 from esg.dynamics.story.stagecraft import ground_friction, prop, support_of
 from esg.dynamics.story.story import Story
 from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument
@@ -60,8 +58,9 @@ def fit_snow(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
     from esg.assets.materials import MATERIALS
 
     nodes = doc.spatial_relation_graph.nodes
-    said = set(re.findall(r"[a-z-]+", doc.scene_definition.original_description.lower()))
-    if any(said.intersection(s.said_as) for s in surfaces().values() if s.material != "snow"):
+    where = doc.scene_definition.scene_parameters
+    others = (s.said_as for s in surfaces().values() if s.material != "snow")
+    if where.scene_type == "indoor" or any(where.environment in words for words in others):
         return {}
     entries = {
         actor: parametric_entry(doc.asset_configurations[nodes[actor].asset_id])
