@@ -34,7 +34,7 @@ ROPE_CM = (60.0, 300.0)
 """Ropes by which things hang that have no row of their own: as long as they are high."""
 _HOOK = 0.96
 """Height of the hook of a crane over its own (`demolition_crane`)."""
-LOWERED, ARM_CM = 0.6, 12.0
+LOWERED, ARM_CM = 0.6, 20.0
 """A post is lowered to this share of its height at most, so that arms are met so far below the top
 of what runs into them."""
 SWUNG_BY, LEAST_SHARE = 20.0, 0.1
