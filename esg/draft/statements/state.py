@@ -130,6 +130,13 @@ def state(
     for actor, at in d.moves.still.items():
         if actor in d.world.entities:
             book.add(Predicate.STAYS_STILL, at, _word_end(d.text, at), object=(actor,))
+    moved = {e.actor for e in d.timeline.edges}
+    for actor, at in d.moves.stays.items():
+        if actor in d.world.entities and actor not in moved:
+            hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
+            hit = next((n.id for n in hits if actor in n.participants), None)
+            book.add(Predicate.STAYS_STILL, at, _word_end(d.text, at), object=(actor,),
+                     when="throughout" if hit is None else f"start..{hit}")  # fmt: skip
     return tuple(sorted(book.items, key=lambda s: s.start)) or None
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import (
@@ -33,6 +34,11 @@ from esg.draft.text.quantities import Amount
 from esg.graph.models import NodeEvent
 
 _WAITING = lex.word_set("waiting")
+_STILL = re.compile(
+    r"(?:stay|remain|sit|stand|lie|keep)\w*\s+(?:\w+ly\s+)?"
+    r"(?:still|motionless|stationary|immobile|unmoved|where it is|in place)\b",
+    re.IGNORECASE,
+)
 _PATIENT = frozenset({"wait", "pause", "queue", "idle"})
 _PATTERN_VERBS = {
     "stack": "stack",
@@ -180,6 +186,8 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """A state, and how long it lasts; what sticks to something has hit it."""
     lasting = amount(d, f, "time")
     waits = lasting is not None and f.verb.lemma in _WAITING and not f.reduced
+    if _STILL.match(d.text, f.verb.start) and not f.unreal:
+        d.moves.stays.update((a, f.verb.start) for a in s if movable(d, a))
     if f.verb.lemma in _PATIENT and lasting is None and not f.reduced and not f.unreal:
         d.moves.patient.update(a for a in s if kind_of(d, a) in SELF_POWERED and at_rest(d, a))
     for actor in [a for a in s if waits and kind_of(d, a) in SELF_POWERED]:
