@@ -10,7 +10,7 @@ from typing import Any
 from esg.draft.discourse.core import amounts_of, entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import GROUND, SELF_POWERED, SPEEDS
+from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED, SPEEDS
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import (
     GENTLE_BRAKE_CM_S2,
@@ -377,7 +377,7 @@ def _driver(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     d = book.d
     riders = [i for i in _ids(clause.frame.subject) if i in d.world.entities]
     riders = [i for i in riders if i not in clause.movers]
-    riders = [i for i in riders if kind_of(d, i) in ("person", "animal", "robot")]
+    riders = [i for i in riders if kind_of(d, i) in LIMBED]
     if riders and kind_of(d, mover) in SELF_POWERED:
         open_ = d.scene.supported_by.get(riders[0]) == mover or s.row.states is not Predicate.INSIDE
         says = Predicate.SUPPORTED_BY if open_ else Predicate.INSIDE
