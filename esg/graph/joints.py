@@ -23,6 +23,8 @@ FOOT, SEAT = "foot", "seat"
 """Mounts that no asset has to name: its origin, and the middle of its first surface or its top."""
 FRONT, REAR = "front", "rear"
 """Mounts that no asset has to name: where it is drawn along, and where it draws something."""
+TOWED = (REAR, FRONT)
+"""Mounts of what draws and of what it draws."""
 HITCH_CM = 40.0
 """Height of those: couplings of cars are at 35 to 42 cm (ISO 1103), or half as high as it is."""
 UP: Vec3 = (0.0, 0.0, 1.0)
@@ -91,7 +93,7 @@ def hitch_cm(height: float) -> float:
 
 def trails(joint: Joint) -> bool:
     """Whether a rope draws its child along behind its parent, on the same level."""
-    return joint.kind == "rope" and (joint.parent_mount, joint.child_mount) == (REAR, FRONT)
+    return joint.kind == "rope" and (joint.parent_mount, joint.child_mount) == TOWED
 
 
 def towed_by(doc: EsgDocument, name: str) -> list[str]:
@@ -103,7 +105,7 @@ def towed_by(doc: EsgDocument, name: str) -> list[str]:
         behind = [
             j.child
             for j in doc.spatial_relation_graph.joints or ()
-            if (j.parent, j.parent_mount, j.child_mount) == (parent, REAR, FRONT)
+            if j.parent == parent and (j.parent_mount, j.child_mount) == TOWED
         ]
         ahead += behind
         out += behind

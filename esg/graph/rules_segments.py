@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.graph.context import Context, bounds
-from esg.graph.joints import KINDS_OF_JOINT
+from esg.graph.joints import KINDS_OF_JOINT, TOWED
 from esg.graph.models import (
     EdgeEvent,
     ForceDirection,
@@ -233,8 +233,11 @@ def _was_hit(
     """Whether the body was hit at the begin or, if it takes part in that, at an event before it.
 
     A hit of what the body rests on, or of another member of its plural (a stack, a train), moves
-    it too, and so does one of what hangs beside it (the balls of a cradle).
+    it too, and so does one of what hangs beside it (the balls of a cradle). What is drawn along is
+    moved by who draws it.
     """
+    if _drawn_by(ctx, edge.actor) & {*begin.participants}:
+        return True
     movers = {edge.actor, *ctx.supports(edge.actor)} | _plural(ctx, edge.actor)
     movers |= _hung_beside(ctx, edge.actor)
     if edge.actor not in begin.participants:
@@ -252,6 +255,18 @@ def _was_hit(
             return True
         stack.extend(ctx.events_before.get(name, ()))
     return False
+
+
+def _drawn_by(ctx: Context, name: str) -> set[str]:
+    """What draws a node along behind it, directly or over others."""
+    ahead: set[str] = set()
+    found = {name}
+    while found:
+        joints = ctx.graph.joints or ()
+        tows = (j for j in joints if j.child in found and (j.parent_mount, j.child_mount) == TOWED)
+        found = {j.parent for j in tows if j.parent is not None} - ahead
+        ahead |= found
+    return ahead
 
 
 def _support_known(ctx: Context, name: str) -> bool:

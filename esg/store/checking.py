@@ -47,6 +47,7 @@ def content_digest(data: pa.Table) -> bytes:
 
 
 def _update(digest: Any, values: pa.Array) -> None:
+    import numpy as np
     import pyarrow as pa
     import pyarrow.compute
 
@@ -67,8 +68,9 @@ def _update(digest: Any, values: pa.Array) -> None:
     elif pa.types.is_string(kind) or pa.types.is_binary(kind):
         lengths = pc.fill_null(pc.binary_length(values), -1)
         digest.update(lengths.to_numpy(zero_copy_only=False).tobytes())
-        for text in values.cast(pa.binary()).to_pylist():
-            digest.update(text or b"")
+        whole = pc.fill_null(values.cast(pa.large_binary()), b"")
+        ends = np.frombuffer(whole.buffers()[1], np.int64)[whole.offset :][: len(whole) + 1]
+        digest.update(memoryview(whole.buffers()[2] or b"")[ends[0] : ends[-1]])
     else:
         plain = values.cast(pa.int64()) if pa.types.is_timestamp(kind) else values
         zero = False if pa.types.is_boolean(kind) else 0

@@ -8,7 +8,17 @@ import numpy as np
 import pytest
 
 from esg.graph import canonical_json, verify
-from esg.graph.joints import Frame, child_frame, own_frame, placing_joints, pose_of, start_frames
+from esg.graph.joints import (
+    FRONT,
+    REAR,
+    Frame,
+    child_frame,
+    own_frame,
+    placing_joints,
+    pose_of,
+    start_frames,
+    trails,
+)
 from esg.graph.models import AssetConfiguration, EsgDocument, Joint, Mount
 from esg.units import euler_deg_from_quat, quat_from_euler_deg, quat_rotate
 from tests.graph.builders import Json, finished
@@ -106,6 +116,28 @@ def jointed() -> Json:
         {"id": "a", "child": "picnic_table_1", "parent": "car_1", **ends},
     ]
     return out
+
+
+def sized(length: float, height: float) -> AssetConfiguration:
+    return asset().model_copy(update={"dimensions_cm": (length, 100.0, height)})
+
+
+@pytest.mark.parametrize("height", [30.0, 60.0, 200.0])
+def test_what_a_rope_draws_stands_behind_on_the_same_level(height: float) -> None:
+    tow = joint("rope", upper=200.0, parent_mount=REAR, child_mount=FRONT)
+    at = child_frame(tow, sized(400.0, 150.0), sized(120.0, height))
+    lift = min(40.0, 0.5 * height) - 40.0
+    assert at.position == pytest.approx([-200 - math.sqrt(200.0**2 - lift**2) - 60, 0, 0])
+    assert at.quaternion == pytest.approx([0, 0, 0, 1])
+    assert trails(tow)
+
+
+def test_a_hitch_keeps_its_mounts_together() -> None:
+    hitch = joint("hinge", parent_mount=REAR, child_mount=FRONT, lower=-60, upper=60, position=30)
+    at = child_frame(hitch, sized(400.0, 150.0), sized(120.0, 200.0))
+    end = at.position + quat_rotate(at.quaternion, np.array([60.0, 0.0, 40.0]))
+    assert end == pytest.approx([-200, 0, 40])
+    assert not trails(hitch)
 
 
 def test_children_of_children_follow() -> None:

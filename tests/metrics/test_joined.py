@@ -84,6 +84,16 @@ def test_what_hangs_on_a_rope_swings_and_hangs():
     assert told.kept
 
 
+def test_what_bobs_on_a_spring_is_lowest_where_it_turns_round():
+    world = World(3.0).add(body("beam_1", static=True), z=3.0)
+    world.add(ball("bob_1"), z=lambda t: 2.0 - 0.15 * np.sin(8 * t))
+    world.join("spring", "bob_1", "beam_1", parent_at=(0.0, 0.0, 3.0), upper=0.9, stiffness=64.0)
+    assert world.event(type="swings", object="bob", times=3).completed
+    still = World(3.0).add(body("beam_1", static=True), z=3.0).add(ball("bob_1"), z=2.0)
+    still.join("spring", "bob_1", "beam_1", parent_at=(0.0, 0.0, 3.0), upper=0.9, stiffness=64.0)
+    assert not still.event(type="swings", object="bob").completed
+
+
 def test_nothing_hangs_without_a_joint():
     told = pendulum().states(says="hangs_from", object="bob", target="beam")
     assert not told.kept

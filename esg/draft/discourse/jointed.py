@@ -13,7 +13,7 @@ from esg.lexicon.articulations import Articulation, articulations, hangers
 
 HUNG = "hanging thing"
 """Row of what hangs by a rope and has none of its own."""
-SPRUNG = "thing on a spring"
+SPRUNG, LOAD = "thing on a spring", "hanging load"
 _WHOLES = frozenset(
     {"appliance", "box", "container", "electronics", "flyer", "furniture", "toyvehicle", "vehicle"}
 )
@@ -33,8 +33,9 @@ def articulation_of(scene: Scene, text: str, e: Entity) -> Articulation | None:
     if e.id in scene.sprung:
         return hangers()[SPRUNG]
     hung = bool(scene.hung.get(e.id)) or e.id in scene.loosed
+    hung = hung and e.id not in scene.tows
     if row is None and (hung or not hangers().keys().isdisjoint(_names(scene, text, e))):
-        row = hangers()[HUNG]
+        row = hangers()[LOAD if _under_a_crane(scene) else HUNG]
     if row is None or (e.id in scene.attached and not (row.hangs and _below_ceiling(scene, e))):
         return None
     return row
@@ -49,6 +50,7 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
         others = (x for x in scene.world.entities.values() if x is not e)
         things = {head_of(x) for x in others if "structural" not in x.noun.traits}
         named = [f"{x} {head}" for x in sorted(things) if x in whole[1].lower()]
+        named = [*(f"{a} {head}" for a in e.adjectives), *named] if named else []
         return named or [head]  # "the gate of a paddock", which is no thing
     nouns = lex.nouns()
     compounds = [f"{a} {head}" for a in e.adjectives]
@@ -64,6 +66,11 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
 def _below_ceiling(scene: Scene, e: Entity) -> bool:
     host = scene.world.entities.get(scene.attached.get(e.id, ""))
     return host is not None and host.noun.kind == "ceiling"
+
+
+def _under_a_crane(scene: Scene) -> bool:
+    cranes = hangers()[LOAD].serves
+    return any(head_of(x) in cranes for x in scene.world.entities.values())
 
 
 def loosen(scene: Scene, text: str) -> None:

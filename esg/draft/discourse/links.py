@@ -18,6 +18,8 @@ SNAPPING = lex.word_set("snapping")
 """Verbs of what a rope does that holds no more."""
 _HANGING = lex.word_set("hanging")
 _SWINGING = _HANGING | lex.word_set("swinging")
+_COMING, _FREE = frozenset({"come", "break", "get", "work", "tear"}), frozenset({"loose", "free"})
+_DETACHING = frozenset({"detach", "uncouple", "unhitch", "disconnect"})
 _BY = ("on", "from", "by", "with")
 SPRINGS = frozenset({"spring", "coil spring"})
 _RODS = frozenset({"rod", "arm", "stick"})
@@ -42,7 +44,9 @@ def can_tow(d: Discourse, f: Frame, doers: list[str], drawn: list[str]) -> bool:
     """Whether a clause tells of something that draws others along behind it, on the ground."""
     if not doers or not drawn or kind_of(d, doers[0]) not in SELF_POWERED:
         return False
+    away = {"out", "off", "down", "apart", "away", "over", "up", "open"} & {*f.adverbs}
     loose = [i for i in drawn if "fixed" not in entity_of(d, i).noun.traits]
+    loose = [i for i in loose if not away and not is_link(d.scene, i)]
     return loose == drawn and (kind_of(d, doers[0]) != "person" or bool(link_of(d, f)))
 
 
@@ -143,8 +147,9 @@ def _sprung(d: Discourse, held: list[str], spring: Mention) -> set[int]:
 
 def snapped(d: Discourse, f: Frame) -> bool:
     """ "The rope snaps", "its chain breaks": a clause about a rope that holds no more."""
+    before = d.text[: f.verb.start].lower().split()[-1:] or [""]
     m = f.subject
-    link = m is not None and (m.head.lower().split() or [""])[-1] in LINKS
+    link = before[0] in LINKS or (m is not None and bool({*m.head.lower().split()[-1:]} & LINKS))
     return link and f.verb.lemma in SNAPPING and not f.verb.negated
 
 
@@ -156,6 +161,20 @@ def held_by(d: Discourse, node: str) -> str:
     hung = by_it or [*d.scene.hung] or [i for m in d.mentions if "hanging" in m.adjectives
                                         for i in m.entities]  # fmt: skip
     return hung[0] if len({*hung}) == 1 or by_it else ""
+
+
+def let_loose(d: Discourse, f: Frame) -> list[str]:
+    """What is towed, and no more: "the rope breaks", "the trailer comes loose"."""
+    tows, m = d.scene.tows, f.subject
+    if m is None or f.verb.negated:
+        return []
+    if snapped(d, f):
+        by_it = [node for node, tow in tows.items() if tow.link in m.entities]
+        only = [*tows] if len(tows) == 1 and not d.scene.hung else []
+        return by_it or only
+    after = d.text[f.verb.end :].lower().split()[:1]
+    freed = f.verb.lemma in _COMING and _FREE & {*f.adverbs, *(w.strip(".,;") for w in after)}
+    return [i for i in m.entities if i in tows] if freed or f.verb.lemma in _DETACHING else []
 
 
 def _hangs(d: Discourse, node: str) -> bool:

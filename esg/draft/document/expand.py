@@ -15,7 +15,7 @@ from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import GROUND, Scene
 from esg.draft.discourse.windows import START
-from esg.draft.document.joining import join_parts, lowers
+from esg.draft.document.joining import ARM_CM, join_parts, lowers
 from esg.draft.document.riding import put_into_cars, seat_riders
 from esg.draft.document.towing import tie_tows
 from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, TimelineEdge
@@ -131,7 +131,7 @@ def _is_raised(scene: Scene, edge: TimelineEdge, told: bool) -> bool:
     if told:
         return False
     row = articulation_of(scene, scene.text, entities[edge.target])
-    if row is not None and lowers(row, dimensions_of(entities[edge.actor])[2]):
+    if row is not None and lowers(row, dimensions_of(entities[edge.actor])[2] + ARM_CM):
         return False
     hangs = row is not None and row.above_cm > entities[edge.actor].noun.dimensions_cm[2]
     return hangs or entities[edge.target].noun.kind == "hoop"

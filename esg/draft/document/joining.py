@@ -32,16 +32,18 @@ SAG_M = 0.15
 """What hangs on a spring stretches it so far: it bobs in 0.8 s."""
 ROPE_CM = (60.0, 300.0)
 """Ropes by which things hang that have no row of their own: as long as they are high."""
-CLEAR_CM = 200.0
-"""Height above the ground at which a crane's load hangs."""
 _HOOK = 0.96
 """Height of the hook of a crane over its own (`demolition_crane`)."""
-LOWERED, ARM_CM = 0.6, 12.0
+LOWERED, ARM_CM = 0.6, 20.0
 """A post is lowered to this share of its height at most, so that arms are met so far below the top
 of what runs into them."""
 SWUNG_BY, LEAST_SHARE = 20.0, 0.1
 """What a blow is to set swinging has at most so many times the mass of what strikes it (at 10 m/s
 it rises by 2 cm then), and at least this share of its own."""
+BREAKS_BY = 0.7
+"""Share of its momentum that what swings gives surely to what it is to break."""
+TOY = 0.3
+"""Size of a toy over that of what it is a toy of."""
 MEETS_CM = 12.0
 """What hangs reaches so far below the top of what it is told to meet, or four fifths of that."""
 _MOTIONS = (EdgeEvent.DRIVE, EdgeEvent.RELEASE)
@@ -62,6 +64,8 @@ def join_parts(scene: Scene) -> list[str]:
         if row is None or e.whole or fixed or f"{e.id}/inside" in entered:
             continue
         _light_enough(scene, row, e)
+        _toy_sized(scene, row, e)
+        _weak_enough(scene, row, e)
         ratio = _become(e, row.becomes) if row.becomes else [1.0, 1.0, 1.0]
         if e.id in scene.loosed and row.hangs_anywhere and _met(scene, e):
             reasons += _under_a_ceiling(scene, row, e)
@@ -120,7 +124,8 @@ def _hung_on(scene: Scene, row: Articulation, e: Entity, part: Entity) -> Articu
     if row.kind == "spring":
         rope = row.upper or 0.0
     elif part.mentioned:
-        return replace(row, upper=max(_HOOK * dimensions_of(part)[2] - height - CLEAR_CM, rope))
+        hook = _HOOK * dimensions_of(part)[2]
+        return replace(row, upper=max(hook - height - row.above_cm, rope))
     post, arm, _ = part.noun.dimensions_cm
     reach = max(length, width) / 1.6 + 20.0
     above = row.above_cm + _tallest_below(scene, e)
@@ -138,7 +143,9 @@ def _lower(scene: Scene, row: Articulation, e: Entity, part: Entity) -> None:
     swings = (row.drawn is not None or row.turns) and row.carries == "with" and row.becomes
     if swings and part.dimensions_cm is not None and over > 0.0:
         part.dimensions_prescribed = True
-        part.dimensions_cm[2] *= 1.0 - over / (row.above_cm + e.noun.dimensions_cm[2])
+        pivot = row.above_cm + e.noun.dimensions_cm[2]
+        pivot += (row.upper or 0.0) if row.kind == "rope" else 0.0
+        part.dimensions_cm[2] *= 1.0 - over / pivot
 
 
 def lowers(row: Articulation, height: float) -> bool:
@@ -173,6 +180,35 @@ def _light_enough(scene: Scene, row: Articulation, e: Entity) -> None:
         scale = max(share, LEAST_SHARE) ** (1.0 / 3.0)
         e.dimensions_cm = [d * scale for d in e.noun.dimensions_cm]
         e.dimensions_prescribed = True
+
+
+def _toy_sized(scene: Scene, row: Articulation, e: Entity) -> None:
+    """What a toy is to push open is a toy, too: a gate for a toy car."""
+    entities = scene.world.entities
+    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
+    movers = [entities.get(n.participants[0]) for n in hits if e.id in n.participants[1:]]
+    toys = [m is not None and m.noun.kind == "toyvehicle" for m in movers]
+    if toys and all(toys) and row.opened is not None and e.dimensions_cm is None:
+        e.dimensions_cm = [d * TOY for d in e.noun.dimensions_cm]
+        e.dimensions_prescribed = True
+
+
+def _weak_enough(scene: Scene, row: Articulation, e: Entity) -> None:
+    """Makes what a swinging thing of a stated mass is to break small enough for its blow."""
+    if row.drawn is None or row.carries != "with" or not e.mass_prescribed or e.mass_kg is None:
+        return
+    entities = scene.world.entities
+    length = ((row.upper or 0.0) if row.kind == "rope" else e.noun.dimensions_cm[2]) / 100.0
+    fall = length * (1.0 - math.cos(math.radians(row.drawn)))
+    blow = BREAKS_BY * e.mass_kg * math.sqrt(2.0 * GRAVITY_MPS2 * fall)
+    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
+    met = {i for n in hits if n.participants[0] == e.id for i in n.participants[1:]}
+    for body in (entities[i] for i in sorted(met & {*scene.breaking} & {*entities})):
+        bears = scene.breaking[body.id].at_mps * (body.mass_kg or body.noun.mass_kg)
+        if bears > blow and body.dimensions_cm is None and not body.mass_prescribed:
+            scale = max(blow / bears, LEAST_SHARE) ** (1.0 / 3.0)
+            body.dimensions_cm = [d * scale for d in body.noun.dimensions_cm]
+            body.dimensions_prescribed = True
 
 
 def _met(scene: Scene, e: Entity) -> list[float]:

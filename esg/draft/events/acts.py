@@ -20,6 +20,7 @@ from esg.draft.discourse.event_coreference import goes_on, time_of_told, told_be
 from esg.draft.discourse.places import carries, elevated, fits_on, holds, place, set_free
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
+from esg.draft.discourse.tracks import Motion
 from esg.draft.events.ends import (
     EDGES,
     bounces_over,
@@ -30,7 +31,7 @@ from esg.draft.events.ends import (
     takes_up_from_above,
     touches_later,
 )
-from esg.draft.events.hanging import turning
+from esg.draft.events.hanging import openable, turning
 from esg.draft.events.motions import natural, own, speed_of, start_motion
 from esg.draft.events.roles import role
 from esg.draft.events.timing import (
@@ -47,7 +48,7 @@ from esg.draft.events.timing import (
 from esg.draft.events.told import happened, last_event, moves, recent, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
-from esg.graph.models import NodeEvent
+from esg.graph.models import ForceDirection, NodeEvent
 
 _GOALMOUTH = lex.word_set("goalmouth")
 _GOING = lex.word_set("going (acts)")
@@ -271,6 +272,9 @@ def add_event(
 def ensure_mover(d: Discourse, f: Frame, mover: str, target: str | None) -> None:
     """Sets in motion what nothing moves yet."""
     track = d.timeline.tracks.get(mover)
+    if openable(d, [mover]) and (track is None or not (track.hit or track.motion)):
+        d.timeline.move(mover, Motion("drive"), ForceDirection.ANY_3D)  # "a drawer hits a cup"
+        return
     if track is None or not track.under_way or track.waiting:
         start_motion(d, f, [mover], None, target)
 

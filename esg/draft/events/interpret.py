@@ -23,7 +23,7 @@ from esg.draft.discourse.core import (
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.jointed import loosen
-from esg.draft.discourse.links import held_by, snapped, take_links
+from esg.draft.discourse.links import drop_link, held_by, is_link, let_loose, snapped, take_links
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, refer_all
@@ -367,14 +367,29 @@ def _runs_now(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
+def _breaks_away(d: Discourse, f: Frame, node: str) -> None:
+    """What is towed breaks away as who tows it speeds up, and rolls on by itself."""
+    tow = d.scene.tows[node]
+    d.scene.loosed.add(node)
+    read_as(d, "accelerate", f, [tow.by], [])
+    track, ahead = d.timeline.track(node), d.timeline.track(tow.by)
+    track.at, track.hit, track.role, track.closed = ahead.at, True, Role.PASSIVE, False
+    for link in f.subject.entities if f.subject is not None else []:
+        if is_link(d.scene, link):
+            drop_link(d, link)
+    mark_used(d, f, "gives way")
+
+
 def _comes_down(f: Frame) -> bool:
     return f.verb.sense in ("fall", "drop")
 
 
 def _gives_way(d: Discourse, f: Frame, parts: Parts) -> bool:
     """ "The rope snaps": what hangs by it comes down."""
-    if not snapped(d, f):
-        return False
+    for node in (towed := let_loose(d, f)):
+        _breaks_away(d, f, node)
+    if towed or not snapped(d, f):
+        return bool(towed)
     held = [h for i in parts.subject if (h := held_by(d, i)) and h in d.scene.hung]
     if not held or not hanging(d, held):
         return False

@@ -121,6 +121,11 @@ WITH_WHAT_WAITS = (
         swings.swing_in,
     ),
     Meeting(
+        "a slides out on its joint, and b stands in its way",
+        swings.slides_in,
+        swings.slide_in,
+    ),
+    Meeting(
         "a is let go over b",
         throws.is_let_go,
         throws.drop,

@@ -12,6 +12,8 @@ from esg.dynamics.story.story import bounds
 from esg.dynamics.story.suspension import joint_of, suspension
 from esg.graph.models import EdgeEvent, TimelineNode
 
+MEETS_AT = 0.75
+"""What a drawer is to hit stands in its way at this share of it."""
 DROPS_S = 0.5
 """What comes down from where it hangs takes so long, about."""
 OPENS_S = 1.5
@@ -45,6 +47,25 @@ def _come_down(stage: Stage, e: Encounter) -> None:
     stage.places[e.a] = (x, y, frame.angle)
     stage.places.setdefault(e.b, (x, y, frame.angle + math.pi))
     stage.tracks[e.a].straight(0.0, DROPS_S, 0.0)
+
+
+def slides_in(stage: Stage, e: Encounter) -> bool:
+    """Whether a is driven along its slide to meet b."""
+    joint = joint_of(stage.doc, e.a)
+    driven = e.phase is not None and e.phase.edge.event is EdgeEvent.DRIVE
+    return driven and joint is not None and joint.kind == "slider"
+
+
+def slide_in(stage: Stage, e: Encounter) -> None:
+    """Puts b in the way of a, short of where its slide ends."""
+    joint = joint_of(stage.doc, e.a)
+    assert joint is not None and e.phase is not None
+    low, high, _ = bounds(e.phase.edge.params.duration, (OPENS_S, OPENS_S))
+    lasts = 0.5 * (low + high)
+    stage.nominal[f"{e.phase.edge.id}/duration"] = lasts
+    way = MEETS_AT * max(abs(joint.upper or 0.0), abs(joint.lower or 0.0)) / 100.0
+    stage.tracks[e.a].straight(way, lasts, way / lasts)
+    join(stage, e.a, e.b, e.node)
 
 
 def swung(stage: Stage, node: TimelineNode) -> None:

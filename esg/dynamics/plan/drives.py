@@ -35,13 +35,14 @@ def joint_of(scene: SimScene, name: str) -> Joint | None:
     return next((j for j in scene.joints if j.child == name and j.kind in able), None)
 
 
-def goal_of(joint: Joint, phase: Phase, here: float) -> float:
+def goal_of(joint: Joint, phase: Phase, here: float, goes_on: bool = False) -> float:
     """Where a joint is driven to [rad or m].
 
     Args:
         joint: Hinge or slider.
         phase: A Drive.
         here: Where it is before [rad or m].
+        goes_on: Whether it is driven on from there, into something.
     """
     hinge = joint.kind == "hinge"
     low, high, _ = bounds(phase.edge.params.opening, (math.nan, math.nan))
@@ -58,7 +59,7 @@ def goal_of(joint: Joint, phase: Phase, here: float) -> float:
     asked = math.radians(phase.end.turn_degrees or EVENT_DEGREES["opens"])
     if not hinge:
         asked = OPEN_SHARE * abs(far)
-    way = min(max(usual, SURELY * asked), abs(far))
+    way = min(SURELY * asked if goes_on else max(usual, SURELY * asked), abs(far))
     return math.copysign(way, far)
 
 

@@ -363,7 +363,14 @@ class Composer:
         if joint is None:
             return
         here = course.opening if not leg.first else start_position(self.scene, joint)
-        goal, lasts = goal_of(joint, leg.phase, here), leg.v[f"{edge.id}/duration"]
+        phases = self.story.phases[course.actor]
+        following = phases[phases.index(leg.phase) + 1 :][:1]
+        goes_on = any(
+            p.edge.event is EdgeEvent.DRIVE and p.end.event is NodeEvent.COLLISION
+            for p in following
+        )
+        goal = goal_of(joint, leg.phase, here, goes_on)
+        lasts = leg.v[f"{edge.id}/duration"]
         if leg.phase.end.event is NodeEvent.SPIN and leg.last:
             # It is turned on and on.
             goal, lasts = here + (goal - here) * HELD_ON_S / lasts, HELD_ON_S

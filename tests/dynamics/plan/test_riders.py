@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
 import math
 
 import numpy as np
@@ -10,7 +11,7 @@ import pytest
 from esg.dynamics.plan.build import build_scene
 from esg.dynamics.plan.planner import make_plan
 from esg.engines.program import Program, SetVelocity
-from esg.graph.joints import FOOT, SEAT
+from esg.graph.joints import FOOT, FRONT, REAR, SEAT
 from esg.graph.models import Actor, EsgDocument, Joint, TimelineEdge, TimelineNode
 from esg.units import quat_inverse, quat_rotate, yaw_from_quat
 from tests.dynamics.stage import asset, document, lay_out
@@ -93,6 +94,36 @@ def test_backward_the_load_goes_backward() -> None:
 )
 def test_only_loads_are_set_going(on: dict[str, str], hit: str) -> None:
     assert set_going(driving(on, hit)) == {}
+
+
+def towing(*behind: str) -> EsgDocument:
+    """A truck that draws things along, one behind the other."""
+    doc = driving({})
+    ahead = ("truck_1", *behind)
+    tows = tuple(
+        Joint(id=f"{b}_rope", kind="rope", child=b, child_mount=FRONT, parent=a,
+              parent_mount=REAR, upper=100.0)
+        for a, b in pairwise(ahead)
+    )  # fmt: skip
+    graph = doc.spatial_relation_graph.model_copy(update={"joints": tows})
+    return doc.model_copy(update={"spatial_relation_graph": graph})
+
+
+def test_what_is_drawn_along_is_under_way_behind() -> None:
+    doc = towing("crate_1", "cup_1")
+    assert set(set_going(doc)) == {"crate_1", "cup_1"}
+    doc = lay_out(doc)
+    scene = build_scene(doc)
+    plan = make_plan(doc, scene, seed=0)
+    theta = plan.initial()
+    theta[[v.name for v in plan.variables].index("truck_1/aim")] += 0.2
+    starts = plan.starts(theta)
+    truck, crate = starts["truck_1"], starts["crate_1"]
+    was = [scene.body(n) for n in ("truck_1", "crate_1")]
+    ahead = np.array(was[1].position) - np.array(was[0].position)
+    ahead = quat_rotate(quat_inverse(np.array(was[0].quaternion)), ahead)
+    assert crate[0] - truck[0] == pytest.approx(quat_rotate(truck[1], ahead))
+    assert float(yaw_from_quat(crate[1])) == pytest.approx(float(yaw_from_quat(truck[1])))
 
 
 def test_who_is_fixed_to_what_is_re_aimed_starts_where_it_does() -> None:

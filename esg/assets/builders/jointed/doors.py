@@ -96,17 +96,23 @@ def sliding_drawer(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
 
 @builder("drawer_chest", "free")
-def drawer_chest(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Chest with a bay for one drawer at the bottom, and a closed front above it."""
+def drawer_chest(s: Sketch, L: float, W: float, H: float, c: Color, bay_at: str = "bottom") -> None:
+    """Chest with a bay for one drawer at the bottom or the top, and a closed front elsewhere."""
     t = 0.045 * W
-    bay = (0.02 * H, 0.36 * H)
+    high = bay_at == "top"
+    bay = (0.62 * H, 0.96 * H) if high else (0.02 * H, 0.36 * H)
+    foot, top = (bay[0], H) if high else (0.0, bay[1])
+    closed = (0.0, bay[0]) if high else (bay[1], H)
     inner = (-W / 2 + t, W / 2 - t)
-    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (bay[1], H), c, solid=1)
-    s.slab((L / 2 - 0.1, L / 2 + 0.1), inner, (bay[1] + t, H - t), shade(c, 1.06))
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), closed, c, solid=1)
+    s.slab((L / 2 - 0.1, L / 2 + 0.1), inner, (closed[0] + t, closed[1] - t), shade(c, 1.06))
     for y in ((-W / 2, -W / 2 + t), (W / 2 - t, W / 2)):
-        s.slab((-L / 2, L / 2), y, (0, bay[1]), c, solid=1)
-    s.slab((-L / 2, -L / 2 + t), inner, (0, bay[1]), c, solid=1)
-    s.slab((-L / 2 + t, L / 2), inner, (0, bay[0]), DARK, solid=1)
+        s.slab((-L / 2, L / 2), y, (foot, top), c, solid=1)
+    s.slab((-L / 2, -L / 2 + t), inner, (foot, top), c, solid=1)
+    if high:
+        s.slab((-L / 2, L / 2), (-W / 2, W / 2), (bay[1], H), c, solid=1)
+    else:
+        s.slab((-L / 2 + t, L / 2), inner, (0, bay[0]), DARK, solid=1)
     s.surface("top", H, (L / 2, W / 2))
     s.mount("runner", (L / 2, 0.0, bay[0] + 0.3), (1.0, 0.0, 0.0))
 
