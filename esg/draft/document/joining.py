@@ -252,15 +252,8 @@ def _seat_on_seesaws(scene: Scene) -> None:
 
 def _hand_over(scene: Scene, named: str, part: str) -> None:
     """Lets the part that turns do what is told of the whole: a chest opens, a cradle swings."""
-    timeline = scene.timeline
-    if not any(x.actor == named and x.event in _MOTIONS for x in timeline.edges):
-        return
-    timeline.tracks[part] = timeline.tracks.pop(named)
-    timeline.edges[:] = [
-        x.model_copy(update={"actor": part}) if x.actor == named else x for x in timeline.edges
-    ]
-    for node in timeline.nodes:
-        node.participants = tuple(part if p == named else p for p in node.participants)
+    if any(x.actor == named and x.event in _MOTIONS for x in scene.timeline.edges):
+        scene.timeline.hand_over(named, part)
 
 
 def _become(e: Entity, name: str) -> list[float]:
