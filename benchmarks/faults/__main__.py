@@ -2,12 +2,15 @@
 
     python -m benchmarks.faults malformed --count 100 [--only suite:17]
     python -m benchmarks.faults flips --count 30
+    python -m benchmarks.faults bits --count 250
     python -m benchmarks.faults kills --count 4 --rounds 2 [--only "db rebuild"]
     python -m benchmarks.faults pairs
     python -m benchmarks.faults losses --count 25
     python -m benchmarks.faults disks --count 3
     python -m benchmarks.faults clocks
     python -m benchmarks.faults stalls
+    python -m benchmarks.faults interrupts --count 3
+    python -m benchmarks.faults limits
     python -m benchmarks.faults attacks [--before CHECKOUT]
 
 What must hold: malformed input ends with the right exit code, a message and no traceback within
@@ -30,7 +33,19 @@ import tempfile
 import time
 from typing import TypeVar
 
-from benchmarks.faults import clocks, disks, flips, kills, losses, malformed, stalls
+from benchmarks.faults import (
+    attacks,
+    bits,
+    clocks,
+    disks,
+    flips,
+    interrupts,
+    kills,
+    limits,
+    losses,
+    malformed,
+    stalls,
+)
 from benchmarks.faults.ground import ROOT, prepared
 from benchmarks.faults.spread import spread
 
@@ -51,6 +66,9 @@ def main() -> int:
     parser.add_argument("--ground", type=Path, help="folder of the undisturbed work; kept")
     parser.add_argument("--before", type=Path, help="attacks: an earlier checkout, to compare")
     args = parser.parse_args()
+    if "losses" in args.what:
+        losses.preload_here(Path(tempfile.mkdtemp(prefix="esg-losses-")))
+    malformed.load_libraries()
     wrong = 0
     with tempfile.TemporaryDirectory(prefix="esg-faults-") as folder:
         ground = args.ground or Path(folder) / "ground"
@@ -99,7 +117,6 @@ def _one_malformed(ground: Path, place: Path, item: tuple[str, int]) -> tuple[st
 
 
 def _malformed(ground: Path, place: Path, args: argparse.Namespace) -> int:
-    malformed.load_libraries()
     items = [
         (name, k)
         for name, k in _chosen(malformed.KINDS, args.only, args.count)
@@ -123,7 +140,6 @@ def _one_flip(ground: Path, seed: int, place: Path, item: tuple[str, int]) -> st
 
 
 def _flips(ground: Path, place: Path, args: argparse.Namespace) -> int:
-    malformed.load_libraries()
     items = [
         (name, k)
         for name, k in _chosen(flips.KINDS, args.only, args.count)
@@ -264,15 +280,25 @@ def _stalls(ground: Path, place: Path, args: argparse.Namespace) -> int:
     return _told(stalls.HEADS, stalls.stalled, stalls.SERVERS, ground, place, args)
 
 
-def _one_attack(checkouts: dict[Path, Path], place: Path, name: str) -> list[list[str]]:
-    from benchmarks.faults import attacks
+def _bits(ground: Path, place: Path, args: argparse.Namespace) -> int:
+    run = partial(bits.flipped, args.seed, args.count)
+    return _told(bits.HEADS, run, bits.READERS, ground, place, args)
 
+
+def _interrupts(ground: Path, place: Path, args: argparse.Namespace) -> int:
+    run = partial(interrupts.interrupted, args.seed, args.count)
+    return _told(interrupts.HEADS, run, kills.COMMANDS, ground, place, args)
+
+
+def _limits(ground: Path, place: Path, args: argparse.Namespace) -> int:
+    return _told(limits.HEADS, limits.exceeded, limits.LIMITS, ground, place, args)
+
+
+def _one_attack(checkouts: dict[Path, Path], place: Path, name: str) -> list[list[str]]:
     return [attacks.attacked(name, made, place, of) for of, made in checkouts.items()]
 
 
 def _attacks(ground: Path, place: Path, args: argparse.Namespace) -> int:
-    from benchmarks.faults import attacks  # which are the tests', and need what tests need
-
     checkouts = [args.before.resolve()] if args.before else []
     checkouts.append(ROOT)
     made = {c: attacks.made_by(c, place / f"made{k}") for k, c in enumerate(checkouts)}
@@ -291,12 +317,15 @@ def _attacks(ground: Path, place: Path, args: argparse.Namespace) -> int:
 _FAULTS: dict[str, Callable[[Path, Path, argparse.Namespace], int]] = {
     "malformed": _malformed,
     "flips": _flips,
+    "bits": _bits,
     "kills": _kills,
     "pairs": _pairs,
     "losses": _losses,
     "disks": _disks,
     "clocks": _clocks,
     "stalls": _stalls,
+    "interrupts": _interrupts,
+    "limits": _limits,
     "attacks": _attacks,
 }
 

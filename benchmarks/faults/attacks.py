@@ -1,7 +1,7 @@
 """The attack that taught this project distrust, repeated: what a stranger's file makes commands do.
 
-The tampered folders are those of `tests/security`; here they are opened through the command line,
-by this checkout or by an earlier one.
+What `tests/security` opens within Python is opened here through the command line, by this checkout
+or by an earlier one.
 """
 
 from __future__ import annotations
@@ -15,8 +15,8 @@ import resource
 import shutil
 import zipfile
 
-from benchmarks.faults.ground import MEMORY_BYTES, PATIENCE_S, ROOT, UGLY, esg
-from tests.security import test_classes, test_declared, test_folders
+from benchmarks.faults import tampering
+from benchmarks.faults.ground import MEMORY_BYTES, PATIENCE_S, ROOT, UGLY, esg, forked
 
 PROMPT = "A bowling ball rolls into a pin."
 LOOKING = (
@@ -62,23 +62,23 @@ class Attack:
 
 def _model(lie: Callable[[dict[str, object]], None]) -> Callable[[Place], object]:
     def tamper(place: Place) -> None:
-        document, binary = test_declared.box()
+        document, binary = tampering.box()
         lie(document)
         for path in (place.scene / "meshes").glob("*.glb"):
-            path.write_bytes(test_declared.glb(document, binary))
+            path.write_bytes(tampering.glb(document, binary))
 
     return tamper
 
 
 def _recording(place: Place) -> None:
     with zipfile.ZipFile(place.scene / "rollout.npz", "w") as archive:
-        archive.writestr("time.npy", test_declared._array((10**12,), b"\0" * 80))
+        archive.writestr("time.npy", tampering.array_of((10**12,), b"\0" * 80))
 
 
 def _bomb(place: Place) -> None:
     packed = zipfile.ZipFile(place.scene / "rollout.npz", "w", zipfile.ZIP_DEFLATED)
     with packed as archive, archive.open("time.npy", "w", force_zip64=True) as entry:
-        entry.write(test_declared._array((2**29,), b""))
+        entry.write(tampering.array_of((2**29,), b""))
         for _ in range(2**12):
             entry.write(bytes(2**20))
 
@@ -138,13 +138,12 @@ def _named(function: Callable[..., object]) -> str:
 BENCH = (["bench", "x.yaml", "--runs", "1", "--out", "o"],)
 ATTACKS: dict[str, Attack] = {
     **{
-        f"class, {_named(f)}": Attack(_plain(f, "marker")) for f in test_classes.TAMPERED
+        f"class, {_named(f)}": Attack(_plain(f, "marker")) for f in tampering.TAMPERED
     },
-    **{f"folder, {_named(f)}": Attack(_plain(f, "secret")) for f in test_folders.ODD},
+    **{f"folder, {_named(f)}": Attack(_plain(f, "secret")) for f in tampering.ODD},
     **{
         f"model, {_named(lie)}": Attack(_model(lie), LOOKING)
-        for lie in (test_declared._count, test_declared._doubled, test_declared._crowd,
-                    test_declared._loop, test_declared._outside)
+        for lie in tampering.LIES
     },
     "recording, declares 8 TB": Attack(_recording),
     "recording, unpacks to 4 GiB": Attack(_bomb),
@@ -188,21 +187,23 @@ def attacked(name: str, made: Path, folder: Path, checkout: Path = ROOT) -> list
     shutil.copytree(made, folder, symlinks=True)
     (folder / "home").mkdir()
     place = Place(folder, folder / "ran", folder / "home" / "key.txt")
-    place.secret.write_text(test_folders.SECRET)
+    place.secret.write_text(tampering.SECRET)
     (place.scene / "SHA256SUMS").unlink(missing_ok=True)  # as whoever changes files would
     attack = ATTACKS[name]
     attack.tamper(place)
     found: list[str] = []
     for line in attack.commands:
-        with _bounded():
-            ended = esg(
-                line, folder, folder / "cache", PATIENCE_S, PYTHONPATH=str(checkout), ESG_UP="0"
-            )
+        if checkout == ROOT:
+            ended = forked(line, folder, folder / "cache", ESG_UP="0")
+        else:
+            more = {"PYTHONPATH": str(checkout), "ESG_UP": "0"}
+            with _bounded():
+                ended = esg(line, folder, folder / "cache", PATIENCE_S, **more)
         end = ""
         if place.marker.exists():
             end = "ran its code"
             place.marker.unlink()
-        elif _leaked(place) or test_folders.SECRET in ended.out + ended.err:
+        elif _leaked(place) or tampering.SECRET in ended.out + ended.err:
             end = "leaked a file"
         elif ended.code is None:
             end = "hung"
@@ -221,7 +222,7 @@ def attacked(name: str, made: Path, folder: Path, checkout: Path = ROOT) -> list
 def _leaked(place: Place) -> bool:
     made = [place.folder / "page.html", *(place.folder / "pictures").rglob("*"),
             *(place.folder / "model").rglob("*")]  # fmt: skip
-    key = test_folders.SECRET.encode()
+    key = tampering.SECRET.encode()
     return any(p.is_file() and not p.is_symlink() and key in p.read_bytes() for p in made)
 
 

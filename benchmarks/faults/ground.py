@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+import contextlib
 from dataclasses import dataclass
 import os
 from pathlib import Path
@@ -12,6 +13,7 @@ import shutil
 import signal
 import subprocess
 import sys
+import tempfile
 import time
 
 from esg.paths import kernel_cache_dir
@@ -126,8 +128,37 @@ def esg(
     return finish(begin(arguments, place, cache, **more), patience_s, started)
 
 
+@dataclass(frozen=True)
+class Started:
+    """A command that runs.
+
+    Args:
+        pid: Of its process, which leads its own group.
+        finish: Waits for so long [s], kills it if it hangs, and tells how it ended.
+    """
+
+    pid: int
+    finish: Callable[[float], Ended]
+
+
+def start(arguments: Sequence[str], place: Path, cache: Path, *, fork: bool) -> Started:
+    """Starts a command.
+
+    Args:
+        arguments: Of the command line.
+        place: Where it runs.
+        cache: Its cache folder.
+        fork: Whether it may be a fork of this process, which has the libraries loaded already;
+            not for commands that start workers or servers.
+    """
+    if fork:
+        return started_fork(arguments, place, cache, _nothing)
+    command = begin(arguments, place, cache)
+    return Started(command.pid, lambda patience: finish(command, patience, time.monotonic()))
+
+
 def forked(arguments: Sequence[str], place: Path, cache: Path, **more: str) -> Ended:
-    """Runs a command in a fork of this process, which has the libraries loaded already.
+    """Runs a command to its end in a fork of this process, which has the libraries loaded already.
 
     Args:
         arguments: Of the command line.
@@ -135,19 +166,44 @@ def forked(arguments: Sequence[str], place: Path, cache: Path, **more: str) -> E
         cache: Its cache folder.
         more: Further variables of its environment.
     """
+    return started_fork(arguments, place, cache, _nothing, **more).finish(PATIENCE_S)
+
+
+def started_fork(
+    arguments: Sequence[str], place: Path, cache: Path,
+    first: Callable[[], object], **more: str,
+) -> Started:  # fmt: skip
+    """Starts a command in a fork of this process.
+
+    Args:
+        arguments, place, cache, more: As of `forked`.
+        first: Called in the fork before anything else.
+    """
     (place / "tmp").mkdir(parents=True, exist_ok=True)
-    out, err = place / "tmp" / "out", place / "tmp" / "err"
+    said = Path(tempfile.mkdtemp(prefix="esg-said-"))
     started = time.monotonic()
     child = os.fork()
     if child == 0:
         os.setpgid(0, 0)
-        for number, path in ((1, out), (2, err)):
-            handle = os.open(path, os.O_CREAT | os.O_WRONLY | os.O_TRUNC, 0o600)
+        for number, name in ((1, "out"), (2, "err")):
+            handle = os.open(said / name, os.O_CREAT | os.O_WRONLY | os.O_TRUNC, 0o600)
             os.dup2(handle, number)
+        first()
         _child(arguments, place, environment(place, cache) | more)
-    code = _waited(child, started)
-    texts = [p.read_text(errors="replace") if p.exists() else "" for p in (out, err)]
-    return Ended(code, texts[0], texts[1], time.monotonic() - started)
+    with contextlib.suppress(OSError):
+        os.setpgid(child, child)  # whoever is first: it shall be killable as a group at once
+
+    def ended(patience_s: float) -> Ended:
+        code = _waited(child, patience_s)
+        out, err = ((said / n).read_text(errors="replace") for n in ("out", "err"))
+        shutil.rmtree(said, ignore_errors=True)
+        return Ended(code, out, err, time.monotonic() - started)
+
+    return Started(child, ended)
+
+
+def _nothing() -> None:
+    """What most forks do before their command."""
 
 
 def _child(arguments: Sequence[str], place: Path, variables: dict[str, str]) -> None:
@@ -176,14 +232,14 @@ def _child(arguments: Sequence[str], place: Path, variables: dict[str, str]) -> 
         os._exit(code)
 
 
-def _waited(child: int, started: float) -> int | None:
+def _waited(child: int, patience_s: float) -> int | None:
     """The exit code of a child, None if it had to be killed."""
-    pause = 0.002
+    pause, started = 0.002, time.monotonic()
     while True:
         done, status = os.waitpid(child, os.WNOHANG)
         if done:
             return os.waitstatus_to_exitcode(status)
-        if time.monotonic() - started > PATIENCE_S:
+        if time.monotonic() - started > patience_s:
             os.killpg(child, signal.SIGKILL)
             os.waitpid(child, 0)
             return None

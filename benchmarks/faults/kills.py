@@ -12,7 +12,7 @@ import shutil
 import signal
 import time
 
-from benchmarks.faults.ground import PROMPT, begin, copied, esg, finish, scene_of
+from benchmarks.faults.ground import PROMPT, Ended, Started, copied, scene_of, start
 
 Facts = dict[str, str]
 Sound = tuple[Facts, float]
@@ -31,6 +31,8 @@ COMMANDS: dict[str, Sequence[str]] = {
 }
 """Command lines; what they make is `k`."""
 WARM = ("generate from cache", "db rebuild", "db ingest", "export", "report", "replay")
+SERVED = ("bench", "dataset")
+"""They start servers and workers, which a fork of a large process may not."""
 ALONE = ("dataset",)
 """A folder takes one writer: the second is told so."""
 _TIMES = (
@@ -107,6 +109,16 @@ def arguments(name: str, place: Path) -> list[str]:
     return [str(scene_of(place)) if a == "SCENE" else a for a in COMMANDS[name]]
 
 
+def run(name: str, place: Path) -> Ended:
+    """Runs a kind of command to its end."""
+    return started(name, place).finish(600.0)
+
+
+def started(name: str, place: Path) -> Started:
+    """Starts a kind of command."""
+    return start(arguments(name, place), place, place / "cache", fork=name not in SERVED)
+
+
 def undisturbed(name: str, together: int, ground: Path, place: Path) -> Sound:
     """What commands leave that nothing disturbs, one after the other.
 
@@ -116,7 +128,7 @@ def undisturbed(name: str, together: int, ground: Path, place: Path) -> Sound:
     prepared_copy(ground, place, name)
     seconds = 0.0
     for _ in range(together):
-        ended = esg(arguments(name, place), place, place / "cache")
+        ended = run(name, place)
         if ended.wrong((0, 3)):
             raise RuntimeError(f"{name}, undisturbed: {ended.wrong((0, 3))}")
         seconds = max(seconds, ended.seconds)
@@ -147,21 +159,20 @@ def kill(
         How many processes died of it, and `same`, or what differs.
     """
     prepared_copy(ground, place, name)
-    line, died = arguments(name, place), 0
+    died = 0
     for _ in range(times):
-        started = [begin(line, place, place / "cache") for _ in range(together)]
-        time.sleep(rng.uniform(0.05, sound[1]))
-        for command in started:
+        running = [started(name, place) for _ in range(together)]
+        time.sleep(rng.uniform(0.02, sound[1]))
+        for command in running:
             with contextlib.suppress(ProcessLookupError):
                 os.killpg(command.pid, signal.SIGKILL)
-        for command in started:
-            ended = finish(command, 60.0, time.monotonic())
+        for command in running:
+            ended = command.finish(60.0)
             died += ended.code == -signal.SIGKILL
             if ended.code != -signal.SIGKILL and ended.wrong((0, 3)):
                 return died, f"while killed: {ended.wrong((0, 3))}"
-    now = time.monotonic()
-    last = [begin(line, place, place / "cache") for _ in range(together)]
-    for ended in [finish(command, 600.0, now) for command in last]:
+    last = [started(name, place) for _ in range(together)]
+    for ended in [command.finish(600.0) for command in last]:
         if ended.wrong((0, 3)):
             return died, f"after {died} kills: {ended.wrong((0, 3))}"
     return died, difference(sound[0], facts(place), name)

@@ -28,7 +28,8 @@ static atomic_long *counter;
 
 #define NEXT(name) ((__typeof__(&name))dlsym(RTLD_NEXT, #name))
 
-__attribute__((constructor)) static void begin(void) {
+// From the environment when it is loaded; by a call in a fork of a process that loaded it before.
+__attribute__((constructor)) void esg_loss_begin(void) {
     const char *r = getenv("ESG_LOSS_ROOT"), *j = getenv("ESG_LOSS_JOURNAL"), *a = getenv("ESG_LOSS_AT");
     if (!r || !j) return;
     snprintf(root, sizeof root, "%s/", r);

@@ -10,19 +10,23 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 import contextlib
+import ctypes
 from dataclasses import dataclass, field
 import os
 from pathlib import Path
 import random
 import shutil
 import signal
+import sys
 import time
 
-from benchmarks.faults.ground import begin, esg, finish
-from benchmarks.faults.kills import Facts, arguments, difference, facts, prepared_copy
+from benchmarks.faults.ground import begin, finish, started_fork
+from benchmarks.faults.kills import SERVED, Facts, arguments, difference, facts, prepared_copy, run
 from benchmarks.faults.shims import compiled
 
 PAGE = 4096
+LOADED = "FAULTS_LOSSES_LOADED"
+"""Set where the library is in this process and does nothing until it is told to."""
 AFTER_END = 0.25
 """Share of the losses that come when the command has just said that it is done."""
 
@@ -350,13 +354,33 @@ def _preloaded(name: str, place: Path, library: Path, journal: Path, at: int) ->
     """Runs a command until an operation, or to its end; returns the number of operations."""
     open_journal(journal)
     more = variables(place, library, journal, at)
-    command = begin(arguments(name, place), place, place / "cache", **more)
-    ended = finish(command, 600.0, time.monotonic())
+    line, cache = arguments(name, place), place / "cache"
+    if name in SERVED or LOADED not in os.environ:
+        process = begin(line, place, cache, **more)
+        pid, ended = process.pid, finish(process, 600.0, time.monotonic())
+    else:
+        command = started_fork(line, place, cache, lambda: _begin(more), **more)
+        pid, ended = command.pid, command.finish(600.0)
     with contextlib.suppress(ProcessLookupError):
-        os.killpg(command.pid, signal.SIGKILL)
+        os.killpg(pid, signal.SIGKILL)
     if ended.wrong((0, 3)) and not (at and ended.code == -signal.SIGKILL):
         raise RuntimeError(f"{name}: {ended.wrong((0, 3))}")
     return operations(journal)
+
+
+def _begin(more: dict[str, str]) -> None:
+    """In a fork: lets the library that this process has preloaded begin."""
+    os.environ.update(more)  # which sets them in C as well
+    ctypes.CDLL(None).esg_loss_begin()
+
+
+def preload_here(folder: Path) -> None:
+    """Starts this process anew with the library preloaded, unless it is: its forks can use it."""
+    if LOADED in os.environ:
+        return
+    library = compiled("losses", folder)
+    os.environ.update({"LD_PRELOAD": str(library), LOADED: "1"})
+    os.execv(sys.executable, [sys.executable, *sys.orig_argv[1:]])
 
 
 def sound(name: str, ground: Path, place: Path) -> tuple[Facts, int]:
@@ -393,7 +417,7 @@ def loss(
     lost = lose(place, before, journal, pristine, rng)
     when = "after its end" if after else f"at operation {at} of {undisturbed[1]}"
     if not after:
-        ended = esg(arguments(name, place), place, place / "cache")
+        ended = run(name, place)
         if ended.wrong((0, 3)):
             return Loss(after, lost, f"{when}, run again: {ended.wrong((0, 3))}")
     wrong = difference(undisturbed[0], facts(place), "" if after else name)

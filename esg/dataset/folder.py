@@ -102,13 +102,13 @@ class DatasetFolder:
         """
         path = self.path / PLAN
         try:
-            text = path.read_text("utf-8")
+            data = path.read_bytes()
         except (FileNotFoundError, NotADirectoryError):
             return None
         except OSError as error:
             raise UserError(f"{path} cannot be read: {error.strerror}") from None
         try:
-            return DatasetSpec.model_validate_json(text)
+            return DatasetSpec.model_validate_json(data)
         except ValueError as error:
             reason = str(error).splitlines()[0]
             raise UserError(
@@ -116,9 +116,18 @@ class DatasetFolder:
             ) from None
 
     def prompts(self) -> list[Prompt]:
-        """The kept prompts, none for a sampled dataset."""
+        """The kept prompts, none for a sampled dataset.
+
+        Raises:
+            UserError: If they are damaged.
+        """
         path = self.path / PROMPTS
-        return kept_prompts(path.read_text("utf-8")) if path.is_file() else []
+        if not path.is_file():
+            return []
+        try:
+            return kept_prompts(path.read_text("utf-8"))
+        except ValueError:
+            raise UserError(f"{path} is damaged; choose another --out") from None
 
     def finished(self) -> bool:
         """Whether the dataset has been put together."""

@@ -196,15 +196,23 @@ def _checked(path: str, raw: dict[str, Any] | None, found: Findings) -> CheckRep
 def load_document(path: Path | str) -> EsgDocument:
     """Reads a document that fits the schema.
 
-    The rules are not applied: call `verify` for them.
+    The rules are not applied: call `verify` for them. Only a place made of what no table knows is
+    refused, since it cannot be shown.
 
     Raises:
         UserError: Naming everything that keeps the file from being read as an ESG document.
     """
+    from esg.graph.rules_dressing import unknown_names
+
     found = Findings()
     raw = read_json(path, found)
     doc = None if raw is None else parse(raw, found).doc
     if doc is None or found.items:
         report = CheckReport(str(path), tuple(found.items))
         raise UserError(f"not an ESG document: {report.text()}")
+    for where, name in unknown_names(doc.dressing) if doc.dressing else ():
+        raise UserError(
+            f"{path}: /dressing/{where}: {name[:80]!r} is in no table of what places are made of; "
+            "use one of esg/lexicon, or remove dressing"
+        )
     return doc

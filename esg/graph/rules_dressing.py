@@ -46,7 +46,8 @@ def check(ctx: Context) -> None:
     _clear(ctx, dressing)
 
 
-def _names(ctx: Context, dressing: Dressing) -> None:
+def unknown_names(dressing: Dressing) -> list[tuple[str, str]]:
+    """Names in a dressing that are in no table, each with its place below `/dressing`."""
     known = things() | {kind.slug for kind in kinds() if kind.builder}
     told: list[tuple[str, str, Container[str]]] = [
         ("place", dressing.place, places().keys()),
@@ -59,15 +60,18 @@ def _names(ctx: Context, dressing: Dressing) -> None:
         told.append((f"items/{i}/kind", item.kind, known))
         if item.surface is not None:
             told.append((f"items/{i}/surface", item.surface, surfaces().keys()))
-    for where, name, rows in told:
-        if name not in rows:
-            ctx.add(
-                "DRESSING_UNKNOWN",
-                f"/dressing/{where}",
-                name,
-                f"{name[:80]!r} is in no table of what places are made of.",
-                "Use a row of the tables in esg/lexicon, or run the stage dress again.",
-            )
+    return [(where, name) for where, name, rows in told if name not in rows]
+
+
+def _names(ctx: Context, dressing: Dressing) -> None:
+    for where, name in unknown_names(dressing):
+        ctx.add(
+            "DRESSING_UNKNOWN",
+            f"/dressing/{where}",
+            name,
+            f"{name[:80]!r} is in no table of what places are made of.",
+            "Use a row of the tables in esg/lexicon, or run the stage dress again.",
+        )
     for name, count in Counter(item.id for item in dressing.items).items():
         if count > 1:
             ctx.add(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 import contextlib
 from dataclasses import dataclass
 from itertools import groupby
@@ -23,6 +24,7 @@ from esg.store.tables import (
     read_table,
     table_of,
 )
+from esg.workers import usable_cores
 
 if TYPE_CHECKING:
     from duckdb import DuckDBPyConnection
@@ -228,13 +230,17 @@ def _columns_of(connection: DuckDBPyConnection, files: Sequence[Path]) -> set[st
 
 def _damaged(files: dict[str, list[Path]]) -> list[str]:
     """What is wrong with files, found by reading each with its checksums, which DuckDB does not."""
-    problems: list[str] = []
-    for file in (f for found in files.values() for f in found):
-        try:
-            read_table(file)
-        except UserError as problem:
-            problems.append(str(problem))
-    return problems
+    with ThreadPoolExecutor(usable_cores()) as pool:
+        found = pool.map(_problem, (f for files_of in files.values() for f in files_of))
+        return [problem for problem in found if problem]
+
+
+def _problem(file: Path) -> str:
+    try:
+        read_table(file)
+    except UserError as problem:
+        return str(problem)
+    return ""
 
 
 def _blame(files: dict[str, list[Path]], error: BaseException) -> str:

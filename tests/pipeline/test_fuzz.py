@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import contextlib
 import json
 from pathlib import Path
 from typing import Any
@@ -15,6 +16,8 @@ from esg.assets.imports.sources import parse_properties, read_folder
 from esg.assets.imports.store import read_record
 from esg.commands.serve import check_cron
 from esg.dataset.distribution import load_distribution
+from esg.dataset.folder import DatasetFolder
+from esg.dataset.job import BatchResult
 from esg.dataset.plan import Shard, read_prompts
 from esg.engines.manifest import load_manifest
 from esg.graph import verify
@@ -23,9 +26,13 @@ from esg.graph.violations import Findings
 from esg.limits import stage_limits
 from esg.metrics.suite import parse_suite
 from esg.outcomes import UserError
+from esg.scenereading import read_rollout
 from esg.store import ingest, read_table
 from esg.store.checking import check_recording
+from esg.strangers import gltf
+from esg.strangers.sums import SUMS, differences
 from esg.strangers.yamlfile import read_yaml
+from esg.view import png16
 
 FEW = settings(
     max_examples=60,
@@ -124,16 +131,50 @@ def test_json(data: bytes) -> None:
 
 @FEW
 @given(st.binary(max_size=300))
+@example(b"\x80")
 @pytest.mark.parametrize(
     ("name", "parser"),
     [("x.parquet", read_table), ("x.mcap", check_recording), ("manifest.json", load_manifest),
      ("x.jsonl", read_prompts), ("x.txt", read_prompts), ("x.yaml", read_prompts),
-     ("mug.json", read_record), ("x.duckdb", lambda path: ingest(path, []))],
+     ("mug.json", read_record), ("x.duckdb", lambda path: ingest(path, [])),
+     ("x.npz", lambda path: read_rollout(path, 2)),
+     ("meta/plan.json", lambda path: DatasetFolder(path.parents[1]).spec()),
+     ("meta/prompts.jsonl", lambda path: DatasetFolder(path.parents[1]).prompts()),
+     ("meta/run.json", lambda path: DatasetFolder(path.parents[1]).run())],
 )  # fmt: skip
 def test_files(name: str, parser: Any, tmp_path: Path, data: bytes) -> None:
     path = tmp_path / name
+    path.parent.mkdir(exist_ok=True)
     path.write_bytes(data)
     only_told(parser, path)
+
+
+@FEW
+@given(st.binary(max_size=300))
+@example(b"glTF\x02\0\0\0\xff\xff\xff\xff")
+@example(b"\x89PNG\r\n\x1a\n" + bytes(40))
+@pytest.mark.parametrize("parser", [gltf.read_glb, png16.decode])
+def test_bytes_of_strangers(parser: Any, data: bytes) -> None:
+    """Their readers are told apart by what calls them: a ValueError says what is wrong."""
+    with contextlib.suppress(ValueError):
+        parser(data)
+
+
+@FEW
+@given(TREE)
+def test_marks(tree: Any) -> None:
+    with contextlib.suppress(ValueError, TypeError):
+        BatchResult.from_json(json.dumps(tree))
+
+
+@FEW
+@given(st.text(max_size=200))
+@example(f"{'0' * 64}  ../../etc/passwd")
+@example(f"{'0' * 64}  a\0b")
+def test_lists_of_sums(tmp_path: Path, text: str) -> None:
+    (tmp_path / SUMS).write_bytes(text.encode("utf-8", "surrogatepass"))
+    found = differences(tmp_path)
+    assert found is not None and isinstance(found.problem, str)
 
 
 @FEW

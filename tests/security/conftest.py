@@ -37,22 +37,3 @@ def scene(made: Path, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Path:
 
     monkeypatch.setattr(written, "_written", {})
     return Path(shutil.copytree(made, tmp_path / "scene"))
-
-
-def source_of(scene: Path) -> Path:
-    """The class's source."""
-    (path,) = (scene / "unreal").glob("*.cpp")
-    return path
-
-
-def in_tick(scene: Path, code: str, before: str = "") -> Path:
-    """Lets the class do something in every step; `before` stands at the end of its includes."""
-    path = source_of(scene)
-    text = path.read_text("utf-8")
-    head, last = text[: text.rindex("#include")], text[text.rindex("#include") :]
-    line, rest = last.split("\n", 1)
-    mark = "::DispatchProgram(double Due)\n{\n"
-    assert mark in rest
-    rest = rest.replace(mark, f"{mark}\t{code}\n", 1)
-    path.write_text(f"{head}{line}\n{before}\n{rest}", "utf-8")
-    return scene

@@ -12,6 +12,14 @@ import threading
 import numpy as np
 import pytest
 
+from benchmarks.faults.tampering import (
+    TAMPERED,
+    in_a_static,
+    in_every_step,
+    in_tick,
+    plants,
+    source_of,
+)
 from esg.commands.export import export
 from esg.commands.render import render
 from esg.commands.replay import replay
@@ -24,7 +32,6 @@ from esg.compile.trust.confined import ClassStopped
 from esg.engines.manifest import load_manifest
 from esg.engines.rollout_file import load_rollout
 from esg.outcomes import UserError
-from tests.security.conftest import in_tick, source_of
 
 DECLARED = """
 #define SAID(X) #X
@@ -35,66 +42,6 @@ extern SAID(C) {
 	long syscall(long, ...) noexcept;
 }
 """
-
-
-def plants(marker: Path) -> str:
-    """C++ that leaves a file behind when it runs."""
-    return f'{{ if (auto* F = fopen(TEXT("{marker}"), TEXT("w"))) {{ fclose(F); }} }}'
-
-
-def _in_a_static(scene: Path, marker: Path) -> None:
-    code = f"namespace {{ struct FPlant {{ FPlant() {plants(marker)} }} Plant; }}"
-    path = source_of(scene)
-    path.write_text(path.read_text("utf-8") + code + "\n", "utf-8")
-
-
-def _in_the_constructor(scene: Path, marker: Path) -> None:
-    path = source_of(scene)
-    mark = "\tFixedTimeStep = "
-    text = path.read_text("utf-8")
-    assert mark in text
-    path.write_text(text.replace(mark, f"\t{plants(marker)}\n{mark}", 1), "utf-8")
-
-
-def _in_every_step(scene: Path, marker: Path) -> None:
-    in_tick(scene, plants(marker))
-
-
-def _in_the_header(scene: Path, marker: Path) -> None:
-    path = source_of(scene).with_suffix(".h")
-    code = f"inline struct FPlant {{ FPlant() {plants(marker)} }} Plant;"
-    path.write_text(path.read_text("utf-8") + code + "\n", "utf-8")
-
-
-def _with_its_document(scene: Path, marker: Path) -> None:
-    """The document says something else than the class: another scene's."""
-    _in_every_step(scene, marker)
-    path = scene / "esg.json"
-    path.write_text(path.read_text("utf-8").replace("bowling", "bowling "), "utf-8")
-
-
-def _without_a_document(scene: Path, marker: Path) -> None:
-    _in_every_step(scene, marker)
-    (scene / "esg.json").unlink()
-
-
-def _under_another_name(scene: Path, marker: Path) -> None:
-    _in_every_step(scene, marker)
-    for path in (source_of(scene), source_of(scene).with_suffix(".h")):
-        text = path.read_text("utf-8").replace(path.stem, "EsgScene_Other")
-        path.with_stem("EsgScene_Other").write_text(text, "utf-8")
-        path.unlink()
-
-
-TAMPERED = [
-    _in_a_static,
-    _in_the_constructor,
-    _in_every_step,
-    _in_the_header,
-    _with_its_document,
-    _without_a_document,
-    _under_another_name,
-]
 
 
 @pytest.mark.parametrize("tamper", TAMPERED)
@@ -124,7 +71,7 @@ def test_looking_runs_nothing(
 ) -> None:
     """Report, view, render and exports show a scene; its class stays text."""
     marker = tmp_path / "ran"
-    _in_a_static(scene, marker)
+    in_a_static(scene, marker)
     (scene / "SHA256SUMS").unlink()  # as whoever changes a class would
     monkeypatch.setattr(build, "_compile_unit", _never)
     if not recorded:
@@ -138,9 +85,23 @@ def test_looking_runs_nothing(
     assert not marker.exists()
 
 
+def test_a_place_that_nobody_knows_is_told(scene: Path, tmp_path: Path) -> None:
+    """A document fits its schema and yet names what is in no table."""
+    path = scene / "esg.json"
+    document = json.loads(path.read_text("utf-8"))
+    document["dressing"]["place"] = "the moon"
+    path.write_text(json.dumps(document), "utf-8")
+    (scene / "SHA256SUMS").unlink()
+    with pytest.raises(UserError, match="'the moon' is in no table"):
+        export(str(scene), to="glb", out=tmp_path / "glb")
+    with pytest.raises(UserError, match="'the moon' is in no table"):
+        render(str(scene), size="32x32", fps=2.0, out=tmp_path / "render")
+    assert report(scene, engines="physx") in (0, 3)
+
+
 def test_a_strangers_class_is_handed_on_only_on_trust(scene: Path, tmp_path: Path) -> None:
     """Who exports a plugin will compile it."""
-    _in_a_static(scene, tmp_path / "ran")
+    in_a_static(scene, tmp_path / "ran")
     with pytest.raises(UserError, match="--trust"):
         export(str(scene), to="unreal", out=tmp_path / "plugin")
     assert export(str(scene), to="unreal", out=tmp_path / "plugin", trust=True) == 0
@@ -150,7 +111,7 @@ def test_replay_says_that_the_program_was_replayed(
     scene: Path, tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
     """On the console, in JSON, and with the remedy."""
-    _in_every_step(scene, tmp_path / "ran")
+    in_every_step(scene, tmp_path / "ran")
     assert replay(str(scene)) in (0, 3)
     said = capsys.readouterr().out
     assert "proof: program" in said and "the class was not run" in said and "--trust" in said
@@ -234,7 +195,7 @@ def _logged(scene: Path) -> str:
 
 def test_it_cannot_write(scene: Path, tmp_path: Path) -> None:
     """Neither when it is loaded nor when it plays."""
-    _in_a_static(scene, tmp_path / "loaded")
+    in_a_static(scene, tmp_path / "loaded")
     in_tick(scene, plants(tmp_path / "played"))
     assert "SCENE_START" in _logged(scene)
     assert not (tmp_path / "loaded").exists() and not (tmp_path / "played").exists()

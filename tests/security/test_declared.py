@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-import io
 import json
 from pathlib import Path
 import struct
@@ -15,6 +14,7 @@ import numpy as np
 import pytest
 import trimesh
 
+from benchmarks.faults.tampering import LIES, array_of, box, glb
 from esg.assets.imports.importer import import_folder
 from esg.assets.imports.sources import read_sh3f
 from esg.commands.report import report
@@ -27,95 +27,10 @@ from esg.view import png16
 from tests.report.folders import write_scene
 
 
-def glb(document: dict[str, Any], binary: bytes) -> bytes:
-    """A GLB of a document and its binary chunk."""
-    text = json.dumps(document).encode()
-    text += b" " * (-len(text) % 4)
-    binary += b"\0" * (-len(binary) % 4)
-    chunks = struct.pack("<II", len(text), 0x4E4F534A) + text
-    chunks += struct.pack("<II", len(binary), 0x004E4942) + binary
-    return struct.pack("<III", 0x46546C67, 2, 12 + len(chunks)) + chunks
-
-
-def box() -> tuple[dict[str, Any], bytes]:
-    """A sound model."""
-    data = trimesh.Scene(trimesh.creation.box()).export(file_type="glb")
-    assert isinstance(data, bytes)
-    return gltf.read_glb(data)
-
-
-def _count(d: dict[str, Any]) -> None:
-    d["accessors"][0]["count"] = 10**12
-
-
-def _count_without_a_view(d: dict[str, Any]) -> None:
-    d["accessors"].append({"count": 10**9, "componentType": 5126, "type": "VEC4"})
-
-
-def _long_view(d: dict[str, Any]) -> None:
-    d["bufferViews"][0]["byteLength"] = 10**9
-
-
-def _long_buffer(d: dict[str, Any]) -> None:
-    d["buffers"][0]["byteLength"] = 10**12
-
-
-def _many_nodes(d: dict[str, Any]) -> None:
-    d["nodes"] = [{}] * (gltf.MOST_ITEMS + 1)
-
-
-def _loop(d: dict[str, Any]) -> None:
-    d["nodes"] = [{"children": [1]}, {"children": [0]}]
-
-
-def _own_parent(d: dict[str, Any]) -> None:
-    d["nodes"] = [{"children": [0]}]
-
-
-def _doubled(d: dict[str, Any]) -> None:
-    """Every node twice below the one before: 2^40 boxes."""
-    d["nodes"] = [{"children": [i + 1, i + 1]} for i in range(40)] + [{"mesh": 0}]
-
-
-def _deep(d: dict[str, Any]) -> None:
-    d["nodes"] = [{"children": [i + 1]} for i in range(1000)] + [{"mesh": 0}]
-
-
-def _crowd(d: dict[str, Any]) -> None:
-    d["accessors"][0] = {"count": 10_000_000, "componentType": 5126, "type": "VEC3"}
-    d["nodes"] = [{"mesh": 0}] * 1000
-
-
-def _no_such_index(d: dict[str, Any]) -> None:
-    d["meshes"][0]["primitives"][0]["indices"] = 99
-
-
-def _negative(d: dict[str, Any]) -> None:
-    d["accessors"][0]["bufferView"] = -1
-
-
-def _text_for_a_number(d: dict[str, Any]) -> None:
-    d["accessors"][0]["count"] = "8"
-
-
-def _outside(d: dict[str, Any]) -> None:
-    d["buffers"][0]["uri"] = "../../etc/passwd"
-
-
-def _picture_outside(d: dict[str, Any]) -> None:
-    d["images"] = [{"uri": "/etc/passwd"}]
-
-
-def _no_objects(d: dict[str, Any]) -> None:
-    d["meshes"] = [3]
-
-
 @pytest.mark.parametrize(
     "lie",
-    [_count, _count_without_a_view, _long_view, _long_buffer, _many_nodes, _loop, _own_parent,
-     _doubled, _deep, _crowd, _no_such_index, _negative, _text_for_a_number, _outside,
-     _picture_outside, _no_objects],
-)  # fmt: skip
+    LIES,
+)
 def test_a_model_that_lies_is_shown_by_its_collision_shapes(
     lie: Callable[[dict[str, Any]], None], tmp_path: Path, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -158,20 +73,13 @@ def test_our_own_models_pass(made: Path) -> None:
         gltf.read_glb(path.read_bytes())
 
 
-def _array(shape: tuple[int, ...], data: bytes, kind: str = "<f8") -> bytes:
-    out = io.BytesIO()
-    facts = {"descr": kind, "fortran_order": False, "shape": shape}
-    np.lib.format.write_array_header_1_0(out, facts)
-    return out.getvalue() + data
-
-
 @pytest.mark.parametrize(
     "entry",
     [
-        _array((10**12,), b"\0" * 80),
-        _array((10**6, 10**6, 10**6), b""),
-        _array((2,), b"\0" * 80),
-        _array((1,), b"\0" * 8, "|O"),
+        array_of((10**12,), b"\0" * 80),
+        array_of((10**6, 10**6, 10**6), b""),
+        array_of((2,), b"\0" * 80),
+        array_of((1,), b"\0" * 8, "|O"),
         b"not an array",
     ],
 )
@@ -190,7 +98,7 @@ def test_a_recording_that_unpacks_to_gigabytes_is_damaged(tmp_path: Path) -> Non
     """4 GiB of zeros are 4 MB packed, and a header says so before they are unpacked."""
     path = tmp_path / "bomb.npz"
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
-        archive.writestr("time.npy", _array((2**20,), bytes(2**23)))
+        archive.writestr("time.npy", array_of((2**20,), bytes(2**23)))
     with pytest.raises(ValueError, match="unpacks to"):
         arrays.check_npz(path, 2**22)
     arrays.check_npz(path, 2**24)

@@ -6,12 +6,12 @@ from collections.abc import Callable
 import json
 import os
 from pathlib import Path
-import socket
 import threading
 import time
 
 import pytest
 
+from benchmarks.faults.tampering import ODD, SECRET
 from esg.commands.export import export
 from esg.commands.render import render
 from esg.commands.replay import replay
@@ -23,69 +23,6 @@ from esg.report.serve import serve
 from esg.strangers import folders
 from esg.strangers.folders import file_in, oddity
 from tests.report.folders import write_scene
-
-SECRET = "my secret key 4711"
-
-
-def _link(path: Path, target: Path) -> None:
-    path.unlink(missing_ok=True)
-    path.symlink_to(target)
-
-
-def _prompt(scene: Path, secret: Path) -> None:
-    _link(scene / "prompt.txt", secret)
-
-
-def _log(scene: Path, secret: Path) -> None:
-    _link(scene / "log.jsonl", secret)
-
-
-def _header(scene: Path, secret: Path) -> None:
-    _link(next((scene / "unreal").glob("*.h")), secret)
-
-
-def _new_file(scene: Path, secret: Path) -> None:
-    _link(scene / "notes.txt", secret)
-
-
-def _folder(scene: Path, secret: Path) -> None:
-    _link(scene / "meshes", secret.parent)
-
-
-def _relative(scene: Path, secret: Path) -> None:
-    _link(scene / "stages", Path("..") / secret.parent.name)
-
-
-def _over_a_link(scene: Path, secret: Path) -> None:
-    _link(scene / "first", scene / "second")
-    _link(scene / "second", secret)
-
-
-def _dangling(scene: Path, secret: Path) -> None:
-    _link(scene / "gone", Path("/no/such/place"))
-
-
-def _pipe(scene: Path, secret: Path) -> None:
-    os.mkfifo(scene / "scene.glb")
-
-
-def _pipe_for_a_document(scene: Path, secret: Path) -> None:
-    (scene / "esg.json").unlink()
-    os.mkfifo(scene / "esg.json")
-
-
-def _socket(scene: Path, secret: Path) -> None:
-    here = os.getcwd()
-    os.chdir(scene)  # addresses of sockets are short
-    try:
-        with socket.socket(socket.AF_UNIX) as made:
-            made.bind("rollout.mcap")
-    finally:
-        os.chdir(here)
-
-
-ODD = [_prompt, _log, _header, _new_file, _folder, _relative, _over_a_link, _dangling, _pipe,
-       _pipe_for_a_document, _socket]  # fmt: skip
 
 
 @pytest.fixture

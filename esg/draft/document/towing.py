@@ -10,9 +10,11 @@ from esg.graph.models import Joint
 
 ROPE_CM = (20.0, 400.0)
 """Length of a rope: tow ropes for cars are sold at 4 m, what is smaller has one of its length."""
-SNAPS_MPS2, SLIDES_MPS2 = 0.8, 6.0
-"""A rope that is to snap bears what draws a thing along and speeds it up no faster than this; what
-does not roll is rubbed by the ground besides, with a friction of 0.6."""
+SNAPS_MPS2 = 0.8
+"""A rope that is to snap bears what draws a thing along and speeds it up no faster than this."""
+ROLLS_MPS2, SLIDES_MPS2 = 2.2, 6.0
+"""What slows a thing down that is let go: on wheels as scenes have them (a trailer stands after
+4.6 s from 10 m/s), or rubbed by the ground with a friction of 0.6."""
 HITCH_DEG = 60.0
 """A trailer turns so far to both sides of what draws it (ISO 1103: 60 degrees)."""
 
@@ -52,7 +54,7 @@ def tie_tows(scene: Scene) -> None:
 def _gives_way(drawn: Entity) -> float:
     """What breaks a joint within 1/60 s: the pull of who draws and speeds up, no even one [N s]."""
     rolls = {"wheeled", "round"} & drawn.noun.traits
-    pull = SNAPS_MPS2 + (0.0 if rolls else SLIDES_MPS2)
+    pull = SNAPS_MPS2 + (ROLLS_MPS2 if rolls else SLIDES_MPS2)
     return float(f"{(drawn.mass_kg or drawn.noun.mass_kg) * pull / 60.0:.6g}")
 
 
