@@ -33,6 +33,12 @@ def test_kernels_that_are_still_to_be_compiled_are_announced(
 
 
 WHERE = """
+import sys
+class Loud:  # a notebook's: not the file that is redirected
+    flush = lambda self: None
+    def write(self, text):
+        sys.exit(f"warp said {text!r}")
+sys.stderr = Loud()
 from esg.engines.newton import quiet_warp
 from esg.paths import kernel_cache_dir
 found = quiet_warp().config.kernel_cache_dir
@@ -48,6 +54,8 @@ def test_kernels_are_kept_in_the_cache_folder(tmp_path: Path) -> None:
     own = {"ESG_CACHE_DIR": str(tmp_path / "own")}
     both = {**own, "WARP_CACHE_PATH": str(tmp_path / "warps")}
     version = metadata.version("warp-lang")
+    for folder in ("own/warp", "warps", "user/warp"):  # of an older version
+        (tmp_path / folder / "wp_old").mkdir(parents=True)
     for more, place in ((own, "own/warp"), (both, "warps"), ({}, "user/warp")):
         done = subprocess.run(
             [sys.executable, "-c", WHERE], env={**plain, **more}, cwd=ROOT, text=True,

@@ -137,6 +137,7 @@ def test_a_finished_scene_plays_and_can_be_taken_along(driver: Any, studio: str)
         ".observe(document.getElementById('scene'), {childList: true});"
         "document.querySelector('[data-job=\"1\"] .text').click()"
     )
+    driver.execute_script("document.getElementById('prompt').focus()")
     assert wait(driver, "window.filmed")
     ready = (
         "document.querySelector('#scene iframe')?.contentDocument?.documentElement?.dataset.ready"
@@ -147,6 +148,7 @@ def test_a_finished_scene_plays_and_can_be_taken_along(driver: Any, studio: str)
     )
     assert wait(driver, f"{inside} !== null")
     wait(driver, "document.querySelector('#scene video') === null")
+    assert driver.execute_script("return document.activeElement.id") == "prompt"  # not the player's
     links = driver.execute_script(
         "return [...document.querySelectorAll('.downloads a[download]')].map((a) => a.textContent)"
     )

@@ -73,7 +73,7 @@ async function route() {
   open = page;
   main.replaceChildren(...[navigation, page.element].filter(Boolean));
   window.scrollTo(0, 0);
-  main.focus({ preventScroll: true });
+  if (window.parent === window) main.focus({ preventScroll: true }); // inside another page somebody may be typing there
   page.shown();
 }
 

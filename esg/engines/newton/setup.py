@@ -33,7 +33,7 @@ def quiet_warp() -> Any:
     """Imports and initializes warp without its banner and its notice that there is no GPU."""
     import warp as wp
 
-    wp.config.log_level = wp.LOG_WARNING
+    wp.config.log_level = wp.LOG_ERROR  # what an older version left in a cache is no news
     wp.config.kernel_cache_dir = str(kernel_cache_dir().parent)  # it adds its version
     # The notice is printed by native code, past Python's sys.stderr.
     saved = os.dup(2)
@@ -45,6 +45,7 @@ def quiet_warp() -> Any:
         os.dup2(saved, 2)
         os.close(saved)
         os.close(null)
+    wp.config.log_level = wp.LOG_WARNING
     return wp
 
 
