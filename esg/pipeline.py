@@ -10,7 +10,7 @@ schedulers: `tasks/` calls `run_stage` for batches of scenes.
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Sequence
 import contextlib
 from dataclasses import dataclass, field, replace
 import errno
@@ -19,7 +19,7 @@ import json
 from pathlib import Path
 import time
 import traceback
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, TypeVar
 
 from esg.costs.spent import core_time
 from esg.outcomes import Outcome, UserError
@@ -30,6 +30,7 @@ from esg.strangers.scrubbing import scrub_all
 if TYPE_CHECKING:
     from esg.store.artifacts import ArtifactStore
 
+_Result = TypeVar("_Result")
 STAGES = (
     "draft",
     "resolve",
@@ -297,6 +298,26 @@ def may_pass(error: BaseException) -> bool:
     if isinstance(error, (ConnectionError, TimeoutError)):
         return True
     return isinstance(error, OSError) and error.errno in _PASSING
+
+
+def retried(run: Callable[[], _Result], pauses: Sequence[float]) -> _Result:
+    """What a function returns; after an error that may pass it is called again.
+
+    Args:
+        run: Takes nothing.
+        pauses: Before each further call [s].
+
+    Raises:
+        OSError: One that does not pass, or the last.
+    """
+    for pause in pauses:
+        try:
+            return run()
+        except OSError as error:
+            if not may_pass(error):
+                raise
+        time.sleep(pause)
+    return run()
 
 
 def recall(request: SceneRequest) -> SceneState | None:

@@ -8,8 +8,8 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 import contextlib
+from functools import partial
 from pathlib import Path
-import time
 
 from esg.files import unwritable
 from esg.limits import StageTimeout, limited, place_in
@@ -19,6 +19,7 @@ from esg.pipeline import (
     SceneRequest,
     SceneState,
     crashed,
+    retried,
     run_stage,
     scratch_store,
 )
@@ -65,11 +66,8 @@ def run_guarded(request: SceneRequest, pauses: Sequence[float] = PAUSES_S) -> Sc
 
 def _tried(stage: str, state: SceneState, pauses: Sequence[float]) -> SceneState:
     try:
-        return guarded_stage(stage, state)
+        return retried(partial(guarded_stage, stage, state), pauses)
     except OSError as error:
         if unwritable(error):
             raise
-        if not pauses:
-            return crashed(state, error, stage)
-    time.sleep(pauses[0])
-    return _tried(stage, state, pauses[1:])
+        return crashed(state, error, stage)

@@ -20,8 +20,10 @@ from esg.assets.colors import find_color
 from esg.assets.configuration import parametric_entry, stated_material
 from esg.assets.library.catalogue import Entry, normalize, parse_hex
 from esg.assets.looks import Color
+from esg.assets.materials import MATERIALS
 from esg.graph.casting import effective
 from esg.graph.models import AssetRequirement, CoverageItem, EsgDocument, Predicate
+from esg.lexicon.places import surfaces
 
 _DATA = Path(__file__).parent / "data"
 _PEOPLE = frozenset({"figure", "child_figure"})
@@ -44,6 +46,9 @@ _LIVERIES: dict[str, Color] = {
     "fire_truck": parse_hex("#c01c1c"),
 }
 """What a vehicle serves as, by category, and its usual colour."""
+_SLOPES = frozenset({"slope", "hill", "hillside", "bank", "embankment", "dune"})
+_LAND = frozenset({"grass", "snow", "sand", "soil"})
+"""Grounds of which hills are made, by material."""
 _NODE = re.compile(r"/spatial_relation_graph/nodes/([^/]+)")
 
 
@@ -91,10 +96,29 @@ def typical_color(requirement: AssetRequirement | None) -> Color | None:
     """
     if requirement is None:
         return None
+    return next(
+        (_typical_colors()[e] for e in _endings(requirement) if e in _typical_colors()), None
+    )
+
+
+def _endings(requirement: AssetRequirement) -> list[str]:
+    """What the words name, and what is left of it without its first words."""
     said, colon, _ = requirement.asset_description.partition(":")
     words = normalize(said if colon else requirement.asset_category).split()
-    endings = (" ".join(words[start:]) for start in range(len(words)))
-    return next((_typical_colors()[e] for e in endings if e in _typical_colors()), None)
+    return [" ".join(words[start:]) for start in range(len(words))]
+
+
+def _of_ground(doc: EsgDocument, asset: str, entry: Entry, own: Appearance) -> Appearance:
+    """A slope that is a piece of the land looks like the ground around it; others as they are."""
+    asked = doc.asset_requirement.get(asset)
+    if doc.dressing is None or asked is None or _colored(doc, asset, entry) or own.material:
+        return own
+    ground = surfaces().get(doc.dressing.ground or "")
+    if ground is None or ground.material not in _LAND or not _SLOPES.intersection(_endings(asked)):
+        return own
+    return replace(
+        own, material=ground.material, color=ground.rgb or MATERIALS[ground.material].color
+    )
 
 
 def appearances(doc: EsgDocument) -> dict[str, Appearance]:
@@ -121,6 +145,10 @@ def appearances(doc: EsgDocument) -> dict[str, Appearance]:
         )
         if own.livery and not _colored(doc, node.asset_id, entry):
             out[name] = replace(own, color=_LIVERIES[own.livery])
+            continue
+        landed = _of_ground(doc, node.asset_id, entry, own)
+        if landed is not own:
+            out[name] = landed
             continue
         typical = typical_color(doc.asset_requirement.get(node.asset_id))
         if typical is not None and not _colored(doc, node.asset_id, entry):

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 from cyclopts import Parameter
 
 if TYPE_CHECKING:
+    from esg.api.scene import Replay
     from esg.compile.transfer import TransferRun, Trust
     from esg.graph import EsgDocument
     from esg.metrics.models import SuiteScene
@@ -45,7 +46,7 @@ def replay(
         json: Print one JSON document: the verdict, or the matrix.
     """
     from esg.api.inputs import checked
-    from esg.api.scene import document_of, expectation
+    from esg.api.scene import document_of, expectation, replayed
     from esg.commands.console import emit
     from esg.commands.stored import open_scene
     from esg.metrics import load_suite
@@ -65,8 +66,8 @@ def replay(
         if compare:
             result = matrix(folder, doc, expected, against, vouched) | {"scene": scene}
         else:
-            result = run(folder, doc, engine or "physx", step, expected, against, vouched)
-            result |= {"scene": scene}
+            found = replayed(folder, doc, engine or "physx", step, expected, against, vouched)
+            result = told(scene, found)
     if json:
         emit(result)
     elif compare:
@@ -97,39 +98,20 @@ def step_of(hz: int | None, dt: float | None) -> float:
     return 1.0 / DEFAULT_RATE_HZ if dt is None else dt
 
 
-def run(
-    folder: Path,
-    doc: EsgDocument,
-    engine: str,
-    dt: float,
-    expected: SuiteScene,
-    against: str,
-    trust: Trust = "equal",
-) -> dict[str, Any]:
-    """What `--json` prints of one replay (`esg.api.scene.replayed`).
+def told(scene: str, found: Replay) -> dict[str, Any]:
+    """What `--json` prints of one replay.
 
     Args:
-        folder: Scene folder.
-        doc: Its document.
-        engine: physx, rapier or newton.
-        dt: Physics step [s].
-        expected: What must happen.
-        against: Where that is written.
-        trust: Which classes are run.
-
-    Raises:
-        UserError: If the folder holds no compiled scene.
+        scene: As it was asked for.
+        found: The replay.
     """
-    from esg.api.scene import replayed
-
-    found = replayed(folder, doc, engine, dt, expected, against, trust)
     return {
-        "scene": str(folder),
-        "engine": engine,
-        "dt": dt,
+        "scene": scene,
+        "engine": found.engine,
+        "dt": found.dt_s,
         "proof": found.proof,
         "proof_note": found.note,
-        "judged_against": against,
+        "judged_against": found.judged_against,
         "verified": found.verdict.verified,
         "verdict": found.verdict.to_json(),
         "plausibility": found.plausibility,
@@ -162,21 +144,12 @@ def matrix(
 
 def verdict_table(result: dict[str, Any]) -> str:
     """The judge's table of one replay."""
+    from esg.commands.comparing.verdicts import completed, event_rows
     from esg.commands.console import table
     from esg.fidelity import judged
 
     verdict = result["verdict"]
-    rows = [
-        [
-            "done" if event["completed"] else "NOT DONE",
-            event["id"],
-            event["type"],
-            ", ".join(event["bodies"]),
-            "" if event["time_s"] is None else f"{event['time_s']:.3f} s",
-            event["reason"],
-        ]
-        for event in verdict["events"]
-    ]
+    rows = event_rows(verdict)
     rows += [
         ["kept" if row["kept"] else row["status"].replace("_", " ").upper(), row["id"],
          row["says"], said["words"], "", row["reason"]]
@@ -188,8 +161,7 @@ def verdict_table(result: dict[str, Any]) -> str:
         f"proof: {result['proof']}, judged against {_source(result)}"
     )
     head += _not_run(result.get("proof_note", ""))
-    tail = f"layout {'valid' if verdict['slr'] else 'INVALID'}, "
-    tail += f"{verdict['completed']} of {verdict['n_events']} events"
+    tail = completed(verdict)
     if verdict["statements"]:
         kept = sum(bool(said["kept"]) for said in verdict["statements"])
         tail += f", {kept} of {len(verdict['statements'])} statements kept"

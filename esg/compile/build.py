@@ -199,7 +199,7 @@ def compile_many(
     For batches: call it once with all folders of the batch, after their classes are written and
     before the first is replayed. `replay_class` then finds each library by the content of its
     class, wherever the folder has been moved to. Compared with one compilation per replay, a class
-    costs 0.16 s of processor time instead of 0.6 s (`python -m benchmarks.compile`): the header of
+    costs 0.03 s of processor time instead of 0.2 s (docs/results/speed.md): the header of
     the shim is compiled once per machine, and up to sixteen classes share a unit.
 
         compile_many([state.artifact("compile") for state in batch], jobs=1)

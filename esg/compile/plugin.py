@@ -18,7 +18,7 @@ from esg.compile.build import ClassFiles, shared_texts
 from esg.compile.glb import part_of
 from esg.compile.lint import PLAYER, lint
 from esg.compile.replay import load_imports
-from esg.compile.selfcontained import is_self_contained, self_contained
+from esg.compile.unreal.selfcontained import is_self_contained, self_contained
 from esg.outcomes import UserError
 from esg.scenereading import damaged
 from esg.strangers.gltf import read_glb

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Generator, Iterable, Mapping, Sequence
+import contextlib
 from dataclasses import dataclass
 import os
 import time
@@ -17,6 +18,26 @@ def core_time() -> float:
     """Processor time of this process and of those it has waited for: compilers, forks [s]."""
     others = os.times()
     return time.process_time() + others.children_user + others.children_system
+
+
+class Meter:
+    """Seconds and processor seconds by what they were spent on, while it goes on."""
+
+    def __init__(self) -> None:
+        self.seconds: dict[str, float] = {}
+        self.core_seconds: dict[str, float] = {}
+
+    def add(self, name: str, seconds: float, core_seconds: float) -> None:
+        """Adds what was measured elsewhere [s]."""
+        self.seconds[name] = self.seconds.get(name, 0.0) + seconds
+        self.core_seconds[name] = self.core_seconds.get(name, 0.0) + core_seconds
+
+    @contextlib.contextmanager
+    def on(self, name: str) -> Generator[None]:
+        """Measures the block."""
+        start, core_start = time.perf_counter(), core_time()
+        yield
+        self.add(name, time.perf_counter() - start, core_time() - core_start)
 
 
 @dataclass(frozen=True)

@@ -9,12 +9,11 @@ from __future__ import annotations
 
 from dataclasses import replace
 import shutil
-import time
 from typing import TYPE_CHECKING
 
-from esg.costs.spent import core_time
+from esg.costs.spent import Meter
 from esg.dataset.folder import batch_lock, mark_name, read_mark, write_mark
-from esg.dataset.job import CROSSCHECK, RENDER, BatchJob, BatchResult
+from esg.dataset.job import CROSSCHECK, BatchJob, BatchResult
 from esg.dataset.meshes import BUFFERS
 from esg.dataset.running import SCENE_STAGES, rendered_scenes, run_scenes
 from esg.dataset.writing import write_batch
@@ -61,39 +60,13 @@ def _deliver(job: BatchJob, result: BatchResult) -> None:
 
 
 def _make(job: BatchJob) -> BatchResult:
-    start, core_start = time.perf_counter(), core_time()
-    if job.source is not None:
-        result, spent = _only_rendered(job)
-        cores = {RENDER: core_time() - core_start} if RENDER in spent else {}
-    else:
-        with scratch_store(job.work / "artifacts", durable=False):
-            states, together_s = run_scenes(job)
-            marks = [core_time()]
-            rendered = rendered_scenes(job, states)
-            marks.append(core_time())
-            result, recordings_s = write_batch(job, states, rendered)
-        marks.append(core_time())
-        result, checks_s = _checked(job, result, rendered)
-        marks.append(core_time())
-        spent = {s: 0.0 for s in SCENE_STAGES}
-        cores = dict(spent)
-        for state in states:
-            for entry in state.log:
-                name = entry["stage"]
-                spent[name] = spent.get(name, 0.0) + float(entry["seconds"])
-                cores[name] = cores.get(name, 0.0) + float(entry.get("core_seconds", 0.0))
-        spent["replay"] += together_s[0]
-        cores["replay"] += together_s[1]
-        spent["recordings"] = recordings_s
-        if job.spec.render:
-            spent |= {RENDER: rendered.seconds, CROSSCHECK: checks_s}
-            cores |= {RENDER: marks[1] - marks[0], CROSSCHECK: marks[3] - marks[2]}
-    spent["batch"] = time.perf_counter() - start
-    cores["batch"] = core_time() - core_start
+    spent = Meter()
+    with spent.on("batch"):
+        result = _only_rendered(job, spent) if job.source is not None else _whole(job, spent)
     result = replace(
         result,
-        seconds={k: round(v, 4) for k, v in spent.items()},
-        core_seconds={k: round(v, 4) for k, v in cores.items()},
+        seconds={k: round(v, 4) for k, v in spent.seconds.items()},
+        core_seconds={k: round(v, 4) for k, v in spent.core_seconds.items()},
     )
     write_mark(job.out, result)
     if not job.keep_work:
@@ -101,9 +74,24 @@ def _make(job: BatchJob) -> BatchResult:
     return result
 
 
-def _only_rendered(job: BatchJob) -> tuple[BatchResult, dict[str, float]]:
+def _whole(job: BatchJob, spent: Meter) -> BatchResult:
+    """All stages of all scenes, with their clips if they are to have any."""
+    for stage in SCENE_STAGES:
+        spent.add(stage, 0.0, 0.0)
+    with scratch_store(job.work / "artifacts", durable=False):
+        made = run_scenes(job, spent)
+        rendered = rendered_scenes(job, made.states, spent)
+        result = write_batch(job, made, rendered, spent)
+    for state in made.states:
+        for entry in state.log:
+            seconds = float(entry["seconds"])
+            spent.add(entry["stage"], seconds, float(entry.get("core_seconds", 0.0)))
+    return _checked(job, result, rendered, spent) if job.spec.render else result
+
+
+def _only_rendered(job: BatchJob, spent: Meter) -> BatchResult:
     """Clips of scenes that a finished dataset holds."""
-    rendered = rendered_scenes(job, [])
+    rendered = rendered_scenes(job, [], spent)
     rows = [row for found in rendered.rows.values() for row in found]
     files = list(rendered.files)
     if rows:
@@ -119,15 +107,13 @@ def _only_rendered(job: BatchJob) -> tuple[BatchResult, dict[str, float]]:
         crashes=rendered.crashes,
         files={p.relative_to(job.out).as_posix(): p.stat().st_size for p in files},
     )
-    result, checks_s = _checked(job, result, rendered)
-    return result, {RENDER: rendered.seconds, CROSSCHECK: checks_s}
+    return _checked(job, result, rendered, spent)
 
 
-def _checked(job: BatchJob, result: BatchResult, rendered: Rendered) -> tuple[BatchResult, float]:
-    """The result with the checks of a sample of its clips, and how long they took [s]."""
+def _checked(job: BatchJob, result: BatchResult, rendered: Rendered, spent: Meter) -> BatchResult:
+    """The result with the checks of a sample of its clips."""
     from esg.dataset.crosscheck import check_batch
 
-    start = time.perf_counter()
     rows = [row for found in rendered.rows.values() for row in found]
     told = {
         table: part_files(job.source, table)
@@ -135,8 +121,9 @@ def _checked(job: BatchJob, result: BatchResult, rendered: Rendered) -> tuple[Ba
         else [job.out / "parts" / table / f"{job.name}.parquet"]
         for table in ("scenes", "trajectories")
     }
-    part = check_batch(job.out, rows, job.name, told) if rows else None
+    with spent.on(CROSSCHECK):
+        part = check_batch(job.out, rows, job.name, told) if rows else None
     if part is None:
-        return result, 0.0
+        return result
     files = {**result.files, part.relative_to(job.out).as_posix(): part.stat().st_size}
-    return replace(result, files=files), time.perf_counter() - start
+    return replace(result, files=files)

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Generator, Mapping, Sequence
 import contextlib
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from functools import partial
 import json
 import os
@@ -16,7 +16,7 @@ import threading
 import time
 from typing import TYPE_CHECKING
 
-from esg.costs.spent import core_time
+from esg.costs.spent import Meter
 from esg.dataset.job import RENDER
 from esg.dataset.whatifs.amounts import ENGINES
 from esg.files import unwritable
@@ -26,7 +26,7 @@ from esg.pipeline import (
     SceneState,
     artifact_store,
     crashed,
-    may_pass,
+    retried,
     run_stage,
     scratch_store,
     stage_key,
@@ -43,8 +43,8 @@ SCENE_STAGES = STAGES[: STAGES.index("dress")]
 """Datasets keep trajectories, not scene folders: what only pictures need is left out, and done as
 part of rendering by datasets that are rendered (esg.dataset.clips)."""
 
-RETRIES = 2
-_BACKOFF_S = 0.5
+PAUSES_S = (0.5, 1.0)
+"""What met an error that may pass is tried again after each of these [s]."""
 ALTERNATIVES = "alternatives"
 """Replays in other engines and with other values."""
 AFTER = (ALTERNATIVES, RENDER)
@@ -54,13 +54,26 @@ _REACHED = "reached"
 """Names the stage that a scene alone has come to: whoever finds its worker dead reads it."""
 
 
-def run_scenes(job: BatchJob) -> tuple[list[SceneState], tuple[float, float]]:
+@dataclass(frozen=True)
+class Made:
+    """What became of a batch's scenes.
+
+    Args:
+        states: In the end, of every scene.
+        others: Their replays in other engines and with other values.
+    """
+
+    states: list[SceneState]
+    others: list[Alternatives]
+
+
+def run_scenes(job: BatchJob, spent: Meter) -> Made:
     """All stages of all scenes; stage by stage, so that classes compile together.
 
-    Returns:
-        Final states, and what it took to compile the classes: time and processor time [s].
+    Args:
+        job: The batch.
+        spent: What it takes to compile the classes, which no scene's log says, is added.
     """
-    together_s = 0.0, 0.0
     states = [SceneState(s.request) for s in job.scenes]
     dead = dead_scenes(job)
     for i, scene in enumerate(job.scenes):
@@ -75,15 +88,14 @@ def run_scenes(job: BatchJob) -> tuple[list[SceneState], tuple[float, float]]:
         if stage == "optimize" and job.searches_together:
             shares = _search_together(job, states)
         if stage == "replay":
-            start, core_start = time.perf_counter(), core_time()
-            _compile_together(states)
-            together_s = time.perf_counter() - start, core_time() - core_start
+            with spent.on(stage):
+                _compile_together(states)
         for i, scene in enumerate(job.scenes):
             states[i] = _stage(job, stage, states[i], scene.index)
             if i in shares:
                 states[i] = _computed(states[i], shares[i])
-    others = replay_alternatives(job, states)
-    return [_timed(s, o.seconds) for s, o in zip(states, others, strict=True)], together_s
+    others = _replay_alternatives(job, states)
+    return Made([_timed(s, o.seconds) for s, o in zip(states, others, strict=True)], others)
 
 
 def _timed(state: SceneState, seconds: Mapping[str, float]) -> SceneState:
@@ -92,7 +104,7 @@ def _timed(state: SceneState, seconds: Mapping[str, float]) -> SceneState:
     return replace(state, log=(*state.log, *more))
 
 
-def replay_alternatives(job: BatchJob, states: Sequence[SceneState]) -> list[Alternatives]:
+def _replay_alternatives(job: BatchJob, states: Sequence[SceneState]) -> list[Alternatives]:
     """The replays of all scenes that the dataset asks for, those made before found again.
 
     One that ends its worker, or runs longer than a stage may, costs its own rows and no scene.
@@ -121,17 +133,17 @@ def replay_alternatives(job: BatchJob, states: Sequence[SceneState]) -> list[Alt
 def _stage(job: BatchJob, stage: str, state: SceneState, index: int) -> SceneState:
     if state.ended:
         return state
-    for attempt in range(RETRIES + 1):
-        try:
-            with place_in(stage), _limited(job, stage, index):
-                return run_stage(stage, state)
-        except OSError as error:
-            if unwritable(error):
-                raise  # the batch is made again once there is room
-            if attempt == RETRIES or not may_pass(error):
-                return crashed(state, error, stage)
-            time.sleep(_BACKOFF_S * 2**attempt)
-    raise AssertionError("unreachable")
+
+    def once() -> SceneState:
+        with place_in(stage), _limited(job, stage, index):
+            return run_stage(stage, state)
+
+    try:
+        return retried(once, PAUSES_S)
+    except OSError as error:
+        if unwritable(error):
+            raise  # the batch is made again once there is room
+        return crashed(state, error, stage)
 
 
 def _search_together(job: BatchJob, states: Sequence[SceneState]) -> dict[int, float]:
@@ -225,16 +237,17 @@ def try_scene(job: BatchJob, position: int) -> None:
     (job.work / _REACHED).unlink(missing_ok=True)
     alone = replace(job, scenes=(job.scenes[position],))
     with scratch_store(job.work / "artifacts", durable=False):
-        states = [] if job.source else run_scenes(alone)[0]
-        rendered_scenes(alone, states)
+        states = [] if job.source else run_scenes(alone, Meter()).states
+        rendered_scenes(alone, states, Meter())
 
 
-def rendered_scenes(job: BatchJob, states: Sequence[SceneState]) -> Rendered:
+def rendered_scenes(job: BatchJob, states: Sequence[SceneState], spent: Meter) -> Rendered:
     """The pictures of a batch's scenes, if it is to have any.
 
     Args:
         job: The batch.
         states: Of its scenes; none where a finished dataset holds them.
+        spent: What it takes is added.
 
     Raises:
         OSError: If they cannot be written; finished scenes are kept.
@@ -249,7 +262,8 @@ def rendered_scenes(job: BatchJob, states: Sequence[SceneState]) -> Rendered:
         (job.work / _REACHED).write_text(RENDER)
     dead = {k: reason for k, (stage, reason) in dead_scenes(job).items() if stage == RENDER}
     subjects = told_subjects(job) if job.source else made_subjects(job, states)
-    return render_batch(job, job.spec.render, subjects, dead)
+    with spent.on(RENDER):
+        return render_batch(job, job.spec.render, subjects, dead)
 
 
 def mark_dead(job: BatchJob, index: int, reason: str) -> None:

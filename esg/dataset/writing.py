@@ -7,7 +7,6 @@ from collections.abc import Mapping, Sequence
 import json
 from pathlib import Path
 import shutil
-import time
 from typing import TYPE_CHECKING, Any
 
 from esg.dataset.job import BatchJob, BatchResult
@@ -16,24 +15,21 @@ from esg.outcomes import Outcome
 from esg.pipeline import SceneState, failures, implausible
 
 if TYPE_CHECKING:
+    from esg.costs.spent import Meter
     from esg.dataset.clips.batch import Rendered
+    from esg.dataset.running import Made
 
 
-def write_batch(
-    job: BatchJob, states: Sequence[SceneState], rendered: Rendered
-) -> tuple[BatchResult, float]:
+def write_batch(job: BatchJob, made: Made, rendered: Rendered, spent: Meter) -> BatchResult:
     """Writes all files of a batch but its clips, which are there.
 
     Args:
         job: The batch.
-        states: Of its scenes, ended.
+        made: Its scenes.
         rendered: Their clips.
-
-    Returns:
-        Its result, and the time the recordings took [s].
+        spent: What the recordings take is added.
     """
     from esg.dataset.annotations.rows import annotated
-    from esg.dataset.running import replay_alternatives
     from esg.store.records import SceneRecord, record_of
     from esg.store.tables import write_tables
 
@@ -41,8 +37,8 @@ def write_batch(
     met: list[bool] = []
     verified: list[bool] = []
     packed: dict[Path, None] = {}
-    elsewhere = replay_alternatives(job, states)
-    for scene, state, other in zip(job.scenes, states, elsewhere, strict=True):
+    states = made.states
+    for scene, state, other in zip(job.scenes, states, made.others, strict=True):
         record = record_of(
             state,
             job.run,
@@ -65,14 +61,13 @@ def write_batch(
         clips = rendered.rows.get(scene.scene_id, [])
         records.append(SceneRecord({**rows, "scenes": [row], "clips": clips}))
     written = list(packed)
-    start = time.perf_counter()
-    for scene, state, record, good in zip(job.scenes, states, records, met, strict=True):
-        made = _recordings(job, scene, state, good)
-        record.rows["scenes"][0]["preview"] = _picture(job, made)
-        written += made
-    recordings_s = time.perf_counter() - start
+    with spent.on("recordings"):
+        for scene, state, record, good in zip(job.scenes, states, records, met, strict=True):
+            recorded = _recordings(job, scene, state, good)
+            record.rows["scenes"][0]["preview"] = _picture(job, recorded)
+            written += recorded
     written += write_tables(job.out / "parts", records, name=job.name).values()
-    result = BatchResult(
+    return BatchResult(
         number=job.number,
         scenes=len(states),
         verified=sum(verified),
@@ -89,7 +84,6 @@ def write_batch(
             p.relative_to(job.out).as_posix(): p.stat().st_size for p in (*written, *rendered.files)
         },
     )
-    return result, recordings_s
 
 
 def _meshes(

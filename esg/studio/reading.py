@@ -4,7 +4,11 @@ from __future__ import annotations
 
 from dataclasses import asdict
 import json
+import threading
 from typing import Any
+
+_one = threading.Lock()
+"""The first draft loads the language model: the others wait instead of loading it as well."""
 
 
 def read(prompt: str, seed: int) -> dict[str, Any]:
@@ -24,7 +28,8 @@ def read(prompt: str, seed: int) -> dict[str, Any]:
     from esg.report.words import pieces
     from esg.studio.knobs import knobs
 
-    doc = draft(prompt, seed=seed)
+    with _one:
+        doc = draft(prompt, seed=seed)
     data = doc.model_dump(mode="json", by_alias=True, exclude_none=True)
     rows = statement_rows(data)
     timeline = doc.timeline_system

@@ -13,6 +13,7 @@ from esg.assets.configuration import node_mesh_path
 from esg.assets.library.catalogue import parse_hex
 from esg.compile.assets import mesh_file
 from esg.draft import draft
+from esg.graph.models import Dressing
 
 
 def looks(prompt: str, seed: int = 0) -> dict[str, Appearance]:
@@ -126,3 +127,14 @@ def test_legs_that_are_not_bent_reach_the_ground_in_every_gait(pose: str) -> Non
     low = min(float(g.bounds[0][2]) for g in hooves.values())
     assert abs(low) < 1.0
     assert scene.bounds[0][2] > -1.0
+
+
+@pytest.mark.parametrize(("ground", "material"), [("snow", "snow"), ("asphalt", "")])
+def test_a_slope_is_of_the_land_around_it(ground: str, material: str) -> None:
+    doc = resolve(draft("A skier goes down the slope."))
+    around = Dressing(
+        place="snowfield", sky="clear", sun_azimuth_deg=0, sun_elevation_deg=40, ground=ground
+    )
+    doc = doc.model_copy(update={"dressing": around})
+    slope = next(n for n in doc.spatial_relation_graph.nodes if "slope" in n or "ramp" in n)
+    assert appearances(doc)[slope].material == material

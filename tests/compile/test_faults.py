@@ -18,7 +18,7 @@ import scenes
 from esg.compile import ClassError, ReplayError, compile_many, replay_class
 from esg.compile.build import read_classes
 from esg.compile.replay import ClassReplay
-from esg.compile.selfcontained import self_contained
+from esg.compile.unreal.selfcontained import self_contained
 from esg.engines.scene import Rollout
 
 

@@ -17,7 +17,7 @@ from esg.compile import ReplayError, emit_class, replay_class
 from esg.compile.build import read_classes
 from esg.compile.mjcf import scene_mjcf
 from esg.compile.names import unique_identifiers
-from esg.compile.selfcontained import self_contained
+from esg.compile.unreal.selfcontained import self_contained
 from esg.engines import get_engine
 from esg.engines.joints import Joint, Motor, joint_between
 from esg.engines.manifest import manifest_from_json, manifest_to_json

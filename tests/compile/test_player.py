@@ -15,7 +15,7 @@ import scenes
 from esg.compile import joints, replay_class
 from esg.compile.build import read_classes, shared_texts
 from esg.compile.lint import lint
-from esg.compile.selfcontained import is_self_contained, self_contained
+from esg.compile.unreal.selfcontained import is_self_contained, self_contained
 from esg.engines import joint_rules, traction, wheels
 from esg.engines.program import GUIDE_RATE
 

@@ -230,7 +230,7 @@ def test_hits_of_one_step_come_in_one_order() -> None:
     """However the engine lists the shape pairs of a step, the class hears of them alike."""
     from itertools import permutations
 
-    from esg.compile.class_run import _order
+    from esg.engines.executor import touch_order
 
     touches = [
         (0, 1, 3.0, 0.0, (0.0, 0.1, 0.2), (1.0, 0.0, 0.0)),
@@ -238,7 +238,7 @@ def test_hits_of_one_step_come_in_one_order() -> None:
         (0, 1, 3.0, 0.0, (0.0, 0.2, 0.2), (1.0, 0.0, 0.0)),
         (0, -1, 1.0, 0.0, (0.0, 0.0, 0.0), (0.0, 0.0, 1.0)),
     ]
-    orders = {tuple(sorted(p, key=_order)) for p in permutations(touches)}
+    orders = {tuple(sorted(p, key=touch_order)) for p in permutations(touches)}
     assert len(orders) == 1
     assert orders.pop()[1][2] == 40.0
 

@@ -14,6 +14,7 @@ import pyarrow.parquet as pq
 import pytest
 
 from esg import pipeline, stages
+from esg.costs.spent import Meter
 from esg.dataset import running as module
 from esg.dataset.batch import make_batch
 from esg.dataset.card import CARD, untimed
@@ -36,7 +37,7 @@ def quick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
         monkeypatch.setitem(stages.SPECS, name, stages.SPECS[name])
     monkeypatch.setattr(stages, "conclude", stages.conclude)
     monkeypatch.setenv("ESG_TEST_CALLS", str(tmp_path / "calls"))
-    monkeypatch.setattr(module, "_BACKOFF_S", 0.0)
+    monkeypatch.setattr(module, "PAUSES_S", (0.0, 0.0))
     monkeypatch.setattr(module, "_compile_together", lambda states: None)
     monkeypatch.setattr(stages, "load_doc", lambda state: None)
     monkeypatch.setattr("esg.store.mcap_log.write_mcap", fakes.write_mcap)
@@ -419,7 +420,7 @@ def test_two_runs_on_one_shard_are_refused(tmp_path: Path) -> None:
 def test_stages_run_in_order_for_the_whole_batch(tmp_path: Path) -> None:
     first, *_ = dataset(tmp_path / "a", GOOD)
     with pipeline.scratch_store(tmp_path / "store"):
-        run_scenes(replace(first, scenes=first.scenes[:2]))
+        run_scenes(replace(first, scenes=first.scenes[:2]), Meter())
     stages_seen = [c.split()[0] for c in fakes.calls()]
     assert stages_seen == [s for s in fakes.STAGES for _ in range(2)]
 

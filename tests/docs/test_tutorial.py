@@ -1,4 +1,4 @@
-"""Every command that README and tutorial show is one; those of the tutorial run, in their order."""
+"""Every command that README and tutorial show is one, and runs, in their order."""
 
 from __future__ import annotations
 
@@ -6,6 +6,8 @@ import os
 from pathlib import Path
 import re
 import shlex
+import shutil
+import signal
 import subprocess
 import sys
 
@@ -34,6 +36,50 @@ def test_commands_are_read(page: Path) -> None:
     assert len(shown) >= 7
     for arguments in shown:
         parse(build_app(), arguments)
+
+
+SMALLER = {"--sample": "2", "--runs": "1"}
+"""What the README makes many of."""
+STANDING = {"serve": "next run at", "studio": "http://", "view": "http://"}
+"""Commands that stay until they are interrupted, and what they say first."""
+
+
+def smaller(arguments: list[str], scene: Path) -> list[str]:
+    """A command of the README, on little, and on the scene of its first command."""
+    out = [str(scene) if a == "SCENE" else a for a in arguments]
+    out = [str(scene / "esg.json") if a == "FILE.json" else a for a in out]
+    for option, value in SMALLER.items():
+        if option in out:
+            out[out.index(option) + 1] = value
+    return [*out, "--port", "0"] if out[0] in ("studio", "view") else out
+
+
+@pytest.mark.slow
+def test_the_readme_runs(tmp_path: Path) -> None:
+    place = {
+        "cwd": tmp_path, "text": True,
+        "env": {**os.environ, "PYTHONPATH": str(ROOT), "ESG_DB": str(tmp_path / "runs.duckdb")},
+    }  # fmt: skip
+    scene = tmp_path
+    for shown in commands(ROOT / "README.md"):
+        arguments = smaller(shown, scene)
+        if arguments[0] == "judge":
+            made = next(tmp_path.glob("runs/bench-*/S6-run0/scene.glb"))
+            shutil.copy(made, tmp_path / "S6.glb")
+        call = [sys.executable, "-m", "esg", *arguments]
+        if arguments[0] in STANDING:
+            with subprocess.Popen(call, stdout=subprocess.PIPE, **place) as standing:
+                assert standing.stdout is not None
+                assert STANDING[arguments[0]] in standing.stdout.readline(), arguments
+                standing.send_signal(signal.SIGINT)
+                assert standing.wait(60) in (0, 130), arguments
+            continue
+        done = subprocess.run(call, capture_output=True, timeout=1800, check=False, **place)
+        failed_some = arguments[0] in ("bench", "dataset", "judge", "replay")
+        assert done.returncode in ((0, 3) if failed_some else (0,)), (arguments, done.stderr)
+        if arguments[0] == "generate":
+            scene = next((tmp_path / "runs").glob("*/esg.json")).parent
+    subprocess.run([sys.executable, "-m", "esg", "up", "--stop"], check=True, **place)
 
 
 @pytest.mark.slow

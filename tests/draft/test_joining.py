@@ -171,3 +171,14 @@ def test_what_hangs_out_of_reach_is_thrown_at(prompt: str, thrown: bool) -> None
     assert doc.timeline_system is not None
     edge = doc.timeline_system.sequence_graph.edges[0]
     assert (edge.params.spin == "none") is thrown
+
+
+@pytest.mark.parametrize("prompt", [
+    "In a Newton's cradle, the first ball is lifted and released.",
+    "A Newton's cradle with five steel balls clicks back and forth.",
+])  # fmt: skip
+def test_the_balls_of_a_cradle_are_hardened_steel_whatever_they_are_called(prompt: str) -> None:
+    doc = draft(prompt)
+    nodes = doc.spatial_relation_graph.nodes
+    balls = {n.asset_id for k, n in nodes.items() if "ball" in k}
+    assert balls and {doc.asset_requirement[a].material for a in balls} == {None}

@@ -436,3 +436,18 @@ def test_what_is_set_aslant_is_a_slope(board: str) -> None:
     assert len([n for n in graph.nodes.values() if n.mentioned]) == 2
     down = [s for s in doc.statements or () if s.direction == "down"]
     assert len(down) == 1 and graph.nodes[down[0].target[0]].is_static
+
+
+@pytest.mark.parametrize(
+    ("prompt", "when"),
+    [
+        ("A cube stays still while a ball rolls past it.", "throughout"),
+        ("A cat sits motionless next to a box.", "throughout"),
+        ("A cube remains stationary until a ball hits it.", "start..ball_1_cube_1_collision"),
+        ("A cat stays still and then runs off.", None),
+    ],
+)
+def test_what_is_said_to_stay_still_is_stated(prompt: str, when: str | None) -> None:
+    """State that a thing stays still up to the first hit, and of what moves later nothing."""
+    still = [s.when for s in statements(prompt) if s.predicate is Predicate.STAYS_STILL]
+    assert still == ([when] if when else [])

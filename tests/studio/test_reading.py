@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from concurrent.futures import ThreadPoolExecutor
 import json
+import time
 
 import pytest
 
@@ -64,3 +66,21 @@ def test_places_are_distances_of_relations_and_of_ends() -> None:
     nodes = after.timeline_system.sequence_graph.nodes
     assert [c.value for n in nodes for c in n.constraints] == [300.0]
     assert verify(after) == verify(doc)
+
+
+def test_of_readers_that_come_at_once_one_drafts(monkeypatch: pytest.MonkeyPatch) -> None:
+    """The first draft loads the language model; ten at once would load it ten times."""
+    at_once, most = [0], [0]
+
+    def slow(prompt: str, seed: int) -> EsgDocument:
+        at_once[0] += 1
+        most[0] = max(most[0], at_once[0])
+        time.sleep(0.02)
+        at_once[0] -= 1
+        return drafted
+
+    drafted = draft("A ball rolls.", seed=0)
+    monkeypatch.setattr("esg.draft.draft", slow)
+    with ThreadPoolExecutor(5) as threads:
+        found = list(threads.map(lambda _: read("A ball rolls.", 0), range(5)))
+    assert len(found) == 5 and most == [1]

@@ -75,20 +75,11 @@ def judge(
 
 def verdict_table(result: dict[str, Any]) -> str:
     """What the judge says of one file, for people."""
+    from esg.commands.comparing.verdicts import completed, event_rows
     from esg.commands.console import table
 
     verdict = result["verdict"]
-    rows = [
-        [
-            "done" if event["completed"] else "NOT DONE",
-            event["id"],
-            event["type"],
-            ", ".join(event["bodies"]),
-            "" if event["time_s"] is None else f"{event['time_s']:.3f} s",
-            event["reason"],
-        ]
-        for event in verdict["events"]
-    ]
+    rows = event_rows(verdict)
     rows += [
         [
             "kept" if said["kept"] else "NOT KEPT",
@@ -108,8 +99,6 @@ def verdict_table(result: dict[str, Any]) -> str:
         f"{result['file']}: {result['format']}, {result['frames_per_second']:.0f} frames a second, "
         f"judged against {result['suite_scene']}"
     )
-    tail = f"layout {'valid' if verdict['slr'] else 'INVALID'}, "
-    tail += f"{verdict['completed']} of {verdict['n_events']} events"
     faults = verdict["layout"]
     lines = [f"layout: {problem}" for problem in faults["missing"]]
     lines += [
@@ -117,8 +106,8 @@ def verdict_table(result: dict[str, Any]) -> str:
     ]
     lines += [f"layout: {name} hangs in the air" for name in faults["hanging"]]
     lines += [f"note: {note}" for note in result["notes"]]
-    told = "".join(f"\n{line}" for line in lines)
-    return f"{table(['', 'id', 'what', 'bodies', 'value', 'reason'], rows, head)}\n{tail}{told}"
+    columns = ["", "id", "what", "bodies", "value", "reason"]
+    return "\n".join([table(columns, rows, head), completed(verdict), *lines])
 
 
 def _value(constraint: dict[str, Any]) -> str:

@@ -5,18 +5,13 @@
 #ifndef ESG_UE_SHIM_H
 #define ESG_UE_SHIM_H
 
-#include <algorithm>
+// No <string>, <memory> or <algorithm>: reading them takes a compiler longer than a class does.
 #include <cmath>
-#include <cstdarg>
 #include <cstdint>
 #include <cstdio>
+#include <cstdlib>
 #include <initializer_list>
-#include <map>
-#include <memory>
-#include <string>
 #include <strings.h>
-#include <type_traits>
-#include <utility>
 #include <vector>
 
 typedef int32_t int32;
@@ -40,15 +35,29 @@ namespace Shim
 {
 	enum class EPhase { Idle, Constructing, Configuring, Playing };
 
-	struct FFatal
+	/** A text that owns its characters. */
+	class FText
 	{
-		std::string Message;
+	public:
+		FText(const char* In = "");
+		FText(const FText& Other);
+		FText& operator=(const FText& Other);
+		~FText();
+		const char* c_str() const { return Data; }
+		friend FText operator+(const FText& A, const FText& B);
+
+	private:
+		char* Data;
 	};
 
-	[[noreturn]] inline void Fatal(const std::string& Message)
+	FText operator+(const FText& A, const FText& B);
+
+	struct FFatal
 	{
-		throw FFatal{Message};
-	}
+		FText Message;
+	};
+
+	[[noreturn]] void Fatal(const FText& Message);
 
 	[[noreturn]] void OutOfBounds(int32 Index, int32 Count);
 
@@ -126,12 +135,16 @@ namespace Shim
 		bool bGravitySet = false;
 		bool bFixedStep = false;
 		double FixedStep = 0.0;
-		std::vector<std::unique_ptr<UObject>> Pool;
+		/** Owned. */
+		std::vector<UObject*> Pool;
 		std::vector<UPrimitiveComponent*> Bodies;
 		std::vector<UPhysicsConstraintComponent*> Constraints;
 	};
 
 	FState& State();
+
+	/** Destroys what was made, for the next class. */
+	void Reset();
 
 	void Log(const char* Category, const char* Verbosity, const char* Format, ...) __attribute__((format(printf, 3, 4)));
 }
@@ -144,7 +157,7 @@ namespace ELogVerbosity { enum Type { Fatal, Error, Warning, Display, Log, Verbo
 
 struct FName
 {
-	std::string Text;
+	Shim::FText Text;
 	FName() = default;
 	FName(const char* InText) : Text(InText) {}
 };
@@ -152,7 +165,7 @@ inline const FName NAME_None{};
 
 struct FString
 {
-	std::string Text;
+	Shim::FText Text;
 	FString() = default;
 	FString(const char* InText) : Text(InText) {}
 	const TCHAR* operator*() const { return Text.c_str(); }
@@ -390,7 +403,7 @@ class UObject
 public:
 	virtual ~UObject() = default;
 	FString GetName() const { return FString(ShimName.c_str()); }
-	std::string ShimName;
+	Shim::FText ShimName;
 };
 
 class UStaticMesh : public UObject
@@ -422,9 +435,8 @@ template <class T> T* NewObject(UObject* Outer)
 	{
 		Shim::Fatal("NewObject in a constructor; use CreateDefaultSubobject");
 	}
-	auto Owned = std::make_unique<T>();
-	T* Result = Owned.get();
-	Shim::State().Pool.push_back(std::move(Owned));
+	T* Result = new T();
+	Shim::State().Pool.push_back(Result);
 	return Result;
 }
 
@@ -439,12 +451,12 @@ namespace ConstructorHelpers
 			{
 				Shim::Fatal("FObjectFinder outside a constructor");
 			}
-			auto Owned = std::make_unique<T>();
-			if (Shim::State().Host->Asset(Path, Owned->ShimBounds))
+			T* Found = new T();
+			Shim::State().Pool.push_back(Found);
+			if (Shim::State().Host->Asset(Path, Found->ShimBounds))
 			{
-				Owned->ShimName = Path;
-				Object = Owned.get();
-				Shim::State().Pool.push_back(std::move(Owned));
+				Found->ShimName = Path;
+				Object = Found;
 			}
 		}
 		bool Succeeded() const { return Object != nullptr; }
@@ -694,21 +706,7 @@ public:
 	void SetPhysicsMaxAngularVelocityInDegrees(float MaxSpin) { ShimMaxSpin = MaxSpin; }
 	void SetUseCCD(bool bUse) { ShimCCD = bUse; }
 	void SetNotifyRigidBodyCollision(bool bNotify) { ShimNotifies = bNotify; }
-	void SetCollisionProfileName(FName Profile)
-	{
-		static const std::map<std::string, std::pair<ECollisionChannel, bool>> Known = {
-			{"NoCollision", {ECC_WorldStatic, false}}, {"BlockAll", {ECC_WorldStatic, true}},
-			{"BlockAllDynamic", {ECC_WorldDynamic, true}}, {"PhysicsActor", {ECC_PhysicsBody, true}}};
-		const auto Found = Known.find(Profile.Text);
-		if (Found == Known.end())
-		{
-			Shim::Fatal("unknown collision profile " + Profile.Text + " on " + ShimName);
-		}
-		ShimObjectType = Found->second.first;
-		ShimCollides = Found->second.second;
-		ShimBlocks = Found->second.second ? ~0u : 0u;
-		ShimProfileSet = true;
-	}
+	void SetCollisionProfileName(FName Profile);
 	void SetCollisionEnabled(ECollisionEnabled::Type Enabled)
 	{
 		ShimCollides = Enabled == ECollisionEnabled::PhysicsOnly || Enabled == ECollisionEnabled::QueryAndPhysics;
@@ -826,11 +824,11 @@ public:
 	{
 		if (!ShimLive)
 		{
-			Shim::Fatal(std::string(Function) + " on " + ShimName + " before there is a physics body: use the first Tick or later");
+			Shim::Fatal(Shim::FText(Function) + " on " + ShimName + " before there is a physics body: use the first Tick or later");
 		}
 		if (!ShimSimulates)
 		{
-			Shim::Fatal(std::string(Function) + " on " + ShimName + ", which does not simulate physics");
+			Shim::Fatal(Shim::FText(Function) + " on " + ShimName + ", which does not simulate physics");
 		}
 	}
 	void ShimUpdateDamping()
@@ -926,8 +924,14 @@ public:
 		const FVector& At = Pose.Translation;
 		const FQuat& Turn = Pose.Rotation;
 		const double Location[3] = {At.X, At.Y, At.Z}, Rotation[4] = {Turn.X, Turn.Y, Turn.Z, Turn.W};
-		std::copy(Location, Location + 3, ShimHeld.Location[Frame]);
-		std::copy(Rotation, Rotation + 4, ShimHeld.Rotation[Frame]);
+		for (int Index = 0; Index < 3; ++Index)
+		{
+			ShimHeld.Location[Frame][Index] = Location[Index];
+		}
+		for (int Index = 0; Index < 4; ++Index)
+		{
+			ShimHeld.Rotation[Frame][Index] = Rotation[Index];
+		}
 		ShimFrames |= 1 << Frame;
 	}
 	void SetAngularDriveMode(EAngularDriveMode::Type Mode) { bShimSlerp = Mode == EAngularDriveMode::SLERP; }
@@ -1042,11 +1046,10 @@ public:
 				Shim::Fatal("two subobjects are called " + Name.Text);
 			}
 		}
-		auto Owned = std::make_unique<T>();
-		T* Result = Owned.get();
+		T* Result = new T();
+		Shim::State().Pool.push_back(Result);
 		Result->ShimName = Name.Text;
 		ShimSubobjects.push_back(Result);
-		Shim::State().Pool.push_back(std::move(Owned));
 		return Result;
 	}
 	void ShimBeginPlay() { BeginPlay(); }
@@ -1065,7 +1068,6 @@ protected:
 #else
 #define SHIM_TEMPLATE extern template
 #endif
-SHIM_TEMPLATE class std::basic_string<char>;
 SHIM_TEMPLATE class std::vector<UObject*>;
 SHIM_TEMPLATE class std::vector<UPrimitiveComponent*>;
 SHIM_TEMPLATE UPhysicalMaterial* NewObject<UPhysicalMaterial>(UObject*);

@@ -3,17 +3,59 @@
 #define SHIM_RUNTIME
 #include "UEShim.h"
 
+#include <cstdarg>
+#include <cstring>
+#include <memory>
+#include <string>
+
 namespace Shim
 {
+	FText::FText(const char* In) : Data(strdup(In)) {}
+
+	FText::FText(const FText& Other) : Data(strdup(Other.Data)) {}
+
+	FText& FText::operator=(const FText& Other)
+	{
+		char* Old = Data;
+		Data = strdup(Other.Data);
+		free(Old);
+		return *this;
+	}
+
+	FText::~FText()
+	{
+		free(Data);
+	}
+
+	FText operator+(const FText& A, const FText& B)
+	{
+		return FText((std::string(A.Data) + B.Data).c_str());
+	}
+
+	void Fatal(const FText& Message)
+	{
+		throw FFatal{Message};
+	}
+
 	FState& State()
 	{
 		static FState S;
 		return S;
 	}
 
+	void Reset()
+	{
+		for (UObject* Object : State().Pool)
+		{
+			delete Object;
+		}
+		State() = FState();
+	}
+
 	void OutOfBounds(int32 Index, int32 Count)
 	{
-		Fatal("array index out of bounds: " + std::to_string(Index) + " of " + std::to_string(Count));
+		const std::string Numbers = std::to_string(Index) + " of " + std::to_string(Count);
+		Fatal(("array index out of bounds: " + Numbers).c_str());
 	}
 
 	void Log(const char* Category, const char* Verbosity, const char* Format, ...)
@@ -25,6 +67,30 @@ namespace Shim
 		va_end(Arguments);
 		State().Host->Log(Category, Verbosity, Buffer);
 	}
+}
+
+void UPrimitiveComponent::SetCollisionProfileName(FName Profile)
+{
+	static const struct
+	{
+		const char* Name;
+		ECollisionChannel Type;
+		bool bCollides;
+	} Known[] = {
+		{"NoCollision", ECC_WorldStatic, false}, {"BlockAll", ECC_WorldStatic, true},
+		{"BlockAllDynamic", ECC_WorldDynamic, true}, {"PhysicsActor", ECC_PhysicsBody, true}};
+	for (const auto& Row : Known)
+	{
+		if (strcmp(Row.Name, Profile.Text.c_str()) == 0)
+		{
+			ShimObjectType = Row.Type;
+			ShimCollides = Row.bCollides;
+			ShimBlocks = Row.bCollides ? ~0u : 0u;
+			ShimProfileSet = true;
+			return;
+		}
+	}
+	Shim::Fatal("unknown collision profile " + Profile.Text + " on " + ShimName);
 }
 
 namespace ShimGlue
@@ -41,7 +107,7 @@ namespace ShimGlue
 		}
 		catch (const Shim::FFatal& Caught)
 		{
-			Error = Caught.Message;
+			Error = Caught.Message.c_str();
 		}
 		return 1;
 	}
@@ -83,7 +149,7 @@ namespace ShimGlue
 		}
 		if (!Missing.empty())
 		{
-			Shim::Fatal(C.ShimName + " relies on defaults for:" + Missing);
+			Shim::Fatal(C.ShimName + " relies on defaults for:" + Missing.c_str());
 		}
 	}
 
@@ -132,7 +198,7 @@ extern "C"
 		using namespace ShimGlue;
 		return Guard([&]
 		{
-			Shim::State() = Shim::FState();
+			Shim::Reset();
 			Shim::State().Host = Host;
 			Shim::State().Phase = Shim::EPhase::Constructing;
 			Actor.reset(Create());
@@ -276,7 +342,7 @@ extern "C"
 	void esg_destroy()
 	{
 		ShimGlue::Actor.reset();
-		Shim::State() = Shim::FState();
+		Shim::Reset();
 	}
 }
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
+from functools import partial
 from pathlib import Path
 import time
 import traceback
@@ -14,7 +15,7 @@ from esg.dataset.clips.rendering import Subject, render_scene
 from esg.dataset.job import RENDER
 from esg.files import unwritable
 from esg.outcomes import UserError
-from esg.pipeline import may_pass
+from esg.pipeline import retried
 from esg.progress import StageEvent, emit
 from esg.store.tables import iter_rows, to_table, write_part
 from esg.strangers.scrubbing import scrub_all
@@ -24,8 +25,7 @@ if TYPE_CHECKING:
     from esg.dataset.plan import RenderSpec
 
 NOT_RENDERED = "not_rendered"
-RETRIES = 2
-_BACKOFF_S = 0.5
+PAUSES_S = (0.5, 1.0)
 
 
 @dataclass
@@ -37,14 +37,12 @@ class Rendered:
         files: Below the dataset's folder.
         failures: Rows of `failures.jsonl`.
         crashes: Traceback by scene id.
-        seconds: What it took [s].
     """
 
     rows: dict[str, list[dict[str, Any]]] = field(default_factory=dict)
     files: list[Path] = field(default_factory=list)
     failures: list[dict[str, Any]] = field(default_factory=list)
     crashes: dict[str, str] = field(default_factory=dict)
-    seconds: float = 0.0
 
 
 def render_batch(
@@ -61,7 +59,6 @@ def render_batch(
     Raises:
         OSError: If the disk does not take them; finished scenes are kept.
     """
-    start = time.perf_counter()
     out = Rendered()
     for subject in subjects:
         if subject.index in dead:
@@ -82,7 +79,6 @@ def render_batch(
             write_part(to_table("clips", [r.row() for r in records]), kept)
         out.rows[subject.scene_id] = [r.row(job.out) for r in records]
         out.files += [job.out / f.path for r in records for f in r.files]
-    out.seconds = time.perf_counter() - start
     return out
 
 
@@ -91,16 +87,7 @@ def _rendered(subject: Subject, spec: RenderSpec, out: Path) -> list[ClipRecord]
     seed = int(subject.common["seed"])
     emit(StageEvent(subject.scene_id, RENDER, "started", seed))
     start = time.perf_counter()
-    for attempt in range(RETRIES + 1):
-        try:
-            records = render_scene(subject, spec, out)
-            break
-        except OSError as error:
-            if unwritable(error) or attempt == RETRIES or not may_pass(error):
-                raise
-            time.sleep(_BACKOFF_S * 2**attempt)
-    else:
-        raise AssertionError("unreachable")
+    records = retried(partial(render_scene, subject, spec, out), PAUSES_S)
     seconds = time.perf_counter() - start
     emit(StageEvent(subject.scene_id, RENDER, "finished", seed, seconds=seconds))
     return records

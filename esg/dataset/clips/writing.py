@@ -107,25 +107,28 @@ def _depth(values: NDArray[Any]) -> _Coded:
     return np.stack([c for c, _, _ in coded]), ([o for _, o, _ in coded], [s for _, _, s in coded])
 
 
-def _told(values: NDArray[Any]) -> NDArray[np.bool_]:
-    """Where vectors are known, shape [F, H, L]."""
-    return np.asarray(np.isfinite(values).all(axis=-1))
+def _known(vectors: NDArray[Any]) -> NDArray[np.bool_]:
+    """Where the vectors of one picture are known, shape [H, L]."""
+    found = np.isfinite(vectors[..., 0])
+    for k in range(1, vectors.shape[-1]):
+        found &= np.isfinite(vectors[..., k])
+    return found
 
 
 def _flow(values: NDArray[Any]) -> _Coded:
-    known = _told(values)
-    filled = np.where(known[..., None], values, 0.0)
-    coded = [codes.shift_codes(v, k) for v, k in zip(filled, known, strict=True)]
+    coded: list[tuple[codes.Codes, np.float32]] = []
+    for shift in values:
+        known = _known(shift)
+        coded.append(codes.shift_codes(np.where(known[..., None], shift, 0.0), known))
     return np.stack([c for c, _ in coded]), ([s for _, s in coded],)
 
 
 def _normal(values: NDArray[Any]) -> _Coded:
-    return codes.normal_codes(values), ()
+    return np.stack([codes.normal_codes(v) for v in values]), ()
 
 
 def _places(values: NDArray[Any]) -> _Coded:
-    known = _told(values)
-    return codes.place_codes(np.where(known[..., None], values, 0.0), known), ()
+    return np.stack([codes.place_codes(v, _known(v)) for v in values]), ()
 
 
 CODED: dict[str, Callable[[NDArray[Any]], _Coded]] = {

@@ -108,6 +108,8 @@ class Moves:
     """What moves about on something, and on what."""
     still: dict[str, int] = field(default_factory=dict[str, int])
     """What is said not to move, and where the prompt says so."""
+    stays: dict[str, int] = field(default_factory=dict[str, int])
+    """What is said to stay still for a while at least, and where the prompt says so."""
     held_back: dict[str, list[Frame]] = field(default_factory=dict[str, "list[Frame]"])
     """Clauses after which somebody sets off who has not moved before."""
     patient: set[str] = field(default_factory=set[str])

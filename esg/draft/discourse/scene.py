@@ -87,6 +87,9 @@ GROUND = "ground_1"
 STRUCK = lex.word_set("struck")
 MAX_TIME_S = 600.0
 """Longest scene [s]."""
+LIVING = frozenset({"person", "animal"})
+LIMBED = LIVING | {"robot"}
+"""Kinds with a body that acts: those who ride, drive, carry, jump and go on foot."""
 SELF_POWERED = lex.word_set("self powered")
 SPEEDS: dict[str, Quantity] = {
     "vehicle": (300.0, 2000.0), "toyvehicle": (50.0, 300.0), "person": (80.0, 600.0),

@@ -240,6 +240,15 @@ class TimelineBuilder:
                 params = e.params.model_copy(update={"duration": None})
                 self.edges[k] = e.model_copy(update={"params": params})
 
+    def hand_over(self, told: str, does: str) -> None:
+        """Lets a node do and meet what was told of another one: the mount of its rider."""
+        self.tracks[does] = self.tracks.pop(told)
+        self.edges[:] = [
+            x.model_copy(update={"actor": does}) if x.actor == told else x for x in self.edges
+        ]
+        for node in self.nodes:
+            node.participants = tuple(does if p == told else p for p in node.participants)
+
     def finish(self) -> None:
         """Leads every motion that no event closed to a Trigger (the end of the action)."""
         for actor, track in list(self.tracks.items()):

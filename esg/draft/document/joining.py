@@ -143,7 +143,7 @@ def _lower(scene: Scene, row: Articulation, e: Entity, part: Entity) -> None:
     swings = (row.drawn is not None or row.turns) and row.carries == "with" and row.becomes
     if swings and part.dimensions_cm is not None and over > 0.0:
         part.dimensions_prescribed = True
-        pivot = row.above_cm + e.noun.dimensions_cm[2]
+        pivot = row.above_cm + (0.0 if row.turns else e.noun.dimensions_cm[2])
         pivot += (row.upper or 0.0) if row.kind == "rope" else 0.0
         part.dimensions_cm[2] *= 1.0 - over / pivot
 
@@ -252,15 +252,8 @@ def _seat_on_seesaws(scene: Scene) -> None:
 
 def _hand_over(scene: Scene, named: str, part: str) -> None:
     """Lets the part that turns do what is told of the whole: a chest opens, a cradle swings."""
-    timeline = scene.timeline
-    if not any(x.actor == named and x.event in _MOTIONS for x in timeline.edges):
-        return
-    timeline.tracks[part] = timeline.tracks.pop(named)
-    timeline.edges[:] = [
-        x.model_copy(update={"actor": part}) if x.actor == named else x for x in timeline.edges
-    ]
-    for node in timeline.nodes:
-        node.participants = tuple(part if p == named else p for p in node.participants)
+    if any(x.actor == named and x.event in _MOTIONS for x in scene.timeline.edges):
+        scene.timeline.hand_over(named, part)
 
 
 def _become(e: Entity, name: str) -> list[float]:
@@ -286,6 +279,8 @@ def _served(scene: Scene, row: Articulation, named: Entity) -> list[Entity]:
     parts = parts_of(scene.world, named)
     for part in parts:
         _become(part, row.with_part)
+        # "Ball" is rubber and "steel ball" mild steel; a cradle's rebound as its drawing says.
+        part.noun = replace(part.noun, material=lex.part(row.with_part).material)
         part.group = part.pattern = None
         _not_placed(scene, part.id)
     if parts:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
-from esg.draft.discourse.scene import SPEEDS, Scene
+from esg.draft.discourse.scene import LIMBED, SPEEDS, Scene
 from esg.graph.joints import FOOT, SEAT
 from esg.graph.models import EdgeEvent, Joint, NodeEvent
 
@@ -12,7 +12,6 @@ _RIDDEN = lex.word_set("straddled or stood on")
 _RIDES = lex.word_set("rides")
 _GAITS = frozenset({"canter", "gallop", "trot"})
 _DRIVERS = frozenset({"driver", "motorist", "chauffeur"})
-_RIDERS = ("person", "animal", "robot")
 _DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION, EdgeEvent.TURN, EdgeEvent.BRAKE)
 _LEAVES = (NodeEvent.FALL, NodeEvent.JUMP, NodeEvent.TOPPLE)
 """Events of a rider after which he is not on it."""
@@ -101,12 +100,7 @@ def _hand_over(scene: Scene, rider: str, mount: str) -> None:
     timeline = scene.timeline
     if mount in timeline.tracks or not _goes(scene, rider):
         return
-    timeline.tracks[mount] = timeline.tracks.pop(rider)
-    timeline.edges[:] = [
-        x.model_copy(update={"actor": mount}) if x.actor == rider else x for x in timeline.edges
-    ]
-    for node in timeline.nodes:
-        node.participants = tuple(mount if p == rider else p for p in node.participants)
+    timeline.hand_over(rider, mount)
     for clause in scene.clauses:
         clause.movers[:] = [mount if m == rider else m for m in clause.movers]
 
@@ -134,7 +128,7 @@ def _rides(scene: Scene) -> dict[str, str]:
 
 def _is_rider(scene: Scene, node: str) -> bool:
     e = scene.world.entities.get(node)
-    return e is not None and e.noun.kind in _RIDERS and not e.static
+    return e is not None and e.noun.kind in LIMBED and not e.static
 
 
 def _is_ridden(scene: Scene, node: str) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from esg.draft.discourse.core import aimable, entity_of, kind_of, mark_used, structural
 from esg.draft.discourse.places import carries, elevated, place
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.scene import LIVING
 from esg.draft.events.acts import add_event, add_hit, share_support
 from esg.draft.events.ends import opening, takes_up_from_above
 from esg.draft.events.hanging import tipped
@@ -137,7 +138,7 @@ def _on_the_ground(d: Discourse, f: Frame, body: str) -> None:
     held = body in d.scene.supported_by
     if kind_of(d, body) == "flyer" or (lands and is_airborne(d, body) and not held):
         return
-    leaper = kind_of(d, body) in ("person", "animal") and lands
+    leaper = kind_of(d, body) in LIVING and lands
     if leaper and not held and body not in d.scene.heights:
         mark_used(d, f, "end of a jump")
     elif not happened(d, NodeEvent.FALL, body):

@@ -7,7 +7,7 @@ from esg.draft.discourse.core import entity_of, kind_of, mark_used, structural
 from esg.draft.discourse.places import elevated, holds, place
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.referents.registry import add_entity
-from esg.draft.discourse.scene import STRUCK
+from esg.draft.discourse.scene import LIVING, STRUCK
 from esg.draft.events.motions import lies_on_something
 from esg.draft.events.timing import settle
 from esg.draft.events.told import recent, traits_of
@@ -55,7 +55,7 @@ def comes_down(d: Discourse, f: Frame, actor: str, p: Phrase) -> bool:
     assert p.mention is not None
     down = "down" in d.text[f.verb.end : p.mention.start].lower().split()
     rests = actor in d.scene.supported_by or lies_on_something(d, actor)
-    return down and rests and kind_of(d, actor) not in ("person", "animal")
+    return down and rests and kind_of(d, actor) not in LIVING
 
 
 def _carrier_named(d: Discourse, actor: str, back: bool) -> str:
@@ -79,7 +79,7 @@ def heads_for(d: Discourse, f: Frame, actor: str, other: str, time: Time | None)
 
     What is thrown or passed to somebody is for him to take: no arrival is told.
     """
-    sent = f.verb.sense in ("launch", "pass") and kind_of(d, other) in ("person", "animal")
+    sent = f.verb.sense in ("launch", "pass") and kind_of(d, other) in LIVING
     sent = sent and f.phrase("from") is None  # "from one player to another" is a way
     if sent and kind_of(d, actor) in STRUCK | {"sliding"}:
         mark_used(d, f, "for somebody to take")

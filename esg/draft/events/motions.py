@@ -15,7 +15,7 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.places import carries, fits_on, place
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
+from esg.draft.discourse.scene import LIVING, SELF_POWERED, SPEEDS
 from esg.draft.discourse.timeline import LAUNCHES, START
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.hanging import hanging, let_go
@@ -389,7 +389,7 @@ def _tipped(d: Discourse, actor: str) -> bool:
     host = last.participants[0]
     if fits_on(d, actor, host):
         place(d, [actor], [host], "on")
-    return kind_of(d, host) not in ("person", "animal")
+    return kind_of(d, host) not in LIVING
 
 
 def on_what_was_hit(d: Discourse, f: Frame, things: list[str]) -> None:

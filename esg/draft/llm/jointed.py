@@ -10,6 +10,7 @@ import re
 from typing import Any
 
 from esg.draft import lexicon as lex
+from esg.draft.discourse.scene import LIMBED
 from esg.draft.document.riding import THROWN_OFF_MPS
 from esg.draft.llm.names import slug
 from esg.draft.llm.prune import drop_event
@@ -23,7 +24,6 @@ _OPEN = {"open": 1.0, "opened": 1.0, "half": 0.5, "ajar": 0.25}
 """Share of how far a thing opens at which it starts, by a word of its name."""
 _FREED = ("Release", "Drive")
 _JOINTED = ("Open", "Close", "Swing")
-_RIDERS = ("person", "animal", "robot")
 _LEAVES = ("Fall", "Jump", "Topple")
 """Events of a rider after which he is not on it."""
 ANY_BLOW = (250.0, 10)
@@ -245,7 +245,7 @@ def seat_riders(raw: Json) -> list[str]:
         if mount is None or name in busy:
             continue
         kind, steed = _noun(raw, name), _noun(raw, mount)
-        if kind is None or kind.kind not in _RIDERS or steed is None or steed.name not in ridden:
+        if kind is None or kind.kind not in LIMBED or steed is None or steed.name not in ridden:
             continue
         mass: float = raw["asset_requirement"][graph["nodes"][name]["asset_id"]]["expected_mass_kg"]
         joints.append(

@@ -14,7 +14,7 @@ from functools import cache
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import kind_of, structural
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import GROUND
+from esg.draft.discourse.scene import GROUND, LIMBED
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.courses import measurable
 from esg.draft.events.stated import start_of
@@ -41,7 +41,6 @@ _SIDES = {
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
 _OWN = frozenset({"own", "fly", "reverse"})
-_COMPANIONS = frozenset({"person", "animal", "robot"})
 _INNER = frozenset({"in", "into", "inside", "within", "inside of"})
 _CLOSED = frozenset({"appliance", "electronics", "building", "vehicle"})
 """Kinds of things that have an inside, which nothing is put into."""
@@ -178,7 +177,7 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
             or (p.prep in ("above", "over") and _aloft(a, about))
             or _laid_out(d, about, others, p.prep)
         )
-    if p.prep == "with" and all(kind_of(d, i) in _COMPANIONS for i in others):
+    if p.prep == "with" and all(kind_of(d, i) in LIMBED for i in others):
         by = replace(by, relations=by.relations | {"near"})
     part = p.mention.part if p.mention is not None else ""
     if part in _SIDES:

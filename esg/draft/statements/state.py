@@ -10,7 +10,7 @@ from typing import Any
 from esg.draft.discourse.core import amounts_of, entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import GROUND, SELF_POWERED, SPEEDS
+from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED, SPEEDS
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import (
     GENTLE_BRAKE_CM_S2,
@@ -130,6 +130,13 @@ def state(
     for actor, at in d.moves.still.items():
         if actor in d.world.entities:
             book.add(Predicate.STAYS_STILL, at, _word_end(d.text, at), object=(actor,))
+    moved = {e.actor for e in d.timeline.edges}
+    for actor, at in d.moves.stays.items():
+        if actor in d.world.entities and actor not in moved:
+            hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
+            hit = next((n.id for n in hits if actor in n.participants), None)
+            book.add(Predicate.STAYS_STILL, at, _word_end(d.text, at), object=(actor,),
+                     when="throughout" if hit is None else f"start..{hit}")  # fmt: skip
     return tuple(sorted(book.items, key=lambda s: s.start)) or None
 
 
@@ -370,7 +377,7 @@ def _driver(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     d = book.d
     riders = [i for i in _ids(clause.frame.subject) if i in d.world.entities]
     riders = [i for i in riders if i not in clause.movers]
-    riders = [i for i in riders if kind_of(d, i) in ("person", "animal", "robot")]
+    riders = [i for i in riders if kind_of(d, i) in LIMBED]
     if riders and kind_of(d, mover) in SELF_POWERED:
         open_ = d.scene.supported_by.get(riders[0]) == mover or s.row.states is not Predicate.INSIDE
         says = Predicate.SUPPORTED_BY if open_ else Predicate.INSIDE

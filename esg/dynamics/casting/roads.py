@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import itertools
 import math
 
 from esg.dynamics.casting.changes import Configs, resized
@@ -13,6 +12,8 @@ CROSSROADS = "crossroads"
 """Asset of two roads that cross."""
 SIGHT_CM = 2000.0
 """Street that is seen before the first start and behind the last end."""
+APART_CM = 1000.0
+"""Between ways on one street that nothing joins."""
 STEP_CM = 1000.0
 """Streets grow in steps, so that scenes alike share one."""
 LONGEST_CM = 40000.0
@@ -40,8 +41,12 @@ def fit_roads(doc: EsgDocument, told: Choreography) -> Configs:
     ]
     if not any(len(points) > 1 for points in ways):
         return {}
-    way = max(math.dist(p, q) for points in ways for p, q in itertools.product(points, points))
-    length = min(STEP_CM * math.ceil((way + 2.0 * SIGHT_CM) / STEP_CM), LONGEST_CM)
+    lengths = [max((math.dist(p, q) for p in w for q in w), default=0.0) for w in ways]
+    way = max(lengths)
+    # Ways that nothing joins lie one behind another, in an order that the layout finds.
+    apart = [w for w, c in zip(lengths, told.constellations, strict=True) if c.corridors]
+    along = max(way, sum(apart) + APART_CM * (len(apart) - 1))
+    length = min(STEP_CM * math.ceil((along + 2.0 * SIGHT_CM) / STEP_CM), LONGEST_CM)
     out = _wider_ground(doc, way, max(_speeds(told), default=0.0))
     for name in lengthened:
         key = nodes[name].asset_id

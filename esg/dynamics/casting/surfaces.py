@@ -1,16 +1,20 @@
-"""Ice: pucks, curling stones and skaters slide on it, and what a prompt has slide on the ice."""
+"""Ice under what slides on it (pucks, skaters, what a prompt says), snow under what glides."""
 
 from __future__ import annotations
 
 from esg.dynamics.story.stagecraft import ground_friction, prop, support_of
 from esg.dynamics.story.story import Story
 from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument
+from esg.lexicon.places import surfaces
 from esg.metrics.plausibility.limits import limit, motion_of
 
 ICE = 0.04
 """Friction of ice and of what slides on it."""
 OF_ICE = ("puck", "curling_stone", "curling stone")
 """Words of categories that are at home there."""
+
+WAXED = 0.05
+"""Friction of a ski's base (on snow 0.02-0.1: Colbeck, Friction of snow skis, 1992)."""
 
 
 def fit_ice(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
@@ -40,6 +44,41 @@ def fit_ice(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
         key: config.model_copy(update={"friction": ICE})
         for key in sorted(kinds)
         if (config := doc.asset_configurations[key]).friction > ICE
+    }
+
+
+def fit_snow(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
+    """Snow under what glides (skis, sleds), which nothing carries over another ground.
+
+    Args:
+        doc: A document with assets resolved.
+        story: Its timeline.
+    """
+    from esg.assets.configuration import parametric_entry
+    from esg.assets.materials import MATERIALS
+
+    nodes = doc.spatial_relation_graph.nodes
+    where = doc.scene_definition.scene_parameters
+    others = (s.said_as for s in surfaces().values() if s.material != "snow")
+    if where.scene_type == "indoor" or any(where.environment in words for words in others):
+        return {}
+    entries = {
+        actor: parametric_entry(doc.asset_configurations[nodes[actor].asset_id])
+        for actor in story.phases
+        if actor in nodes
+    }
+    gliding = {a for a, entry in entries.items() if entry is not None and "glides" in entry.flags}
+    if not gliding:
+        return {}
+    most = {nodes[a].asset_id: WAXED for a in gliding} | {
+        v.asset_id: MATERIALS["snow"].friction
+        for v in nodes.values()
+        if v.is_structural and not doc.asset_configurations[v.asset_id].proxies
+    }
+    return {
+        key: config.model_copy(update={"friction": friction})
+        for key, friction in sorted(most.items())
+        if (config := doc.asset_configurations[key]).friction > friction
     }
 
 

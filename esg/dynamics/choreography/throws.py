@@ -7,7 +7,7 @@ import math
 
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import Frame
-from esg.dynamics.story.stagecraft import Prop, release_height, support_of, top_surface
+from esg.dynamics.story.stagecraft import Prop, prop, release_height, support_of, top_surface
 from esg.dynamics.story.story import Phase, Story, bounds
 from esg.dynamics.story.suspension import landing_place
 from esg.dynamics.story.tipping import FLIES_AT
@@ -149,13 +149,17 @@ def stand_in_front(stage: Stage, who: str, thrown: str, phase: Phase) -> bool:
     Returns:
         Whether something is in his way if he stands where he otherwise would.
     """
-    below = [k for p in phase.end.participants if (k := stage.key(p)) != thrown]
+    owner = (phase.end.region or "").partition("/")[0]
+    named = [owner] if owner else phase.end.participants
+    below = [k for p in named if (k := stage.key(p)) != thrown]
     if not below or below[0] not in stage.places or below[0] in stage.tracks:
         return False
     body, target, b = stage.prop(who), stage.prop(below[0]), below[0]
-    clear = 0.5 * (body.length + target.length) + BESIDE_M
     if target.config is None or not target.config.proxies:
         return False
+    carrier = support_of(stage.doc, stage.member(b))
+    across = max(target.length, 0.0 if carrier is None else prop(stage.doc, carrier).length)
+    clear = 0.5 * (body.length + across) + BESIDE_M
     if clear <= 0.5 * (body.length + stage.prop(thrown).length) + ARM_M:
         return False
     bx, by, angle = stage.places[b]

@@ -51,7 +51,7 @@ async function call(method, path, body) {
 
 // ---- what is written, and how it is read ----
 
-const state = { reading: null, turned: new Map(), edited: false, shown: 0, jobs: [], asked: 0 };
+const state = { reading: null, turned: new Map(), edited: false, shown: 0, jobs: [], asked: 0, reads: false };
 let pause = 0;
 let turning = 0;
 
@@ -85,10 +85,19 @@ function mistake(error) {
   $("mistake").textContent = error ? error.message ?? String(error) : "";
 }
 
+// One at a time: what is typed meanwhile is read next, and only its last state.
 async function read() {
-  const what = asked();
   keep();
   const number = ++state.asked;
+  if (state.reads) return;
+  state.reads = true;
+  await readNow(number);
+  state.reads = false;
+  if (number !== state.asked) read();
+}
+
+async function readNow(number) {
+  const what = asked();
   if (!what.prompt.trim()) {
     state.reading = null;
     $("read").replaceChildren();

@@ -65,10 +65,12 @@ def shift_codes(shift: Floats, known: NDArray[np.bool_]) -> tuple[Codes, np.floa
     told = known & (size <= FARTHEST_SHIFT * max(known.shape))
     longest = float(size.max(where=told, initial=0.0))
     scale = np.float32(longest / SHIFT_MOST) if longest > 0 else np.float32(1.0)
-    out = np.zeros((*known.shape, 3), np.uint16)
-    codes = np.clip(np.rint(shift / scale), -SHIFT_MOST, SHIFT_MOST) + SHIFT_ZERO
-    out[..., :2] = codes.astype(np.uint16)
-    out[..., 2] = MOST
+    codes = shift / scale
+    np.rint(codes, out=codes)
+    np.clip(codes, -SHIFT_MOST, SHIFT_MOST, out=codes)
+    codes += SHIFT_ZERO
+    out = np.full((*known.shape, 3), MOST, np.uint16)
+    out[..., :2] = codes
     out[~told] = 0
     return out, scale
 
@@ -81,10 +83,14 @@ def shift_pixels(codes: Codes, scale: float) -> tuple[NDArray[np.float32], NDArr
 
 
 def normal_codes(normal: Floats) -> Codes:
-    """Unit normals, (n + 1) / 2 * 65534; black where nothing is hit, shape [..., 3]."""
-    hit = np.abs(normal).sum(axis=-1, keepdims=True) > 0
-    codes = np.rint((np.clip(normal, -1, 1) + 1) / 2 * (MOST - 1))
-    return np.where(hit, codes, 0).astype(np.uint16)
+    """Unit normals of one picture, (n + 1) / 2 * 65534; black where nothing is hit, [H, L, 3]."""
+    codes = np.clip(normal, -1, 1)
+    codes += 1
+    codes *= (MOST - 1) / 2
+    np.rint(codes, out=codes)
+    out = codes.astype(np.uint16)
+    out[(normal[..., 0] == 0) & (normal[..., 1] == 0) & (normal[..., 2] == 0)] = 0
+    return out
 
 
 def normal_vectors(codes: Codes) -> NDArray[np.float32]:
@@ -94,14 +100,15 @@ def normal_vectors(codes: Codes) -> NDArray[np.float32]:
 
 
 def place_codes(share: Floats, known: NDArray[np.bool_]) -> Codes:
-    """Places on bodies, 1 + share * 65534; black where there is no body, shape [..., 3].
+    """Places on bodies of one picture, 1 + share * 65534; black where there is no body, [H, L, 3].
 
     Args:
-        share: Of the way from the lower to the upper bound of the body, shape [..., 3].
-        known: Where there is a body, shape [...].
+        share: Of the way from the lower to the upper bound of the body, shape [H, L, 3].
+        known: Where there is a body, shape [H, L].
     """
-    codes = 1 + np.rint(np.clip(share, 0.0, 1.0) * (MOST - 1))
-    return np.where(known[..., None], codes, 0).astype(np.uint16)
+    out = np.zeros(share.shape, np.uint16)
+    out[known] = 1 + np.rint(np.clip(share[known], 0.0, 1.0) * (MOST - 1))
+    return out
 
 
 def place_shares(codes: Codes) -> NDArray[np.float32]:

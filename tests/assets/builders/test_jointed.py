@@ -97,13 +97,15 @@ def test_what_has_limits_starts_within_them() -> None:
             assert all(low <= p <= high for p in (row.start, row.opened or 0.0)), row.nouns
 
 
-def test_cradle_balls_touch_almost() -> None:
-    """A gap of 0.2 mm between neighbours: they meet at once and do not press on each other."""
+def test_cradle_balls_are_a_step_apart() -> None:
+    """A gap of 3 mm between neighbours: what touches shares a blow in every engine, and at this
+    distance PhysX and Rapier pass it on (docs/engines/joints.md).
+    """
     row = articulations()["newton's cradle"]
     parent, child = (configured(name) for name in sides(row))
     at = [child_frame(joint(row, n), parent, child).position for n in range(1, 6)]
     gaps = [float(np.linalg.norm(a - b)) - 5.0 for a, b in itertools.pairwise(at)]
-    assert gaps == pytest.approx([0.02] * 4)
+    assert gaps == pytest.approx([0.3] * 4)
 
 
 def test_nobody_finds_a_part_who_does_not_ask_for_it() -> None:

@@ -46,7 +46,7 @@ def quick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     monkeypatch.setattr(stages, "conclude", stages.conclude)
     monkeypatch.setenv("ESG_TEST_CALLS", str(tmp_path / "calls"))
     monkeypatch.setenv("ESG_CACHE_DIR", str(tmp_path / "cache"))
-    monkeypatch.setattr(module, "_BACKOFF_S", 0.0)
+    monkeypatch.setattr(module, "PAUSES_S", (0.0, 0.0))
     monkeypatch.setattr(module, "_compile_together", nothing)
     monkeypatch.setattr(stages, "load_doc", nothing)
     monkeypatch.setattr(adding_command, "make_batches", one_by_one)

@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from esg.assets import resolve
+from esg.assets.materials import MATERIALS
 from esg.draft import draft, said
 from esg.dynamics.casting import fitted
 from esg.dynamics.casting.surfaces import ICE
@@ -42,3 +43,18 @@ def test_curling_stones_that_are_struck_slide_on_as_well() -> None:
 @pytest.mark.parametrize("text", ["slides on an ice cube", "over the ice cream", "by the rink"])
 def test_ice_that_is_no_ground_is_no_ice(text: str) -> None:
     assert not said.ICE.search(text)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "snowy"),
+    [
+        ("A skier goes down the slope and hits a gate pole.", True),
+        ("A snowboarder slides down the hill into a snowman.", True),
+        ("A sled slides down the hill and hits a tree.", True),
+        ("A sled slides over the sand and hits a box.", False),
+        ("A crate slides down the ramp and hits a pole.", False),
+    ],
+)
+def test_what_glides_goes_on_snow_unless_another_ground_is_named(prompt: str, snowy: bool) -> None:
+    doc = fitted(resolve(draft(prompt)))
+    assert (ground_friction(doc) <= MATERIALS["snow"].friction) is snowy

@@ -110,3 +110,28 @@ def test_crates_that_slide_from_hit_to_hit_are_smooth_and_start_calmly() -> None
 def test_what_slides_into_one_thing_only_keeps_its_underside() -> None:
     doc = cast("A forklift hits a crate and the crate slides into a barrel.")
     assert prop(doc, "crate_1").friction > 0.3
+
+
+@pytest.mark.parametrize(
+    ("prompt", "who", "thing", "table"),
+    [
+        ("A girl drops an apple onto the kitchen counter.", "girl_1", "apple_1", "kitchen_counter"),
+        ("A boy drops a ball onto a bench.", "boy_1", "ball_1", "bench"),
+        ("A woman drops a book onto a desk.", "woman_1", "book_1", "desk"),
+        ("A chef drops an egg into a pan on the stove.", "chef_1", "egg_1", "stove"),
+    ],
+)
+def test_who_drops_something_stands_before_the_table_and_reaches_it(
+    prompt: str, who: str, thing: str, table: str
+) -> None:
+    doc = cast(prompt)
+    spots = places(doc)
+    below = next(p for n, p in spots.items() if n not in (who, thing))
+    apart = math.hypot(spots[who].x_cm - below.x_cm, spots[who].y_cm - below.y_cm)
+    carrier, person = (100.0 * prop(doc, n).length for n in (f"{table}_1", who))
+    assert apart > 0.5 * (carrier + person)
+    reach = math.hypot(spots[who].x_cm - spots[thing].x_cm, spots[who].y_cm - spots[thing].y_cm)
+    tall = 100.0 * prop(doc, who).height
+    assert reach < 0.5 * tall
+    on = 100.0 * prop(doc, f"{table}_1").height if table == "stove" else 0.0
+    assert on + (spots[thing].z_cm or 0.0) < 1.25 * tall

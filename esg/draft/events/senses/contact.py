@@ -10,7 +10,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, mark_used, movable, quantity_of, structural
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse, Time
-from esg.draft.discourse.scene import SELF_POWERED
+from esg.draft.discourse.scene import LIVING, SELF_POWERED
 from esg.draft.events.acts import (
     WAYS,
     add_event,
@@ -219,7 +219,7 @@ def _runs_or_reverses(d: Discourse, f: Frame, movers: list[str], targets: list[s
     if f.verb.extra.get("motion") == "reverse":
         reverse(d, movers)
     for m in movers if f.verb.lemma == "run" else ():
-        if moved_by_others(d, m) and kind_of(d, m) in ("person", "animal"):
+        if moved_by_others(d, m) and kind_of(d, m) in LIVING:
             start_motion(d, f, [m], "own", next(iter(targets), None))
 
 

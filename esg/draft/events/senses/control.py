@@ -16,7 +16,7 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.event_coreference import time_of_told
 from esg.draft.discourse.record import Discourse, Time
-from esg.draft.discourse.scene import SELF_POWERED
+from esg.draft.discourse.scene import LIMBED, SELF_POWERED
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, add_hit, braking, outcomes
 from esg.draft.events.lengths import stops_short
@@ -251,7 +251,7 @@ def _halts(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
     """Whether the subject brings something else to a stop."""
     moved, going = d.timeline.tracks.get(s[0]), d.timeline.tracks.get(o[0])
     own = moved is not None and moved.motion is not None
-    afoot = kind_of(d, s[0]) in ("person", "animal", "robot")
+    afoot = kind_of(d, s[0]) in LIMBED
     if own and afoot and going is not None and going.motion is not None:
         return movable(d, o[0])  # "runs after the cart and stops it"
     return f.object is not None and not own and movable(d, o[0])

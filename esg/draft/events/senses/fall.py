@@ -19,6 +19,7 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.places import elevated, place, set_free
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.scene import LIVING
 from esg.draft.events.acts import add_event, add_hit, goes_in
 from esg.draft.events.consequences import landing_of, struck_before
 from esg.draft.events.ends import off_the_edge
@@ -30,7 +31,7 @@ from esg.draft.events.motions import (
     on_what_was_hit,
     start_motion,
 )
-from esg.draft.events.senses.launch import heights, motion_of_things, stand_by
+from esg.draft.events.senses.launch import heights, look_at, motion_of_things
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import (
     enterable,
@@ -60,7 +61,7 @@ def read_drop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     agents = [x for x in s if x not in dropped]
     if agents and dropped:
         place(d, agents, dropped, "near")
-        stand_by(d, [a for a in agents if kind_of(d, a) in ("person", "animal")], dropped)
+        look_at(d, [a for a in agents if kind_of(d, a) in LIVING], dropped)
     wheeled = bool(dropped) and kind_of(d, dropped[0]) in ("cart", "vehicle")
     if f.verb.lemma == "let" and wheeled and not _held_up(d, dropped[0]):
         motion(d, f, dropped, None)  # "lets go of a cart"
@@ -240,7 +241,7 @@ def _falls_onto(d: Discourse, fall: Fall) -> bool:
     body, met = fall.upright[0], things(onto)
     struck = [i for i in met if i not in fall.actors and aimable(d, i)]
     flat = bool(met) and all(map(partial(structural, d), met))
-    low, being = a_rests_low(d, body), kind_of(d, body) in ("person", "animal")
+    low, being = a_rests_low(d, body), kind_of(d, body) in LIVING
     tips = (flat and kind_of(d, body) in _UPRIGHT) or (struck and kind_of(d, body) != "bottle")
     if struck and being:
         add_hit(d, f, [body], struck[:1], time_of(d, f))

@@ -10,7 +10,7 @@ from esg.draft.discourse.core import kind_of, mark_used, movable, structural
 from esg.draft.discourse.places import holds, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import Entity
-from esg.draft.discourse.scene import GROUND, SELF_POWERED, SPEEDS
+from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED, SPEEDS
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, add_hit
 from esg.draft.events.consequences import already_hit
@@ -30,7 +30,6 @@ _ELSEWHERE = frozenset({"in", "off", "on", "out", "down", "aboard", "aside", "aw
 """Adverbs that lead a leap somewhere else than back to the ground it left."""
 _OFTEN = re.compile(r"\b(?:once|twice|thrice|(\w+)\s+times)\b", re.IGNORECASE)
 _DOWN = re.compile(r"(?:\w+\s+){1,4}?(?:back\s+)?down\b", re.IGNORECASE)
-_JUMPERS = ("person", "animal", "robot")
 
 
 def _loose(d: Discourse, bodies: list[str]) -> list[str]:
@@ -89,7 +88,7 @@ def read_put(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if not moved or goal is None or not act or pushed or several:
         read_as(d, "posture", f, s, o)
         return
-    place(d, [a for a in agents if kind_of(d, a) in _JUMPERS], moved[:1], "near")
+    place(d, [a for a in agents if kind_of(d, a) in LIMBED], moved[:1], "near")
     _from_where(d, f, moved)
     _put(d, f, moved, goal)
 
@@ -167,7 +166,7 @@ def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     over = [i for i in (*things(f.phrase("over", "across")), *o) if i not in s]
     over = [i for i in over if not structural(d, i)][:1]
     elsewhere = f.phrase(*_PUT_ON, "to", "off", "into", "in", "from", "out of", "down", "at")
-    leaps = [a for a in s if kind_of(d, a) in _JUMPERS and a not in d.scene.supported_by]
+    leaps = [a for a in s if kind_of(d, a) in LIMBED and a not in d.scene.supported_by]
     leaps = [a for a in leaps if not moved_by_others(d, a)]
     away = _ELSEWHERE & {*f.adverbs, f.verb.extra.get("particle", "")}
     if away or (elsewhere is not None and things(elsewhere)) or not leaps:

@@ -191,6 +191,11 @@ def launch_by(d: Discourse, f: Frame, agents: list[str], sent: list[str]) -> Non
 def stand_by(d: Discourse, agents: list[str], sent: list[str]) -> None:
     """Who sets a thing off without a hit stands beside it, and looks at it."""
     place(d, agents, sent, "near")
+    look_at(d, agents, sent)
+
+
+def look_at(d: Discourse, agents: list[str], sent: list[str]) -> None:
+    """Who lets a thing go has it before his eyes, unless he is said to face something else."""
     for agent in [a for a in agents if a != sent[0]]:
         d.scene.facing.setdefault(agent, sent[0])
 

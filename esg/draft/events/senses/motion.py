@@ -14,7 +14,7 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.places import holds, place
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import SELF_POWERED, STRUCK, Relation
+from esg.draft.discourse.scene import LIMBED, LIVING, SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
 from esg.draft.events.ends import bounces_over
 from esg.draft.events.motions import flies_itself, motion, own, start_motion, target_of
@@ -37,7 +37,6 @@ from esg.draft.events.told import moves, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
-_DRIVERS = ("person", "animal", "robot")
 _HOVERING = ("float", "hover", "levitate")
 _RIDES = lex.word_set("rides")
 _ON_FOOT = lex.word_set("on foot")
@@ -67,7 +66,7 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             turn(d, f, actors, side, 90.0)
         return
     # also what was hit: "is hit by a ball and runs into a fence"
-    afoot = f.verb.lemma in _ON_FOOT and kind in ("person", "animal")
+    afoot = f.verb.lemma in _ON_FOOT and kind in LIVING
     if f.verb.lemma in _HOVERING and actors and all(flies_itself(d, a) for a in actors):
         _hovers(d, f, actors)
         return
@@ -81,14 +80,14 @@ def _sets_going(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
     """ "The batsman drives the ball past the bowler", "a dog moves a pillow"."""
     if not s or not o:
         return False
-    struck = kind_of(d, s[0]) in _DRIVERS and kind_of(d, o[0]) in STRUCK
+    struck = kind_of(d, s[0]) in LIMBED and kind_of(d, o[0]) in STRUCK
     return struck or (f.verb.lemma == "move" and s[0] != o[0] and _by_hand(d, s[0], o[0]))
 
 
 def _driven(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
     """Who moves: what a person drives, else who the clause is about."""
     thing = f.object is not None and not f.object.attribute
-    if not (s and o and thing) or kind_of(d, s[0]) not in _DRIVERS:
+    if not (s and o and thing) or kind_of(d, s[0]) not in LIMBED:
         return s or o
     glides = kind_of(d, o[0]) == "sliding" and f.verb.lemma in _RIDES  # "rides a sled down"
     if kind_of(d, o[0]) not in SELF_POWERED and not glides:
@@ -113,7 +112,7 @@ def _hovers(d: Discourse, f: Frame, actors: list[str]) -> None:
 
 def _by_hand(d: Discourse, doer: str, thing: str) -> bool:
     """Whether somebody moves a thing that does not move by itself."""
-    acts = kind_of(d, doer) in _DRIVERS
+    acts = kind_of(d, doer) in LIMBED
     return acts and movable(d, thing) and kind_of(d, thing) not in SELF_POWERED
 
 
@@ -180,7 +179,7 @@ def read_roll(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     if _pushes(d, f, s, o):
         return
-    actors = o if o and (not s or kind_of(d, s[0]) in ("person", "animal")) else s
+    actors = o if o and (not s or kind_of(d, s[0]) in LIVING) else s
     d.moves.rolling.update(actors)
     if s and actors == o:
         stand_by(d, s, o)
@@ -223,7 +222,7 @@ def _sent_off(d: Discourse, f: Frame, actors: list[str]) -> bool:
 
 @sense("fly")
 def read_fly(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if s and o and not f.verb.passive and kind_of(d, s[0]) in _DRIVERS:
+    if s and o and not f.verb.passive and kind_of(d, s[0]) in LIMBED:
         place(d, s, o, "near")  # "a boy flies a kite": the kite does
         _hovers(d, f, o)
     elif s and flies_itself(d, s[0]):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import (
@@ -19,7 +20,7 @@ from esg.draft.discourse.core import (
 from esg.draft.discourse.places import RELATION_PREPS, hang, holds, place, towers
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import apply_amount, current_id
-from esg.draft.discourse.scene import SELF_POWERED, Relation
+from esg.draft.discourse.scene import LIMBED, SELF_POWERED, Relation
 from esg.draft.events.acts import add_event, add_hit
 from esg.draft.events.lengths import starts_apart
 from esg.draft.events.motions import motion, sets_off_late
@@ -33,6 +34,11 @@ from esg.draft.text.quantities import Amount
 from esg.graph.models import NodeEvent
 
 _WAITING = lex.word_set("waiting")
+_STILL = re.compile(
+    r"(?:stay|remain|sit|stand|lie|keep)\w*\s+(?:\w+ly\s+)?"
+    r"(?:still|motionless|stationary|immobile|unmoved|where it is|in place)\b",
+    re.IGNORECASE,
+)
 _PATIENT = frozenset({"wait", "pause", "queue", "idle"})
 _PATTERN_VERBS = {
     "stack": "stack",
@@ -45,7 +51,7 @@ _PATTERN_VERBS = {
 """Arrangement of a plural by the verb that says how it stands."""
 _LEANT_ON_CM = 60.0
 _LEANING = frozenset({"lean", "prop"})
-_CARRIES, _WALKERS = ("carry", "haul", "lug"), ("person", "animal", "robot")
+_CARRIES = ("carry", "haul", "lug")
 _ABREAST = frozenset({"in a row", "from left to right", "from right to left"})
 _HANGING = lex.word_set("hanging")
 _HUNG_BY = lex.word_set("hung by")
@@ -180,6 +186,8 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """A state, and how long it lasts; what sticks to something has hit it."""
     lasting = amount(d, f, "time")
     waits = lasting is not None and f.verb.lemma in _WAITING and not f.reduced
+    if _STILL.match(d.text, f.verb.start) and not f.unreal:
+        d.moves.stays.update((a, f.verb.start) for a in s if movable(d, a))
     if f.verb.lemma in _PATIENT and lasting is None and not f.reduced and not f.unreal:
         d.moves.patient.update(a for a in s if kind_of(d, a) in SELF_POWERED and at_rest(d, a))
     for actor in [a for a in s if waits and kind_of(d, a) in SELF_POWERED]:
@@ -352,7 +360,7 @@ def read_carry(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     elif s and (quantity_of(d, f, "speed") or any(p.prep in _CARRIED_ALONG for p in f.phrases)):
         motion(d, f, s, None)
     elif s and o and not f.reduced and not f.verb.passive and f.verb.lemma in _CARRIES:
-        walkers = [i for i in s if kind_of(d, i) in _WALKERS]
+        walkers = [i for i in s if kind_of(d, i) in LIMBED]
         if walkers:
             motion(d, f, walkers, None)  # carrying is going
     mark_used(d, f, "carrying")
