@@ -58,7 +58,7 @@ SERVERS = {
         within_s=60.0,
     ),
     "flow server": Server(
-        ["bench", "faults.yaml", "--runs", "1", "--out", "k"],
+        ["bench", "faults.yaml", "--runs", "2", "--out", "k"],
         lambda port: {"PREFECT_API_URL": f"http://127.0.0.1:{port}/api"},
         (1, 2),
     ),
