@@ -10,7 +10,7 @@ written; what a crash or a failing disk left damaged is compiled again.
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 import errno
@@ -158,7 +158,7 @@ def _compiler_version(path: str) -> str:
 
 
 @cache
-def shared_texts() -> dict[str, str]:
+def shared_texts() -> Mapping[str, str]:
     """The files that every class is compiled with, by their names."""
     return {name: path.read_text("utf-8") for name, path in _SHARED.items()}
 
@@ -387,9 +387,10 @@ def _include_dir(cxx: str) -> Path:
     with tempfile.TemporaryDirectory(dir=root, prefix="include-build-") as work:
         build = Path(work, "include")
         build.mkdir()
-        texts = shared_texts()
-        texts |= {
-            f"{PLAYER}.generated.h": generated_header(texts[f"{PLAYER}.h"], PLAYER),
+        shared = shared_texts()
+        texts = {
+            **shared,
+            f"{PLAYER}.generated.h": generated_header(shared[f"{PLAYER}.h"], PLAYER),
             _COMMON: f'#include "{PLAYER}.h"\n',
         }
         for name, text in texts.items():
