@@ -56,7 +56,7 @@ Damping is applied by every engine as v *= max(0, 1 - c dt) once per step.
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
-from dataclasses import asdict, dataclass, fields
+from dataclasses import asdict, dataclass, fields, replace
 from enum import IntEnum
 from itertools import pairwise
 import math
@@ -417,26 +417,28 @@ class ProgramBatch:
 
 
 def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBatch:
-    """Stacks programs of identical structure (kinds and bodies in the same order).
+    """Stacks programs of one structure (kinds and bodies in the same order).
 
-    Primitives are kept in the first program's order; a batch whose primitives change order between
-    worlds is still executed correctly, because primitives of different bodies commute and those of
-    one body must keep their order.
+    Primitives are kept in the order of the program that has the most; a batch whose primitives
+    change order between worlds is still executed correctly, because primitives of different bodies
+    commute and those of one body must keep their order. A hold that another world needs, as it has
+    to slow down to a speed first, never begins.
 
     Args:
         programs: W programs.
         names: Body names in `SimScene.bodies` order.
 
     Raises:
-        ValueError: If structures differ or a body is unknown.
+        ValueError: If structures differ otherwise or a body is unknown.
     """
     if not programs:
         raise ValueError("need at least one program")
     index = {n: i for i, n in enumerate(names)}
-    signature = [_subject(p) for p in programs[0].primitives]
+    fullest = max(programs, key=lambda p: len(p.primitives))
+    signature = [_subject(p) for p in fullest.primitives]
     table = np.full((len(programs), len(signature), FIELDS), np.nan)
     until = np.zeros((len(signature), len(names)), bool)
-    for k, p in enumerate(programs[0].primitives):
+    for k, p in enumerate(fullest.primitives):
         if p.body not in index and not isinstance(p, DriveJoint):
             raise ValueError(f"program moves unknown body {p.body!r}; bodies are {list(names)}")
         if isinstance(p, Lasting):
@@ -448,6 +450,9 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
         remaining = list(program.primitives)
         for k, key in enumerate(signature):
             match = next((q for q in remaining if _subject(q) == key), None)
+            if match is None and isinstance(found := fullest.primitives[k], HoldVelocity):
+                table[w, k] = _row(replace(found, start=math.inf, end=math.inf))
+                continue
             if match is None:
                 what = key[1] or key[2]
                 raise ValueError(f"program {w} has no {key[0]} of {what!r} in position {k}")

@@ -112,6 +112,7 @@ def test_what_is_not_understood_is_a_warning() -> None:
         ("Startled by a train, a cow breaks through the fence.", "Startled"),
         ("A ball rolls because somebody has removed the wedge.", "removed"),
         ("A car drives past a man who is filming.", "filming"),
+        ("A trolley hits an IV stand, and the IV stand tips over onto a bed.", "tips"),
     ],
 )
 def test_an_unknown_word_that_acts_is_a_verb_that_was_dropped(prompt: str, act: str) -> None:

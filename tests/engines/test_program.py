@@ -371,6 +371,31 @@ def test_a_guided_thing_goes_its_way_in_every_engine(name, dt):
     assert drop == pytest.approx(0.5 * 9.81 * 0.4**2, abs=0.05)
 
 
+def test_a_hold_that_only_another_world_needs_never_begins():
+    slower = HoldVelocity("a", 0.5, 0.8, 6.0, 0.0, acceleration=-4.0)
+    worlds = [
+        (HoldVelocity("a", 0.0, 0.5, 5.0, 0.0), *between, HoldVelocity("a", end, 2.0, 5.0, 0.0))
+        for between, end in (((), 0.5), ((slower,), 0.8))
+    ]
+    programs = [Program(primitives, 2.0) for primitives in worlds]
+    batch = batch_programs(programs, NAMES)
+    alone = [batch_programs([program], NAMES) for program in programs]
+    for world, single in enumerate(alone):
+        shared, own = Points([1.0] * 3), Points([1.0] * 3)
+        together, apart = Executor(batch, world, 0.0), Executor(single, 0, 0.0)
+        speeds: list[float] = []
+        for time in np.arange(0.0, 2.0, DT):
+            together.before_step(time, DT, (), shared)
+            apart.before_step(time, DT, (), own)
+            np.testing.assert_array_equal(shared.v, own.v)
+            speeds.append(shared.v[0, 0])
+        assert max(speeds) == (6.0 if world else 5.0)
+    with pytest.raises(ValueError, match="ApplyImpulse"):
+        batch_programs(
+            [Program((), 1.0), Program((ApplyImpulse("a", 0.0, (1, 0, 0)),), 1.0)], NAMES
+        )
+
+
 def test_a_path_passes_its_points_with_their_velocities():
     path = GuideAlong("a", 1.0, (0.0, 0.5, 2.0), ((0, 0, 0), (1, 2, 3), (4, 4, 4)),
                       ((1, 0, 0), (0, 1, 0), (0, 0, -2)))  # fmt: skip

@@ -82,11 +82,16 @@ def account(
 
 
 def _acts(tokens: list[Token]) -> frozenset[int]:
-    """Where words begin that tell of an act: not those that describe ("a burning house")."""
+    """Where words begin that tell of an act: not those that describe ("a burning house").
+
+    After a noun that was taken for a verb comes the verb, taken for a noun: "the stand tips over".
+    """
+    pairs = zip([None, *tokens], tokens, strict=False)
     return frozenset(
         token.start
-        for before, token in zip([None, *tokens], tokens, strict=False)
-        if token.tag == "VERB" and (before is None or before.tag not in _DESCRIBED_AFTER)
+        for before, token in pairs
+        if (token.tag == "VERB" and (before is None or before.tag not in _DESCRIBED_AFTER))
+        or (before is not None and before.tag == "VERB" and token.low in lex.verb_forms())
     )
 
 
