@@ -13,10 +13,10 @@ from esg.codeversion import COMMON, SOURCES
 
 ESG = Path(__file__).resolve().parents[2] / "esg"
 NO_RESULT = (
-    "files.py", "paths.py", "progress.py", "workers.py", "leftovers.py",
+    "files.py", "paths.py", "progress.py", "workers.py", "leftovers.py", "settings.py",
     "engines/newton/__init__.py", "engines/newton/setup.py",  # Other rooms let it quiet Warp.
 )  # fmt: skip
-"""How something is stored or shown, which changes no result."""
+"""How something is stored, shown or limited, which changes no result."""
 
 
 @cache

@@ -17,8 +17,10 @@ from esg.engines.scene import SimScene
 from esg.graph.models import AssetConfiguration, AssetRequirement, Node, Pose
 from tests.assets.worlds import EMPTY, requirement
 
-ENTERED_FROM_THE_SIDE = {"goal", "hockey_goal", "tunnel", "hoop", "well", "fountain", "sailboat"}
-"""A roof, a net, a pedestal or a mast is above the middle; the hoop has no floor."""
+ENTERED_FROM_THE_SIDE = {
+    "goal", "hockey_goal", "tunnel", "hoop", "well", "fountain", "sailboat", "wicket",
+}  # fmt: skip
+"""A roof, a net, a pedestal, a bow or a mast is above the middle; the hoop has no floor."""
 ASKED_FOR = {
     "trash_bin", "wheelie_bin", "dumpster", "bathtub", "sink", "open_box", "open_crate", "bucket",
     "basket", "mug", "cup", "drinking_glass", "wine_glass", "bowl", "vase", "jar", "tray", "pond",
