@@ -14,6 +14,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Callable, Iterator
 import contextlib
+from dataclasses import replace
 import json
 from pathlib import Path
 import tempfile
@@ -153,8 +154,6 @@ def make(folder: DatasetFolder, spec: DatasetSpec, every: int) -> None:
 
 
 def _moved(scene: PlannedScene, index: int) -> PlannedScene:
-    from dataclasses import replace
-
     return replace(scene, index=index, scene_id=f"{index:07d}-{scene.rule}")
 
 

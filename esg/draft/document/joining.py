@@ -156,11 +156,15 @@ def lowers(row: Articulation, height: float) -> bool:
 def _reached(scene: Scene, row: Articulation, e: Entity) -> float:
     """How high above the ground arms may be that something on the ground is to run into [cm]."""
     entities = scene.world.entities
-    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
-    movers = [n.participants[0] for n in hits if e.id in n.participants[1:]]
-    low = [dimensions_of(entities[i])[2] for i in movers if i in entities]
+    low = [dimensions_of(entities[i])[2] for i in _strikers(scene, e) if i in entities]
     low = [h for h in low if lowers(row, h + ARM_CM)]
     return min(low, default=math.inf) - ARM_CM
+
+
+def _strikers(scene: Scene, e: Entity) -> list[str]:
+    """What is told to run into a thing, once for every time."""
+    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
+    return [n.participants[0] for n in hits if e.id in n.participants[1:]]
 
 
 def _light_enough(scene: Scene, row: Articulation, e: Entity) -> None:
@@ -169,9 +173,8 @@ def _light_enough(scene: Scene, row: Articulation, e: Entity) -> None:
     swings = any(
         n.event is NodeEvent.SWING and n.participants[0] == e.id for n in scene.timeline.nodes
     )
-    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
-    movers = [n.participants[0] for n in hits if e.id in n.participants[1:]]
-    struck = [m.mass_kg or m.noun.mass_kg for i in movers if (m := entities.get(i)) is not None]
+    movers = [entities[i] for i in _strikers(scene, e) if i in entities]
+    struck = [m.mass_kg or m.noun.mass_kg for m in movers]
     told = e.mass_prescribed or e.dimensions_prescribed or e.dimensions_cm is not None
     if not struck or not swings or told or not row.hangs or not row.becomes:
         return
@@ -185,8 +188,7 @@ def _light_enough(scene: Scene, row: Articulation, e: Entity) -> None:
 def _toy_sized(scene: Scene, row: Articulation, e: Entity) -> None:
     """What a toy is to push open is a toy, too: a gate for a toy car."""
     entities = scene.world.entities
-    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
-    movers = [entities.get(n.participants[0]) for n in hits if e.id in n.participants[1:]]
+    movers = [entities.get(i) for i in _strikers(scene, e)]
     toys = [m is not None and m.noun.kind == "toyvehicle" for m in movers]
     if toys and all(toys) and row.opened is not None and e.dimensions_cm is None:
         e.dimensions_cm = [d * TOY for d in e.noun.dimensions_cm]

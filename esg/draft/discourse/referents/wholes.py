@@ -29,14 +29,9 @@ def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     if m.attribute and m.part.endswith("end"):
         rows = ((e.id, articulations().get(head_of(e))) for e in world.entities.values())
         return [node for node, row in rows if row is not None and row.tips][-1:]
-    if m.possessor is not None and m.head in _LINKS and not m.possessor.pronoun:
-        m.part = m.head  # "the chandelier's rope"
+    if m.possessor is not None and _part_of_a_joint(m.head, m.possessor):
+        m.part = m.head
         return world.resolve(m.possessor)
-    if m.possessor is not None and m.head in _TURNED_BY and not m.possessor.pronoun:
-        row = articulations().get(m.possessor.head)
-        if row is not None and row.turns and row.carries == "with":
-            m.part = m.head  # "the arm of a turnstile"
-            return world.resolve(m.possessor)
     if m.possessor is not None:
         return _of_owner(world, m, m.possessor, subject and not body)
     if m.head in _BODYWORK and m.determiner in ("the", "a"):
@@ -53,6 +48,14 @@ def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     ids = pronoun(world, Mention(m.start, m.end, pronoun=word), subject, avoid)
     person = all(world.entities[i].noun.kind == "person" for i in ids)
     return list(avoid) if ids and person and word == "it" else ids
+
+
+def _part_of_a_joint(head: str, owner: Mention) -> bool:
+    """ "The chandelier's rope", "the arm of a turnstile": what is drawn with its owner."""
+    if owner.pronoun:
+        return False
+    row = articulations().get(owner.head) if head in _TURNED_BY else None
+    return head in _LINKS or (row is not None and row.turns and row.carries == "with")
 
 
 def _of_owner(world: World, m: Mention, owner: Mention, subject: bool) -> list[str]:

@@ -21,6 +21,7 @@ from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import enter, enterable, moved_by_others, time_of
 from esg.draft.events.told import amount, at_rest, ignore, recent, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.text.amounts import Amount
 from esg.draft.text.numerals import parse_number
 from esg.graph.models import ForceDirection, NodeEvent
 
@@ -212,28 +213,40 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if on_axle and doers and not already_hit(d, f, doers, on_axle):
         add_hit(d, f, doers[:1], on_axle[:1], time_of(d, f))
     for body in turned:
-        if not at_rest(d, body):
-            if body in on_axle:
-                note = add_event(d, NodeEvent.SPIN, (body,), f, time_of(d, f))
-                draft = d.timeline.node(note)
-                if draft is not None:
-                    draft.extra["turn_degrees"] = told or PUSHED_DEG
-            continue
-        mode = Motion("drive" if body in on_axle else "spin")
-        d.timeline.move(body, mode, ForceDirection.HORIZONTAL_PLANE)
-        node = add_event(d, NodeEvent.SPIN, (body,), f, time_of(d, f))
-        note = node if body in on_axle else note
-        so_often(d, f, node)
-        draft = d.timeline.node(node)
-        if draft is not None and "times" in draft.extra:
+        if at_rest(d, body):
+            node = _turns_by_itself(d, f, body, body in on_axle, told, angle)
+            note = node if body in on_axle else note
+        elif body in on_axle:
+            note = _pushed_round(d, f, body, told or PUSHED_DEG)
+    mark_used(d, f, note)
+
+
+def _pushed_round(d: Discourse, f: Frame, body: str, degrees: float) -> str:
+    """What a blow turns on its axle, and how far."""
+    node = add_event(d, NodeEvent.SPIN, (body,), f, time_of(d, f))
+    if (draft := d.timeline.node(node)) is not None:
+        draft.extra["turn_degrees"] = degrees
+    return node
+
+
+def _turns_by_itself(
+    d: Discourse, f: Frame, body: str, on_axle: bool, told: float | None, angle: Amount | None
+) -> str:
+    """A spin of its own, as far as is told: by an angle, or so many times."""
+    mode = Motion("drive" if on_axle else "spin")
+    d.timeline.move(body, mode, ForceDirection.HORIZONTAL_PLANE)
+    node = add_event(d, NodeEvent.SPIN, (body,), f, time_of(d, f))
+    so_often(d, f, node)
+    if (draft := d.timeline.node(node)) is not None:
+        if "times" in draft.extra:
             draft.extra["turn_degrees"] = 360.0 * draft.extra.pop("times")
-        if told is not None and draft is not None:
+        if told is not None:
             draft.extra["turn_degrees"] = told
-        if angle is not None and draft is not None:
+        if angle is not None:
             draft.extra["turn_degrees"] = angle.high
             mark_used(d, angle, "how far it turns")
-        d.timeline.track(body).motion = None
-    mark_used(d, f, note)
+    d.timeline.track(body).motion = None
+    return node
 
 
 def bounces_on_ground(d: Discourse, f: Frame, s: list[str], met: list[str]) -> bool:
