@@ -162,7 +162,11 @@ class Stage:
         wp, scene, worlds = self._wp, self.scene, self.worlds
         firsts = np.cumsum([0, *(len(b.faces) for b in made)]).tolist()
         meshes = [
-            wp.Mesh(self._array(b.vertices, wp.vec3), self._array(b.faces.ravel(), wp.int32))
+            wp.Mesh(
+                self._array(b.vertices, wp.vec3),
+                self._array(b.faces.ravel(), wp.int32),
+                bvh_constructor="sah",  # made once and searched often, on a GPU, too
+            )
             for b in made
         ]
         self._keep += meshes
@@ -260,6 +264,7 @@ class Stage:
                 self._upper,
             ],
             device=self.device,
+            block_dim=self._kernels.THREADS,
         )
         if self._bvh is None:
             self._bvh = wp.Bvh(self._lower, self._upper, groups=self._groups)
