@@ -14,12 +14,15 @@ from esg.draft.discourse.antecedents import STATES
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.timeline import START
+from esg.draft.discourse.core import entity_of
 from esg.draft.events.courses import measurable
 from esg.draft.events.motions import THEN, told_after
+from esg.draft.events.told import mates_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import EdgeEvent, Predicate
 
 UNKEPT = "the order is not kept: nothing that is measured ends what comes first"
+ALONE = "it moves by itself: nothing is passed on to it"
 _THEN = re.compile(rf"\b(?:{'|'.join(sorted(THEN))}|after (?:that|this|which))\b", re.IGNORECASE)
 
 
@@ -40,6 +43,21 @@ def orders(d: Discourse) -> Iterator[Ordered]:
         earlier = told_after(d, clause.frame)
         if earlier:
             yield from _order(d, clause, earlier)
+
+
+def started_alone(d: Discourse) -> Iterator[tuple[int, int, str]]:
+    """Where those of a row are told that set off by themselves after others of it: by no touch."""
+    met: set[str] = set()
+    for clause in d.scene.clauses:
+        for mover in clause.movers:
+            mates = {*mates_of(d, mover)} - {mover}
+            row = entity_of(d, mover).pattern == "row" and mates & met
+            alone = (e for e in d.timeline.edges if e.actor == mover and e.from_ == START)
+            if row and mover not in met and next(alone, None) is not None:
+                yield clause.frame.verb.start, clause.frame.verb.end, mover
+        verb = id(clause.frame.verb)
+        told = {n for g, n in d.times.of_frame if id(g.verb) == verb}
+        met |= {p for n in d.timeline.nodes if n.id in told for p in n.participants}
 
 
 def _order(d: Discourse, clause: Clause, earlier: list[Frame]) -> Iterator[Ordered]:
