@@ -391,7 +391,29 @@ def compound_noun(c: Chunks, k: int, m: Mention) -> bool:
         return True  # "the engine shed doors"
     if base and m.determiner in ("a", "an") and after is not None and not after[2]:
         return c.tokens[k].tag == "NOUN"  # "a ski lift chair"
+    if base and stands_for_noun(c, k, m):
+        return True
     return c.tokens[k].tag == "NOUN" and bool(verb_readings(nxt.low))
+
+
+_JOINING = frozenset({"and", "or", "nor", ","})
+
+
+def stands_for_noun(c: Chunks, k: int, m: Mention) -> bool:
+    """Whether a bare verb form ends a phrase about one thing ("on the phone stand").
+
+    One thing "stands"; without the ending the word is a noun, unless several are joined.
+    """
+    token, nxt = c.tokens[k], token_at(c, k + 1)
+    forms = {r.form for r in verb_readings(token.low)}
+    ends = nxt is None or nxt.kind == "punct" or nxt.low in lex.PREPOSITIONS | {"and", "is"}
+    if m.plural or not m.determiner or forms != {"base"} or not ends:
+        return False
+    first = next((i for i in range(k - 1, -1, -1) if low_at(c, i) == m.determiner), 0)
+    before = low_at(c, first - 1) if first else ""
+    if token.tag == "NOUN":
+        return before not in _JOINING
+    return before in lex.PREPOSITIONS
 
 
 def unknown_noun(c: Chunks, j: int) -> bool:
