@@ -11,10 +11,10 @@ from dataclasses import dataclass
 import re
 
 from esg.draft.discourse.antecedents import STATES
+from esg.draft.discourse.core import entity_of
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.timeline import START
-from esg.draft.discourse.core import entity_of
 from esg.draft.events.courses import measurable
 from esg.draft.events.motions import THEN, told_after
 from esg.draft.events.told import mates_of

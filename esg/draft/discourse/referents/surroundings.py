@@ -19,7 +19,13 @@ _BALLS = {
 
 
 def noun_here(
-    m: Mention, noun: lex.Noun, named: list[Entity], movers: list[Entity], *, net_sport: bool, cricket: bool
+    m: Mention,
+    noun: lex.Noun,
+    named: list[Entity],
+    movers: list[Entity],
+    *,
+    net_sport: bool,
+    cricket: bool,
 ) -> lex.Noun:
     """The noun of a new object, by its preposition and by what was named before it.
 
