@@ -21,6 +21,7 @@ from esg.compile import names
 from esg.compile.glb import continuous, mesh_of
 from esg.compile.mjcf import start_velocities
 from esg.compile.usd_physx import (
+    articulate,
     physx_body,
     physx_collider,
     physx_distance,
@@ -299,6 +300,7 @@ def _joints(stage: Any, manifest: Manifest, paths: dict[str, str]) -> dict[str, 
     offsets = {b.name: np.asarray(b.origin_offset, float) for b in scene.bodies}
     for joint in scene.joints:
         _joint(stage, out[joint.name], joint, paths, offsets)
+    articulate(stage, scene, paths, out)
     return out
 
 
