@@ -150,7 +150,7 @@ def physics_layer(
     down = np.array(scene.gravity) / strength if strength else np.array([0.0, 0.0, -1.0])
     physics.CreateGravityDirectionAttr(Gf.Vec3f(*map(float, down)))
     physics.CreateGravityMagnitudeAttr(strength)
-    physx_scene(physics.GetPrim(), manifest.dt)
+    physx_scene(physics.GetPrim(), scene, manifest.dt)
     idents = names.unique_identifiers(scene.names, reserved=reserved(scene, setting))
     paths = {name: f"/World/{ident}" for name, ident in idents.items()}
     moving = [b for b in scene.bodies if b.collides and not b.static]
