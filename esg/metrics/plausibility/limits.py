@@ -9,6 +9,7 @@ import math
 from pathlib import Path
 from typing import Literal
 
+from esg.lexicon.grounds import grounds
 from esg.lexicon.kinds import Kind, kinds
 from esg.thresholds import BRAKING_ICY_G, BRAKING_WET_G
 
@@ -68,12 +69,14 @@ def surface_grip(said: str, ground_friction: float) -> float:
     """Most friction that tyres, soles and hulls find on a scene's ground.
 
     Args:
-        said: What the prompt says of the ground: dry, wet or ice.
+        said: What the prompt says of the ground: dry, or a row of the table of grounds.
         ground_friction: Of the simulated ground.
     """
-    if said == "ice" or ground_friction < limit("icy ground"):
+    if said in grounds():
+        return grounds()[said].grip
+    if ground_friction < limit("icy ground"):
         return BRAKING_ICY_G
-    if said == "wet" or ground_friction < limit("wet ground"):
+    if ground_friction < limit("wet ground"):
         return BRAKING_WET_G
     return math.inf
 
