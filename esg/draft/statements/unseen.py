@@ -65,7 +65,9 @@ def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
             free = not any(start <= found.start() < end for start, end in taken)
             if any(start <= found.start() < end for start, end in lies):
                 continue
-            if free or (why in (_LIGHT, _GROUNDS) and found[0].lower() in qualities):  # "a rainy street"
+            if free or (
+                why in (_LIGHT, _GROUNDS) and found[0].lower() in qualities
+            ):  # "a rainy street"
                 told.append(found.start())
                 yield found.start(), found.end(), why
     for found in _CONTENTS.finditer(d.text):

@@ -27,6 +27,7 @@ class Motion:
     Args:
         moves: What it moves on, or by: what is pushed or thrown has no power of its own.
         speed_mps: No faster by itself, or when it is let go.
+        reverse_mps: No faster backwards; as fast as ahead where a row has no figure.
         accelerate_mps2: Gains no more speed than this.
         grip: Friction of its tyres, soles or hull; NaN for what has only its material's.
         source: Where the numbers are from.
@@ -34,6 +35,7 @@ class Motion:
 
     moves: Moves
     speed_mps: float
+    reverse_mps: float
     accelerate_mps2: float
     grip: float
     source: str
@@ -127,6 +129,7 @@ def _rows() -> dict[str, Motion]:
             motion = Motion(
                 row["moves"],  # type: ignore[arg-type]  # a test holds the table to the literals
                 float(row["speed_mps"]),
+                float(row["reverse_mps"] or row["speed_mps"]),
                 float(row["accelerate_mps2"]),
                 grip,
                 row["source"],
