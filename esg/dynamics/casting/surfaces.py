@@ -19,7 +19,7 @@ WAXED = 0.05
 
 
 def fit_ground(doc: EsgDocument) -> dict[str, AssetConfiguration]:
-    """A ground with the friction of what it is said to be; ice also needs things that slide.
+    """A ground, and soles on it, with the friction that it is said to have; see ice apart.
 
     Args:
         doc: A document with assets resolved.
@@ -28,10 +28,15 @@ def fit_ground(doc: EsgDocument) -> dict[str, AssetConfiguration]:
     row = None if wording is None else grounds().get(wording.surface or "")
     if row is None or row.name == "ice":
         return {}
+    nodes = doc.spatial_relation_graph.nodes
+    # A pair has the mean of both, and soles find no more than the grip.
+    soles = 2.0 * row.grip - row.friction
+    most = {v.asset_id: soles for n, v in nodes.items() if _walks(doc, n)}
+    most |= dict.fromkeys(_grounds(doc), row.friction)
     return {
-        key: config.model_copy(update={"friction": row.friction})
-        for key in _grounds(doc)
-        if (config := doc.asset_configurations[key]).friction > row.friction
+        key: config.model_copy(update={"friction": friction})
+        for key, friction in sorted(most.items())
+        if (config := doc.asset_configurations[key]).friction > friction
     }
 
 
