@@ -2,17 +2,21 @@
 
 Every hit passes on (1 + e) / 2 of the speed among equals, and of what is left the struck ball loses
 two fifths until it rolls: a usual ball arrives at the sixth hit with less than a twentieth of what
-the first one had, and the search would have to start it so fast that hits follow each other within
-a tenth of a second.
+the first one had. Started so fast that the last hit is felt, balls that meet no sooner than a tenth
+of a second lie many diameters apart, and each of these multiplies an error of the aim. Heavy balls
+of ivory may go slowly.
 """
 
 from __future__ import annotations
 
+from dataclasses import replace
 import itertools
+import math
 
 from esg.dynamics.casting.changes import scaled
 from esg.dynamics.casting.hits import hits
-from esg.dynamics.choreography.demands import ROLLS_AT, passed_on
+from esg.dynamics.casting.toppling import comes_in_all_sizes
+from esg.dynamics.choreography.demands import felt, rolls_on
 from esg.dynamics.story.stagecraft import Prop, default_speed, prop, support_of
 from esg.dynamics.story.story import Story
 from esg.graph.models import AssetConfiguration, EsgDocument
@@ -20,12 +24,16 @@ from esg.thresholds import SAFE_IMPULSE_NS
 
 LONG = 4
 """Number of hits from which on a chain of balls is long."""
-LIVELIEST = 0.95
-"""Restitution of ivory or glass."""
+LIVELIEST, POLISHED = 0.95, 0.06
+"""Restitution of ivory or glass, and its friction (ball on ball, Alciatore, Pool and Billiards
+Physics Principles: 0.92 to 0.98 and 0.03 to 0.08)."""
 SMOOTH, SPRINGY = 0.15, 0.6
 """Friction of a smooth underside and restitution of hard wood."""
-HEAVIEST = 2.5
-"""Largest share of the usual mass: a solid ball against a hollow one."""
+HEAVIEST, SOLID_KG_M3 = 2.5, 1200.0
+"""Largest share of the usual mass: a solid ball against a hollow one. What comes in all sizes may be
+as heavy as solid rubber or ebony."""
+DIAMETERS_A_S = 10.0
+"""Speed at which the hits of a chain lie little more than a diameter apart."""
 
 
 def ball_chains(doc: EsgDocument, story: Story) -> list[list[str]]:
@@ -53,13 +61,23 @@ def fit_chains(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
         for key in keys:
             config = doc.asset_configurations[key]
             lively = max(config.restitution, LIVELIEST)
-            out[key] = config.model_copy(update={"restitution": lively})
+            smooth = min(config.friction, POLISHED)
+            out[key] = config.model_copy(update={"restitution": lively, "friction": smooth})
         if any(doc.asset_requirement[k].mass_is_prescribed for k in keys):
             continue
         factor = SAFE_IMPULSE_NS / max(_last_impulse([prop(doc, n) for n in chain]), 1e-9)
         for key in keys if factor > 1.0 else ():
-            out[key] = scaled(out[key], min(factor, HEAVIEST))
+            out[key] = scaled(out[key], min(factor, _heaviest(doc, key)))
     return out
+
+
+def _heaviest(doc: EsgDocument, key: str) -> float:
+    """Largest factor on the mass of a ball."""
+    config = doc.asset_configurations[key]
+    if not comes_in_all_sizes(doc, key):
+        return HEAVIEST
+    solid = SOLID_KG_M3 * math.pi / 6.0 * (0.01 * config.dimensions_cm[0]) ** 3
+    return max(HEAVIEST, solid / config.mass_kg)
 
 
 def fit_sliding(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
@@ -93,11 +111,9 @@ def fit_sliding(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]
 
 
 def _last_impulse(balls: list[Prop]) -> float:
-    """Impulse of the last hit [N s] where the first ball rolls at a usual speed."""
-    speed, impulse = default_speed(balls[0]), 0.0
-    for mover, target in itertools.pairwise(balls):
-        after = (1.0 + LIVELIEST) / (1.0 + 0.5 * (mover.restitution + target.restitution))
-        speed *= passed_on(mover, target) * after
-        impulse = target.mass * speed
-        speed *= ROLLS_AT
-    return impulse
+    """Impulse of the last hit [N s] of polished balls, where the first one rolls slowly enough."""
+    speed = min(default_speed(balls[0]), DIAMETERS_A_S * balls[0].width)
+    polished = [replace(b, restitution=LIVELIEST, friction=POLISHED) for b in balls]
+    for mover, target in itertools.pairwise(polished[:-1]):
+        speed *= rolls_on(mover, target)
+    return felt(polished[-2], polished[-1]) * speed

@@ -278,7 +278,7 @@ def _fitting_speed(stage: Stage, e: Encounter, demand: Demand, *, again: bool) -
     speed, least, needed = demand.speed, demand.least, demand.needed
     if demand.chained:
         gently, hits = gentlest(stage, node, a, b)
-        speed = speed if hits < LONG_CHAIN else min(speed, max(gently, least, needed))
+        speed = speed if hits < LONG_CHAIN else max(gently, least, needed)
     if demand.prescribed is None and sends_sliding(stage, node, b):
         # Faster, it would tumble, and pass over the next one in another engine.
         low, high, _ = bounds(e.coming.edge.params.speed, (0.0, 0.0))

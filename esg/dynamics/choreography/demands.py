@@ -6,7 +6,7 @@ import math
 
 from esg.dynamics.choreography.placing import hits_on
 from esg.dynamics.choreography.stage import Stage
-from esg.dynamics.story.kinematics import impact_speed, off_a_wall
+from esg.dynamics.story.kinematics import back_spin, impact_speed, off_a_wall
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, fall_speed
 from esg.dynamics.story.story import bounds
 from esg.dynamics.story.tipping import topple_speed
@@ -22,9 +22,8 @@ FELT_SPARE = 1.2
 RUN_ON_M, RUN_ON_S = 0.2, 0.28
 """Way on which something struck surely gets to what stands ahead of it, and time it slides at
 least: two hits closer than a tenth of a second are one."""
-ROLLS_AT = 0.6
-"""Share of its speed that a ball struck by a rolling one keeps until it rolls: five sevenths, less
-what its back spin takes."""
+COASTS = 0.97
+"""Share of its speed that a ball which rolls has left where it meets the next one of its chain."""
 BACK_KEPT, LEAST_BACK = 0.9, 0.2
 """The same of what bounced off something, and the least share that counts as coming back."""
 
@@ -33,6 +32,17 @@ def passed_on(mover: Prop, target: Prop) -> float:
     """Speed of a resting body after a central hit, over the mover's."""
     restitution = 0.5 * (mover.restitution + target.restitution)
     return impact_speed(mover.mass, target.mass, 1.0, restitution)
+
+
+def rolls_on(mover: Prop, target: Prop) -> float:
+    """Speed with which a ball struck by a rolling one rolls on to the next, over the mover's.
+
+    It slides at first, which leaves it five sevenths, less two sevenths of its back spin.
+    """
+    hit = passed_on(mover, target)
+    rubs = 0.5 * (mover.friction + target.friction)
+    spin = back_spin(mover.mass, target.mass, 1.0, rubs, hit)
+    return COASTS * (5.0 * hit - 2.0 * spin) / 7.0
 
 
 def felt(mover: Prop, target: Prop) -> float:
@@ -69,9 +79,8 @@ def gentlest(stage: Stage, node: TimelineNode, a: str, b: str) -> tuple[float, i
     speed, least, chain = 1.0, math.inf, [a, b]
     while True:
         mover, target = stage.prop(chain[-2]), stage.prop(chain[-1])
-        speed *= passed_on(mover, target)
-        least = min(least, target.mass * speed)
-        speed *= ROLLS_AT
+        least = min(least, target.mass * passed_on(mover, target) * speed)
+        speed *= rolls_on(mover, target)
         node, onto = _onto_ball(stage, node, chain)
         if onto is None:
             return SAFE_IMPULSE_NS / max(least, 1e-9), len(chain) - 1

@@ -51,6 +51,8 @@ LEAST_LEFT = 0.3
 """Least share of its speed that is reckoned with where something has slid to what it hits."""
 NEXT_BALL_S = (0.15, 0.19)
 """Time between the hits of a chain of balls."""
+LEAST_BALL_GAP_M = 0.01
+"""Least gap between balls of a chain."""
 BALL_GAP, NARROW = 0.45, 1.5
 """Share of the usual gap between balls of a chain; narrow things, in ball's widths, are as near."""
 BOUNCE_RAD = math.radians(25.0)
@@ -250,7 +252,7 @@ def _gap_to_next(
         # It slides at first, against its back spin: later balls of a chain are much slower.
         lasts = float(stage.rng.uniform(*NEXT_BALL_S))
         gap, rolled = rolling_travel(track.speed, rubs, lasts * stage.tight, track.spin)
-        gap = max(gap, 0.05)
+        gap = max(gap, LEAST_BALL_GAP_M)
     prescribed = stage.prescribed_time(node)
     if prescribed is not None:
         wait = max(prescribed - track.time, 0.05)
