@@ -10,46 +10,33 @@ of ivory may go slowly.
 from __future__ import annotations
 
 from dataclasses import replace
-import itertools
 import math
 
 from esg.dynamics.casting.changes import scaled
 from esg.dynamics.casting.hits import hits
 from esg.dynamics.casting.toppling import comes_in_all_sizes
-from esg.dynamics.choreography.demands import felt, rolls_on
+from esg.dynamics.choreography.rows import asked_of_first, rows
 from esg.dynamics.story.stagecraft import Prop, default_speed, prop, support_of
 from esg.dynamics.story.story import Story
 from esg.graph.models import AssetConfiguration, EsgDocument
-from esg.thresholds import SAFE_IMPULSE_NS
 
-LONG = 4
-"""Number of hits from which on a chain of balls is long."""
 LIVELIEST, POLISHED = 0.95, 0.06
 """Restitution of ivory or glass, and its friction (ball on ball, Alciatore, Pool and Billiards
 Physics Principles: 0.92 to 0.98 and 0.03 to 0.08)."""
 SMOOTH, SPRINGY = 0.15, 0.6
 """Friction of a smooth underside and restitution of hard wood."""
 HEAVIEST, SOLID_KG_M3 = 2.5, 1200.0
-"""Largest share of the usual mass: a solid ball against a hollow one. What comes in all sizes may be
-as heavy as solid rubber or ebony."""
+"""Largest share of the usual mass: a solid ball against a hollow one. What comes in all sizes may
+be as heavy as solid rubber or ebony."""
+ROUNDS = 12
+"""Made heavier by as much as its first ball is too fast, a row is calm after so many."""
 DIAMETERS_A_S = 10.0
 """Speed at which the hits of a chain lie little more than a diameter apart."""
 
 
 def ball_chains(doc: EsgDocument, story: Story) -> list[list[str]]:
     """Long chains of balls, each as the names of its balls in the order of their hits."""
-    follows: dict[str, str] = {}
-    for _, a, b in hits(doc, story):
-        if prop(doc, a).rolls and prop(doc, b).rolls and not story.is_active(b):
-            follows.setdefault(a, b)
-    chains: list[list[str]] = []
-    for first in (a for a in follows if a not in follows.values()):
-        chain = [first]
-        while chain[-1] in follows and follows[chain[-1]] not in chain:
-            chain.append(follows[chain[-1]])
-        if len(chain) > LONG:
-            chains.append(chain)
-    return chains
+    return [r for r in rows(doc, story) if all(prop(doc, n).rolls for n in r)]
 
 
 def fit_chains(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
@@ -65,7 +52,7 @@ def fit_chains(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
             out[key] = config.model_copy(update={"restitution": lively, "friction": smooth})
         if any(doc.asset_requirement[k].mass_is_prescribed for k in keys):
             continue
-        factor = SAFE_IMPULSE_NS / max(_last_impulse([prop(doc, n) for n in chain]), 1e-9)
+        factor = _heavier([prop(doc, n) for n in chain])
         for key in keys if factor > 1.0 else ():
             out[key] = scaled(out[key], min(factor, _heaviest(doc, key)))
     return out
@@ -96,6 +83,7 @@ def fit_sliding(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]
         if not (story.is_active(b) or story.topples(b) or story.falls(b))
     }
     out: dict[str, AssetConfiguration] = {}
+    long = {n for row in rows(doc, story) for n in row}
     for name in sorted(carried):
         body = prop(doc, name)
         if body.rolls or body.wheeled or body.fixed or support_of(doc, name) is not None:
@@ -105,15 +93,18 @@ def fit_sliding(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]
         key = nodes[name].asset_id
         config = doc.asset_configurations[key]
         if onto and (struck or any(follows.get(b) for b in onto)) and config.friction > SMOOTH:
-            lively = max(config.restitution, SPRINGY)
+            # A long row would have to start too fast to stay on the ground.
+            lively = max(config.restitution, LIVELIEST if name in long else SPRINGY)
             out[key] = config.model_copy(update={"friction": SMOOTH, "restitution": lively})
     return out
 
 
-def _last_impulse(balls: list[Prop]) -> float:
-    """Impulse of the last hit [N s] of polished balls, where the first one rolls slowly enough."""
-    speed = min(default_speed(balls[0]), DIAMETERS_A_S * balls[0].width)
+def _heavier(balls: list[Prop]) -> float:
+    """Factor on the masses of polished balls at which the first one may go calmly."""
+    calm = min(default_speed(balls[0]), DIAMETERS_A_S * balls[0].width)
     polished = [replace(b, restitution=LIVELIEST, friction=POLISHED) for b in balls]
-    for mover, target in itertools.pairwise(polished[:-1]):
-        speed *= rolls_on(mover, target)
-    return felt(polished[-2], polished[-1]) * speed
+    factor = 1.0
+    for _ in range(ROUNDS):
+        heavy = [replace(b, mass=factor * b.mass) for b in polished]
+        factor *= max(1.0, asked_of_first(heavy) / calm)
+    return factor
