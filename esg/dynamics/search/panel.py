@@ -68,10 +68,9 @@ class Found:
         Guessed windows add to the worst case, ever more in a long chain: they tell which of two is
         better, and are no reason to go on.
         """
-        preferred = robust_value(self.ensemble.total[None]) - robust_value(
-            self.ensemble.asked()[None]
-        )
-        return self.worst - preferred[0] < GOOD_LOSS or bool(_holds(self.ensemble, 1)[0])
+        both = robust_value(np.stack([self.ensemble.total, self.ensemble.asked()]))
+        asked = self.worst - float(both[0] - both[1])
+        return asked < GOOD_LOSS or bool(_holds(self.ensemble, 1)[0])
 
 
 @dataclass(frozen=True)
