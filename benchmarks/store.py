@@ -102,7 +102,7 @@ def make(folder: Path) -> None:
         step = -(-whole.num_rows // 20)
         for k in range(20):
             path = folder / name / f"part-{k:03d}.parquet"
-            write_part(whole.slice(k * step, step), path, row_group=10_000)
+            write_part(whole.slice(k * step, step), path)
 
 
 def main(folder: Path) -> None:

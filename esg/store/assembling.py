@@ -25,7 +25,6 @@ from esg.store.tables import (
     arrow_schema,
     part_files,
     read_table,
-    row_group_rows,
     to_table,
     write_part,
 )
@@ -209,7 +208,7 @@ def _write_split(
         data = _gather(table, files, places[bounds[i] : bounds[i + 1]])
         if changed is not None:
             data = changed(table, data)
-        write_part(data, folder / name, row_group=row_group_rows(table))
+        write_part(data, folder / name)
 
 
 def _gather(table: str, files: Sequence[Path], places: Sequence[_Place]) -> pa.Table:

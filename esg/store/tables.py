@@ -236,8 +236,8 @@ def _local(path: Path) -> str:
     return str(Path(path).absolute())
 
 
-def write_part(data: pa.Table, path: Path, *, row_group: int = ROW_GROUP_SCENES) -> None:
-    """Writes one Parquet file, whole or not at all.
+def write_part(data: pa.Table, path: Path) -> None:
+    """Writes one Parquet file, whole or not at all, in row groups that fit its table.
 
     Raises:
         OSError: With the remedy in its text if the disk is full, read-only or forbidden.
@@ -245,11 +245,12 @@ def write_part(data: pa.Table, path: Path, *, row_group: int = ROW_GROUP_SCENES)
     import pyarrow.parquet as pq
 
     facts = {**(data.schema.metadata or {}), DIGEST_KEY: content_digest(data)}
+    rows = _row_group_rows(facts.get(b"esg.table", b"").decode())
     data = data.replace_schema_metadata(facts)
 
     def write(temporary: Path) -> None:
         pq.write_table(
-            data, _local(temporary), compression=COMPRESSION, row_group_size=max(1, row_group),
+            data, _local(temporary), compression=COMPRESSION, row_group_size=rows,
             store_schema=True, write_page_checksum=True,
         )  # fmt: skip
         seal_footer(temporary)
@@ -277,12 +278,12 @@ def write_tables(folder: Path, records: Iterable[SceneRecord], *, name: str) -> 
     for table, found in rows.items():
         if found:
             path = Path(folder) / table / f"{name}.parquet"
-            write_part(to_table(table, found), path, row_group=row_group_rows(table))
+            write_part(to_table(table, found), path)
             out[table] = path
     return out
 
 
-def row_group_rows(table: str) -> int:
+def _row_group_rows(table: str) -> int:
     """Rows a row group of a table."""
     heavy = ("scenes", "trajectories", "clips")
     return ROW_GROUP_SCENES if table in heavy else 100 * ROW_GROUP_SCENES

@@ -82,6 +82,7 @@ class WorldRenderer:
         )
         self._plain = surroundings is None or surroundings.sky.kind == "plain"
         self._images: dict[tuple[int, int], dict[str, Any]] = {}
+        self._held: dict[tuple[int, int], dict[str, Any]] = {}
         self._last = size
         # Of the kernels' owners, -3 are meshes of the world, -2 nothing and -1 the ground plane.
         rest = [GROUND, NOTHING, GROUND]
@@ -149,7 +150,8 @@ class WorldRenderer:
         )
         seen = [images[k] for k in SEEN]
         rays = (2 if samples >= SAMPLES else 1) if rgb else 0
-        wp.launch(kernels.look, spots, inputs=[scene, shown, rays, *seen], device=self._device)
+        how: Any = {"device": self._device, "block_dim": kernels.THREADS}
+        wp.launch(kernels.look, spots, inputs=[scene, shown, rays, *seen], **how)
         if rgb:
             edges = [images["edge"], images["is_edge"]]
             k, count = instant
@@ -159,30 +161,47 @@ class WorldRenderer:
                 images["count"].zero_()
                 surfaces = [images[k] for k in SURFACES]
                 inputs = [*surfaces, images["is_edge"], *listed]
-                wp.launch(kernels.outline, spots, inputs=inputs, device=self._device)
+                wp.launch(kernels.outline, spots, inputs=inputs, **how)
                 inputs = [scene, shown, samples, *seen, images["edge"], *listed]
-                wp.launch(kernels.refine, math.prod(dim), inputs=inputs, device=self._device)
+                wp.launch(kernels.refine, math.prod(dim), inputs=inputs, **how)
             light = [int(k == 0), 1.0 / count, images["radiance"], images["packed"]]
             inputs = [scene, *seen, *edges, *light]
-            wp.launch(kernels.develop, dim, inputs=inputs, device=self._device)
+            wp.launch(kernels.develop, dim, inputs=inputs, **how)
 
     def read(self, *, rgb: bool = True) -> Views:
         """The pictures of the last `draw`, as copies."""
-        images = self._images[self._last]
-        owner = images["mover"].numpy()
+        owner, depth, normal, *colors = self._fetched(
+            ["mover", "depth", "normal", *(["packed"] if rgb else [])]
+        )
         color = None
-        if rgb:
-            packed = images["packed"].numpy().astype("<u4", copy=False)
+        if colors:
+            packed = colors[0].astype("<u4", copy=False)
             color = packed.view(np.uint8).reshape(*owner.shape, 4)[..., :3].copy()
-        # Arrays of the CPU are the images themselves, those of a GPU copies already.
-        own = np.copy if self._device == "cpu" else np.asarray
         return Views(
             rgb=color,
-            depth=own(images["depth"].numpy()),
-            normal=own(images["normal"].numpy().reshape(*owner.shape, 3)),
+            depth=depth.copy(),
+            normal=normal.reshape(*owner.shape, 3).copy(),
             body=self._body[owner],
             mover=self._mover[owner],
         )
+
+    def _fetched(self, names: Sequence[str]) -> list[NDArray[Any]]:
+        """Pictures of the last `draw`, good until the next.
+
+        Those of a GPU come by way of page-locked memory that is kept: into fresh memory a copy
+        waits for its pages, and takes several times as long.
+        """
+        images = self._images[self._last]
+        if self._device != "cpu":
+            wp = self._stage.tools[0]
+            held = self._held.setdefault(self._last, {})
+            for name in names:
+                if name not in held:
+                    held[name] = wp.empty_like(images[name], device="cpu", pinned=True)
+                wp.copy(held[name], images[name])
+            wp.synchronize_device(self._device)
+            images = held
+        return [images[name].numpy() for name in names]
 
     def _allocated(self, size: tuple[int, int]) -> dict[str, Any]:
         """Pictures of a size, made once."""
