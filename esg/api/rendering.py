@@ -93,7 +93,7 @@ def render_scene(
     folder: Path,
     out: Path,
     chosen: Settings,
-    watch: Watch = lambda _: contextlib.nullcontext(_unwatched),
+    watch: Watch = _unwatched,
 ) -> dict[str, Any]:
     """Renders one scene folder.
 
