@@ -21,6 +21,7 @@ from esg.compile import names
 from esg.compile.glb import continuous, mesh_of
 from esg.compile.mjcf import start_velocities
 from esg.compile.usd_physx import (
+    articulate,
     physx_body,
     physx_collider,
     physx_distance,
@@ -149,7 +150,7 @@ def physics_layer(
     down = np.array(scene.gravity) / strength if strength else np.array([0.0, 0.0, -1.0])
     physics.CreateGravityDirectionAttr(Gf.Vec3f(*map(float, down)))
     physics.CreateGravityMagnitudeAttr(strength)
-    physx_scene(physics.GetPrim(), manifest.dt)
+    physx_scene(physics.GetPrim(), scene, manifest.dt)
     idents = names.unique_identifiers(scene.names, reserved=reserved(scene, setting))
     paths = {name: f"/World/{ident}" for name, ident in idents.items()}
     moving = [b for b in scene.bodies if b.collides and not b.static]
@@ -299,6 +300,7 @@ def _joints(stage: Any, manifest: Manifest, paths: dict[str, str]) -> dict[str, 
     offsets = {b.name: np.asarray(b.origin_offset, float) for b in scene.bodies}
     for joint in scene.joints:
         _joint(stage, out[joint.name], joint, paths, offsets)
+    articulate(stage, scene, paths, out)
     return out
 
 

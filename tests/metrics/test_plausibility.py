@@ -335,6 +335,17 @@ def test_what_is_hit_passes_it_on_before_it_has_gone_a_centimetre(hit: bool, ok:
     assert checked(row)["motion_before"].ok is ok
 
 
+def test_a_ball_of_a_cradle_passes_a_blow_on_and_stops() -> None:
+    """The middle ball moves for one frame; the last one moves off as it stops."""
+    row = World().add(ball("ball_1"), x=line(-3.0, 3.0), y=5.0)
+    row.add(ball("ball_2"), x=line(0.2, 2.0, 1.0, 1.0 + DT)).touch(1.0, "ball_1", "ball_2")
+    row.add(ball("ball_3"), x=line(0.4, 2.0, 1.0 + 2.0 * DT, 2.0))
+    row.run(SetVelocity("ball_1", 0.0, (3.0, 0.0, 0.0)))
+    assert not checked(row)["motion_before"].ok
+    row.touch(1.0 + 2.0 * DT, "ball_2", "ball_3")
+    assert checked(row)["motion_before"].ok
+
+
 def paved() -> World:
     ground = body("ground_1", static=True, shapes=(), half_extents=(20.0, 20.0, 0.01))
     road = replace(ground, name="road_1", category="road", half_extents=(20.0, 4.0, 0.01))

@@ -7,6 +7,7 @@ from esg.draft.discourse.places import carries, elevated, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING
 from esg.draft.events.acts import add_event, add_hit, share_support
+from esg.draft.events.courses import measurable
 from esg.draft.events.ends import opening, takes_up_from_above
 from esg.draft.events.hanging import tipped
 from esg.draft.events.roles import role
@@ -106,6 +107,20 @@ def struck_before(d: Discourse, f: Frame, body: str) -> None:
         if aimed == body and track is not None and not track.closed:
             add_hit(d, f, [mover], [body])
             return
+
+
+def met_in_its_row(d: Discourse, body: str) -> str:
+    """The last event told of others in the row that a body stands in; "" if none."""
+    mates = {*mates_of(d, body)} - {body} if entity_of(d, body).pattern == "row" else set[str]()
+    met = [n.id for n in d.timeline.nodes if mates & {*n.participants} and measurable(n.event)]
+    return met[-1] if met else ""
+
+
+def passed_on(d: Discourse, body: str) -> None:
+    """ "A marble hits the first domino, and the last one falls": by touch, and not by itself."""
+    met = met_in_its_row(d, body)
+    if met:
+        d.timeline.carry(body, met)
 
 
 def landing_of(d: Discourse, f: Frame, moved: list[str]) -> bool:

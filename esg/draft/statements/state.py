@@ -25,6 +25,7 @@ from esg.draft.events.stated import adverbs_of, place_of, start_of
 from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.account import Account
+from esg.draft.statements.order import ALONE, UNKEPT, orders, started_alone
 from esg.draft.statements.struck import struck
 from esg.draft.statements.unclaimed import unclaimed
 from esg.draft.statements.unkept import dropped, missing
@@ -126,6 +127,13 @@ def state(
         else:
             book.add(Predicate.STRUCK_ON, hit.start, hit.end, object=(hit.struck,),
                      target=(hit.by,), side=hit.side, when=hit.event)  # fmt: skip
+    for told in orders(d):
+        if told.says is None:
+            book.add(Predicate.NOT_REPRESENTED, told.start, told.end, note=UNKEPT)
+        else:
+            book.add(told.says, told.start, told.end, object=told.about, when=told.when)
+    for start, end, who in started_alone(d):
+        book.add(Predicate.NOT_REPRESENTED, start, end, object=(who,), note=ALONE)
     _own_up(book, frames, elements, tokens)
     for actor, at in d.moves.still.items():
         if actor in d.world.entities:
