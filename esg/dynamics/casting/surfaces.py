@@ -14,8 +14,9 @@ ICE = grounds()["ice"].friction
 OF_ICE = ("puck", "curling_stone", "curling stone")
 """Words of categories that are at home there."""
 
-SOLES = 0.9
-"""Share of a ground's grip that soles rub with: near rest PhysX holds up to 12% more."""
+SOLES = 0.8
+"""Share of a ground's grip that soles rub with: PhysX holds up to 12% more near rest, and who stops
+brakes besides."""
 WAXED = 0.05
 """Friction of a ski's base (on snow 0.02-0.1: Colbeck, Friction of snow skis, 1992)."""
 
