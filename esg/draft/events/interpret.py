@@ -176,7 +176,7 @@ def _on_what_has_it(frames: list[Frame], attachments: list[tuple[Mention, Phrase
 
 def _tells_of_hands(f: Frame) -> bool:
     """Whether a clause tells where something is put: not where it is at first."""
-    put = _HANDLED.get((f.verb.sense, f.verb.lemma)) == "put"
+    put = f.verb.sense == "park" or _HANDLED.get((f.verb.sense, f.verb.lemma)) == "put"
     return put and not f.verb.passive and not f.reduced and f.object is not None
 
 

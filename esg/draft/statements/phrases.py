@@ -41,6 +41,7 @@ _SIDES = {
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
+_LEVELS = frozenset({"height", "level", "altitude"})
 _BEFORE = re.compile(r"\bbefore (?:an? |the )?$", re.IGNORECASE)
 _OWN = frozenset({"own", "fly", "reverse"})
 _INNER = frozenset({"in", "into", "inside", "within", "inside of"})
@@ -160,7 +161,7 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
         return True  # "shatters into pieces"
     if (
         p.prep == "of"
-        or "same" in m.adjectives
+        or ("same" in m.adjectives and m.head not in _LEVELS)
         or m.pronoun
         or m.head in PASSED_OVER
         or (m.start, m.end) in a.d.scene.used
