@@ -157,11 +157,13 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
     """Whether a phrase that names nothing in the scene need not be missed."""
     m = p.mention
     assert m is not None
+    if "same" in m.adjectives and m.head in _LEVELS:
+        return False  # nothing sees to it that two things start at one height
     if m.head in _TO_PIECES and any(happened(a.d, NodeEvent.BREAK, i) for i in about):
         return True  # "shatters into pieces"
     if (
         p.prep == "of"
-        or ("same" in m.adjectives and m.head not in _LEVELS)
+        or "same" in m.adjectives
         or m.pronoun
         or m.head in PASSED_OVER
         or (m.start, m.end) in a.d.scene.used
