@@ -138,10 +138,10 @@ def test_the_ground_is_what_words_say() -> None:
 
 
 def test_what_one_runs_into_is_not_the_ground() -> None:
-    prompt = "A puck slides over the ice rink into the boards."
+    prompt = "A puck slides across the rink into the boards."
     puck, board = ("puck", (0.1, 0.1, 0.1)), ("board", (3.0, 0.1, 1.0))
-    assert chosen(prompt, puck, environment="ice_rink").ground == "boards"
-    assert chosen(prompt, puck, board, environment="ice_rink").ground == "ice"
+    assert chosen(prompt, puck).ground == "boards"
+    assert chosen(prompt, puck, board).ground == "ice"
     assert chosen("A ball rolls through the park.", BALL, environment="park").ground == "grass"
 
 
