@@ -27,7 +27,7 @@ from esg.draft.statements import state
 from esg.draft.text.elements import Element
 from esg.draft.text.tagging import pos_tags
 from esg.draft.text.tokens import tokenize
-from esg.draft.text.topics import is_billiards, is_net_sport
+from esg.draft.text.topics import is_billiards, is_cricket, is_net_sport
 from esg.graph.models import EsgDocument
 
 _REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
@@ -74,6 +74,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     mark_unreal(clauses.frames, text)
     world = new_world()
     world.net_sport, world.billiards = is_net_sport(text), is_billiards(text)
+    world.cricket = is_cricket(text)
     discourse = begin(world, text, clauses.mentions)
     scene = interpret(discourse, clauses.frames, clauses.attachments)
     scene.text = text

@@ -155,8 +155,20 @@ def _sky(place: Place, text: str, rng: np.random.Generator) -> tuple[SkyRow, str
 
 
 def _ground(doc: EsgDocument, place: Place, text: str) -> tuple[str, str]:
+    """The surface that words ask for, else the place's own; where it is wet, as that looks."""
+    told = doc.scene_definition.wording
+    said = None if told is None else told.surface
+    if said is not None and said in surfaces():
+        return said, f"ground: {said}"
+    dry, why = _dry_ground(doc, place, text)
+    looks = f"{said}_{dry}"
+    return (looks, f"ground: {said}") if looks in surfaces() else (dry, why)
+
+
+def _dry_ground(doc: EsgDocument, place: Place, text: str) -> tuple[str, str]:
     """The surface that words ask for, else the place's own; a room's floor outdoors never."""
     told = doc.scene_definition
+<<<<<<< HEAD
     if told.wording is not None and told.wording.surface is not None:
         return told.wording.surface, f"ground: {told.wording.surface}"
     configs = doc.asset_configurations
@@ -165,6 +177,8 @@ def _ground(doc: EsgDocument, place: Place, text: str) -> tuple[str, str]:
         for name, node in doc.spatial_relation_graph.nodes.items()
         if node.asset_id in configs and configs[node.asset_id].proxies
     }
+=======
+>>>>>>> main
     natural = {"snow", "ice", "sand", "grass", "soil", "gravel", "water"}
     for name, row in surfaces().items():
         if place.setting == "indoor" and name in natural:

@@ -15,6 +15,7 @@ from esg.graph.models import (
     EsgDocument,
     EventConstraint,
     NodeEvent,
+    RegionType,
     SequenceGraph,
     TimelineEdge,
     TimelineNode,
@@ -31,6 +32,8 @@ from esg.metrics.quantities import BASE_UNIT, DIMENSION_OF
 from esg.metrics.statements.expected import Moments, expected_statements
 from esg.units import m_from_cm
 
+_LEAVES = frozenset({"falls", "enters", "placed", "picked_up", "jumps", "reaches"})
+"""Events after which something may be on another thing than at the start."""
 _OWN_POWER = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION)
 
 
@@ -54,7 +57,7 @@ def expectations_from_timeline(doc: EsgDocument, scene: SimScene | None = None) 
     if doc.timeline_system is not None:
         graph = doc.timeline_system.sequence_graph
         moments = _moments(graph)
-        events = _any_member(doc, _events(graph))
+        events = _any_member(doc, _from_supports(doc, _events(graph)))
         constraints = _constraints(graph, events)
     constraints += _masses(doc)
     mentioned = [
@@ -71,6 +74,27 @@ def expectations_from_timeline(doc: EsgDocument, scene: SimScene | None = None) 
         objects=tuple(mentioned),
         statements=expected_statements(doc, moments),
     )
+
+
+def _from_supports(doc: EsgDocument, events: list[SuiteEvent]) -> list[SuiteEvent]:
+    """Asks of the first fall of what starts on another thing that it is from there.
+
+    After an event of its own it may be somewhere else.
+    """
+    relations = doc.spatial_relation_graph
+    regions, met, out = relations.semantic_regions, set[str](), list[SuiteEvent]()
+    for e in events:
+        who = [n for p in e.participants for n in p[1:].split(",")]
+        node = relations.nodes.get(who[0]) if len(who) == 1 else None
+        if e.type == "falls" and e.from_ is None and node is not None and who[0] not in met:
+            region = regions.get(node.semantic_region or "")
+            on = region.parent_object if region is not None else ""
+            surface = region is not None and region.region_type is RegionType.SUPPORT_SURFACE
+            if surface and on in relations.nodes and not relations.nodes[on].is_structural:
+                e = e.model_copy(update={"from_": _ref([on])})
+        out.append(e)
+        met |= {*who} if e.type in _LEAVES else set()
+    return out
 
 
 def _any_member(doc: EsgDocument, events: list[SuiteEvent]) -> list[SuiteEvent]:

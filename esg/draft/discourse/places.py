@@ -25,6 +25,7 @@ RELATION_PREPS: dict[str, str] = {p: k for k, words in _PREPS.items() for p in w
 }  # fmt: skip
 """Spatial relations by preposition."""
 _RAISED = lex.word_set("raised kinds")
+_CLIMBED = lex.word_set("climbed")
 _WALL_THINGS = lex.word_set("wall things")
 
 
@@ -121,7 +122,8 @@ def holds(d: Discourse, node: str) -> bool:
 
 def elevated(d: Discourse, node: str) -> bool:
     noun = entity_of(d, node).noun
-    return not structural(d, node) and ("support" in noun.traits or noun.kind in _RAISED)
+    raised = noun.kind in _RAISED or noun.name in _CLIMBED
+    return not structural(d, node) and ("support" in noun.traits or raised)
 
 
 def carries(d: Discourse, host: str, thing: str) -> bool:

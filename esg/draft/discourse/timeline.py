@@ -62,6 +62,8 @@ _ENDING = (NodeEvent.STOP, NodeEvent.PICKED_UP, NodeEvent.PLACED, NodeEvent.SPIN
 """Events with which a motion is over: what comes next is told anew."""
 _LEGS = {"own": "drive", "drive": "moved", "throw": "flight", "fly": "flight"}
 """Last words of the ids of segments, where they differ from the mode."""
+SETS_OFF_S = (0.0, 1.5)
+"""How long after an event somebody who has waited for it sets off [s]."""
 _FREEDOM = (
     ForceDirection.ALONG_FORWARD_ONLY,
     ForceDirection.ALONG_FORWARD_OR_BACKWARD,
@@ -264,8 +266,49 @@ class TimelineBuilder:
         going, track.motion = track.motion, Motion("own", 0.0)
         node = self.node(self.trigger(actor, f"{actor} sets off"))
         assert node is not None
-        node.after.append(node_id)
+        self._comes_after(node, node_id)
         track.motion, track.closed = going, False
+
+    def _comes_after(self, node: Draft, node_id: str) -> None:
+        """Lets an actor set off soon after somebody else's event."""
+        node.after.append(node_id)
+        soon = EventConstraint(
+            quantity="time_since", object=node.participants[0], value=SETS_OFF_S, since=node_id
+        )
+        node.constraints.append(soon)
+
+    def hold(self, actor: str, node_id: str) -> None:
+        """Lets an actor wait before its first motion for an event that it takes no part in.
+
+        What is told later leads a motion that is still open to its end (`finish`); one that has
+        led to an event is put off here. What is in the air is not: nothing would hold it there.
+        """
+        self.track(actor).after = node_id
+        first = next((e for e in self.edges if e.actor == actor and e.from_ == START), None)
+        ids = [n.id for n in self.nodes]
+        if first is None or ids.index(first.to) < ids.index(node_id):
+            return
+        airborne = first.params.elevation_deg is not None
+        met = self.node(node_id)
+        involved = met is not None and first.target in met.participants
+        leads_to = self.node(first.to)
+        timed = leads_to is not None and (leads_to.time is not None or leads_to.constraints)
+        if first.event not in _STEADY or airborne or first.params.speed == 0.0 or involved or timed:
+            return
+        name = unique(f"{actor}_trigger", ids)
+        node = Draft(name, NodeEvent.TRIGGER, (actor,), f"{actor} sets off")
+        self._comes_after(node, node_id)
+        self.nodes.insert(ids.index(node_id) + 1, node)
+        k = self.edges.index(first)
+        waits = TimelineEdge(
+            id=unique(f"{actor}_wait", (e.id for e in self.edges)),
+            from_=START,
+            to=name,
+            event=EdgeEvent.UNIFORM_MOTION,
+            actor=actor,
+            params=MotionParams(speed=0.0),
+        )
+        self.edges[k : k + 1] = [waits, first.model_copy(update={"from_": name})]
 
     # -- result ----------------------------------------------------------------------------------
 

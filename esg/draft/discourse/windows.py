@@ -157,7 +157,8 @@ def _place(plan: _Plan, nodes: list[Draft], scale: float) -> dict[str, Interval]
             low, high = _bounds(n.time)
             low = ready if low < ready < high else low  # "brakes at 3 s and stops by 5 s"
         elif since in spans:
-            low = max(spans[since][0] + a, ready)
+            soon = GAP_S if a == 0.0 < b else 0.0  # soon after it, not with it
+            low = max(spans[since][0] + a, ready + soon)
             high = max(low, spans[since][1] + b)
         else:
             short, long = _DURATIONS[n.event]

@@ -136,12 +136,25 @@ def _off(d: Discourse, actor: str, way: Way) -> None:
     high = high or (p.prep == "off" and f.verb.lemma in ("jump", "leap", "hop"))
     if high and movable(d, actor) and (p.prep != "over" or way.m.part):
         place(d, [actor], [other], "on")
+        _leaves_from(d, actor, f)
         add_event(d, NodeEvent.FALL, (actor,), f, way.time)
         way.fallen.add(actor)
         return
     slides = f.verb.sense in ("slide", "roll") and not f.verb.passive and p.prep == "over"
     if slides and kind_of(d, other) == "table" and fits_on(d, actor, other):
         place(d, [actor], [other], "on")  # "a cup slides over the table"
+
+
+def _leaves_from(d: Discourse, actor: str, f: Frame) -> None:
+    """ "Throws a bear off the bed": on which it is, and not in a hand over the floor."""
+    track = d.timeline.track(actor)
+    if track.motion is None or track.closed or track.motion.mode != "throw":
+        return
+    speed = track.motion.speed if track.motion.prescribed else None
+    track.motion, track.direction = None, None
+    start_motion(d, f, [actor], "roll" if "round" in traits_of(d, actor) else "slide")
+    if speed is not None and track.motion is not None:
+        track.motion.speed, track.motion.prescribed = speed, True
 
 
 def _on_a_slope(d: Discourse, actor: str, way: Way) -> None:

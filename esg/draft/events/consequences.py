@@ -108,6 +108,28 @@ def struck_before(d: Discourse, f: Frame, body: str) -> None:
             return
 
 
+def met_in_its_row(d: Discourse, body: str) -> str:
+    """The last hit told of others in the row that a body stands in; "" if none."""
+    mates = {*mates_of(d, body)} - {body} if entity_of(d, body).pattern == "row" else set[str]()
+    hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
+    met = [n.id for n in hits if mates & {*n.participants}]
+    return met[-1] if met else ""
+
+
+def passed_on(d: Discourse, f: Frame, body: str) -> None:
+    """ "A marble hits the first domino, and the last one falls": by touch, and not by itself.
+
+    The one that was hit has then fallen, too.
+    """
+    met = d.timeline.node(met_in_its_row(d, body))
+    if met is None:
+        return
+    struck = next(p for p in reversed(met.participants) if p in mates_of(d, body))
+    if not happened(d, NodeEvent.TOPPLE, struck):
+        add_event(d, NodeEvent.TOPPLE, (struck,), f, None)
+    d.timeline.carry(body, met.id)
+
+
 def landing_of(d: Discourse, f: Frame, moved: list[str]) -> bool:
     """Reads where what falls comes down; whether the clause says so."""
     for way in f.phrases:

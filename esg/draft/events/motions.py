@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from esg.draft import lexicon as lex
 from esg.draft.discourse.concurrence import on_its_own
 from esg.draft.discourse.core import (
@@ -29,7 +31,8 @@ from esg.graph.models import ForceDirection, NodeEvent, Quantity
 
 _AIRBORNE = lex.word_set("airborne")
 _ONCE = frozenset({"after", "once", "when", "whenever", "as soon as"})
-_THEN = lex.word_set("then")
+THEN = lex.word_set("then")
+_AFTER_THAT = re.compile(r"\bafter (?:that|this|which)\b")
 _SLOW, _FAST = (0.0, 0.25), (0.5, 1.0)
 """The parts of the range of plausible speeds that are slow and fast."""
 
@@ -144,10 +147,10 @@ def sets_off_late(d: Discourse, f: Frame, actors: list[str]) -> None:
         mark_used(d, time[1], "when it sets off")
 
 
-def comes_after(d: Discourse, f: Frame) -> list[Frame]:
-    """Earlier clauses that a clause says it comes after, whoever acts in them.
+def told_after(d: Discourse, f: Frame) -> list[Frame]:
+    """Earlier clauses that words put a clause after, whoever acts in them.
 
-    "When the ball hits the box, the dog runs away", "and then a dog crosses", "drops it and runs".
+    "When the ball hits the box, the dog runs away", "and then a dog crosses".
     """
     if f.link != "then" or f.relative or f.reduced or f not in d.told:
         return []
@@ -159,21 +162,38 @@ def comes_after(d: Discourse, f: Frame) -> list[Frame]:
     if named or f.subordinate == "before":
         return named or [last]
     begin = last.verb.end if last.verb.end < f.verb.start else f.verb.start
-    words = {*d.text[begin : f.verb.end].lower().replace(",", " ").split(), *f.adverbs}
-    if words & _THEN:
-        return earlier
+    between = d.text[begin : f.verb.end].lower().replace(",", " ")
+    words = {*between.split(), *f.adverbs}
+    return earlier if words & THEN or _AFTER_THAT.search(between) else []
+
+
+def comes_after(d: Discourse, f: Frame) -> list[Frame]:
+    """Those clauses, and of the same doer the one before ("drops it and runs")."""
+    named = told_after(d, f)
+    if named or f.link != "then" or f.relative or f.reduced or f not in d.told:
+        return named
+    earlier = [g for g in d.told[: d.told.index(f)] if not g.unreal and not g.reduced]
+    if not earlier:
+        return []
+    last = earlier[-1]
     doer, before = ([*m.entities] if m is not None else [] for m in (f.subject, last.subject))
     return [last] if doer and doer == before and last.link == "then" else []
 
 
 def hold_back(d: Discourse) -> None:
     """Lets those wait whose first motion comes after what others do, as far as that is an event."""
+    moved: set[str] = set()
+    for c in d.scene.clauses:
+        fresh = [m for m in c.movers if m not in moved]
+        moved |= {*fresh}
+        for actor in fresh if c.frame.verb.sense == "hit" else []:
+            d.moves.held_back.setdefault(actor, told_after(d, c.frame))
     for actor, clauses in d.moves.held_back.items():
         verbs = {id(g.verb) for g in clauses}
         events = [d.timeline.node(n) for g, n in d.times.of_frame if id(g.verb) in verbs]
         others = [n for n in events if n is not None and actor not in n.participants]
         if others:
-            d.timeline.track(actor).after = others[-1].id
+            d.timeline.hold(actor, others[-1].id)
 
 
 def _stand(

@@ -10,6 +10,7 @@ from collections.abc import Iterator
 import csv
 from dataclasses import dataclass, replace
 from functools import cache
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import kind_of, structural
@@ -40,6 +41,8 @@ _SIDES = {
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
+_LEVELS = frozenset({"height", "level", "altitude"})
+_BEFORE = re.compile(r"\bbefore (?:an? |the )?$", re.IGNORECASE)
 _OWN = frozenset({"own", "fly", "reverse"})
 _INNER = frozenset({"in", "into", "inside", "within", "inside of"})
 _CLOSED = frozenset({"appliance", "electronics", "building", "vehicle"})
@@ -109,6 +112,41 @@ def phrases(a: Account) -> Iterator[Gap]:
             yield Gap(max(start_of(p, a.d.text), 0), m.end, missing, tuple(sorted(about))[:1])
 
 
+def adrift(a: Account) -> Iterator[Gap]:
+    """Things after a preposition that no clause or noun took up, and nothing is told of."""
+    d = a.d
+    heads = [m for f in d.told for m in (f.subject, f.object, f.object2)]
+    heads += [p.mention for f in d.told for p in f.phrases]
+    heads += [x for m, p in d.attached for x in (m, p.mention)]
+    taken = {id(x) for m in heads if m is not None for x in (m, m.possessor, *m.coordinated)}
+    told = _placed(a)
+    for m in d.mentions:
+        nodes = {*nodes_of(d, m)}
+        conjunction = _BEFORE.search(d.text, 0, m.start)  # "stops before a crossing"
+        prep = m.after_prep or ("before" if conjunction is not None else "")
+        if not prep or id(m) in taken or not nodes or nodes & told:
+            continue
+        if prep in _WHY or (prep in _WAYS and any(structural(d, i) for i in nodes)):
+            continue
+        start = d.text.lower().rfind(prep, 0, m.start)
+        missing = f'nothing in the scene stands for "{prep}"'
+        yield Gap(start if start >= 0 else m.start, m.end, missing, tuple(sorted(nodes))[:1])
+
+
+def _placed(a: Account) -> set[str]:
+    """Everything that an event, a motion, a relation or a statement is about."""
+    d = a.d
+    out = {p for n in d.timeline.nodes for p in n.participants}
+    out |= {str(n.extra.get("region", "")).split("/")[0] for n in d.timeline.nodes}
+    out |= {c.to for n in d.timeline.nodes for c in n.constraints if c.to}
+    out |= {x for e in d.timeline.edges for x in (e.actor, e.target) if x}
+    out |= {x for r in d.scene.relations for x in (r.source, r.target)}
+    out |= {x for s in a.kept for x in (*s.object, *s.target)}
+    for pairs in (d.scene.supported_by, d.scene.inside_of, d.scene.marked):
+        out |= {*pairs} | {*pairs.values()}
+    return out
+
+
 def _side_of_a_turn(d: Discourse, f: Frame, p: Phrase) -> bool:
     """ "Turns to the left": an event has the side."""
     sided = p.mention is not None and {p.mention.head, p.mention.part} & {"left", "right"}
@@ -119,6 +157,8 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
     """Whether a phrase that names nothing in the scene need not be missed."""
     m = p.mention
     assert m is not None
+    if "same" in m.adjectives and m.head in _LEVELS:
+        return False  # nothing sees to it that two things start at one height
     if m.head in _TO_PIECES and any(happened(a.d, NodeEvent.BREAK, i) for i in about):
         return True  # "shatters into pieces"
     if (

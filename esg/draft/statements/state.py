@@ -25,6 +25,7 @@ from esg.draft.events.stated import adverbs_of, place_of, start_of
 from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.account import Account
+from esg.draft.statements.order import ALONE, UNKEPT, orders, started_alone
 from esg.draft.statements.struck import struck
 from esg.draft.statements.unclaimed import unclaimed
 from esg.draft.statements.unkept import dropped, missing
@@ -126,6 +127,13 @@ def state(
         else:
             book.add(Predicate.STRUCK_ON, hit.start, hit.end, object=(hit.struck,),
                      target=(hit.by,), side=hit.side, when=hit.event)  # fmt: skip
+    for told in orders(d):
+        if told.says is None:
+            book.add(Predicate.NOT_REPRESENTED, told.start, told.end, note=UNKEPT)
+        else:
+            book.add(told.says, told.start, told.end, object=told.about, when=told.when)
+    for start, end, who in started_alone(d):
+        book.add(Predicate.NOT_REPRESENTED, start, end, object=(who,), note=ALONE)
     _own_up(book, frames, elements, tokens)
     for actor, at in d.moves.still.items():
         if actor in d.world.entities:
@@ -250,6 +258,10 @@ def _carried(book: _Book, clause: Clause, s: Said, mover: str) -> None:
         bearer = d.scene.supported_by.get(load)
         if load in d.world.entities and bearer in bearers:
             book.add(s.row.states, s.start, s.end, object=(load,), target=(bearer,))
+            others = tuple(i for i in _ids(f.subject) if i != bearer and i in d.world.entities)
+            if others:  # "two men carry a sofa"
+                book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=others,
+                         note="only one of them carries it")  # fmt: skip
 
 
 def _rolled(book: _Book, clause: Clause, s: Said, mover: str) -> None:
@@ -391,6 +403,10 @@ def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> 
         return
     if s.phrase is not None and direction in ("up", "down"):
         _slope(book, s, mover, where)
+        return
+    if clause.frame.verb.sense == "topple":
+        note = "it falls over whichever way it is pushed"
+        book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=(mover,), note=note)
         return
     if clause.frame.verb.sense in TURNING or "turn" in d.scene.used.get(_span(clause.frame), ""):
         return

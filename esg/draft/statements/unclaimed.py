@@ -18,7 +18,7 @@ from esg.draft.events.stated import NAMED_BY
 from esg.draft.statements.account import NOTHING, PASSED_OVER, Account, Gap, nodes_of, turns
 from esg.draft.statements.adverbs import adverbs
 from esg.draft.statements.arguments import arguments, idle, left_behind
-from esg.draft.statements.phrases import phrases
+from esg.draft.statements.phrases import adrift, phrases
 from esg.draft.text.elements import ONE_OF_THESE
 from esg.draft.verbphrases import verb_readings
 from esg.graph.models import NodeEvent, Predicate
@@ -149,6 +149,7 @@ def _enclosed(a: Account, about: set[str]) -> bool:
 
 _FINDERS: tuple[Callable[[Account], Iterator[Gap]], ...] = (
     phrases,
+    adrift,
     arguments,
     left_behind,
     idle,

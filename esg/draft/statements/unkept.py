@@ -141,10 +141,17 @@ def _goes_down(d: Discourse, clause: Clause) -> bool:
     return "down" in d.text[verb.start : verb.end + 5].lower().split()
 
 
+def _shoved(d: Discourse, clause: Clause) -> bool:
+    """Whether what is thrown leaves what it lies on without a flight."""
+    first = (next((e for e in d.timeline.edges if e.actor == m), None) for m in clause.movers)
+    return any(e is not None and e.params.elevation_deg is None for e in first)
+
+
 _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "loose": lambda d, c: bool(c.movers) and _loose(d, c),
     "bumped": lambda d, c: c.frame.verb.form == "ing" and _bumped(d, c.frame),
     "down": _goes_down,
+    "shoved": _shoved,
     "untied": lambda d, c: not _tied(d, c.frame),
 }
 """Conditions of a row that look at the scene or at the words around the verb."""

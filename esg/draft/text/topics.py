@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import re
 
+from esg.draft import lexicon as lex
+
+_CRICKET = re.compile(rf"\b(?:{'|'.join(sorted(lex.word_set('cricket')))})\b", re.IGNORECASE)
 _NET_SPORTS = re.compile(
     r"\b(?:volleyball|tennis|badminton|shuttlecock|ping[- ]pong|serves?|spiked)\b", re.IGNORECASE
 )
@@ -21,3 +24,8 @@ def is_net_sport(text: str) -> bool:
 def is_billiards(text: str) -> bool:
     """Whether billiards is played."""
     return _BILLIARDS.search(text) is not None
+
+
+def is_cricket(text: str) -> bool:
+    """Whether cricket is played."""
+    return _CRICKET.search(text) is not None

@@ -51,6 +51,8 @@ class World:
     """The prompt is about a game over a net, which is no goal."""
     billiards: bool = False
     """The prompt is about billiards: "the black" is a ball."""
+    cricket: bool = False
+    """Whether the prompt is about cricket."""
 
 
 def last_group(world: World) -> list[str]:

@@ -198,7 +198,9 @@ def create(world: World, m: Mention) -> list[str]:
         m.count, m.plural, m.group_word = None, False, ""  # "a pair of scissors" is one thing
     noun = m.noun or unknown_noun(m.head, m.adjectives)
     named = list(world.entities.values())
-    noun = noun_here(m, noun, named, movers_of(world), net_sport=world.net_sport)
+    noun = noun_here(
+        m, noun, named, movers_of(world), net_sport=world.net_sport, cricket=world.cricket
+    )
     if "structural" in noun.traits and "decal" not in noun.traits:
         ground = Entity("ground_1", noun, m.head, m.text or m.head, [*m.adjectives], origin=m.start)
         return [world.entities.setdefault("ground_1", ground).id]
@@ -225,6 +227,7 @@ def create(world: World, m: Mention) -> list[str]:
     ]  # fmt: skip
     enrich(world, m, ids)
     if group is None:
+        world.entities[ids[0]].one = m.count == 1
         return ids
     world.groups[group] = ids
     if m.count is None or m.vague:

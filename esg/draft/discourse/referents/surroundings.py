@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
+from esg.draft.discourse.referents.slopes import ASLANT
 from esg.draft.text.elements import Mention
 
 _AT_A_BAR = lex.word_set("at a bar")
+_FRICTION = frozenset({"frictionless", "rough", "smooth", "slippery"})
 _ROOMS = lex.word_set("rooms")
 _BALLS = {
     "golfer": "golf ball", "batter": "baseball", "pitcher": "baseball", "batsman": "cricket ball",
@@ -17,7 +19,13 @@ _BALLS = {
 
 
 def noun_here(
-    m: Mention, noun: lex.Noun, named: list[Entity], movers: list[Entity], *, net_sport: bool
+    m: Mention,
+    noun: lex.Noun,
+    named: list[Entity],
+    movers: list[Entity],
+    *,
+    net_sport: bool,
+    cricket: bool,
 ) -> lex.Noun:
     """The noun of a new object, by its preposition and by what was named before it.
 
@@ -27,6 +35,7 @@ def noun_here(
         named: The objects so far.
         movers: Those that the clause is about.
         net_sport: Whether the prompt is about a game over a net.
+        cricket: Whether it is about cricket.
     """
     into = m.after_prep in ("into", "in")
     played = not movers or any(e.noun.kind in ("ball", "person") for e in movers)
@@ -45,4 +54,14 @@ def noun_here(
         name = "floor"  # "over the edge onto the tiles"
     elif m.head == "ball" and balls:
         name = balls[0]
+    elif name == "stump" and m.plural and cricket:
+        name = "cricket stump"
+    elif m.head == "plane" and _sloped(m):
+        name = "ramp"
     return noun if name == noun.name else lex.nouns()[name]
+
+
+def _sloped(m: Mention) -> bool:
+    """ "A 30 degree plane", "down a smooth plane": no aircraft."""
+    tilted = any(a.dimension == "angle" for a in m.amounts) or bool(ASLANT & {*m.adjectives})
+    return tilted or m.after_prep in ("down", "up") or bool(_FRICTION & {*m.adjectives})

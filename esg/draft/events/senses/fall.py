@@ -21,7 +21,7 @@ from esg.draft.discourse.places import elevated, place, set_free
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING
 from esg.draft.events.acts import add_event, add_hit, goes_in
-from esg.draft.events.consequences import landing_of, struck_before
+from esg.draft.events.consequences import landing_of, met_in_its_row, struck_before
 from esg.draft.events.ends import off_the_edge
 from esg.draft.events.hanging import hanging
 from esg.draft.events.motions import (
@@ -308,6 +308,8 @@ def _falls_over(d: Discourse, node: str) -> bool:
     if "topples" in e.noun.traits or e.noun.kind in _UPRIGHT | _OVERTURNED:
         return True
     if node in d.moves.leaning or e.noun.name in _TWO_WHEELED or _stacked(d, node):
+        return True
+    if node not in d.timeline.tracks and met_in_its_row(d, node) and "round" not in e.noun.traits:
         return True
     runs = node in d.timeline.tracks and node not in d.scene.supported_by
     return runs and e.noun.kind == "animal" and not is_airborne(d, node)

@@ -6,7 +6,13 @@ from esg.draft.discourse.core import entity_of, kind_of, mark_used, movable, qua
 from esg.draft.discourse.places import fits_on, set_free
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.acts import add_event, add_hit, kinematics
-from esg.draft.events.consequences import already_hit, consequence, knock_on, struck_before
+from esg.draft.events.consequences import (
+    already_hit,
+    consequence,
+    knock_on,
+    passed_on,
+    struck_before,
+)
 from esg.draft.events.motions import moves_on_it, start_motion
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.senses.contact import whose_way
@@ -90,6 +96,8 @@ def read_topple(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             continue  # "a bike falls over, and all the bikes fall over": once
         struck_before(d, f, b)
         b = b if o or b in d.timeline.tracks else _collapsing(d, b)
+        if not o and at_rest(d, b):
+            passed_on(d, f, b)
         if at_rest(d, b):
             if not o and fits_on(d, b, next(iter(things(f.phrase("on"))), b)):
                 moves_on_it(d, f, [b])  # "falls flat on the table"

@@ -47,6 +47,7 @@ from esg.draft.grammar.phrases.reader import (
     named_before,
     noun_not_verb,
     noun_soon,
+    stands_for_noun,
     unknown_noun,
 )
 from esg.draft.grammar.phrases.rows import inner_phrase, member_of_row, the_rest
@@ -276,9 +277,10 @@ def _unknown_after(c: Chunks, j: int, m: Mention) -> int:
     token = token_at(c, j)
     if token is None or token.kind != "word" or token.tag not in ("NOUN", "PROPN"):
         return j
-    if len(token.text) < 2 or looks_like_verb(c, j, m) or numbers(c, j):
+    acts = looks_like_verb(c, j, m) and not stands_for_noun(c, j, m)
+    if len(token.text) < 2 or acts or numbers(c, j):
         return j
-    if token.low in _NO_NOUNS or verb_readings(token.low):
+    if token.low in _NO_NOUNS or (verb_readings(token.low) and not stands_for_noun(c, j, m)):
         return j
     single, several = lex.singular(token.low)
     nothing = (names_no_thing(token.low) and not _weighs(c, j, j, m)) or wisp(c, j)

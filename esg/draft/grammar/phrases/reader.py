@@ -391,7 +391,32 @@ def compound_noun(c: Chunks, k: int, m: Mention) -> bool:
         return True  # "the engine shed doors"
     if base and m.determiner in ("a", "an") and after is not None and not after[2]:
         return c.tokens[k].tag == "NOUN"  # "a ski lift chair"
+    if base and stands_for_noun(c, k, m):
+        return True
     return c.tokens[k].tag == "NOUN" and bool(verb_readings(nxt.low))
+
+
+_LETTING = lex.word_set("letting (noun questions)") | lex.word_set("letting (verbs)")
+
+
+def stands_for_noun(c: Chunks, k: int, m: Mention) -> bool:
+    """Whether a bare verb form ends a phrase about one thing ("onto the phone stand.").
+
+    One thing "stands": without the ending, behind a preposition or a verb that lets nobody do
+    anything, and with nothing behind it, the word is a noun.
+    """
+    token, nxt = c.tokens[k], token_at(c, k + 1)
+    forms = {r.form for r in verb_readings(token.low)}
+    ends = nxt is None or nxt.kind == "punct" or nxt.low in ("and", "is")
+    part = low_at(c, k - 1) in lex.PARTS  # "its roof rack" is the bus's
+    if m.plural or part or not m.determiner or forms != {"base"} or not ends:
+        return False
+    first = next((i for i in range(k - 1, 0, -1) if low_at(c, i) == m.determiner), 0)
+    before = low_at(c, first - 1) if first else ""
+    verb = c.elements[-1] if c.elements else None
+    lets = isinstance(verb, Verb) and verb.lemma in _LETTING
+    acted_on = before in lex.PREPOSITIONS or bool(verb_readings(before))
+    return token.tag == "NOUN" and acted_on and not lets
 
 
 def unknown_noun(c: Chunks, j: int) -> bool:

@@ -37,8 +37,10 @@ def member_of_row(c: Chunks, j: int, m: Mention) -> int:
         m: The member; its adjectives hold "first", "last" and the like.
     """
     place = next((a for a in m.adjectives if a in lex.ORDINALS or a in _ENDS), "")
-    if not place or m.plural or not _row_follows(c, j) or low_at(c, j + 3) != "of":
+    if not place or m.plural or not _row_follows(c, j):
         return 0
+    if low_at(c, j + 3) != "of":
+        return _of_its_row(c, j, m, place)
     size = len(c.elements)
     end = c.noun_phrase(j + 1)
     row = c.elements[-1] if end is not None and len(c.elements) == size + 1 else None
@@ -63,6 +65,18 @@ def member_of_row(c: Chunks, j: int, m: Mention) -> int:
         end = j + 5
     m.pick, m.pronoun, m.plural, m.determiner = place, "", True, "a"
     return end
+
+
+def _of_its_row(c: Chunks, j: int, m: Mention, place: str) -> int:
+    """ "The first brick in the row": of several, unless a row of them has been named."""
+    word = lex.singular(low_at(c, j + 2))[0]
+    named = [x for x in c.elements if isinstance(x, Mention) and (x.plural or x.group_word)]
+    alike = any(x.noun is not None and x.noun == m.noun for x in named)
+    if m.noun is None or alike or lex.GROUP_WORDS[word] != "row":
+        return 0
+    m.pattern, m.group_word, m.pick, m.plural, m.determiner = "row", word, place, True, "a"
+    m.adjectives = [a for a in m.adjectives if a != place]
+    return j + 3
 
 
 def inner_phrase(c: Chunks, j: int, m: Mention) -> int | None:
