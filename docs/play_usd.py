@@ -39,7 +39,7 @@ def read_scene(stage):
 
 
 def is_body(prim):
-    return prim.GetCustomDataByKey("esg:name") is not None
+    return prim.HasAPI("PhysicsMassAPI")
 
 
 def name_of(prim):

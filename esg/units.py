@@ -80,6 +80,14 @@ def quat_rotate(q: ArrayLike, v: ArrayLike) -> NDArray[np.float64]:
     return v + w * t + np.cross(u, t)
 
 
+def quat_from_down(direction: ArrayLike) -> NDArray[np.float64]:
+    """Quaternions (x, y, z, w) [..., 4] of the shortest turn from -Z to unit vectors [..., 3]."""
+    x, y, z = np.moveaxis(np.asarray(direction, float), -1, 0)
+    turn = np.stack([y, -x, np.zeros_like(x), 1.0 - z], axis=-1)
+    size = np.linalg.norm(turn, axis=-1, keepdims=True)
+    return np.where(size > 1e-9, turn / np.where(size > 1e-9, size, 1.0), (1.0, 0.0, 0.0, 0.0))
+
+
 def quat_inverse(q: ArrayLike) -> NDArray[np.float64]:
     """Inverse of unit quaternions (x, y, z, w), shape [..., 4]."""
     return np.asarray(q, float) * np.array([-1.0, -1.0, -1.0, 1.0])

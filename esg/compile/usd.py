@@ -21,6 +21,7 @@ from esg.compile import names
 from esg.compile.glb import continuous, mesh_of
 from esg.compile.mjcf import start_velocities
 from esg.compile.usd_physx import (
+    articulate,
     physx_body,
     physx_collider,
     physx_distance,
@@ -149,7 +150,7 @@ def physics_layer(
     down = np.array(scene.gravity) / strength if strength else np.array([0.0, 0.0, -1.0])
     physics.CreateGravityDirectionAttr(Gf.Vec3f(*map(float, down)))
     physics.CreateGravityMagnitudeAttr(strength)
-    physx_scene(physics.GetPrim(), manifest.dt)
+    physx_scene(physics.GetPrim(), scene, manifest.dt)
     idents = names.unique_identifiers(scene.names, reserved=reserved(scene, setting))
     paths = {name: f"/World/{ident}" for name, ident in idents.items()}
     moving = [b for b in scene.bodies if b.collides and not b.static]
@@ -297,9 +298,23 @@ def _joints(stage: Any, manifest: Manifest, paths: dict[str, str]) -> dict[str, 
     idents = names.unique_identifiers(j.name for j in scene.joints)
     out = {name: f"{JOINTS_PATH}/{ident}" for name, ident in idents.items()}
     offsets = {b.name: np.asarray(b.origin_offset, float) for b in scene.bodies}
+    fixed = {b.name for b in scene.bodies if b.static}
     for joint in scene.joints:
         _joint(stage, out[joint.name], joint, paths, offsets)
+        if joint.parent in fixed and not joint.collide:
+            _deaf(stage, paths[joint.child], paths[joint.parent])
+    articulate(stage, scene, paths, out)
     return out
+
+
+def _deaf(stage: Any, body: str, other: str) -> None:
+    """Lets a body not touch what stands: its colliders are no body, which a joint could name."""
+    from pxr import UsdPhysics
+
+    pairs = UsdPhysics.FilteredPairsAPI.Apply(stage.GetPrimAtPath(body)).CreateFilteredPairsRel()
+    for part in stage.GetPrimAtPath(other).GetChildren():
+        if part.HasAPI(UsdPhysics.CollisionAPI):
+            pairs.AddTarget(part.GetPath())
 
 
 def _joint(

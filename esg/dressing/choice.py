@@ -155,10 +155,19 @@ def _sky(place: Place, text: str, rng: np.random.Generator) -> tuple[SkyRow, str
 
 
 def _ground(doc: EsgDocument, place: Place, text: str) -> tuple[str, str]:
+    """The surface that words ask for, else the place's own; where it is wet, as that looks."""
+    told = doc.scene_definition.wording
+    said = None if told is None else told.surface
+    if said is not None and said in surfaces():
+        return said, f"ground: {said}"
+    dry, why = _dry_ground(doc, place, text)
+    looks = f"{said}_{dry}"
+    return (looks, f"ground: {said}") if looks in surfaces() else (dry, why)
+
+
+def _dry_ground(doc: EsgDocument, place: Place, text: str) -> tuple[str, str]:
     """The surface that words ask for, else the place's own; a room's floor outdoors never."""
     told = doc.scene_definition
-    if told.wording is not None and told.wording.surface is not None:
-        return told.wording.surface, f"ground: {told.wording.surface}"
     natural = {"snow", "ice", "sand", "grass", "soil", "gravel", "water"}
     for name, row in surfaces().items():
         if place.setting == "indoor" and name in natural:

@@ -6,7 +6,7 @@ axes; boxes in it are axis-aligned and, where a body is turned, larger than it.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 import math
 
 import numpy as np
@@ -27,6 +27,8 @@ GROUND_HALF_M = 45.0
 """A surface without collision at least this wide is the ground itself (esg.view.parts)."""
 GROUNDS = frozenset({"ground", "floor", "terrain", "land"})
 """Categories of what carries everything (esg.graph.rules_scene)."""
+CROSSING = "crossing"
+"""Region of roads that cross: where they do."""
 _SIGNS = np.array([[x, y, z] for x in (-1, 1) for y in (-1, 1) for z in (0, 2)], float)
 
 
@@ -197,8 +199,9 @@ def clearance(scene: SimScene, rollout: Rollout, frame: Frame, *, indoor: bool) 
             continue
         if not body.collides:
             if not covered(body, indoor=indoor):
-                box = _boxes(body, p[:1], q[:1], frame)[0][0]
-                decals.append((body.category, Box(*(float(v) for v in box))))
+                for patch in _patches(scene, body):
+                    box = _boxes(patch, p[:1], q[:1], frame)[0][0]
+                    decals.append((body.category, Box(*(float(v) for v in box))))
             continue
         frames, step = _sampled(body, p, q)
         boxes, heights = _boxes(body, p[frames], q[frames], frame)
@@ -214,6 +217,15 @@ def clearance(scene: SimScene, rollout: Rollout, frame: Frame, *, indoor: bool) 
     for other in cores[1:]:
         core = core.union(other)
     return Clearance(frame, swept, of_body.astype(np.int64), decals, core, top)
+
+
+def _patches(scene: SimScene, body: Body) -> list[Body]:
+    """What a flat body covers: of roads that cross each its strip, not the blocks between them."""
+    crossing = next((r for r in scene.regions if r.name == f"{body.name}/{CROSSING}"), None)
+    if crossing is None:
+        return [body]
+    (x, y, z), (wide, deep, _) = body.half_extents, crossing.half_extents
+    return [replace(body, half_extents=(x, deep, z)), replace(body, half_extents=(wide, y, z))]
 
 
 def _sampled(body: Body, p: Floats, q: Floats) -> tuple[NDArray[np.int64], float]:

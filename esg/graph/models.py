@@ -155,8 +155,8 @@ class Wording(Model):
     Recorded by whoever reads the prompt (`esg.draft.said`), so that no later stage reads it again.
     """
 
-    surface: Literal["ice"] | None = None
-    """What the scene's ground is said to be: on the ice, a frozen lake."""
+    surface: Literal["ice", "snow", "wet", "mud", "sand", "gravel"] | None = None
+    """What the scene's ground is said to be: a row of `esg/lexicon/grounds.csv`."""
     keeps_to_ground: Literal[True] | None = None
     """Something is said to roll, slide, or be pushed: what moves on the ground is not thrown."""
 

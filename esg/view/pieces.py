@@ -10,8 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.looks import Look
+from esg.engines.breaking.swap import HIDDEN_M
 from esg.engines.wheels import about_axle
-from esg.units import quat_multiply, quat_rotate
+from esg.units import quat_from_down, quat_multiply, quat_rotate
 
 
 @dataclass(frozen=True)
@@ -28,6 +29,25 @@ class Turning:
 
 
 @dataclass(frozen=True)
+class Strand:
+    """A piece of a rope or spring, which keeps its length: pieces slide over each other.
+
+    Args:
+        bodies: That its ends are fixed to, -1 for the world.
+        anchors: Its ends in the bodies' frames [m].
+        length: Of the piece [m], from 0 to -Z in its own frame.
+        share: Of the way from the first to the last place of a piece.
+        longest: A rope with ends farther apart has broken and is not there [m].
+    """
+
+    bodies: tuple[int, int]
+    anchors: tuple[tuple[float, float, float], tuple[float, float, float]]
+    length: float
+    share: float
+    longest: float
+
+
+@dataclass(frozen=True)
 class Part:
     """One coloured triangle mesh, fixed to a body or (body -1) to the world.
 
@@ -41,6 +61,7 @@ class Part:
         normals: Unit normals at the vertices, shape [n, 3]; None for flat faces.
         uvs: Texture coordinates at the vertices in tiles, v up, shape [n, 2]; None if untextured.
         name: Of the part in its asset.
+        strand: The piece of a rope that it is; its body is -1.
     """
 
     body: int
@@ -52,10 +73,11 @@ class Part:
     normals: NDArray[np.float64] | None = None
     uvs: NDArray[np.float64] | None = None
     name: str = ""
+    strand: Strand | None = None
 
 
 class Movers:
-    """What has a pose of its own: all bodies, and after them the wheels that turn on them.
+    """What has a pose of its own: all bodies, the wheels that turn on them, and pieces of ropes.
 
     Args:
         parts: Meshes of the scene.
@@ -64,22 +86,26 @@ class Movers:
 
     def __init__(self, parts: Iterable[Part], n_bodies: int) -> None:
         self._n_bodies = n_bodies
+        parts = list(parts)
         turning = {p.wheel: p.body for p in parts if p.wheel is not None}
         self._wheels = sorted(turning, key=lambda w: w.index)
         self._carriers = [turning[w] for w in self._wheels]
         self._axles = np.array([w.axle for w in self._wheels]).reshape(-1, 3)
         self._indices = [w.index for w in self._wheels]
+        self._strands = [p.strand for p in parts if p.strand is not None]
 
     def __len__(self) -> int:
-        return self._n_bodies + len(self._wheels)
+        return self._n_bodies + len(self._wheels) + len(self._strands)
 
     @property
     def bodies(self) -> list[int]:
-        """Body of everything that has a pose."""
-        return [*range(self._n_bodies), *self._carriers]
+        """Body of everything that has a pose; ropes belong to the world."""
+        return [*range(self._n_bodies), *self._carriers, *(-1 for _ in self._strands)]
 
     def of(self, part: Part) -> int:
         """Index of the pose that moves a part; -1 for the world."""
+        if part.strand is not None:
+            return self._n_bodies + len(self._wheels) + self._strands.index(part.strand)
         if part.wheel is None:
             return part.body
         return self._n_bodies + self._wheels.index(part.wheel)
@@ -95,16 +121,43 @@ class Movers:
             angles: Of all wheels of the scene [rad], shape [..., W]; None for none turned.
 
         Returns:
-            Positions and quaternions of bodies and wheels, both in the body's frame at angle 0.
+            Positions and quaternions of bodies and wheels, both in the body's frame at angle 0,
+            and of pieces of ropes.
         """
-        if not self._wheels:
-            return position, quaternion
+        out = [(position, quaternion)]
+        if self._wheels:
+            out.append(self._turned(position, quaternion, angles))
+        if self._strands:
+            out.append(self._hung(position, quaternion))
+        if len(out) == 1:
+            return out[0]
+        at, turned = zip(*out, strict=True)
+        return np.concatenate(at, axis=-2), np.concatenate(turned, axis=-2)
+
+    def _turned(
+        self, position: NDArray[Any], quaternion: NDArray[Any], angles: NDArray[Any] | None
+    ) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Poses of the wheels."""
         at, q = position[..., self._carriers, :], quaternion[..., self._carriers, :]
         turned = q
         if angles is not None:
             turned = quat_multiply(q, about_axle(angles[..., self._indices]))
-        at = at + quat_rotate(q, self._axles) - quat_rotate(turned, self._axles)
-        return (
-            np.concatenate([position, at], axis=-2),
-            np.concatenate([quaternion, turned], axis=-2),
-        )
+        return at + quat_rotate(q, self._axles) - quat_rotate(turned, self._axles), turned
+
+    def _hung(
+        self, position: NDArray[Any], quaternion: NDArray[Any]
+    ) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Poses of the pieces of ropes: in a row from end to end."""
+        bodies = np.array([s.bodies for s in self._strands])
+        anchors = np.array([s.anchors for s in self._strands])
+        length, share, longest = np.array(
+            [(s.length, s.share, s.longest) for s in self._strands]
+        ).T[..., None]  # fmt: skip
+        held = position[..., bodies, :] + quat_rotate(quaternion[..., bodies, :], anchors)
+        ends = np.where(bodies[..., None] < 0, anchors, held)
+        along = ends[..., 1, :] - ends[..., 0, :]
+        apart = np.linalg.norm(along, axis=-1, keepdims=True)
+        down = np.where(apart > 0, along / np.where(apart > 0, apart, 1.0), (0.0, 0.0, -1.0))
+        at = ends[..., 0, :] + down * np.maximum(apart - length, 0.0) * share
+        at[..., 2] -= HIDDEN_M * (apart > longest)[..., 0]
+        return at, quat_from_down(down)

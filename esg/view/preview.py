@@ -132,7 +132,9 @@ def film(
         scene, rollout, verdict, doc, folder: As of `preview`.
     """
     around = surroundings_of(doc, scene, rollout)
-    parts = [*scenery_of(scene, rollout, doc).parts, *ground_parts(rollout, around)]
+    # Films draw ropes as lines.
+    bodies = [p for p in scenery_of(scene, rollout, doc).parts if p.strand is None]
+    parts = [*bodies, *ground_parts(rollout, around)]
     try:
         write_scene_film(Action(scene, rollout, verdict, doc), doc, parts, folder / FILM)
     except NoFilmError as error:

@@ -14,6 +14,7 @@ from esg.view.camera import Camera
 from esg.view.framing import corners_of
 from esg.view.parts import body_parts
 from esg.view.renderers.records import Scenery
+from esg.view.ropes import rope_parts
 from esg.view.skies import sun_behind
 from esg.view.surroundings import GROUND, surroundings_of, thing_of
 
@@ -26,7 +27,7 @@ MOST_MOVERS = 6
 
 
 def scenery_of(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> Scenery:
-    """Meshes of the bodies and what surrounds them.
+    """Meshes of the bodies, of ropes and springs, and what surrounds them.
 
     Args:
         scene: The bodies.
@@ -40,7 +41,8 @@ def scenery_of(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> Scenery:
         replace(p, vertices=p.vertices * flat) if thing_of(p) == GROUND else p for p in around.parts
     )
     around = replace(around, parts=parts)
-    return Scenery(tuple(body_parts(scene, doc)), len(scene.bodies), around)
+    bodies = [*body_parts(scene, doc), *rope_parts(scene, rollout)]
+    return Scenery(tuple(bodies), len(scene.bodies), around)
 
 
 def seen_from(

@@ -169,18 +169,21 @@ def _noise(size: int, rng: np.random.Generator) -> Any:
     return (field - low) / (high - low)
 
 
-def blurred_maps(sky: Floats, ground: NDArray[Any]) -> Floats:
+@lru_cache(maxsize=8)
+def blurred_maps(sky: Sky, seed: int, ground: Vec) -> Floats:
     """What surfaces of growing roughness reflect, shape [levels, rows, columns, 3].
 
     Rows rise evenly from straight down to straight up.
 
     Args:
-        sky: Of `sky_map`.
-        ground: Linear colour of everything below the horizon, shape [3].
+        sky: Colours, sun and kind.
+        seed: Of the clouds.
+        ground: Linear colour of everything below the horizon.
     """
     columns, rows = BLURRED_PX
-    height, width = sky.shape[:2]
-    coarse = sky.reshape(rows // 2, height // (rows // 2), columns, width // columns, 3)
+    seen = sky_map(sky, seed)
+    height, width = seen.shape[:2]
+    coarse = seen.reshape(rows // 2, height // (rows // 2), columns, width // columns, 3)
     coarse = coarse.mean(axis=(1, 3))
     full = np.concatenate([np.broadcast_to(ground, coarse.shape), coarse]).astype(np.float32)
     azimuth = ((np.arange(columns) + 0.5) / columns - 0.5) * 2 * math.pi

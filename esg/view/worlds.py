@@ -150,7 +150,8 @@ class WorldRenderer:
         )
         seen = [images[k] for k in SEEN]
         rays = (2 if samples >= SAMPLES else 1) if rgb else 0
-        wp.launch(kernels.look, spots, inputs=[scene, shown, rays, *seen], device=self._device)
+        how: Any = {"device": self._device, "block_dim": kernels.THREADS}
+        wp.launch(kernels.look, spots, inputs=[scene, shown, rays, *seen], **how)
         if rgb:
             edges = [images["edge"], images["is_edge"]]
             k, count = instant
@@ -160,12 +161,12 @@ class WorldRenderer:
                 images["count"].zero_()
                 surfaces = [images[k] for k in SURFACES]
                 inputs = [*surfaces, images["is_edge"], *listed]
-                wp.launch(kernels.outline, spots, inputs=inputs, device=self._device)
+                wp.launch(kernels.outline, spots, inputs=inputs, **how)
                 inputs = [scene, shown, samples, *seen, images["edge"], *listed]
-                wp.launch(kernels.refine, math.prod(dim), inputs=inputs, device=self._device)
+                wp.launch(kernels.refine, math.prod(dim), inputs=inputs, **how)
             light = [int(k == 0), 1.0 / count, images["radiance"], images["packed"]]
             inputs = [scene, *seen, *edges, *light]
-            wp.launch(kernels.develop, dim, inputs=inputs, device=self._device)
+            wp.launch(kernels.develop, dim, inputs=inputs, **how)
 
     def read(self, *, rgb: bool = True) -> Views:
         """The pictures of the last `draw`, as copies."""

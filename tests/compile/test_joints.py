@@ -9,7 +9,7 @@ from helpers import assert_same, both, written
 import numpy as np
 import pytest
 import scenes
-from usd import usd_of
+from usd import player, usd_of
 
 from benchmarks.joints import Case as Swing
 from benchmarks.joints import kept, pendulums, period
@@ -217,6 +217,85 @@ def test_pendulums_keep_their_period_in_mujoco(case: Swing) -> None:
     angles = np.unwrap(np.arctan2(-x, -z))
     assert period(angles) == pytest.approx(case.exact[0], rel=1e-3)
     assert kept(angles, case.exact[0]) == pytest.approx(1.0, abs=1e-2)
+
+
+def chest(ring: bool = False) -> tuple[SimScene, Program]:
+    """A lid on a chest that moves as well; with a ring two joints hold it."""
+    body = scenes.box("body", (0.0, 0.0, 0.2), (0.3, 0.2, 0.2), 10.0)
+    lid = scenes.box("lid", (0.0, 0.0, 0.45), (0.3, 0.2, 0.05), 2.0)
+    hinges = [
+        joint_between(f"hinge {x}", "hinge", lid, body, at=(x, -0.2, 0.4), axis=(1.0, 0.0, 0.0))
+        for x in ((-0.2, 0.2) if ring else (0.0,))
+    ]
+    return SimScene("chest", (body, lid), joints=tuple(hinges)), Program((), 1.0)
+
+
+@pytest.mark.parametrize("ring", [False, True])
+def test_usd_puts_joints_of_moving_bodies_into_an_articulation_of_newtons(
+    tmp_path: Path, ring: bool
+) -> None:
+    """Newton's importer refuses them elsewhere; PhysX makes none of it."""
+    from pxr import Usd, UsdPhysics
+
+    usd = usd_of(tmp_path, *chest(ring))
+    stage = Usd.Stage.Open(str(usd))
+    roots = [p for p in stage.Traverse() if p.HasAPI(UsdPhysics.ArticulationRootAPI)]
+    assert [str(p.GetPath()) for p in roots] == ["/World/Body"]
+    assert roots[0].GetAttribute("physxArticulation:articulationEnabled").Get() is False
+    held = [UsdPhysics.Joint(p) for p in stage.Traverse() if p.IsA(UsdPhysics.Joint)]
+    out = [bool(j.GetExcludeFromArticulationAttr().Get()) for j in held]
+    assert out == ([False, True] if ring else [False])
+    newton = pytest.importorskip("newton")
+    builder = newton.ModelBuilder()
+    builder.add_usd(str(usd))
+    assert builder.finalize(device="cpu").articulation_count == 1
+
+
+def test_usd_starts_the_articulation_at_what_stands(tmp_path: Path) -> None:
+    from pxr import Usd, UsdPhysics
+
+    scene, program = chest()
+    post = scenes.box("post", (0.0, 1.0, 1.0), (0.1, 0.1, 1.0), 1.0, static=True)
+    hung = joint_between("arm", "hinge", scene.bodies[0], post, at=(0.0, 0.9, 0.2), axis=_Z)
+    scene = replace(scene, bodies=(post, *scene.bodies), joints=(*scene.joints, hung))
+    stage = Usd.Stage.Open(str(usd_of(tmp_path, scene, program)))
+    roots = [p for p in stage.Traverse() if p.HasAPI(UsdPhysics.ArticulationRootAPI)]
+    assert [str(p.GetPath()) for p in roots] == ["/World/Joints/Arm"]
+    (tmp_path / "alone").mkdir()
+    alone = Usd.Stage.Open(str(usd_of(tmp_path / "alone", *built("door"))))
+    assert not [p for p in alone.Traverse() if p.HasAPI(UsdPhysics.ArticulationRootAPI)]
+
+
+def test_usd_keeps_a_leaf_from_touching_the_frame_that_stands(tmp_path: Path) -> None:
+    """Colliders of what stands are no body, so that the joint does not tell whom it means."""
+    from pxr import Usd
+
+    stage = Usd.Stage.Open(str(usd_of(tmp_path, *built("door"))))
+    deaf = stage.GetPrimAtPath("/World/Leaf").GetRelationship("physics:filteredPairs")
+    assert [str(p) for p in deaf.GetTargets()] == ["/World/Frame/Collider0"]
+
+
+def test_usd_names_the_solver_with_which_the_scene_was_proven(tmp_path: Path) -> None:
+    from pxr import Usd
+
+    for scene, program, said in (
+        (*chest(), "TGS"),
+        (SimScene("bare", door()[0]), Program((), 1.0), "PGS"),
+    ):
+        (tmp_path / said).mkdir()
+        stage = Usd.Stage.Open(str(usd_of(tmp_path / said, scene, program)))
+        prim = stage.GetPrimAtPath("/World/PhysicsScene")
+        assert prim.GetAttribute("physxScene:solverType").Get() == said
+
+
+def test_the_documented_player_reads_a_jointed_scene(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    from pxr import Usd
+
+    stage = Usd.Stage.Open(str(usd_of(tmp_path, *built("door"))))
+    read = player(monkeypatch).read_scene(stage)
+    assert [b["name"] for b in read["bodies"]] == ["frame", "leaf", "ball"]
 
 
 @pytest.mark.parametrize("name", ["slide", "hung"])

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from esg.dressing.choice import Choice, choose
+from esg.graph.models import EsgDocument, Wording
 from tests.dressing.worlds import body, document, ground, road, scene_of
 
 BALL, CAR = ("ball", (0.2, 0.2, 0.2)), ("car", (4.5, 1.8, 1.5))
@@ -129,6 +130,18 @@ def test_words_say_what_light_there_is(prompt: str, sky: str) -> None:
 def test_a_knight_brings_no_night() -> None:
     skies = {chosen("A knight hits a dummy.", BALL, seed=s).sky.name for s in range(20)}
     assert "clear" in skies and skies <= {"clear", "cloudy", "morning"}
+
+
+def test_a_wet_ground_is_the_same_ground_and_darker() -> None:
+    scene = scene_of(ground(), body(*CAR))
+    doc = document(scene, "A car parks in the car park.", environment="car_park")
+    looks = [choose(d, scene, 4.0, np.random.default_rng(0)).ground for d in (doc, _wet(doc))]
+    assert looks == ["asphalt", "wet_asphalt"]
+
+
+def _wet(doc: EsgDocument) -> EsgDocument:
+    told = doc.scene_definition.model_copy(update={"wording": Wording(surface="wet")})
+    return doc.model_copy(update={"scene_definition": told})
 
 
 def test_the_ground_is_what_words_say() -> None:

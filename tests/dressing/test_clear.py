@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 import math
 
 import numpy as np
@@ -10,7 +11,7 @@ import pytest
 from esg.dressing import dress
 from esg.dressing.arrange import FLAT_M, MOST_ITEMS
 from esg.dressing.builders import BUILDERS
-from esg.engines.scene import Rollout, SimScene
+from esg.engines.scene import Region, Rollout, SimScene
 from esg.graph import canonical_json, verify
 from esg.graph.models import Dressing, DressingItem
 from tests.dressing.worlds import (
@@ -202,6 +203,25 @@ def test_kerbs_lie_along_the_road_that_is_there() -> None:
         assert abs(math.radians(strip.yaw_deg) - yaw) < 1e-3
         off = abs(float((np.array(strip.center_cm) / 100 - (3.0, -2.0)) @ across))
         assert abs(off - strip.half_cm[1] / 100 - 4.0) < 0.01
+
+
+def test_houses_stand_at_the_corners_of_a_crossing_and_on_neither_road() -> None:
+    """The square around two roads that cross is mostly free."""
+    cross = body("crossroad", (80.0, 80.0, 0.01), flat=True)
+    bare = scene_of(
+        ground(), road(80.0, (0.0, 0.0), 0.0), cross, body("car", (4.5, 1.8, 1.5), (-20, -2))
+    )
+    crossing = Region("crossroad_1/crossing", "crossroad_1", (0.0, 0.0, 1.0), (3.5, 3.5, 1.0))
+    scene = replace(bare, regions=(crossing,))
+    rollout = rollout_of(scene, {"car_1": straight(10.0)})
+    doc = document(scene, "A car drives along the street.", environment="street")
+    made = dress(doc, scene, rollout).dressing
+    assert made is not None
+    houses = [i for i in made.items if i.kind.startswith("facade")]
+    assert len({tuple(np.sign(i.position_cm[:2])) for i in houses}) == 4, "at every corner"
+    for item in (i for i in made.items if i.size_cm[2] > 100 * FLAT_M):
+        for a, b in ((40.0, 3.5), (3.5, 40.0)):
+            assert apart(corners(0.0, 0.0, 0.0, a, b), rectangle(item)) > 0.0, item.id
 
 
 def test_what_could_be_taken_for_a_thing_of_the_scene_keeps_away() -> None:

@@ -335,6 +335,17 @@ def test_what_is_hit_passes_it_on_before_it_has_gone_a_centimetre(hit: bool, ok:
     assert checked(row)["motion_before"].ok is ok
 
 
+def test_a_ball_of_a_cradle_passes_a_blow_on_and_stops() -> None:
+    """The middle ball moves for one frame; the last one moves off as it stops."""
+    row = World().add(ball("ball_1"), x=line(-3.0, 3.0), y=5.0)
+    row.add(ball("ball_2"), x=line(0.2, 2.0, 1.0, 1.0 + DT)).touch(1.0, "ball_1", "ball_2")
+    row.add(ball("ball_3"), x=line(0.4, 2.0, 1.0 + 2.0 * DT, 2.0))
+    row.run(SetVelocity("ball_1", 0.0, (3.0, 0.0, 0.0)))
+    assert not checked(row)["motion_before"].ok
+    row.touch(1.0 + 2.0 * DT, "ball_2", "ball_3")
+    assert checked(row)["motion_before"].ok
+
+
 def paved() -> World:
     ground = body("ground_1", static=True, shapes=(), half_extents=(20.0, 20.0, 0.01))
     road = replace(ground, name="road_1", category="road", half_extents=(20.0, 4.0, 0.01))
@@ -392,3 +403,22 @@ def test_what_a_joint_holds_is_moved_by_it(
     if struck:
         world.touch(1.0, "crate_1", "board_1")
     assert checked(world)["motion_before"].ok is (ok and passes)
+
+
+@pytest.mark.parametrize(
+    ("label", "speed", "yaw_deg", "ok"),
+    [("van", 19.0, 180.0, False), ("van", 19.0, 0.0, True), ("van", 3.0, 180.0, True),
+     ("bicycle", 4.0, 180.0, False), ("train", 19.0, 180.0, True)],
+)  # fmt: skip
+def test_reversing_has_a_limit_of_its_own(
+    label: str, speed: float, yaw_deg: float, ok: bool
+) -> None:
+    """By where the front points: nothing is said of what the program intends."""
+    world = World().add(replace(car(), label=label), x=lambda t: speed * t, yaw_deg=yaw_deg)
+    assert checked(world)["speed"].ok is ok
+
+
+def test_what_rolls_down_backwards_may_be_as_fast_as_its_fall_makes_it() -> None:
+    """20 m down give 19.8 m/s, which no reverse gear does."""
+    slope = World().add(car(), x=lambda t: 5.0 * t**2, z=lambda t: 20.6 - 5.0 * t**2, yaw_deg=180.0)
+    assert checked(slope)["speed"].ok

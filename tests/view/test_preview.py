@@ -28,6 +28,7 @@ from esg.graph.models import (
     TimelineSystem,
 )
 from esg.metrics.models import EventVerdict, LayoutVerdict, SceneVerdict
+from esg.units import quat_rotate
 from esg.view import preview as previews
 from esg.view.camera import Camera, box_corners
 from esg.view.cameras import action_cameras
@@ -41,9 +42,9 @@ from esg.view.framing import (
     pose,
 )
 from esg.view.moments import as_seen, failures, moments_of
-from esg.view.pieces import Part
+from esg.view.pieces import Movers, Part
 from esg.view.render import Renderer
-from esg.view.ropes import ropes_at
+from esg.view.ropes import rope_parts, ropes_at
 from esg.view.sheet import draw_ropes, draw_trail
 from esg.view.surroundings import Sky, Surroundings
 from tests.report.folders import HIT_S, rollout, scene
@@ -271,6 +272,36 @@ def test_ropes_are_drawn_between_their_ends_while_they_hold():
     torn = replace(jointed, joints=(replace(rope, upper=0.5 * (rope.upper or 0.0)),))
     assert ropes_at(torn, played, 0) == []
     assert ropes_at(scene(), played, 0) == []
+
+
+def test_pieces_of_a_rope_reach_from_end_to_end_and_are_seen():
+    """Of a rope that hangs through, too; what has broken lies below the ground."""
+    jointed, played = hung()
+    rope = jointed.joints[0]
+    parts = rope_parts(jointed, played)
+    movers = Movers(parts, len(jointed.bodies))
+    at, turn = movers.poses(played.position[0, 0], played.quaternion[0, 0])
+    (ends,) = ropes_at(jointed, played, 0)
+    seen = [quat_rotate(turn[movers.of(p)], p.vertices) + at[movers.of(p)] for p in parts]
+    along = np.concatenate(seen) @ (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0]) ** 2
+    start = ends[0] @ (ends[1] - ends[0]) / np.linalg.norm(ends[1] - ends[0]) ** 2
+    assert along.min() - start == pytest.approx(0.0, abs=0.01)
+    assert along.max() - start == pytest.approx(1.0, abs=0.01)
+    assert {movers.bodies[movers.of(p)] for p in parts} == {-1}
+
+    middle, across = ends.mean(axis=0), np.array([0.0, -0.4, 0.0])
+    camera = Camera(tuple(middle + across), tuple(middle))
+    renderer = Renderer(parts, len(jointed.bodies), 64, 64)
+    renderer.pose(played.position[0, 0], played.quaternion[0, 0])
+    whole = renderer.color(camera)
+    torn = replace(jointed, joints=(replace(rope, upper=0.5 * (rope.upper or 0.0)),))
+    parts = [
+        replace(p, strand=q.strand) for p, q in zip(parts, rope_parts(torn, played), strict=True)
+    ]
+    renderer = Renderer(parts, len(jointed.bodies), 64, 64)
+    renderer.pose(played.position[0, 0], played.quaternion[0, 0])
+    assert np.abs(whole.astype(int) - renderer.color(camera)).max() > 60
+    assert rope_parts(scene(), rollout()) == []
 
 
 def test_a_rope_darkens_the_picture_along_its_line_only():

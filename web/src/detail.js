@@ -40,6 +40,7 @@ export async function detail(s) {
     shown() {
       if (!motions.length) {
         stage.replaceChildren(h("p", { class: "faint pad" }, s.problems.length ? "Its files are damaged: there is nothing to play." : "This scene was never replayed: there is nothing to play."));
+        stage.dataset.drawn = "";
         return;
       }
       player = createPlayer(stage, view);

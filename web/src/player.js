@@ -31,27 +31,32 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 import { mesh as loadMesh } from "./data.js";
 import { h } from "./dom.js";
+import { contextOf, createPace } from "./pace.js";
 import { setting, surfaces } from "./setting.js";
 
 const TINT = { physx: 0xd0342c, rapier: 0x2f7de1, newton: 0x1f9d55 };
 const GROUND_WIDE_M = 45;
 const LINGER_S = 0.35;
 const FRAME_S = 1 / 60;
+const ROUGH = 0.5; // pixels of a rough picture, in one direction
 
 export function createPlayer(stage, view) {
   const { data, motions, s } = view;
+  const canvas = document.createElement("canvas");
   let renderer;
+  let pace;
   try {
-    renderer = new WebGLRenderer({ antialias: true, preserveDrawingBuffer: true });
+    const { context, slow } = contextOf(canvas);
+    renderer = new WebGLRenderer({ canvas, context });
+    pace = createPace(slow);
   } catch {
     stage.replaceChildren(h("p", { class: "warn pad" }, "This browser offers no WebGL: the player cannot draw. The contact sheet below shows the scene."));
+    stage.dataset.drawn = "";
     return silent();
   }
-  const canvas = renderer.domElement;
   canvas.tabIndex = 0;
   canvas.setAttribute("aria-label", "3-D view: drag to orbit, wheel to zoom, arrow keys to move");
   stage.replaceChildren(canvas);
-  renderer.setPixelRatio(Math.min(2, window.devicePixelRatio));
   renderer.shadowMap.enabled = true;
   renderer.shadowMap.type = PCFShadowMap;
   const world = new Scene();
@@ -67,10 +72,14 @@ export function createPlayer(stage, view) {
   const pose = new Float64Array(7);
   const listeners = [];
   const shown = { contacts: true, trails: true, names: false, shapes: false };
+  let begin;
+  const begun = new Promise((done) => (begin = done));
+  const loading = [];
   const layers = motions.map((m, k) => layer(m, k));
   const cast = castOf(view);
   const span = extent();
-  const scenery = setting(world, renderer, data.around, () => (dirty = true));
+  const scenery = setting(world, data.around, begun, () => (dirty = true));
+  loading.push(scenery.standing);
   if (!data.around) ground();
   world.fog = new Fog(scenery.haze, 60, 190);
   const ropes = ropeLines();
@@ -82,6 +91,7 @@ export function createPlayer(stage, view) {
   let dirty = true;
   let alive = true;
   let before = 0;
+  let fine = null;
 
   function layer(motion, k) {
     const group = new Group();
@@ -101,9 +111,9 @@ export function createPlayer(stage, view) {
       const wheels = (body.wheels ?? []).map(([name, ...axle]) => pivot(name, axle, body.offset));
       const wide = !body.collides && Math.max(body.half[0], body.half[1]) > GROUND_WIDE_M;
       if (body.mesh && !wide && !data.around?.covered.includes(i) && (k === 0 || motion.column.has(i))) {
-        loadMesh(body.mesh).then((m) => {
+        const loaded = loadMesh(body.mesh).then((m) => {
           if (!alive || !m) return;
-          const solid = build(m, k === 0 ? null : TINT[motion.engine], wheels, () => (dirty = true));
+          const solid = build(m, k === 0 ? null : TINT[motion.engine], wheels, begun, () => (dirty = true));
           solid.position.set(...body.offset);
           if (!body.collides) solid.position.z += decalLift(i);
           solid.traverse((o) => {
@@ -113,6 +123,7 @@ export function createPlayer(stage, view) {
           node.add(solid);
           dirty = true;
         });
+        loading.push(loaded);
       }
       const first = turning;
       turning += wheels.length;
@@ -362,11 +373,19 @@ export function createPlayer(stage, view) {
     }
     before = now;
     if (orbit.update()) dirty = true;
-    if (dirty) {
-      dirty = false;
-      scenery.clear(camera.position, orbit.target);
-      renderer.render(world, camera);
+    const wanted = pace.next(now, dirty);
+    dirty = false;
+    if (wanted) draw(wanted === "fine");
+  }
+
+  function draw(finely) {
+    if (finely !== fine) {
+      fine = finely;
+      scenery.fine(fine);
+      renderer.setPixelRatio(Math.min(2, window.devicePixelRatio) * (fine ? 1 : ROUGH));
     }
+    scenery.clear(camera.position, [orbit.target, ...cast.map((i) => layers[0].bodies[i].node.position)]);
+    renderer.render(world, camera);
   }
 
   const jump = (sign) => {
@@ -387,7 +406,12 @@ export function createPlayer(stage, view) {
   resize();
   place();
   frame();
-  requestAnimationFrame(loop);
+  Promise.allSettled(loading).then((found) => {
+    for (const { reason } of found) if (reason) console.error(reason); // what is sound is drawn
+    if (!alive) return;
+    requestAnimationFrame(loop);
+    requestAnimationFrame(() => requestAnimationFrame(() => ((stage.dataset.drawn = ""), begin())));
+  });
 
   return {
     listen: (f) => listeners.push(f),
@@ -443,9 +467,9 @@ function pivot(name, axle, offset) {
   return wheel;
 }
 
-function build(m, tint, wheels, changed) {
+function build(m, tint, wheels, begun, changed) {
   const group = new Group();
-  for (const { mesh, holder } of surfaces(m, m.wheels, tint, changed)) {
+  for (const { mesh, holder } of surfaces(m, m.wheels, tint, begun, changed)) {
     const wheel = wheels.find((w) => w.name && w.name === holder);
     if (wheel) mesh.position.copy(wheel.position).negate();
     (wheel ?? group).add(mesh);

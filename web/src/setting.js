@@ -1,6 +1,5 @@
 // What surrounds the action: sky, light, ground and what stands there; surfaces and their pictures.
 import {
-  BackSide,
   Box3,
   BufferAttribute,
   BufferGeometry,
@@ -10,21 +9,19 @@ import {
   HemisphereLight,
   Mesh,
   MeshStandardMaterial,
-  PMREMGenerator,
   Ray,
   RepeatWrapping,
-  Scene,
-  ShaderMaterial,
-  SphereGeometry,
   SRGBColorSpace,
   TextureLoader,
   Vector3,
 } from "three";
 import { toCreasedNormals } from "three/addons/utils/BufferGeometryUtils.js";
 import { mesh as loadMesh, pictureUrl } from "./data.js";
+import { dome, linear, skyLight, skyMean } from "./sky.js";
 
 const CREASE = 0.6;
 const GROUND = new Set(["plane", "ground"]);
+const SKY = 0.55;
 const PLAIN = {
   kind: "plain",
   sun: [0.405, 0.45, 0.81],
@@ -34,10 +31,9 @@ const PLAIN = {
   horizon: [0.72, 0.79, 0.86],
 };
 
-const linear = (rgb) => new Color().setRGB(...rgb);
-
-// Meshes of a chunk, one for each of its surfaces; `holder` names the group that takes one.
-export function surfaces(m, holders, tint, changed) {
+// Meshes of a chunk, one for each of its surfaces; `holder` names the group that takes one. Pictures
+// are decoded after the first frame.
+export function surfaces(m, holders, tint, begun, changed) {
   const positions = new BufferAttribute(m.arrays.vertices, 3);
   const uvs = m.arrays.uvs && new BufferAttribute(m.arrays.uvs, 2);
   let start = 0;
@@ -52,7 +48,7 @@ export function surfaces(m, holders, tint, changed) {
     const color = tint === null ? new Color().setRGB(r, g, b, SRGBColorSpace) : new Color(tint);
     const opacity = tint === null ? (a ?? 1) : 0.45;
     const material = new MeshStandardMaterial({ color, roughness, metalness, transparent: opacity < 1, opacity, depthWrite: opacity >= 1 });
-    if (picture && tint === null) wrap(material, picture, changed);
+    if (picture && tint === null) begun.then(() => wrap(material, picture, changed));
     return { mesh: new Mesh(toCreasedNormals(part, CREASE), material), holder: holders?.[k] ?? "" };
   });
 }
@@ -71,42 +67,27 @@ function wrap(material, key, changed) {
   });
 }
 
-// A dome in the colours of the sky, which also lights everything.
-function dome(sky) {
-  const material = new ShaderMaterial({
-    side: BackSide,
-    depthWrite: false,
-    uniforms: { zenith: { value: linear(sky.zenith) }, horizon: { value: linear(sky.horizon) } },
-    vertexShader: "varying vec3 way; void main() { way = position; gl_Position = projectionMatrix * modelViewMatrix * vec4(position, 1.0); }",
-    fragmentShader:
-      "uniform vec3 zenith, horizon; varying vec3 way; void main() { float up = clamp(normalize(way).z, 0.0, 1.0); gl_FragColor = vec4(mix(horizon, zenith, sqrt(up)), 1.0);\n#include <colorspace_fragment>\n}",
-  });
-  const mesh = new Mesh(new SphereGeometry(400, 32, 16), material);
-  mesh.frustumCulled = false;
-  return mesh;
-}
-
-// Sky, light and surroundings of a page's scene, put into the player's world.
-export function setting(world, renderer, around, changed) {
+// Sky, light and surroundings of a page's scene, put into the player's world; `begun` its first frame.
+export function setting(world, around, begun, changed) {
   const sky = around ?? PLAIN;
   const above = dome(sky);
   world.add(above);
-  const lit = new Scene();
-  lit.add(dome(sky));
-  const baker = new PMREMGenerator(renderer);
-  const baked = baker.fromScene(lit, 0, 0.1, 1000);
-  baker.dispose();
-  world.environment = baked.texture;
-  world.environmentIntensity = 0.55;
-  world.add(new HemisphereLight(linear(sky.ambient_rgb), new Color(0x6a665e), 1.2));
+  let light = null;
+  world.environmentIntensity = SKY;
+  // In a rough picture its mean stands for the sky.
+  const mean = new HemisphereLight(...skyMean(sky), Math.PI * SKY);
+  const ambient = new HemisphereLight(linear(sky.ambient_rgb), new Color(0x6a665e), 1.2);
+  for (const from of [mean, ambient]) {
+    from.position.set(0, 0, 1);
+    world.add(from);
+  }
   const sun = new DirectionalLight(linear(sky.sun_rgb), 2.6);
-  sun.castShadow = true;
   sun.shadow.mapSize.set(2048, 2048);
   sun.shadow.normalBias = 0.02;
   sun.shadow.radius = sky.kind === "clear" ? 2 : 5;
   world.add(sun, sun.target);
   const things = new Map();
-  if (around) stand(world, around, things, changed);
+  const standing = around ? stand(world, around, things, begun, changed) : null;
   const toward = new Vector3(...sky.sun).normalize();
   const ray = new Ray();
   const hit = new Vector3();
@@ -115,26 +96,37 @@ export function setting(world, renderer, around, changed) {
     sun,
     toward,
     haze: linear(sky.horizon),
+    standing,
+    // Shadows and reflections, or what stands for them.
+    fine(on) {
+      sun.castShadow = on;
+      if (on) light ??= skyLight(sky);
+      world.environment = on ? light : null;
+      mean.visible = !on;
+    },
     // What stands between the eye and what it looks at is left out whole, as in a dollhouse.
-    clear(eye, target) {
+    clear(eye, targets) {
       above.position.copy(eye);
       ray.origin.copy(eye);
-      ray.direction.copy(target).sub(eye);
-      const away = ray.direction.length();
-      ray.direction.normalize();
-      for (const { group, box } of things.values()) {
+      const hides = (box, target) => {
+        ray.direction.copy(target).sub(eye);
+        const away = ray.direction.length();
+        ray.direction.normalize();
         const met = ray.intersectBox(box, hit);
-        group.visible = !(box.containsPoint(eye) || (met && hit.distanceTo(eye) < away));
+        return met && hit.distanceTo(eye) < away;
+      };
+      for (const { group, box } of things.values()) {
+        group.visible = !box.containsPoint(eye) && !targets.some((target) => hides(box, target));
       }
     },
-    dispose: () => baked.dispose(),
+    dispose: () => light?.dispose(),
   };
 }
 
-function stand(world, around, things, changed) {
-  loadMesh(around.mesh).then((m) => {
+function stand(world, around, things, begun, changed) {
+  return loadMesh(around.mesh).then((m) => {
     if (!m) return;
-    for (const { mesh, holder } of surfaces(m, m.holders, null, changed)) {
+    for (const { mesh, holder } of surfaces(m, m.holders, null, begun, changed)) {
       mesh.receiveShadow = true;
       if (GROUND.has(holder)) {
         Object.assign(mesh.material, { polygonOffset: true, polygonOffsetFactor: holder === "plane" ? 2 : 1, polygonOffsetUnits: holder === "plane" ? 16 : 8 });

@@ -12,6 +12,7 @@ from esg.assets.looks import Look
 from esg.engines.joints import Joint, Path, joint_ends, joint_poses
 from esg.engines.scene import SimScene
 from esg.thresholds import PIECE_GAP_M
+from esg.units import quat_from_down
 
 Floats = NDArray[np.float64]
 
@@ -74,17 +75,18 @@ def _rope(scene: SimScene, joint: Joint, position: Path, quaternion: Path) -> Ro
         radius *= COIL
     safe = np.where(length > 0.0, length, 1.0)[:, None]
     down = np.where(length[:, None] > 0.0, along / safe, (0.0, 0.0, -1.0))
-    # The shortest turn from -Z: a twist there is none of what hangs.
-    turn = np.stack([down[:, 1], -down[:, 0], np.zeros(len(down)), 1.0 - down[:, 2]], axis=1)
-    size = np.linalg.norm(turn, axis=1, keepdims=True)
-    turn = np.where(size > 1e-9, turn / np.where(size > 1e-9, size, 1.0), (1.0, 0.0, 0.0, 0.0))
-    return Rope(joint.name, joint.kind, radius, top, turn, length)
+    return Rope(joint.name, joint.kind, radius, top, quat_from_down(down), length)
 
 
 @cache
-def rope_mesh(kind: str) -> tuple[Floats, NDArray[np.int64], Floats]:
-    """Vertices, faces and normals of a rope or spring of radius 1 from 0 to -1 along Z."""
-    turn = np.linspace(0.0, 2 * np.pi * TURNS, TURNS * STEPS + 1 if kind == "spring" else 2)
+def rope_mesh(kind: str, turns: int = TURNS) -> tuple[Floats, NDArray[np.int64], Floats]:
+    """Vertices, faces and normals of a rope or spring of radius 1 from 0 to -1 along Z.
+
+    Args:
+        kind: rope or spring.
+        turns: Of a spring; those of a whole one are `TURNS`.
+    """
+    turn = np.linspace(0.0, 2 * np.pi * turns, turns * STEPS + 1 if kind == "spring" else 2)
     outward = np.stack([np.cos(turn), np.sin(turn), np.zeros(len(turn))], axis=1)
     upward = np.array([0.0, 0.0, 1.0])
     around = np.linspace(0.0, 2 * np.pi, SIDES, endpoint=False)[:, None]
@@ -93,7 +95,7 @@ def rope_mesh(kind: str) -> tuple[Floats, NDArray[np.int64], Floats]:
     if kind == "spring":
         # Across it is scaled by centimetres, along by metres: the wire is flat along.
         normals = cosine * outward[:, None] - sine * upward
-        rings = (middle + outward)[:, None] + normals * (1 / COIL, 1 / COIL, WIRE)
+        rings = (middle + outward)[:, None] + normals * (1 / COIL, 1 / COIL, WIRE * TURNS / turns)
     else:
         normals = cosine * np.array([1.0, 0.0, 0.0]) + sine * np.array([0.0, -1.0, 0.0])
         normals = np.broadcast_to(normals, (len(turn), SIDES, 3))

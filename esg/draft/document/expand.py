@@ -19,6 +19,7 @@ from esg.draft.document.joining import ARM_CM, join_parts, lowers
 from esg.draft.document.riding import put_into_cars, seat_riders
 from esg.draft.document.towing import tie_tows
 from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, TimelineEdge
+from esg.lexicon.grounds import grounds
 
 RAISED_CM = 25.0
 """Height from which on what stands on a support is out of reach of what rolls on the ground."""
@@ -29,6 +30,8 @@ _OFF_ROAD = frozenset({"bicycle", "tricycle", "unicycle", "scooter", "kick scoot
 """Vehicles that need no road where the prompt says on what else they go."""
 _TOYS = frozenset({"tricycle", "unicycle", "snowmobile"})
 """Vehicles that go on no road."""
+_LOOSE = frozenset(word for row in grounds().values() for word in row.lies_as)
+"""Grounds that no road leads over where they are named themselves."""
 CROSSING_DEG = 60.0
 """Smallest turn of a vehicle that needs a crossing road."""
 
@@ -174,6 +177,8 @@ def _add_context(scene: Scene, reasons: list[str]) -> None:
     never = all(e.noun.name in _TOYS for e in entities.values() if e.noun.kind == "vehicle")
     if never or (light and ground is not None and ground.mentioned):
         return  # "rides a bicycle through the park"
+    if ground is not None and ground.mentioned and ground.head in _LOOSE:
+        return  # "drives across the sand"
     dynamic = bool(timeline.nodes) or any(t.motion for t in timeline.tracks.values())
     paved = _find(scene, "road", "parking lot") is not None
     if dynamic and not paved and not any(is_driven(scene, i) for i in entities):

@@ -47,6 +47,7 @@ TOY = 0.3
 MEETS_CM = 12.0
 """What hangs reaches so far below the top of what it is told to meet, or four fifths of that."""
 _MOTIONS = (EdgeEvent.DRIVE, EdgeEvent.RELEASE)
+_TURNS = (NodeEvent.OPEN, NodeEvent.CLOSE)
 
 
 def join_parts(scene: Scene) -> list[str]:
@@ -77,8 +78,10 @@ def join_parts(scene: Scene) -> list[str]:
         added = _served(scene, row, e)
         for _ in range(row.count - len(added)):
             noun = lex.part(row.with_part)
-            part = add_entity(scene.world, noun, noun.name, mentioned=False)
-            reasons.append(f"{noun.name} added: {e.label} is joined to it")
+            # "A windmill blade" is the blade of a windmill.
+            name = next((a for a in e.adjectives if a in row.serves), noun.name)
+            part = add_entity(scene.world, noun, name, mentioned=False)
+            reasons.append(f"{name} added: {e.label} is joined to it")
             added.append(part)
         for n, part in enumerate(added, start=1):
             part.dimensions_cm = [
@@ -254,7 +257,8 @@ def _seat_on_seesaws(scene: Scene) -> None:
 
 def _hand_over(scene: Scene, named: str, part: str) -> None:
     """Lets the part that turns do what is told of the whole: a chest opens, a cradle swings."""
-    if any(x.actor == named and x.event in _MOTIONS for x in scene.timeline.edges):
+    moves = any(x.actor == named and x.event in _MOTIONS for x in scene.timeline.edges)
+    if moves or any(x.event in _TURNS and named in x.participants for x in scene.timeline.nodes):
         scene.timeline.hand_over(named, part)
 
 

@@ -39,11 +39,15 @@ _TURNS = re.compile(
     re.IGNORECASE,
 )
 """How far something turns, in words."""
+_RISING = {"go": "up", "rise": "", "raise": "", "lift": ""}
+_SINKING = {"go": "down", "come": "down", "lower": ""}
+"""How what has hinges goes up and down, with the adverb that says so: a boom gate, a lid."""
 _SWINGING = {
     ("noop", "sway"): "swing",
     ("noop", "oscillate"): "swing",
     ("noop", "click"): "swing",
     ("drop", "release"): "let_go",
+    ("drop", "let"): "let_go",
     ("carry", "lift"): "let_go",
     ("carry", "raise"): "let_go",
     ("tow", "pull"): "let_go",
@@ -122,7 +126,10 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     """The sense of a verb of what moves on a joint; None if nothing of the kind is told of."""
     opens = f.verb.sense == "noop" and f.verb.lemma in _OPENING
     opens = opens or (f.verb.lemma in _SLIDING and bool({"out", "open"} & {*f.adverbs}))
-    if (opens or "result" in f.verb.extra) and openable(d, bodies):
+    hinged = openable(d, bodies)
+    if hinged and f.verb.sense == "posture" and f.verb.extra.get("result") == "open":
+        return "left_open"
+    if hinged and (opens or "result" in f.verb.extra or raised(f) or lowered(f)):
         return "open"
     turns = f.object is not None and _TURNS.match(f.object.head) is not None
     if (f.verb.lemma in _TURNING or (turns and f.verb.lemma in _MAKING)) and turning(d, bodies):
@@ -134,6 +141,22 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
         return "swing"
     swings = _SWINGING.get((f.verb.sense, f.verb.lemma))
     return swings if swings is not None and hanging(d, bodies) else None
+
+
+def raised(f: Frame) -> bool:
+    """ "The boom gate goes up", "the lid is lifted": what has hinges opens so."""
+    return _goes(f, _RISING)
+
+
+def lowered(f: Frame) -> bool:
+    """ "The barrier comes down": it closes."""
+    return _goes(f, _SINKING)
+
+
+def _goes(f: Frame, ways: dict[str, str]) -> bool:
+    way = ways.get(f.verb.lemma)
+    carried = f.verb.sense == "carry" and (not f.verb.passive or f.phrase("by") is not None)
+    return way is not None and not carried and (not way or way in f.adverbs)
 
 
 def let_go(d: Discourse, f: Frame, bodies: list[str]) -> None:

@@ -10,6 +10,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.record import Discourse
 from esg.draft.document.requirements import environment
 from esg.draft.grammar.clauses.frames import Frame
+from esg.lexicon.grounds import ground_said
 from esg.lexicon.places import Setting, sky_words
 from esg.lexicon.senses import no_things
 
@@ -31,9 +32,11 @@ def _patterns(setting: Setting) -> tuple[tuple[re.Pattern[str], str], ...]:
     """What no picture of a setting shows, by why; of light the table of skies has the last word."""
     shown, not_shown = sky_words(setting)
     weather = (lex.word_set("unseen light and weather") | not_shown) - shown
-    return tuple((_any_of(words), why) for words, why in (*_KINDS, (weather, _LIGHT)))
+    told = (*_KINDS, (weather, _LIGHT), (lex.word_set("unseen grounds"), _GROUNDS))
+    return tuple((_any_of(words), why) for words, why in told)
 
 
+_GROUNDS = "how such a ground holds is in no table"
 _CLASSES = {
     "nothing": "no solid thing or motion stands for it",
     "substance": "substances are not simulated",
@@ -54,12 +57,17 @@ def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
     setting: Setting = "indoor" if environment(d.scene)[0] == "indoor" else "outdoor"
     shown, _ = sky_words(setting)
     lit = _any_of(shown)
+    lies = [(start, end) for _, start, end in ground_said(d.text)]
     told: list[int] = []
     qualities = {a for m in d.mentions for a in m.adjectives}
     for words, why in _patterns(setting):
         for found in words.finditer(d.text):
             free = not any(start <= found.start() < end for start, end in taken)
-            if free or (why == _LIGHT and found[0].lower() in qualities):  # "a rainy street"
+            if any(start <= found.start() < end for start, end in lies):
+                continue
+            if free or (
+                why in (_LIGHT, _GROUNDS) and found[0].lower() in qualities
+            ):  # "a rainy street"
                 told.append(found.start())
                 yield found.start(), found.end(), why
     for found in _CONTENTS.finditer(d.text):
@@ -75,6 +83,6 @@ def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
         if why and lit.search(d.text, m.start, m.end):
             d.scene.used.setdefault((m.start, m.end), "light of the scene")
             continue  # "in the evening", "on a sunny day"
-        said = any(m.start <= at < m.end for at in told)
+        said = any(m.start <= at < m.end for at in (*told, *(end - 1 for _, end in lies)))
         if why and not said and m.head not in _UNDERSTOOD:
             yield m.start, m.end, why

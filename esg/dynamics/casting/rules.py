@@ -23,7 +23,7 @@ from esg.dynamics.casting.motion import (
 )
 from esg.dynamics.casting.openings import fit_openings
 from esg.dynamics.casting.reach import fit_reach
-from esg.dynamics.casting.surfaces import fit_ice, fit_snow
+from esg.dynamics.casting.surfaces import fit_ground, fit_ice, fit_snow
 from esg.dynamics.casting.toppling import fit_toppled
 from esg.dynamics.casting.upright import fit_upright
 from esg.dynamics.choreography.bounces import let_go_sideways, lively_tops
@@ -72,6 +72,7 @@ RULES = (
     _of_assets("it is down before it hits the next one", fit_falling),
     _of_assets("something enters it", fit_openings),
     _of_assets("what ends up inside fits through the opening and stays", fit_containers),
+    _of_assets("the ground is said to be so", lambda doc, _: fit_ground(doc)),
     _of_assets("it slides on ice", fit_ice),
     _of_assets("it glides on snow", fit_snow),
     _of_assets("there is room on top for what goes down it", fit_roomy),

@@ -1,20 +1,53 @@
-"""Ice under what slides on it (pucks, skaters, what a prompt says), snow under what glides."""
+"""The ground that a prompt tells of, ice under what slides on it, snow under what glides."""
 
 from __future__ import annotations
 
 from esg.dynamics.story.stagecraft import ground_friction, prop, support_of
 from esg.dynamics.story.story import Story
 from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument
+from esg.lexicon.grounds import grounds
 from esg.lexicon.places import surfaces
 from esg.metrics.plausibility.limits import limit, motion_of
 
-ICE = 0.04
+ICE = grounds()["ice"].friction
 """Friction of ice and of what slides on it."""
 OF_ICE = ("puck", "curling_stone", "curling stone")
 """Words of categories that are at home there."""
 
+SOLES = 0.8
+"""Share of a ground's grip that soles rub with: PhysX holds up to 12% more near rest, and who stops
+brakes besides."""
 WAXED = 0.05
 """Friction of a ski's base (on snow 0.02-0.1: Colbeck, Friction of snow skis, 1992)."""
+
+
+def fit_ground(doc: EsgDocument) -> dict[str, AssetConfiguration]:
+    """A ground, and soles on it, with the friction that it is said to have; see ice apart.
+
+    Args:
+        doc: A document with assets resolved.
+    """
+    wording = doc.scene_definition.wording
+    row = None if wording is None else grounds().get(wording.surface or "")
+    if row is None or row.name == "ice":
+        return {}
+    nodes = doc.spatial_relation_graph.nodes
+    # A pair has the mean of both, and soles find no more than the grip.
+    soles = 2.0 * SOLES * row.grip - row.friction
+    most = {v.asset_id: soles for n, v in nodes.items() if _walks(doc, n)}
+    most |= dict.fromkeys(_grounds(doc), row.friction)
+    return {
+        key: config.model_copy(update={"friction": friction})
+        for key, friction in sorted(most.items())
+        if (config := doc.asset_configurations[key]).friction > friction
+    }
+
+
+def _grounds(doc: EsgDocument) -> list[str]:
+    """Assets that everything stands on."""
+    nodes = doc.spatial_relation_graph.nodes.values()
+    keys = {n.asset_id for n in nodes if n.is_structural}
+    return sorted(key for key in keys if not doc.asset_configurations[key].proxies)
 
 
 def fit_ice(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
@@ -26,20 +59,17 @@ def fit_ice(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
     """
     nodes = doc.spatial_relation_graph.nodes
     wording = doc.scene_definition.wording
-    said = wording is not None and wording.surface == "ice"
+    told = None if wording is None else wording.surface
+    said = told == "ice"
     slid = {a for a in story.phases if _slides(doc, story, a) and (said or _of_ice(doc, a))}
-    icy = said or ground_friction(doc) < limit("icy ground")
+    icy = said or (told is None and ground_friction(doc) < limit("icy ground"))
     # Who skates or walks on ice goes on sliding when he has fallen.
     slid |= {n for n in nodes if icy and _walks(doc, n)}
     if not slid:
         return {}
     kinds = {nodes[a].asset_id for a in slid}
     kinds |= {v.asset_id for n, v in nodes.items() if _of_ice(doc, n)}
-    kinds |= {
-        v.asset_id
-        for v in nodes.values()
-        if v.is_structural and not doc.asset_configurations[v.asset_id].proxies
-    }
+    kinds |= {*_grounds(doc)}
     return {
         key: config.model_copy(update={"friction": ICE})
         for key in sorted(kinds)
@@ -70,11 +100,8 @@ def fit_snow(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
     gliding = {a for a, entry in entries.items() if entry is not None and "glides" in entry.flags}
     if not gliding:
         return {}
-    most = {nodes[a].asset_id: WAXED for a in gliding} | {
-        v.asset_id: MATERIALS["snow"].friction
-        for v in nodes.values()
-        if v.is_structural and not doc.asset_configurations[v.asset_id].proxies
-    }
+    most = {nodes[a].asset_id: WAXED for a in gliding}
+    most |= dict.fromkeys(_grounds(doc), MATERIALS["snow"].friction)
     return {
         key: config.model_copy(update={"friction": friction})
         for key, friction in sorted(most.items())

@@ -10,7 +10,14 @@ import numpy as np
 
 from esg.dynamics.story.edges import edge_of
 from esg.dynamics.story.kinematics import Frame, Track, wrap_angle
-from esg.dynamics.story.paces import EVERYDAY, on_foot, top_speed, usual_halt
+from esg.dynamics.story.paces import (
+    EVERYDAY,
+    on_foot,
+    pace,
+    stated_speeds,
+    top_speed,
+    usual_halt,
+)
 from esg.dynamics.story.sides import stated_turn
 from esg.dynamics.story.stagecraft import (
     Prop,
@@ -279,12 +286,14 @@ class Stage:
 
         Guessed bounds give way to `needed`, without which an event cannot happen.
         """
-        top = top_speed(self.doc, self.member(actor))
+        who, backward = self.member(actor), phase.edge.params.backward is True
+        top = top_speed(self.doc, who, backward)
         usual = min(default_speed(self.prop(actor)), EVERYDAY * top)
+        usual = min(usual, pace(self.doc, who).reverses) if backward else usual
         preferred = min(max(self._cruises(actor, phase) or usual, least), top)
         if phase.edge.params.speed is None:
             return self.tracks[actor].speed or preferred
-        low, high, fixed = bounds(phase.edge.params.speed, (100.0, 1000.0))
+        low, high, fixed = bounds(stated_speeds(self.doc, who, phase.edge), (100.0, 1000.0))
         if fixed:
             return low / 100.0
         inner = 0.1 * (high - low)

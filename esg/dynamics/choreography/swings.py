@@ -9,11 +9,16 @@ from esg.dynamics.choreography.placing import join
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.story import bounds
-from esg.dynamics.story.suspension import joint_of, suspension
+from esg.dynamics.story.suspension import Suspension, joint_of, suspension
 from esg.graph.models import EdgeEvent, TimelineNode
 
 MEETS_AT = 0.75
 """What a drawer is to hit stands in its way at this share of it."""
+RISES_M, PASSED_S = 0.01, 0.12
+"""By how much, and how long ago, what swings has passed its lowest point before it meets something;
+the judge asks for 5 mm and `MIN_EVENT_GAP_S`."""
+RISES_BY = 0.1
+"""Share of the height of what it meets by which it may have risen by then."""
 DROPS_S = 0.5
 """What comes down from where it hangs takes so long, about."""
 OPENS_S = 1.5
@@ -26,18 +31,34 @@ def swings_in(stage: Stage, e: Encounter) -> bool:
 
 
 def swing_in(stage: Stage, e: Encounter) -> None:
-    """Puts b where a passes its lowest point, or below a, whose joint gives way."""
+    """Puts b just beyond the lowest point of a, or below a, whose joint gives way."""
     hangs = suspension(stage.doc, e.a)
     joint = joint_of(stage.doc, e.a)
     if hangs is None and joint is not None and joint.break_impulse is not None:
         _come_down(stage, e)
         return
     if hangs is not None:
-        stage.tracks[e.a].straight(hangs.way, hangs.time, hangs.speed)
+        past = _past(stage, e, hangs)
+        time = hangs.time + past / hangs.speed
+        stage.tracks[e.a].straight(hangs.way + past, time, hangs.speed)
     join(stage, e.a, e.b, e.node)
     if hangs is not None:
         x, y, _ = stage.places[e.a]
         stage.places[e.a] = (x, y, stage.frames[e.a].angle - hangs.along)
+
+
+def _past(stage: Stage, e: Encounter, hangs: Suspension) -> float:
+    """How far beyond its lowest point a meets b, so that it is seen to pass it [m].
+
+    Nothing where it would come too high by then: a small pendulum that meets dominoes.
+    """
+    node = stage.doc.spatial_relation_graph.nodes.get(e.b)
+    if node is None:  # a group
+        return 0.0
+    past = max(math.sqrt(2.0 * hangs.length * RISES_M), PASSED_S * hangs.speed)
+    rises = past * past / (2.0 * hangs.length)
+    height = stage.doc.asset_configurations[node.asset_id].dimensions_cm[2] / 100.0
+    return past if rises <= RISES_BY * height and past <= 0.5 * hangs.way else 0.0
 
 
 def _come_down(stage: Stage, e: Encounter) -> None:

@@ -18,7 +18,14 @@ from esg.dynamics.choreography.handling import TURN_RATE_DEG_S
 from esg.dynamics.choreography.throws import opens_upwards
 from esg.dynamics.plan.aim import aim_point
 from esg.dynamics.plan.cast import Cast
-from esg.dynamics.story.paces import hardest_brake, slows_by, stated_rate, top_speed, usual_brake
+from esg.dynamics.story.paces import (
+    hardest_brake,
+    slows_by,
+    stated_rate,
+    stated_speeds,
+    top_speed,
+    usual_brake,
+)
 from esg.dynamics.story.story import CRUISES, ON_THE_SPOT, UNDISTURBED, Phase, bounds, middle
 from esg.dynamics.story.suspension import joint_of
 from esg.dynamics.story.tipping import FLIES_AT
@@ -304,12 +311,15 @@ class Declarations:
     def declare_speed(self, actor: str, phase: Phase) -> None:
         edge, params = phase.edge, phase.edge.params
         name = f"{edge.id}/speed"
-        low, high, fixed = bounds(params.speed, (50.0, 1500.0))
+        told = stated_speeds(self.cast.doc, actor, edge)
+        low, high, fixed = bounds(told, (50.0, 1500.0))
         nominal = self.nominal.get(name, middle(low, high) / 100.0)
         if not (fixed or edge.speed_is_prescribed):
             # A guessed interval gives way to what the choreography needs.
             low, high = min(low, 60.0 * nominal), max(high, 160.0 * nominal)
-            high = max(min(high, 100.0 * top_speed(self.cast.doc, actor)), low)
+            backward = params.backward is True
+            top = 100.0 * top_speed(self.cast.doc, actor, backward)
+            high = max(min(high, top), low) if not backward else top
         if self.story.tips(phase):
             low, high = 50.0 * nominal, 400.0 * nominal
         tie = self.same_speed_as(phase) or self.keeps_speed(phase)

@@ -1,4 +1,4 @@
-"""How fast things under their own power speed up and brake, and what the ground allows.
+"""How fast things under their own power speed up, brake and reverse; what the ground allows.
 
 Nothing is at its speed at once: what sets off from rest gains speed at a rate of its kind, and what
 brakes loses it at a constant rate that tyres, hooves and soles can pass on to the ground.
@@ -14,7 +14,7 @@ from pathlib import Path
 
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, ground_friction, prop
 from esg.dynamics.story.story import bounds
-from esg.graph.models import EsgDocument, TimelineEdge
+from esg.graph.models import EsgDocument, Quantity, TimelineEdge
 from esg.lexicon.hypernyms import hypernyms
 from esg.lexicon.kinds import kinds
 from esg.metrics.plausibility.limits import motion_of, surface_grip
@@ -29,6 +29,10 @@ SHORT_OF_TOP = 0.95
 """Share of that speed that a search may go up to: engines are not exact."""
 SLOWEST_G, FASTEST_G = 0.1, 0.5
 """What anything gains at least and at most, over g."""
+FAST = 1.25
+"""What reverses fast does so at no more of its usual pace without need."""
+IN_NEED = 3.0
+"""Times that pace at which it reverses where an event needs it: still no faster than a runner."""
 STEADY = 0.75
 """Share of its grip that a usual turn takes: 0.6 g of good tyres on dry asphalt."""
 
@@ -41,14 +45,16 @@ class Pace:
         gains: With which it sets off.
         brakes: With which it usually brakes, on dry ground.
         hardest: With which it brakes at most there.
+        reverses: Usual speed backwards [m/s]; infinite for what goes both ways alike.
     """
 
     gains: float
     brakes: float
     hardest: float
+    reverses: float
 
 
-USUAL = Pace(0.3 * GRAVITY_MPS2, 0.5 * GRAVITY_MPS2, BRAKING_DRY_G * GRAVITY_MPS2)
+USUAL = Pace(0.3 * GRAVITY_MPS2, 0.5 * GRAVITY_MPS2, BRAKING_DRY_G * GRAVITY_MPS2, 2.0)
 """Of what no row of the table is about."""
 
 
@@ -58,7 +64,10 @@ def paces() -> dict[str, Pace]:
     with open(TABLE, encoding="utf-8", newline="") as file:
         return {
             row["kind"]: Pace(
-                *(GRAVITY_MPS2 * float(row[c]) for c in ("sets_off_g", "brakes_g", "hardest_g"))
+                gains=GRAVITY_MPS2 * float(row["sets_off_g"]),
+                brakes=GRAVITY_MPS2 * float(row["brakes_g"]),
+                hardest=GRAVITY_MPS2 * float(row["hardest_g"]),
+                reverses=float(row["reverses_mps"] or math.inf),
             )
             for row in csv.DictReader(file)
         }
@@ -115,6 +124,7 @@ def pace(doc: EsgDocument, name: str) -> Pace:
         min(usual.gains, most.accelerate_mps2, holds),
         min(usual.brakes, holds),
         min(usual.hardest, holds),
+        usual.reverses,
     )
 
 
@@ -123,14 +133,28 @@ def _called(doc: EsgDocument, name: str) -> tuple[str, str]:
     return node.label, doc.asset_configurations[node.asset_id].category
 
 
-def top_speed(doc: EsgDocument, name: str) -> float:
+def top_speed(doc: EsgDocument, name: str, backward: bool = False) -> float:
     """The speed [m/s] that a guess stays below: nearly the greatest of a node's kind.
 
     Args:
         doc: A document with assets.
         name: A node.
+        backward: Whether it reverses.
     """
-    return SHORT_OF_TOP * motion_of(*_called(doc, name)).speed_mps
+    names = _called(doc, name)
+    motion = motion_of(*names)
+    if backward:
+        return min(SHORT_OF_TOP * motion.reverse_mps, IN_NEED * pace_of(*names).reverses)
+    return SHORT_OF_TOP * motion.speed_mps
+
+
+def stated_speeds(doc: EsgDocument, name: str, edge: TimelineEdge) -> Quantity | None:
+    """The speed [cm/s] of a segment; backwards a guess is one at which its kind reverses."""
+    guess, most = edge.params.speed, FAST * pace_of(*_called(doc, name)).reverses * 100.0
+    reverses = edge.params.backward and not edge.speed_is_prescribed
+    if not reverses or not isinstance(guess, tuple) or most >= guess[1]:
+        return guess
+    return (min(guess[0], 0.5 * most), most)
 
 
 def grip(doc: EsgDocument, name: str) -> float:

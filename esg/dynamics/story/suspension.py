@@ -37,12 +37,14 @@ class Suspension:
         along: Direction of that way, from its own heading at the start [rad].
         time: To its lowest point [s].
         speed: Of its centre of mass there [m/s].
+        length: From what it turns on to its centre of mass [m].
     """
 
     way: float
     along: float
     time: float
     speed: float
+    length: float
 
 
 def joint_of(doc: EsgDocument, name: str) -> Joint | None:
@@ -96,6 +98,7 @@ def suspension(doc: EsgDocument, name: str) -> Suspension | None:
         along=math.atan2(step[1], step[0]) - float(yaw_from_quat(drawn.quaternion)),
         time=quarter_period(turning, torque, angle),
         speed=rate * off,
+        length=off,
     )
 
 

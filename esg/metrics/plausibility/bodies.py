@@ -289,7 +289,8 @@ def motion_before(f: Facts) -> Check:
 def _pass_on(f: Facts, disturbed: Bools) -> None:
     """Marks what moves since something disturbed has touched it, however short its way yet.
 
-    A domino that a marble hits strikes the next one before it has gone a centimetre.
+    A domino that a marble hits strikes the next one before it has gone a centimetre, and a ball of
+    a cradle stops as it does.
     """
     c, r = f.replay.contacts, f.replay
     reach = np.array([float(np.linalg.norm(b.half_extents)) for b in r.scene.bodies])
@@ -300,7 +301,7 @@ def _pass_on(f: Facts, disturbed: Bools) -> None:
     met: set[int] = set()
     for k, row in zip(frames, rows, strict=True):
         for mine, other in ((int(c.a[row]), int(c.b[row])), (int(c.b[row]), int(c.a[row]))):
-            if mine not in met and disturbed[k, other]:
+            if mine not in met and disturbed[max(k - 1, 0) : k + 1, other].any():
                 met.add(mine)
                 disturbed[k:, mine] |= moves[k:, mine]
 
@@ -315,7 +316,8 @@ def _first_touch(f: Facts, i: int, disturbed: Bools) -> int:
     mine = np.flatnonzero(((c.a == i) | (c.b == i)) & (c.impulse > 0) & (c.a >= 0) & (c.b >= 0))
     other = np.where(c.a[mine] == i, c.b[mine], c.a[mine])
     frames = np.clip(np.searchsorted(r.time, c.time[mine] - 0.5 * r.frame_s), 0, len(r.time) - 1)
-    found = [int(k) for k in frames[disturbed[frames, other]]]
+    before = np.maximum(frames - 1, 0)
+    found = [int(k) for k in frames[disturbed[frames, other] | disturbed[before, other]]]
     for j in f.joints:
         if i in j.bodies and len(j.bodies) == 2:
             there = sum(j.bodies) - i

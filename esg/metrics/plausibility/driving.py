@@ -15,6 +15,9 @@ from esg.metrics.replay import Floats
 from esg.thresholds import MOVING_MPS, STOPPED_MPS, UPRIGHT_DEG
 from esg.units import quat_rotate
 
+_BACKWARDS = math.cos(math.radians(45.0))
+"""What goes within 45 degrees of where its back points goes backwards; else it slips, or turns."""
+
 
 def acceleration(f: Facts) -> Check:
     """Gains speed, or turns, faster than its kind can while nothing pushes it.
@@ -116,15 +119,38 @@ def speed(f: Facts) -> Check:
     """Goes faster than its kind does before anything pushes it, unless the prompt asks for it."""
     worst = Worst()
     for i in f.dynamic:
-        own = f.replay.speed[:, i][f.upto_struck(i)]
+        free = f.upto_struck(i)
+        own = f.replay.speed[:, i][free]
         if not len(own):
             continue
-        most, said = f.motion(i).speed_mps, f.told.speeds_mps.get(f.name(i), 0.0)
-        asked = said * (1.0 + limit("prescribed"))
-        k = int(np.argmax(own))
-        note = "prescribed by the prompt" if asked > most else ""
-        worst.look(float(own[k]), max(most, asked), f.name(i), float(f.replay.time[k]), note)
+        asked = f.told.speeds_mps.get(f.name(i), 0.0) * (1.0 + limit("prescribed"))
+        back = _backwards(f, i)[free]
+        ahead = np.full(len(own), f.motion(i).speed_mps)
+        own_most = np.where(back, _rolled_back(f, i)[free], ahead)
+        most = np.maximum(own_most, asked)
+        k = int(np.argmax(own / most))
+        note = "backwards" if back[k] else ""
+        note = "prescribed by the prompt" if asked > own_most[k] else note
+        worst.look(float(own[k]), float(most[k]), f.name(i), float(f.replay.time[k]), note)
     return worst.check("speed", "m/s")
+
+
+def _backwards(f: Facts, i: int) -> Bools:
+    """Frames at which what has a front and moves by itself on the ground goes away from it."""
+    motion, v = f.motion(i), f.replay.velocity[:, i]
+    if not motion.own_power or motion.flies:
+        return np.zeros(len(v), bool)
+    front = quat_rotate(f.replay.quaternion[:, i], np.array([1.0, 0.0, 0.0]))
+    along = (front[:, :2] * v[:, :2]).sum(axis=1)
+    upright = f.replay.up(i)[:, 2] >= math.cos(math.radians(UPRIGHT_DEG))
+    return upright & (along < -_BACKWARDS * np.linalg.norm(v, axis=1))
+
+
+def _rolled_back(f: Facts, i: int) -> Floats:
+    """The greatest speed [m/s] backwards: of its kind, and what the way down added to it."""
+    height = f.replay.position[:, i, 2]
+    down = np.maximum(height[0] - height, 0.0)
+    return np.sqrt(f.motion(i).reverse_mps ** 2 + 2.0 * f.g * down)
 
 
 def leaving(f: Facts) -> Check:

@@ -9,6 +9,7 @@ import math
 from pathlib import Path
 from typing import Literal
 
+from esg.lexicon.grounds import grounds
 from esg.lexicon.kinds import Kind, kinds
 from esg.thresholds import BRAKING_ICY_G, BRAKING_WET_G
 
@@ -26,6 +27,7 @@ class Motion:
     Args:
         moves: What it moves on, or by: what is pushed or thrown has no power of its own.
         speed_mps: No faster by itself, or when it is let go.
+        reverse_mps: No faster backwards; as fast as ahead where a row has no figure.
         accelerate_mps2: Gains no more speed than this.
         grip: Friction of its tyres, soles or hull; NaN for what has only its material's.
         source: Where the numbers are from.
@@ -33,6 +35,7 @@ class Motion:
 
     moves: Moves
     speed_mps: float
+    reverse_mps: float
     accelerate_mps2: float
     grip: float
     source: str
@@ -68,12 +71,14 @@ def surface_grip(said: str, ground_friction: float) -> float:
     """Most friction that tyres, soles and hulls find on a scene's ground.
 
     Args:
-        said: What the prompt says of the ground: dry, wet or ice.
+        said: What the prompt says of the ground: dry, or a row of the table of grounds.
         ground_friction: Of the simulated ground.
     """
-    if said == "ice" or ground_friction < limit("icy ground"):
+    if said in grounds():
+        return grounds()[said].grip
+    if ground_friction < limit("icy ground"):
         return BRAKING_ICY_G
-    if said == "wet" or ground_friction < limit("wet ground"):
+    if ground_friction < limit("wet ground"):
         return BRAKING_WET_G
     return math.inf
 
@@ -124,6 +129,7 @@ def _rows() -> dict[str, Motion]:
             motion = Motion(
                 row["moves"],  # type: ignore[arg-type]  # a test holds the table to the literals
                 float(row["speed_mps"]),
+                float(row["reverse_mps"] or row["speed_mps"]),
                 float(row["accelerate_mps2"]),
                 grip,
                 row["source"],

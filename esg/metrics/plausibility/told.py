@@ -10,7 +10,6 @@ from esg.graph.casting import effective
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, Predicate, Quantity, Role
 from esg.units import m_from_cm
 
-_WET = re.compile(r"\b(?:wet|rain|rainy|rain-soaked|flooded)\b", re.IGNORECASE)
 _OFF_ROAD = re.compile(
     r"\boff-?road\b|\b(?:off|leav(?:es?|ing))\s+(?:of\s+)?(?:the\s+)?"
     r"(?:road|street|highway|lane|track|roadway|pavement)\b",
@@ -28,7 +27,7 @@ class Told:
             the first events are about (a tree that topples, a ball that falls).
         speeds_mps: The largest speed that the prompt states of a body.
         slides: Bodies that are said to slide, or not to roll.
-        surface: dry, wet or ice.
+        surface: dry, or a row of the table of grounds.
         off_road: Whether something is said to leave the road.
         stands_on: By body, what it stands on or in at the start.
     """
@@ -90,11 +89,9 @@ def _stands_on(doc: EsgDocument) -> dict[str, str]:
 
 
 def surface_of(doc: EsgDocument) -> str:
-    """What a prompt says of the ground: dry, wet or ice."""
-    definition = doc.scene_definition
-    if definition.wording is not None and definition.wording.surface == "ice":
-        return "ice"
-    return "wet" if _WET.search(definition.original_description) else "dry"
+    """What a prompt says of the ground: dry, or a row of the table of grounds."""
+    said = doc.scene_definition.wording
+    return "dry" if said is None or said.surface is None else said.surface
 
 
 def _raise(speeds: dict[str, float], names: Iterable[str], value: Quantity) -> None:

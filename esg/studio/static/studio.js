@@ -332,10 +332,10 @@ function player(base, job) {
   film.addEventListener("error", () => (film.remove(), load()));
   setTimeout(load, FILM_MS);
   const waiting = setInterval(() => {
-    const ready = frame.contentDocument?.documentElement?.dataset.ready === "yes";
-    if (ready) film.remove();
-    if (ready || !box.isConnected) clearInterval(waiting);
-  }, 100);
+    const drawn = Boolean(frame.contentDocument?.querySelector(".stage[data-drawn]"));
+    if (drawn) film.remove();
+    if (drawn || !box.isConnected) clearInterval(waiting);
+  }, 50);
   return box;
 }
 

@@ -41,6 +41,8 @@ TILE = wp.constant(8)
 TILE_ROWS = wp.constant(4)
 """Width and height of the tiles that pictures are drawn in [px]: one warp of a GPU."""
 TILE_PX = wp.constant(32)
+THREADS = 64
+"""Of a block of a GPU: rays end at different times, and a large block waits for its last."""
 
 
 @wp.struct
@@ -349,6 +351,16 @@ def _face(s: Scene, hit: Hit) -> int:
 
 
 @wp.func
+def _owner(s: Scene, hit: Hit) -> int:
+    """Whose surface a hit is on."""
+    if hit.instance < 0:
+        return hit.instance
+    if hit.instance >= s.instances:
+        return FIXED
+    return s.owner[hit.instance]
+
+
+@wp.func
 def _paint(s: Scene, hit: Hit) -> int:
     """Which material a hit shows; -1 and below for the ground and for nothing."""
     if hit.instance < 0:
@@ -420,7 +432,10 @@ def _highlight(s: Scene, m: Material, n: wp.vec3, d: wp.vec3) -> wp.vec3:
 
 @wp.func
 def _shade(s: Scene, world: int, o: wp.vec3, d: wp.vec3, hit: Hit, pixel: float, k: int, rays: int):
-    """Light along a ray whose nearest surface is `hit`; what is clear lets the next through."""
+    """Light along a ray whose nearest surface is `hit`; what is clear lets the next through.
+
+    Without `rays` what falls on it is left out.
+    """
     out = Shade()
     left = float(1.0)
     here = hit
@@ -441,7 +456,7 @@ def _shade(s: Scene, world: int, o: wp.vec3, d: wp.vec3, hit: Hit, pixel: float,
         if s.haze_m > 0.0:
             haze = 1.0 - wp.exp(-wp.pow(travelled / s.haze_m, 1.5))
         clear = left * (1.0 - haze)
-        if layer == 0:
+        if layer == 0 and rays > 0:
             out.light = _lit(s, world, at, n, here.normal, travelled, k, rays)
         out.albedo = out.albedo + m.color * (clear * opaque * (1.0 - m.metalness))
         facing = wp.max(1.0e-3, -wp.dot(n, d))
@@ -533,19 +548,13 @@ def look(
     hit = _closest(s, w, o, d, FAR_M)
     ahead = -wp.dot(d, wp.transform_vector(view.pose, wp.vec3(0.0, 0.0, 1.0)))
     n = wp.vec3(0.0)
-    owner = NOTHING
     far = float(0.0)
     if hit.instance != NOTHING:
         n = hit.normal
         far = hit.t * ahead
-        owner = GROUND
-        if hit.instance >= s.instances:
-            owner = FIXED
-        if hit.instance >= 0 and hit.instance < s.instances:
-            owner = s.owner[hit.instance]
     depth[w, y, x] = far
     normal[w, y, x] = n
-    mover[w, y, x] = owner
+    mover[w, y, x] = _owner(s, hit)
     point[w, y, x] = o + d * hit.t
     paint[w, y, x] = _paint(s, hit)
     if rays > 0:
@@ -560,29 +569,26 @@ def look(
 
 @wp.func
 def _differs(
-    depth: wp.array3d(dtype=float),
     normal: wp.array3d(dtype=wp.vec3),
     mover: wp.array3d(dtype=int),
     point: wp.array3d(dtype=wp.vec3),
     w: int,
-    y: int,
-    x: int,
     v: int,
     u: int,
+    owner: int,
+    n: wp.vec3,
+    at: wp.vec3,
+    far: float,
 ) -> bool:
-    """Whether two pixels show different surfaces; beyond the border nothing differs."""
-    if v < 0 or u < 0 or v >= depth.shape[1] or u >= depth.shape[2]:
-        return False
-    if mover[w, y, x] != mover[w, v, u]:
+    """Whether a pixel shows another surface than the one at a point that is so far away."""
+    if owner != mover[w, v, u]:
         return True
-    if mover[w, y, x] == NOTHING:
+    if owner == NOTHING:
         return False
-    n = normal[w, y, x]
     if wp.dot(n, normal[w, v, u]) < ALIKE:
         return True
     # A surface may recede as it likes, but one of the two is not beside the other's plane.
-    step = wp.dot(n, point[w, v, u] - point[w, y, x])
-    return wp.abs(step) > 0.004 * depth[w, y, x]
+    return wp.abs(wp.dot(n, point[w, v, u] - at)) > 0.004 * far
 
 
 @wp.func
@@ -595,6 +601,35 @@ def _added(s: Scene, a: Shade, light: wp.vec3) -> wp.vec3:
 
 @wp.func
 def _smoothed(
+    normal: wp.array3d(dtype=wp.vec3),
+    mover: wp.array3d(dtype=int),
+    point: wp.array3d(dtype=wp.vec3),
+    light: wp.array3d(dtype=wp.vec3),
+    w: int,
+    y: int,
+    x: int,
+    owner: int,
+    n: wp.vec3,
+    at: wp.vec3,
+    far: float,
+) -> wp.vec4:
+    """Mean light on a surface, of a pixel and its neighbours that show it, and how many do."""
+    total = wp.vec3(0.0)
+    count = float(0.0)
+    for j in range(9):
+        v = y + j / 3 - 1
+        u = x + j % 3 - 1
+        if v >= 0 and u >= 0 and v < mover.shape[1] and u < mover.shape[2]:
+            if not _differs(normal, mover, point, w, v, u, owner, n, at, far):
+                total = total + light[w, v, u]
+                count = count + 1.0
+    if count > 0.0:
+        total = total / count
+    return wp.vec4(total[0], total[1], total[2], count)
+
+
+@wp.func
+def _calm(
     depth: wp.array3d(dtype=float),
     normal: wp.array3d(dtype=wp.vec3),
     mover: wp.array3d(dtype=int),
@@ -604,17 +639,12 @@ def _smoothed(
     y: int,
     x: int,
 ) -> wp.vec3:
-    """Mean light of a pixel and its neighbours on the same surface."""
-    total = wp.vec3(0.0)
-    count = float(0.0)
-    for j in range(9):
-        v = y + j / 3 - 1
-        u = x + j % 3 - 1
-        if v >= 0 and u >= 0 and v < depth.shape[1] and u < depth.shape[2]:
-            if not _differs(depth, normal, mover, point, w, y, x, v, u):
-                total = total + light[w, v, u]
-                count = count + 1.0
-    return total / count
+    """Light on what the centre of a pixel shows."""
+    mean = _smoothed(
+        normal, mover, point, light, w, y, x,
+        mover[w, y, x], normal[w, y, x], point[w, y, x], depth[w, y, x],
+    )  # fmt: skip
+    return wp.vec3(mean[0], mean[1], mean[2])
 
 
 @wp.kernel(enable_backward=False)
@@ -645,7 +675,10 @@ def outline(
         if not found:
             found = paint[w, v, u] != paint[w, y, x]
         if not found:
-            found = _differs(depth, normal, mover, point, w, y, x, v, u)
+            found = _differs(
+                normal, mover, point, w, v, u,
+                mover[w, y, x], normal[w, y, x], point[w, y, x], depth[w, y, x],
+            )  # fmt: skip
     if found:
         is_edge[w, y, x] = 1
         edges[wp.atomic_add(count, 0, 1)] = wp.vec3i(w, y, x)
@@ -672,8 +705,8 @@ def refine(
 ):
     """The mean of more rays at each pixel of the list.
 
-    They take their light from the same places of the pattern everywhere: what is not smoothed
-    must not show it.
+    They share the light of pixels that show the same surface. Where none does they take it from
+    the same places of the pattern everywhere: what is not smoothed must not show it.
     """
     k = wp.tid()
     if k >= count[0]:
@@ -691,7 +724,7 @@ def refine(
     here.mirror = mirror[w, y, x]
     here.shine = shine[w, y, x]
     here.rest = rest[w, y, x]
-    total = _added(s, here, _smoothed(depth, normal, mover, point, light, w, y, x))
+    total = _added(s, here, _calm(depth, normal, mover, point, light, w, y, x))
     for i in range(1, samples):
         # Kronecker's sequence in the plane (Roberts 2018) spreads any number of points well.
         dx = float(i) * 0.7548776662
@@ -704,7 +737,16 @@ def refine(
             height,
         )
         hit = _closest(s, w, o, d, FAR_M)
-        shade = _shade(s, w, o, d, hit, pixel, (4 * i) % PATTERN, 1)
+        mean = _smoothed(
+            normal, mover, point, light, w, y, x,
+            _owner(s, hit), hit.normal, o + d * hit.t, hit.t,
+        )  # fmt: skip
+        rays = int(0)
+        if mean[3] == 0.0:
+            rays = 1
+        shade = _shade(s, w, o, d, hit, pixel, (4 * i) % PATTERN, rays)
+        if rays == 0:
+            shade.light = wp.vec3(mean[0], mean[1], mean[2])
         total = total + _added(s, shade, shade.light)
     edge[w, y, x] = total / float(samples)
 
@@ -749,7 +791,7 @@ def develop(
         here.mirror = mirror[w, y, x]
         here.shine = shine[w, y, x]
         here.rest = rest[w, y, x]
-        color = _added(s, here, _smoothed(depth, normal, mover, point, light, w, y, x))
+        color = _added(s, here, _calm(depth, normal, mover, point, light, w, y, x))
     if first > 0:
         radiance[w, y, x] = color * share
     else:

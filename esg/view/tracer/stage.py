@@ -162,7 +162,12 @@ class Stage:
         wp, scene, worlds = self._wp, self.scene, self.worlds
         firsts = np.cumsum([0, *(len(b.faces) for b in made)]).tolist()
         meshes = [
-            wp.Mesh(self._array(b.vertices, wp.vec3), self._array(b.faces.ravel(), wp.int32))
+            wp.Mesh(
+                self._array(b.vertices, wp.vec3),
+                self._array(b.faces.ravel(), wp.int32),
+                bvh_constructor="sah",  # made once and searched often, on a GPU, too
+                bvh_leaf_size=2,
+            )
             for b in made
         ]
         self._keep += meshes
@@ -217,12 +222,13 @@ class Stage:
         scene.sun_rgb = wp.vec3(*sky.sun_rgb)
         scene.sun_radius, scene.sun_reach = air.sun_radius, air.reach_m
         scene.sky_rgb = wp.vec3(*sky.ambient_rgb)
-        scene.bounce_rgb = wp.vec3(*(float(c) for c in bounce))
+        red, green, blue = (float(c) for c in bounce)
+        scene.bounce_rgb = wp.vec3(red, green, blue)
         scene.haze_m = air.haze_m
         seen = sky_map(sky, seed)
         scene.haze_rgb = wp.vec3(*(float(c) for c in seen[0].mean(axis=0)))
         scene.sky = self._array(seen, wp.vec3)
-        scene.blurred = self._array(blurred_maps(seen, bounce), wp.vec3)
+        scene.blurred = self._array(blurred_maps(sky, seed, (red, green, blue)), wp.vec3)
 
     def turn_sun(self, toward: tuple[float, float, float]) -> None:
         """Puts the sun elsewhere; the picture of the sky stays.
@@ -260,6 +266,7 @@ class Stage:
                 self._upper,
             ],
             device=self.device,
+            block_dim=self._kernels.THREADS,
         )
         if self._bvh is None:
             self._bvh = wp.Bvh(self._lower, self._upper, groups=self._groups)

@@ -1,4 +1,4 @@
-"""Ice under what slides on it, and only there."""
+"""The ground that is said, and ice under what slides on it, and only there."""
 
 from __future__ import annotations
 
@@ -9,7 +9,10 @@ from esg.assets.materials import MATERIALS
 from esg.draft import draft, said
 from esg.dynamics.casting import fitted
 from esg.dynamics.casting.surfaces import ICE
+from esg.dynamics.story.paces import grip
 from esg.dynamics.story.stagecraft import ground_friction, prop
+from esg.lexicon.grounds import grounds
+from esg.units import GRAVITY_MPS2
 
 
 @pytest.mark.parametrize(
@@ -58,3 +61,33 @@ def test_ice_that_is_no_ground_is_no_ice(text: str) -> None:
 def test_what_glides_goes_on_snow_unless_another_ground_is_named(prompt: str, snowy: bool) -> None:
     doc = fitted(resolve(draft(prompt)))
     assert (ground_friction(doc) <= MATERIALS["snow"].friction) is snowy
+
+
+@pytest.mark.parametrize(
+    ("prompt", "mover", "name"),
+    [
+        ("A car brakes on a wet road.", "car_1", "wet"),
+        ("A van brakes on a snowy street.", "van_1", "snow"),
+        ("A truck brakes on a gravel road.", "truck_1", "gravel"),
+        ("A motorcycle brakes on a muddy track.", "motorcycle_1", "mud"),
+        ("A jeep brakes on the sand.", "jeep_1", "sand"),
+    ],
+)
+def test_a_ground_that_is_said_rubs_and_holds_so(prompt: str, mover: str, name: str) -> None:
+    doc = fitted(resolve(draft(prompt)))
+    assert ground_friction(doc) == grounds()[name].friction
+    assert grip(doc, mover) == pytest.approx(grounds()[name].grip * GRAVITY_MPS2)
+
+
+def test_who_walks_on_snow_slides_on_no_ice() -> None:
+    doc = fitted(resolve(draft("A man walks across the snow and kicks a box.")))
+    assert prop(doc, "man_1").friction == pytest.approx(0.22)
+
+
+@pytest.mark.parametrize("name", ["wet", "snow", "mud", "sand", "gravel"])
+def test_soles_rub_on_a_ground_as_it_grips(name: str) -> None:
+    """A dog that tumbles on slows down no faster than the check of braking allows."""
+    ground = {"wet": "wet floor", "mud": "muddy field"}.get(name, name)
+    doc = fitted(resolve(draft(f"A dog runs across the {ground} and knocks over a bucket.")))
+    pair = 0.5 * (prop(doc, "dog_1").friction + ground_friction(doc))
+    assert pair <= 0.8 * grounds()[name].grip + 1e-9

@@ -349,3 +349,26 @@ def test_nothing_is_guessed_to_be_faster_than_its_kind(prompt: str, name: str) -
 def test_a_stated_speed_is_kept_even_beyond_its_kind() -> None:
     program = program_of(cast("A bulldozer drives at 8 m/s into a brick wall."))
     assert any(isinstance(p, HoldVelocity) and p.speed == pytest.approx(8.0) for p in program)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind"),
+    [
+        ("A van reverses into a trash can.", "van"),
+        ("A truck backs into a bollard.", "truck"),
+        ("A car reverses quickly and hits a mailbox.", "car"),
+    ],
+)
+def test_what_reverses_does_so_at_the_pace_of_its_kind(prompt: str, kind: str) -> None:
+    """The plan begins at it, and the search goes to no more than three times it."""
+    plan = planned(cast(prompt))
+    speed = next(v for v in plan.variables if v.name.endswith("/speed"))
+    usual = pace_of(kind).reverses
+    assert 0.5 * usual <= speed.initial <= 1.25 * usual
+    assert speed.upper <= min(3.0 * usual, motion_of(kind).reverse_mps)
+
+
+def test_a_stated_speed_backwards_is_kept() -> None:
+    hold = program_of(cast("A van reverses at 6 m/s into a trash can."))[0]
+    assert isinstance(hold, HoldVelocity)
+    assert hold.speed == pytest.approx(6.0, rel=0.05)

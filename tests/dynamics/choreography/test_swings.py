@@ -8,8 +8,10 @@ import pytest
 
 from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.story.stagecraft import prop
+from esg.dynamics.story.suspension import suspension
 from esg.graph.models import EsgDocument
 from esg.layout.problem.hints import Placement
+from esg.thresholds import MIN_EVENT_GAP_S
 from esg.units import GRAVITY_MPS2
 from tests.dynamics.stories import cast
 
@@ -45,3 +47,24 @@ def test_a_swing_into_an_opening_is_gentle() -> None:
 
     into = speed("A golf club hits a golf ball and the ball rolls into a hole.")
     assert into < 0.6 * speed("A golf club hits a golf ball and the ball hits a wall.")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "hung", "met", "beyond"),
+    [
+        ("A wrecking ball swings into a brick wall.", "wrecking_ball_1", "brick_wall_1", True),
+        ("A wrecking ball swings into a soda can.", "wrecking_ball_1", "soda_can_1", False),
+    ],
+)
+def test_what_swings_meets_what_is_tall_beyond_its_lowest_point(
+    prompt: str, hung: str, met: str, beyond: bool
+) -> None:
+    doc = cast(prompt)
+    found = suspension(doc, hung)
+    assert found is not None
+    spots = places(doc)
+    there, wall = spots[hung], prop(doc, met)
+    way = math.hypot(spots[met].x_cm - there.x_cm, spots[met].y_cm - there.y_cm) / 100.0
+    free = way - 0.5 * prop(doc, hung).length - 0.5 * min(wall.length, wall.width)
+    late = (free - found.way) / found.speed
+    assert (late > MIN_EVENT_GAP_S) is beyond

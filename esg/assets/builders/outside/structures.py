@@ -55,8 +55,9 @@ def road(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
 @builder("crossroads", "free")
 def crossroads(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Two roads that cross at right angles; each is 700 wide or a third of the extent."""
-    t, w = H * 0.7, min(700.0, L / 3, W / 3)
+    """Two roads that cross at right angles; each is 800 wide, as roads are, or half the extent."""
+    # Over the lines of the roads that lead to it, and as wide as they are.
+    t, top, w = H * 1.2, H * 1.5, min(800.0, L / 2, W / 2)
     s.slab((-L / 2, L / 2), (-w / 2, w / 2), (0, t), c, rough=1.0)
     for y in ((-W / 2, -w / 2), (w / 2, W / 2)):
         s.slab((-w / 2, w / 2), y, (0, t), c, rough=1.0)
@@ -68,13 +69,14 @@ def crossroads(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
                 mid = sign * (start + (stop - start) * (k + 0.5) / n)
                 half = (stop - start) / n * 0.25
                 a, b = (mid - half, mid + half), (-6.0, 6.0)
-                s.slab(a if axis == "x" else b, b if axis == "x" else a, (0, H), YELLOW)
+                s.slab(a if axis == "x" else b, b if axis == "x" else a, (0, top), YELLOW)
             for edge in (-1, 1):
                 a = (start - 60, stop) if sign > 0 else (-stop, -start + 60)
                 b = (edge * (w / 2 - 30) - 6, edge * (w / 2 - 30) + 6)
-                s.slab(a if axis == "x" else b, b if axis == "x" else a, (0, H), WHITE)
+                s.slab(a if axis == "x" else b, b if axis == "x" else a, (0, top), WHITE)
     _decal(s, L, W, H)
-    s.region("crossing", (-w / 2, w / 2), (-w / 2, w / 2), (0, 200), "area")
+    half = min(350.0, L / 6, W / 6)
+    s.region("crossing", (-half, half), (-half, half), (0, 200), "area")
 
 
 @builder("crossing", "free")

@@ -14,6 +14,7 @@ from esg.draft.events.hanging import (
     SHUTTING,
     hanging,
     let_go,
+    lowered,
     openable,
     row_of,
     row_parts,
@@ -34,6 +35,8 @@ _BACK_AND_FORTH = re.compile(
 )
 _TO_AND_FRO = 3
 """How often what swings back and forth passes its lowest point, at least."""
+PASSED_ON = 0.5
+"""Share of the angle at which one ball of a cradle is let go by which the last swings out."""
 
 
 @sense("open")
@@ -42,7 +45,7 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     doers, moved = doer_and_done(f, s, o) if o or f.verb.passive else ([], s)
     moved = openable(d, moved)
     last = d.text[f.verb.start : f.verb.end].lower().split()[-1]
-    shut = bool({f.verb.extra.get("result", f.verb.lemma), last} & SHUTTING)
+    shut = lowered(f) or bool({f.verb.extra.get("result", f.verb.lemma), last} & SHUTTING)
     event = NodeEvent.CLOSE if shut else NodeEvent.OPEN
     note = "opens or closes"
     things = [i for i in doers if movable(d, i) and kind_of(d, i) != "person" and i not in moved]
@@ -62,6 +65,20 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         at = place_of(word, d.text, f) if word in f.adverbs else None
         if at is not None:
             d.scene.used[at] = note
+
+
+@sense("left_open")
+def read_left_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    """ "The lid stands open until a coconut drops on it": how it is at the start."""
+    note = "how it starts"
+    for body in openable(d, s):
+        row = row_of(d, body)
+        if row is not None and body not in d.timeline.tracks:
+            d.scene.openings.setdefault(body, row.opened or 0.0)
+    mark_used(d, f, note)
+    at = place_of(f.verb.extra["result"], d.text, f)
+    if at is not None:
+        d.scene.used[at] = note
 
 
 @sense("tip")
@@ -98,7 +115,8 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         add_hit(d, f, things[:1], hung, time_of(d, f))
     for body in hung:
         struck_before(d, f, body)
-    let_go(d, f, [body for body in hung if not _handed_on(d, f, body)])
+    pushed = [body for body in hung if _handed_on(d, f, body)]
+    let_go(d, f, [body for body in hung if body not in pushed])
     met = f.phrase("at", "into", "against", "through", "on") is not None
     met = met and not {*hung} & d.scene.sprung  # "bobs up and down on a spring"
     target = [i for i in hit_targets(f, s, o) if i not in hung] if met else []
@@ -107,6 +125,13 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         add_hit(d, f, hung[:1], target, time_of(d, f))
     elif "down" not in f.adverbs or "up" in f.adverbs:  # "swings down and hits": the way there
         for body in hung:
+            if body in pushed:  # it comes back to its lowest point, and stays there
+                drawn = max(abs(v) for v in map(d.scene.openings.get, row_parts(d, body)) if v)
+                note = add_event(d, NodeEvent.OPEN, (body,), f, time_of(d, f))
+                opened = d.timeline.node(note)
+                assert opened is not None
+                opened.extra["turn_degrees"] = PASSED_ON * drawn
+                continue
             note = node = add_event(d, NodeEvent.SWING, (body,), f, time_of(d, f))
             so_often(d, f, node)
             draft, often = d.timeline.node(node), _BACK_AND_FORTH.search(d.text, f.verb.end)
