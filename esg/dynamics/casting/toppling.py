@@ -192,7 +192,7 @@ def _by_larger(
     """The document with a larger mover, if that comes in all sizes and one suffices."""
     nodes = doc.spatial_relation_graph.nodes
     key, active = nodes[knock.mover].asset_id, story.is_active(knock.mover)
-    if not _comes_in_all_sizes(doc, key):
+    if not comes_in_all_sizes(doc, key):
         return None
     for factor in LARGER:
         made = resized(doc, key, doc.asset_configurations[key], factor)
@@ -257,7 +257,7 @@ def _largest(holds: Callable[[float], bool], lightest: float) -> float:
     return low
 
 
-def _comes_in_all_sizes(doc: EsgDocument, key: str) -> bool:
+def comes_in_all_sizes(doc: EsgDocument, key: str) -> bool:
     """Whether a round mover's size is open: a ball, but not a soccer ball."""
     from esg.assets.library.catalogue import entries_by_name
 

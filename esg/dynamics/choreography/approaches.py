@@ -10,7 +10,6 @@ from esg.dynamics.choreography.caroms import is_carom
 from esg.dynamics.choreography.demands import (
     demanded,
     felt_speed,
-    gentlest,
     passed_on,
     sends_sliding,
     timed_push,
@@ -27,6 +26,7 @@ from esg.dynamics.choreography.placing import (
     stays_there,
     struck_again,
 )
+from esg.dynamics.choreography.rows import row_after
 from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.slopes import descend, goes_down
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
@@ -72,8 +72,10 @@ CHAINED = 0.6
 """Share of the usual impulse and run-up of a ball that starts a chain of balls."""
 PUTT_MPS, PUTT_NS = 2.0, 0.15
 """Speed that a swing gives to a ball that shall roll into something, and the least impulse."""
-LONG_CHAIN = 4
-"""Number of hits of a chain of balls from which on it goes as gently as its last hit allows."""
+ROW_RUN_S, ROW_RUN_LENGTHS = 0.25, 2.0
+"""Run-up of what rolls into a long row, in time or in its lengths: every hit multiplies its aim."""
+ROW_RUN = 0.2
+"""Share of its speed that what slides loses on its way into a long row."""
 STANDSTILL_MPS, CRAWL_MPS = 0.5, 0.05
 """Speed with which something that accelerates sets off at most, and that of what stands still."""
 GAINS_TO_MPS = 100.0
@@ -171,15 +173,19 @@ def slides(stage: Stage, e: Encounter) -> bool:
 
 def slide_in(stage: Stage, e: Encounter) -> None:
     """It slides, and is still fast enough when it gets there."""
-    demand, phase = _demand(stage, e), e.coming
-    speed = demand.speed
+    demand, phase, body = _demand(stage, e), e.coming, stage.prop(e.a)
+    speed, row = demand.speed, row_after(stage, e.a, e.b)
     if demand.needed > 0.0 and not phase.edge.speed_is_prescribed:
         # What it is to arrive with is less than what it starts with.
-        speed = max(speed, min(demand.needed / SLID, FASTEST_MPS))
+        slid = 1.0 - ROW_RUN if row else SLID
+        speed = max(speed, min(demand.needed / slid, FASTEST_MPS))
+    lasts = demand.time_left(stage.tracks[e.a].time)
+    if row and lasts is None:
+        lasts = ROW_RUN * speed / max(coasting_drag(body), 0.1)
     speed, way, lasts, left = slide(
-        stage.prop(e.a),
+        body,
         speed,
-        demand.time_left(stage.tracks[e.a].time),
+        lasts,
         stage.rng,
         adjustable=not speed_is_fixed(phase),
     )
@@ -242,7 +248,7 @@ def _demand(stage: Stage, e: Encounter) -> Demand:
     least = min_hit_speed(pa, pb)
     if chained:
         least *= CHAINED
-    elif goes_on(stage, node, b) and not again:
+    elif goes_on(stage, node, b) and not (again or row_after(stage, a, b)):
         least = max(least, push_speed(pa, pb), timed_push(stage, node, pa, b))
     topples = stage.story.topples(stage.member(b))
     needed = topple_speed(pa, pb, flies=stage.story.flies(a)) if topples else 0.0
@@ -276,9 +282,9 @@ def _fitting_speed(stage: Stage, e: Encounter, demand: Demand, *, again: bool) -
     node, a, b = e.node, e.a, e.b
     pa, pb = stage.prop(a), stage.prop(b)
     speed, least, needed = demand.speed, demand.least, demand.needed
-    if demand.chained:
-        gently, hits = gentlest(stage, node, a, b)
-        speed = speed if hits < LONG_CHAIN else min(speed, max(gently, least, needed))
+    if row_after(stage, a, b):
+        # As gently as its last hit still counts with: faster, it would have to be longer.
+        return min(speed, max(least, needed))
     if demand.prescribed is None and sends_sliding(stage, node, b):
         # Faster, it would tumble, and pass over the next one in another engine.
         low, high, _ = bounds(e.coming.edge.params.speed, (0.0, 0.0))
@@ -307,6 +313,8 @@ def _run_up(stage: Stage, e: Encounter, demand: Demand) -> float:
     run = approach_distance(stage.prop(a), max(speed, 1.0), stage.rng) * stage.tight
     if demand.chained:
         run *= CHAINED
+    if row_after(stage, a, e.b):
+        run = min(run, max(ROW_RUN_S * speed, ROW_RUN_LENGTHS * stage.prop(a).length))
     if a in stage.thrown_back:
         run = min(run, max(AFTER_BOUNCE_M, AFTER_BOUNCE_S * stage.tracks[a].speed))
         run = max(run, stage.way_back.get(a, 0.0))

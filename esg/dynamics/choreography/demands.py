@@ -5,9 +5,10 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.choreography.placing import hits_on
+from esg.dynamics.choreography.rows import asked_of_first, row_after
 from esg.dynamics.choreography.stage import Stage
-from esg.dynamics.story.kinematics import impact_speed, off_a_wall
-from esg.dynamics.story.stagecraft import Prop, coasting_drag, fall_speed
+from esg.dynamics.story.kinematics import off_a_wall
+from esg.dynamics.story.stagecraft import Prop, coasting_drag, fall_speed, passed_on
 from esg.dynamics.story.story import bounds
 from esg.dynamics.story.tipping import topple_speed
 from esg.graph.models import NodeEvent, TimelineNode
@@ -22,17 +23,8 @@ FELT_SPARE = 1.2
 RUN_ON_M, RUN_ON_S = 0.2, 0.28
 """Way on which something struck surely gets to what stands ahead of it, and time it slides at
 least: two hits closer than a tenth of a second are one."""
-ROLLS_AT = 0.6
-"""Share of its speed that a ball struck by a rolling one keeps until it rolls: five sevenths, less
-what its back spin takes."""
 BACK_KEPT, LEAST_BACK = 0.9, 0.2
 """The same of what bounced off something, and the least share that counts as coming back."""
-
-
-def passed_on(mover: Prop, target: Prop) -> float:
-    """Speed of a resting body after a central hit, over the mover's."""
-    restitution = 0.5 * (mover.restitution + target.restitution)
-    return impact_speed(mover.mass, target.mass, 1.0, restitution)
 
 
 def felt(mover: Prop, target: Prop) -> float:
@@ -54,42 +46,6 @@ def run_on_speed(body: Prop) -> float:
     return max(math.sqrt(2.0 * drag * RUN_ON_M), RUN_ON_S * drag)
 
 
-def gentlest(stage: Stage, node: TimelineNode, a: str, b: str) -> tuple[float, int]:
-    """Speed [m/s] of a ball at which all hits of the chain of balls before it are felt.
-
-    Args:
-        stage: The stage.
-        node: Its hit.
-        a: The ball.
-        b: The first ball it hits.
-
-    Returns:
-        The speed, and the number of hits; faster balls lie farther apart, and are missed sooner.
-    """
-    speed, least, chain = 1.0, math.inf, [a, b]
-    while True:
-        mover, target = stage.prop(chain[-2]), stage.prop(chain[-1])
-        speed *= passed_on(mover, target)
-        least = min(least, target.mass * speed)
-        speed *= ROLLS_AT
-        node, onto = _onto_ball(stage, node, chain)
-        if onto is None:
-            return SAFE_IMPULSE_NS / max(least, 1e-9), len(chain) - 1
-        chain.append(onto)
-
-
-def _onto_ball(
-    stage: Stage, node: TimelineNode, chain: list[str]
-) -> tuple[TimelineNode, str | None]:
-    """The next hit of the last ball of a chain, and the resting ball that it hits."""
-    for later in stage.story.after(node.id):
-        keys = [stage.key(p) for p in later.participants]
-        others = [k for k in keys if k not in chain and k not in stage.tracks]
-        if later.event is NodeEvent.COLLISION and chain[-1] in keys and others:
-            return later, others[0] if stage.prop(others[0]).rolls else None
-    return node, None
-
-
 def demanded(stage: Stage, node: TimelineNode, a: str, b: str) -> float:
     """Least speed [m/s] of a at its hit of b for what is to fall or topple later by that hit.
 
@@ -109,6 +65,9 @@ def demanded(stage: Stage, node: TimelineNode, a: str, b: str) -> float:
         return _after(stage, node, a, BACK_KEPT) / max(back, LEAST_BACK)
     if b in stage.tracks:
         return 0.0
+    row = row_after(stage, a, b)
+    if row:
+        return asked_of_first([stage.prop(k) for k in row], _falling(stage, *row[-2:]))
     return _after(stage, node, b, KEPT) / passed_on(pa, pb)
 
 
@@ -129,19 +88,22 @@ def _after(stage: Stage, node: TimelineNode, b: str, kept: float) -> float:
         if later.event is not NodeEvent.COLLISION or b not in keys or not others:
             continue
         c = others[0]
-        body, target, name = stage.prop(b), stage.prop(c), stage.member(c)
+        body, target = stage.prop(b), stage.prop(c)
         if c in stage.tracks:
             return 0.0
         runs = 0.0 if b in stage.tracks else run_on_speed(body)
         if target.fixed:
             return runs
-        needed = max(demanded(stage, later, b, c), _felt(body, target))
-        if stage.story.topples(name):
-            needed = max(needed, topple_speed(body, target, flies=False))
-        if stage.story.falls(name):
-            needed = max(needed, fall_speed(body, target))
+        needed = max(demanded(stage, later, b, c), _felt(body, target), _falling(stage, b, c))
         return max(needed / kept, runs)
     return 0.0
+
+
+def _falling(stage: Stage, b: str, c: str) -> float:
+    """Least speed [m/s] at which b, which was struck, knocks c over or off, where it shall."""
+    body, target, name = stage.prop(b), stage.prop(c), stage.member(c)
+    needed = topple_speed(body, target, flies=False) if stage.story.topples(name) else 0.0
+    return max(needed, fall_speed(body, target)) if stage.story.falls(name) else needed
 
 
 def sends_sliding(stage: Stage, node: TimelineNode, b: str) -> bool:

@@ -7,11 +7,13 @@ import math
 from esg.dynamics.choreography.demands import KEPT
 from esg.dynamics.choreography.flights import hits_level, slowed, thrown_back
 from esg.dynamics.choreography.placing import bring_support, goes_on, hits_on, yaw_met
+from esg.dynamics.choreography.rows import ROW_S, row_after
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import (
     Frame,
     Track,
     back_spin,
+    braked,
     braking_distance,
     half_along,
     impact_speed,
@@ -51,6 +53,8 @@ LEAST_LEFT = 0.3
 """Least share of its speed that is reckoned with where something has slid to what it hits."""
 NEXT_BALL_S = (0.15, 0.19)
 """Time between the hits of a chain of balls."""
+BALL_GAP_M, ROW_GAP_M = 0.05, 0.01
+"""Least gap between balls of a chain, and in a long row."""
 BALL_GAP, NARROW = 0.45, 1.5
 """Share of the usual gap between balls of a chain; narrow things, in ball's widths, are as near."""
 BOUNCE_RAD = math.radians(25.0)
@@ -210,7 +214,7 @@ def chain(stage: Stage, e: Encounter) -> None:
     stage.places[b] = (track.x + reach * c - aside * s, track.y + reach * s + aside * c, yaw)
     bring_support(stage, b, stage.places[b][0], stage.places[b][1], track.heading)
     left = track.speed if rolled is None else rolled
-    if not (pa.rolls or stage.airborne or _falls_before(stage, node, a)):
+    if rolled is None and not (pa.rolls or stage.airborne or _falls_before(stage, node, a)):
         # It slides there, and arrives turned or tilted.
         slower = math.sqrt(max(left**2 - 2.0 * _drag(stage, pa) * gap, (LEAST_LEFT * left) ** 2))
         left = slower if pa.wheeled else min(KEPT * left, slower)
@@ -230,7 +234,10 @@ def _past(stage: Stage, a: str, b: str, heading: float) -> float:
 def _gap_to_next(
     stage: Stage, node: TimelineNode, a: str, b: str, track: Track
 ) -> tuple[float, float | None]:
-    """Free way [m] of what was set in motion to the next body, and the speed a ball has there."""
+    """Free way [m] of what was set in motion to the next body.
+
+    And the speed [m/s] there of a ball, or of what slides in a long row.
+    """
     pa, pb = stage.prop(a), stage.prop(b)
     gap = _coasting_gap(
         stage, pa, pb, track.speed, IN_ROW_S if _in_row(stage, node, a, b) else APART_S
@@ -246,11 +253,15 @@ def _gap_to_next(
         gap = _gap_for_falling(stage, node, a, pb, track.speed, gap)
     rubs = 0.5 * (pa.friction + stage.ground_friction())
     rolled: float | None = None
-    if pa.rolls and pb.rolls and node.event is NodeEvent.COLLISION:
-        # It slides at first, against its back spin: later balls of a chain are much slower.
-        lasts = float(stage.rng.uniform(*NEXT_BALL_S))
-        gap, rolled = rolling_travel(track.speed, rubs, lasts * stage.tight, track.spin)
-        gap = max(gap, 0.05)
+    row = bool(row_after(stage, a, b))
+    if (row or (pa.rolls and pb.rolls)) and node.event is NodeEvent.COLLISION:
+        lasts = float(stage.rng.uniform(*(ROW_S if row else NEXT_BALL_S))) * stage.tight
+        if pa.rolls:
+            # It slides at first, against its back spin: later balls of a chain are much slower.
+            gap, rolled = rolling_travel(track.speed, rubs, lasts, track.spin)
+        else:
+            gap, rolled = braked(track.speed, _drag(stage, pa), lasts)
+        gap = max(gap, ROW_GAP_M if row else BALL_GAP_M)
     prescribed = stage.prescribed_time(node)
     if prescribed is not None:
         wait = max(prescribed - track.time, 0.05)
@@ -289,7 +300,7 @@ def _aside(stage: Stage, node: TimelineNode, a: str, b: str, heading: float, yaw
     """How far [m] to the left of a's way the next body stands."""
     pb = stage.prop(b)
     jitter = float(stage.rng.uniform(-0.3, 0.3)) * pb.half_lateral(yaw - heading)
-    if pb.rolls and goes_on(stage, node, b):
+    if (pb.rolls and goes_on(stage, node, b)) or row_after(stage, a, b):
         # Off its middle it would leave the line on which the next one lies.
         jitter = 0.0
     if stage.story.topples(stage.member(b)):

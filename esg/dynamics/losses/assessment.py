@@ -33,6 +33,7 @@ class Assessment:
         measured: Per "event id/quantity/object", SI value, shape [W].
         error: Per constraint, signed distance outside the prescribed value or interval, shape [W].
         terms: Per "event id/term", shape [W].
+        guessed: The terms that only prefer a time that nobody asked for.
     """
 
     total: Floats
@@ -41,6 +42,7 @@ class Assessment:
     measured: dict[str, Floats] = field(default_factory=dict)
     error: dict[str, Floats] = field(default_factory=dict)
     terms: dict[str, Floats] = field(default_factory=dict)
+    guessed: set[str] = field(default_factory=set)
 
     def worlds(self, span: slice) -> Assessment:
         """The assessment of some of the worlds."""
@@ -51,7 +53,12 @@ class Assessment:
             {k: v[span] for k, v in self.measured.items()},
             {k: v[span] for k, v in self.error.items()},
             {k: v[span] for k, v in self.terms.items()},
+            self.guessed,
         )
+
+    def asked(self) -> Floats:
+        """The total without what only prefers a time that nobody asked for, shape [W]."""
+        return self.total - sum((self.terms[k] for k in sorted(self.guessed)), np.zeros(1))
 
     def all_completed(self) -> Bools:
         """Worlds in which every event happened, shape [W]."""
@@ -166,9 +173,9 @@ class _Assessor:
             # A guessed window is a preference: the paper's smooth barrier at a small weight.
             width, beta = max(high - low, 0.5), 4.0
             miss = np.logaddexp(0.0, beta * (low - time)) + np.logaddexp(0.0, beta * (time - high))
-            self._term(
-                f"{node.id}/window", np.where(done, 0.02 * (miss / (beta * width)) ** 2, 0.0)
-            )
+            name = f"{node.id}/window"
+            self._term(name, np.where(done, 0.02 * (miss / (beta * width)) ** 2, 0.0))
+            self.result.guessed.add(name)
             return
         name = f"{node.id}/time/{node.id}"
         low, high = low + self.bias.get(name, 0.0), high + self.bias.get(name, 0.0)

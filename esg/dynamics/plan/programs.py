@@ -43,6 +43,7 @@ from esg.engines.program import (
 from esg.engines.scene import FRAGMENT, Body
 from esg.graph.joints import towed_by
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
+from esg.metrics.plausibility.told import surface_of
 from esg.units import GRAVITY_MPS2, quat_from_euler_deg, yaw_from_quat
 
 STRAIGHT_S = 1.0
@@ -298,7 +299,10 @@ class Composer:
         usual = pace(self.doc, primitive.body)
         rubs = 0.0 if primitive.climb is not None else coasting_drag(prop(self.doc, primitive.body))
         gains, loses = max(usual.gains, primitive.acceleration), usual.brakes - rubs
-        return replace(primitive, gains=gains + rubs, loses=max(loses, LEAST_SHARE * usual.brakes))
+        least, room = LEAST_SHARE * usual.brakes, grip(self.doc, primitive.body) - rubs
+        if surface_of(self.doc) != "dry" and room > 0.0:  # both hold no better than it grips
+            least = min(least, 0.5 * room)
+        return replace(primitive, gains=gains + rubs, loses=max(loses, least))
 
     def _let_go(self, course: _Course, leg: _Leg) -> None:
         """A throw, a kick, a push: its velocity is set once."""

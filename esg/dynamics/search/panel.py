@@ -63,8 +63,14 @@ class Found:
     ensemble: Assessment
 
     def good(self) -> bool:
-        """A small worst case; or everything holds in all members and the nominal is centred."""
-        return self.worst < GOOD_LOSS or bool(_holds(self.ensemble, 1)[0])
+        """A small worst case; or everything holds in all members and the nominal is centred.
+
+        Guessed windows add to the worst case, ever more in a long chain: they tell which of two is
+        better, and are no reason to go on.
+        """
+        both = robust_value(np.stack([self.ensemble.total, self.ensemble.asked()]))
+        asked = self.worst - float(both[0] - both[1])
+        return asked < GOOD_LOSS or bool(_holds(self.ensemble, 1)[0])
 
 
 @dataclass(frozen=True)
@@ -157,12 +163,14 @@ class Panel:
         told = told_by(self.plan.story, played[0][0]).reshape(len(thetas), -1).max(axis=1)
         self._expect(told)
         self._told |= {t.tobytes(): float(end) for t, end in zip(thetas, told, strict=True)}
-        worst = robust_value(np.concatenate([table for _, table in played], axis=1))
-        worst = worst + prior(self.plan, thetas)
+        known = prior(self.plan, thetas)
+        worst = robust_value(np.concatenate([table for _, table in played], axis=1)) + known
+        asked = [a.asked().reshape(len(thetas), -1) for a, _ in played]
+        small = robust_value(np.concatenate(asked, axis=1)) + known < GOOD_LOSS
         holds = _holds(played[0][0], len(thetas))
         for other, _ in played[1:]:
             holds &= other.all_completed() & other.within_tolerance()
-        return Previewed(worst, holds | (worst < GOOD_LOSS))
+        return Previewed(worst, holds | small)
 
     def look(self, thetas: Floats) -> Assessment:
         """The unperturbed scene in the surrogate."""
@@ -238,7 +246,7 @@ def _holds(assessed: Assessment, count: int) -> NDArray[np.bool_]:
     """
     members = len(ENSEMBLE)
     happens = assessed.all_completed() & assessed.within_tolerance(perturbed=True)
-    centred = assessed.within_tolerance() & (assessed.total < CENTRED_LOSS)
+    centred = assessed.within_tolerance() & (assessed.asked() < CENTRED_LOSS)
     return happens.reshape(count, members).all(axis=1) & centred[::members]
 
 

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from esg.dynamics.story.kinematics import half_along
+from esg.dynamics.story.kinematics import half_along, impact_speed
 from esg.graph.models import AssetConfiguration, EsgDocument, NamedRegion, SupportSurface
 from esg.units import GRAVITY_MPS2
 
@@ -120,6 +120,12 @@ def min_hit_speed(mover: Prop, target: Prop) -> float:
     """Speed [m/s] at which a hit passes a clearly measurable impulse (0.5 N s)."""
     mass = mover.mass if target.fixed else mover.mass * target.mass / (mover.mass + target.mass)
     return 0.5 / (mass * (1.0 + 0.5 * (mover.restitution + target.restitution)))
+
+
+def passed_on(mover: Prop, target: Prop) -> float:
+    """Speed of a resting body after a central hit, over the mover's."""
+    restitution = 0.5 * (mover.restitution + target.restitution)
+    return impact_speed(mover.mass, target.mass, 1.0, restitution)
 
 
 def fall_speed(mover: Prop, target: Prop) -> float:
