@@ -151,7 +151,7 @@ def before_the_picture(parts: Sequence[Part], cameras: Sequence[Camera]) -> froz
             members = things[name]
             if np.count_nonzero(near[members].any(axis=0)) < enough:
                 continue
-            met: NDArray[np.bool_] = np.any(near[[k for k in members if thin[k]]], axis=0)
+            met = np.array(np.any(near[[k for k in members if thin[k]]], axis=0))
             solid = [k for k in members if not thin[k]]
             for k, ray in zip(*np.nonzero(near[solid]), strict=True):
                 if np.count_nonzero(met) >= enough:

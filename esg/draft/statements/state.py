@@ -120,20 +120,8 @@ def state(
             _unkept(book, f, why)
     for start, end, why in unseen(d, frames):
         book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
-    for hit in struck(d, frames):
-        if hit.side is None:
-            book.add(Predicate.NOT_REPRESENTED, hit.start, hit.end, object=(hit.struck,),
-                     note=hit.note)  # fmt: skip
-        else:
-            book.add(Predicate.STRUCK_ON, hit.start, hit.end, object=(hit.struck,),
-                     target=(hit.by,), side=hit.side, when=hit.event)  # fmt: skip
-    for told in orders(d):
-        if told.says is None:
-            book.add(Predicate.NOT_REPRESENTED, told.start, told.end, note=UNKEPT)
-        else:
-            book.add(told.says, told.start, told.end, object=told.about, when=told.when)
-    for start, end, who in started_alone(d):
-        book.add(Predicate.NOT_REPRESENTED, start, end, object=(who,), note=ALONE)
+    _struck(book, frames)
+    _in_order(book)
     _own_up(book, frames, elements, tokens)
     for actor, at in d.moves.still.items():
         if actor in d.world.entities:
@@ -146,6 +134,28 @@ def state(
             book.add(Predicate.STAYS_STILL, at, _word_end(d.text, at), object=(actor,),
                      when="throughout" if hit is None else f"start..{hit}")  # fmt: skip
     return tuple(sorted(book.items, key=lambda s: s.start)) or None
+
+
+def _struck(book: _Book, frames: list[Frame]) -> None:
+    """Which side of a thing is said to be hit."""
+    for hit in struck(book.d, frames):
+        if hit.side is None:
+            book.add(Predicate.NOT_REPRESENTED, hit.start, hit.end, object=(hit.struck,),
+                     note=hit.note)  # fmt: skip
+        else:
+            book.add(Predicate.STRUCK_ON, hit.start, hit.end, object=(hit.struck,),
+                     target=(hit.by,), side=hit.side, when=hit.event)  # fmt: skip
+
+
+def _in_order(book: _Book) -> None:
+    """In what order different things act, and who sets off by itself."""
+    for told in orders(book.d):
+        if told.says is None:
+            book.add(Predicate.NOT_REPRESENTED, told.start, told.end, note=UNKEPT)
+        else:
+            book.add(told.says, told.start, told.end, object=told.about, when=told.when)
+    for start, end, who in started_alone(book.d):
+        book.add(Predicate.NOT_REPRESENTED, start, end, object=(who,), note=ALONE)
 
 
 def _own_up(book: _Book, frames: list[Frame], elements: list[Element], tokens: list[Token]) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from esg.dynamics.choreography.demands import KEPT, passed_on
+from esg.dynamics.choreography.hits.demands import KEPT, passed_on
 from esg.dynamics.choreography.stage import FASTEST_MPS
 from esg.dynamics.story.stagecraft import prop
 from esg.dynamics.story.story import Story, bounds

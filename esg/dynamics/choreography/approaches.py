@@ -6,18 +6,19 @@ from dataclasses import dataclass, replace
 import math
 
 from esg.dynamics.choreography.braking import brake_into
-from esg.dynamics.choreography.caroms import is_carom
-from esg.dynamics.choreography.demands import (
+from esg.dynamics.choreography.encounters import covers
+from esg.dynamics.choreography.flights import took_off
+from esg.dynamics.choreography.hits.caroms import is_carom
+from esg.dynamics.choreography.hits.demands import (
     demanded,
     felt_speed,
     passed_on,
     sends_sliding,
     timed_push,
 )
-from esg.dynamics.choreography.encounters import covers
-from esg.dynamics.choreography.flights import took_off
+from esg.dynamics.choreography.hits.impacts import returns
+from esg.dynamics.choreography.hits.rows import row_after
 from esg.dynamics.choreography.hovering import fly_in
-from esg.dynamics.choreography.impacts import returns
 from esg.dynamics.choreography.placing import (
     asked_distance,
     gap_at_start,
@@ -26,7 +27,6 @@ from esg.dynamics.choreography.placing import (
     stays_there,
     struck_again,
 )
-from esg.dynamics.choreography.rows import row_after
 from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.slopes import descend, goes_down
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed

@@ -21,7 +21,7 @@ from esg.dynamics.choreography import (
     swings,
     throws,
 )
-from esg.dynamics.choreography.caroms import carom, is_carom
+from esg.dynamics.choreography.hits.caroms import carom, is_carom
 from esg.dynamics.choreography.moves import plain
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.graph.models import NodeEvent, TimelineNode

@@ -9,8 +9,8 @@ import pytest
 from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics.casting.hits import carried, fastest
-from esg.dynamics.choreography.demands import felt, passed_on
-from esg.dynamics.choreography.impacts import FARTHEST_AHEAD
+from esg.dynamics.choreography.hits.demands import felt, passed_on
+from esg.dynamics.choreography.hits.impacts import FARTHEST_AHEAD
 from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.story.kinematics import off_a_wall
 from esg.dynamics.story.stagecraft import coasting_drag, prop

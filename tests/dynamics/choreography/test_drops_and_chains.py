@@ -9,7 +9,7 @@ import pytest
 
 from esg.dynamics.casting.chains import LIVELIEST, ball_chains
 from esg.dynamics.choreography.approaches import CALM_MPS
-from esg.dynamics.choreography.demands import passed_on
+from esg.dynamics.choreography.hits.demands import passed_on
 from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.story.stagecraft import default_speed, ground_restitution, prop
 from esg.dynamics.story.story import read_story

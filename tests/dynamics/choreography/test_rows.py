@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from esg.dynamics.casting.chains import HEAVIEST, POLISHED, SOLID_KG_M3
-from esg.dynamics.choreography.rows import ROUGHER, ROW_S, asked_of_first, rows
+from esg.dynamics.choreography.hits.rows import ROUGHER, ROW_S, asked_of_first, rows
 from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.losses import Assessment
 from esg.dynamics.search.panel import Found

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from esg.dynamics import build_scene, start_hints
-from esg.dynamics.choreography.demands import passed_on, run_on_speed
+from esg.dynamics.choreography.hits.demands import passed_on, run_on_speed
 from esg.dynamics.choreography.slopes import (
     Ride,
     Slope,

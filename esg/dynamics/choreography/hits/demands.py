@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.choreography.hits.rows import asked_of_first, row_after
 from esg.dynamics.choreography.placing import hits_on
-from esg.dynamics.choreography.rows import asked_of_first, row_after
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import off_a_wall
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, fall_speed, passed_on

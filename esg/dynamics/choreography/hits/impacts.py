@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
-from esg.dynamics.choreography.demands import KEPT
 from esg.dynamics.choreography.flights import hits_level, slowed, thrown_back
+from esg.dynamics.choreography.hits.demands import KEPT
+from esg.dynamics.choreography.hits.rows import ROW_S, row_after
 from esg.dynamics.choreography.placing import bring_support, goes_on, hits_on, yaw_met
-from esg.dynamics.choreography.rows import ROW_S, row_after
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import (
     Frame,
