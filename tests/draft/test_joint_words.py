@@ -224,3 +224,4 @@ def test_what_is_to_swing_faces_along_a_blow_out_of_a_stated_side(side: str, way
     doc = draft(f"A hammer strikes a church bell {side}, then it sways.")
     faces = {r.from_: r.cardinal for r in doc.spatial_relation_graph.edges.binary_relations}
     assert faces["bell_1"] == way
+    assert Predicate.STRUCK_ON not in {s.predicate for s in doc.statements or ()}

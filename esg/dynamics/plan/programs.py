@@ -30,7 +30,7 @@ from esg.dynamics.story.paces import (
     usual_halt,
 )
 from esg.dynamics.story.stagecraft import coasting_drag, prop, stacked_with, support_of
-from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, turn_of
+from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, turn_of, turns_back
 from esg.engines.joints import start_position
 from esg.engines.program import (
     AdjustProperties,
@@ -247,6 +247,8 @@ class Composer:
             if self.story.tips(phase) or (k > 0 and (jumps or self.story.flies(actor))):
                 # Nothing may hold it upright or on its course any more.
                 course.out = [_until(p, start) for p in course.out]
+            if turns_back(self.story, phase, lambda name: self.scene.body(name).static):
+                course.heading += math.pi
             leg = _Leg(phase, v, start, end, k == 0, k + 1 == len(phases), duration)
             done = len(course.out)
             if phase.edge.event is EdgeEvent.GUIDE:

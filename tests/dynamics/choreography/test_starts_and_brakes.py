@@ -372,3 +372,11 @@ def test_a_stated_speed_backwards_is_kept() -> None:
     hold = program_of(cast("A van reverses at 6 m/s into a trash can."))[0]
     assert isinstance(hold, HoldVelocity)
     assert hold.speed == pytest.approx(6.0, rel=0.05)
+
+
+def test_what_has_backed_into_a_wall_drives_forward_away_from_it() -> None:
+    """It rolled on against it, or back by the bounce of the hit alone."""
+    told = cast("A truck backs up and hits a mailbox, then drives forward and stops.")
+    back, ahead = [p for p in program_of(told) if isinstance(p, HoldVelocity)][:2]
+    assert math.cos(ahead.heading - back.heading) == pytest.approx(-1.0)
+    assert ahead.start > 0.5
