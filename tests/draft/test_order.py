@@ -7,6 +7,7 @@ import pytest
 from esg.draft import draft
 from esg.graph.models import EsgDocument, Predicate, Statement
 from esg.metrics.expectations import expectations_from_timeline
+from esg.metrics.plausibility.told import told_of
 
 
 def _said(doc: EsgDocument, *says: Predicate) -> list[Statement]:
@@ -180,3 +181,20 @@ def test_what_stands_on_a_thing_is_on_it(prompt: str, thing: str, host: str) -> 
     graph = draft(prompt).spatial_relation_graph
     region = graph.nodes[thing].semantic_region or ""
     assert graph.semantic_regions[region].parent_object == host
+
+
+@pytest.mark.parametrize(
+    ("prompt", "load", "host"),
+    [
+        ("A man drops a tray with a cup on it.", "cup_1", "tray_1"),
+        ("A man throws a plate with a cake on it.", "cake_1", "plate_1"),
+        ("A crane drops a pallet with three barrels on it onto a car.", "barrel_1", "pallet_1"),
+    ],
+)
+def test_what_is_on_a_thing_is_no_place_to_land_on(prompt: str, load: str, host: str) -> None:
+    """Put the load on what has it, and let that meet nothing of its own load."""
+    doc = draft(prompt)
+    assert doc.timeline_system is not None
+    nodes = doc.timeline_system.sequence_graph.nodes
+    assert not any(load in n.participants for n in nodes)
+    assert told_of(doc).stands_on[load] == host

@@ -422,3 +422,13 @@ def test_what_rolls_down_backwards_may_be_as_fast_as_its_fall_makes_it() -> None
     """20 m down give 19.8 m/s, which no reverse gear does."""
     slope = World().add(car(), x=lambda t: 5.0 * t**2, z=lambda t: 20.6 - 5.0 * t**2, yaw_deg=180.0)
     assert checked(slope)["speed"].ok
+
+
+def test_what_stands_on_what_is_let_go_may_go_with_it() -> None:
+    """A tray falls away from the cup on it without a touch."""
+    falling = World().add(body("tray_1"), z=line(1.0, 0.5, 0.0, 0.3))
+    falling.add(body("cup_1"), z=line(1.2, 0.7, 0.0, 0.3))
+    tray = frozenset({"tray_1"})
+    assert not checked(falling, Told(movers=tray))["motion_before"].ok
+    told = Told(movers=tray, stands_on={"cup_1": "tray_1"})
+    assert checked(falling, told)["motion_before"].ok
