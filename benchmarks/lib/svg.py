@@ -161,20 +161,20 @@ class Box:
 
 def boxes(
     found: Sequence[Box],
-    arrows: Sequence[tuple[str, str, str]],
+    arrows: Sequence[tuple[str, str]],
     *,
     column: float = 190,
     row: float = 92,
     wide: float = 150,
 ) -> str:
-    """Boxes and arrows (from, to, word) between their nearest sides."""
+    """Boxes and arrows (from, to) between their nearest sides."""
     tall = {b.name: 14 + 16 * len(b.lines) for b in found}
     at = {b.name: (16 + b.column * column + wide / 2, 14 + b.row * row + row * 0.36) for b in found}
     out = [
         '<defs><marker id="tip" viewBox="0 0 8 8" refX="7" refY="4" markerWidth="7" '
         f'markerHeight="7" orient="auto"><path d="M0 0L8 4L0 8z" fill="{FAINT}"/></marker></defs>'
     ]
-    for start, end, word in arrows:
+    for start, end in arrows:
         (x1, y1), (x2, y2) = at[start], at[end]
         if abs(x2 - x1) > 1:
             side = math.copysign(wide / 2, x2 - x1)
@@ -186,8 +186,6 @@ def boxes(
             f'<path d="M{x1:.1f} {y1:.1f}L{x2:.1f} {y2:.1f}" stroke="{FAINT}" '
             'stroke-width="1.4" marker-end="url(#tip)"/>'
         )
-        if word:
-            out.append(text((x1 + x2) / 2 + 4, (y1 + y2) / 2 - 5, word, 'fill-opacity=".7"'))
     for box in found:
         x, y = at[box.name]
         high = tall[box.name]

@@ -14,7 +14,7 @@ from __future__ import annotations
 
 import argparse
 from collections.abc import Collection, Sequence
-from dataclasses import asdict, dataclass, field
+from dataclasses import asdict, dataclass, field, replace
 import json
 from pathlib import Path
 import shutil
@@ -180,11 +180,17 @@ def ours(
     from esg.engines.wheels import scene_angles
     from esg.view.renderers.kinds import kind_named
     from esg.view.renderers.records import Poses, Quality
-    from esg.view.scenery import scenery_of, seen_from
+    from esg.view.scenery import scenery_of
+    from esg.view.surroundings import thing_of
 
     camera = camera_at(setting, float(rollout.time[frame]))
     whole = scenery_of(scene, rollout, load_document(folder / "esg.json"))
-    drawer = kind_named("raster").load(seen_from(whole, [camera], scene, rollout), Quality(SIZE))
+    around = whole.surroundings
+    assert around is not None
+    exported = {thing_of(p) for p in setting.parts}
+    parts = tuple(p for p in around.parts if thing_of(p) in exported)
+    seen = replace(whole, surroundings=replace(around, sky=setting.sky, parts=parts))
+    drawer = kind_named("raster").load(seen, Quality(SIZE))
     angles = scene_angles(scene, rollout)[None, frame : frame + 1]
     now = slice(frame, frame + 1)
     poses = Poses(rollout.position[:1, now], rollout.quaternion[:1, now], angles)

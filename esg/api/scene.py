@@ -274,6 +274,59 @@ class Scene:
         with refused(target):
             return export_folder(self.folder, to, target, form=form, self_contained=self_contained)
 
+    def render(
+        self,
+        channels: str = "rgb,depth,segmentation",
+        out: str | Path | None = None,
+        *,
+        size: str = "256x256",
+        fps: float = 24.0,
+        cameras: int = 1,
+        camera: str = "around",
+        format: Literal["png", "parquet"] = "png",
+        device: str = "cpu",
+        seed: int = 0,
+        renderer: str = "raster",
+        samples: int | None = None,
+        motion_blur: bool = False,
+    ) -> Path:
+        """Draws the recorded replay with exact channels for learning (`docs/view.md`).
+
+        Args:
+            channels: Of rgb, depth, normal, segmentation, flow, backward_flow, object_coordinates,
+                boxes2d, boxes3d (boxes: both), tracks, with commas between; or all.
+            out: Folder to write; default `render` in the scene folder.
+            size: Width x height [px].
+            fps: Frames a second.
+            cameras: How many, 1 to 8.
+            camera: around, or a director's: auto, static, tracking, dolly, orbit or dash.
+            format: png writes files, parquet shards of rows.
+            device: cpu or cuda:N.
+            seed: Of the points that tracks follow, of noise and of clouds.
+            renderer: Of colours: raster, path (Mitsuba) or cycles (Blender).
+            samples: Rays a pixel; default what suits the renderer.
+            motion_blur: Let the shutter be open for half of the time between frames.
+
+        Returns:
+            The folder, whose `manifest.json` says what every file holds.
+
+        Raises:
+            UserError: Naming what cannot be drawn so; or if the scene was never replayed.
+        """
+        from esg.api.inputs import checked
+        from esg.api.rendering import render_scene, settings_of
+        from esg.scenefolder import check_writable
+
+        target = self.folder / "render" if out is None else Path(out)
+        chosen, _ = checked(
+            lambda: settings_of(
+                channels, size, fps, cameras, camera=camera, format=format, device=device,
+                seed=seed, renderer=renderer, samples=samples, motion_blur=motion_blur,
+            ),
+            lambda: check_writable(target),
+        )  # fmt: skip
+        return Path(render_scene(self.folder, target, chosen)["folder"])
+
     def show(self) -> Any:
         """Its film, for a notebook.
 

@@ -8,24 +8,33 @@ from __future__ import annotations
 from collections.abc import Sequence
 import math
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.geometry.mesh import build_mesh
 from esg.assets.geometry.sketch import Color
-from esg.graph.models import AssetConfiguration
+from esg.graph.joints import child_frame
+from esg.graph.models import AssetConfiguration, AssetRequirement, Joint
+from esg.units import quat_rotate
+
+if TYPE_CHECKING:
+    from esg.assets.library.catalogue import Entry
+    from esg.lexicon.articulations import Articulation
+
+Pieces = list[tuple[NDArray[Any], NDArray[Any], Color]]
+"""Vertices [m], triangles and colour of what is seen."""
+UNLIMITED_DEG = 30.0
+"""What has no limits is shown so far to either side."""
 
 _FOV = 0.55
 _SUPERSAMPLE = 3
 """Rays a pixel along each axis: thin rods would break up otherwise."""
 
 
-def _merged(
-    config: AssetConfiguration,
-) -> list[tuple[NDArray[Any], NDArray[Any], Color]]:
-    """Vertices [m], triangles and colour of the asset, parts of one colour together."""
+def _merged(config: AssetConfiguration) -> Pieces:
+    """The asset, parts of one colour together."""
     groups: dict[Color, list[Any]] = {}
     parts: list[Any] = build_mesh(config).dump()
     for node in parts:
@@ -83,10 +92,15 @@ def render(config: AssetConfiguration, size: int = 160) -> NDArray[np.uint8]:
 def render_views(
     config: AssetConfiguration, directions: Sequence[Any], size: int
 ) -> NDArray[np.uint8]:
-    """One asset from several directions.
+    """One asset from several directions (`_render`)."""
+    return _render(_merged(config), directions, size)
+
+
+def _render(pieces: Pieces, directions: Sequence[Any], size: int) -> NDArray[np.uint8]:
+    """Meshes from several directions.
 
     Args:
-        config: The asset.
+        pieces: What is seen.
         directions: From the asset's middle towards each camera, shape [n, 3].
         size: Pixels along each side.
 
@@ -101,7 +115,7 @@ def render_views(
     builder = newton.ModelBuilder()
     low, high = np.full(3, np.inf), np.full(3, -np.inf)
     # A fixed shape: nothing is simulated, so no mass is needed.
-    for vertices, faces, color in _merged(config):
+    for vertices, faces, color in pieces:
         low, high = np.minimum(low, vertices.min(0)), np.maximum(high, vertices.max(0))
         mesh = newton.Mesh(
             vertices.astype(np.float32), faces.flatten().astype(np.int32), compute_inertia=False
@@ -141,18 +155,82 @@ def contact_sheet(
     configs: Sequence[AssetConfiguration], path: Path, *, columns: int = 12, size: int = 120
 ) -> None:
     """Writes one PNG with a labelled tile an asset."""
+    named = [(c.asset_name.split("/")[-1], _merged(c)) for c in configs]
+    _sheet(named, path, columns, size)
+
+
+def _sheet(named: Sequence[tuple[str, Pieces]], path: Path, columns: int, size: int) -> None:
     from PIL import Image, ImageDraw
 
     label = 12
-    rows = math.ceil(len(configs) / columns)
+    rows = math.ceil(len(named) / columns)
     sheet = Image.new("RGB", (columns * size, rows * (size + label)), "white")
     draw = ImageDraw.Draw(sheet)
-    for i, config in enumerate(configs):
+    for i, (name, pieces) in enumerate(named):
         x, y = (i % columns) * size, (i // columns) * (size + label)
-        tile = Image.fromarray(render(config, size * _SUPERSAMPLE))
+        tile = Image.fromarray(_render(pieces, [FRONT_LEFT], size * _SUPERSAMPLE)[0])
         sheet.paste(tile.resize((size, size), Image.Resampling.BOX), (x, y))
-        draw.text((x + 3, y + size), config.asset_name.split("/")[-1][: size // 6], fill="black")
+        draw.text((x + 3, y + size), name[: size // 6], fill="black")
     sheet.quantize(128).save(path, optimize=True)
+
+
+def joints_sheet(path: Path, *, columns: int = 8, size: int = 120) -> int:
+    """Writes the contact sheet of all jointed things, each at both ends of its joint.
+
+    Returns:
+        How many things it shows.
+    """
+    from esg.assets.library.catalogue import parts
+    from esg.lexicon.articulations import articulations
+
+    rows = list(dict.fromkeys(articulations().values()))
+    named: list[tuple[str, Pieces]] = []
+    for row in rows:
+        ends = [_usual(parts()[n.replace(" ", "_")]) for n in (row.becomes, row.with_part)]
+        parent, child = ends if row.carries == "becomes" else ends[::-1]
+        for position in _extremes(row):
+            seen = _merged(parent)
+            for n in range(1, row.count + 1):
+                at = position if n == 1 else row.start
+                joint = Joint(
+                    id="joint", kind=row.kind, parent="parent", child="child", upper=row.upper,
+                    parent_mount=row.parent_mount.format(n=n), child_mount=row.child_mount,
+                    position=at,
+                )  # fmt: skip
+                frame = child_frame(joint, parent, child)
+                shift = np.asarray(frame.position) / 100.0
+                seen += [
+                    (quat_rotate(np.asarray(frame.quaternion), v) + shift, faces, color)
+                    for v, faces, color in _merged(child)
+                ]
+            unit = "cm" if row.kind == "slider" else "deg"
+            named.append((f"{row.nouns[0]} {position:g} {unit}", seen))
+    _sheet(named, path, columns, size)
+    return len(rows)
+
+
+def _extremes(row: Articulation) -> tuple[float, float]:
+    """The positions between which a thing moves [deg or cm], or some to both sides."""
+    if row.kind in ("hinge", "slider") and row.lower is not None and row.upper is not None:
+        return row.lower, row.upper
+    wide = row.upper if row.kind == "ball" and row.upper is not None else UNLIMITED_DEG
+    return -wide, wide
+
+
+def _usual(entry: Entry) -> AssetConfiguration:
+    """A kind of the library as it usually is."""
+    from esg.assets.stage import configure
+
+    return configure(
+        entry.name,
+        AssetRequirement(
+            asset_category=entry.name,
+            asset_description=entry.description,
+            expected_dimensions_cm=entry.dimensions_cm,
+            expected_mass_kg=entry.mass_kg,
+            is_movable=entry.movable,
+        ),
+    )
 
 
 def library_sheet(path: Path, *, columns: int = 18, size: int = 96) -> int:
@@ -162,23 +240,8 @@ def library_sheet(path: Path, *, columns: int = 18, size: int = 96) -> int:
         How many kinds it shows.
     """
     from esg.assets.library.catalogue import catalogue
-    from esg.assets.stage import configure
-    from esg.graph.models import AssetRequirement
 
-    configs = [
-        configure(
-            e.name,
-            AssetRequirement(
-                asset_category=e.name,
-                asset_description=e.description,
-                expected_dimensions_cm=e.dimensions_cm,
-                expected_mass_kg=e.mass_kg,
-                is_movable=e.movable,
-            ),
-        )
-        for e in catalogue()
-        if "like" not in dict(e.params)
-    ]
+    configs = [_usual(e) for e in catalogue() if "like" not in dict(e.params)]
     contact_sheet(configs, path, columns=columns, size=size)
     return len(configs)
 
@@ -186,4 +249,6 @@ def library_sheet(path: Path, *, columns: int = 18, size: int = 96) -> int:
 if __name__ == "__main__":
     import sys
 
-    print(f"{library_sheet(Path(sys.argv[1]))} kinds in {sys.argv[1]}")
+    joints = "--joints" in sys.argv
+    written = joints_sheet(Path(sys.argv[1])) if joints else library_sheet(Path(sys.argv[1]))
+    print(f"{written} kinds in {sys.argv[1]}")

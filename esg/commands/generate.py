@@ -126,9 +126,9 @@ def _state(arguments: tuple[Any, ...]) -> SceneState:
 
 
 def _pictures(channels: str) -> Settings:
-    from esg.commands.render import settings
+    from esg.api.rendering import settings_of
 
-    return settings(channels, "256x256", 24.0, 1, "png")
+    return settings_of(channels)
 
 
 def _rendered(folder: Path, pictures: Settings, device: str, seed: int) -> dict[str, Any]:

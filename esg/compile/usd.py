@@ -298,10 +298,23 @@ def _joints(stage: Any, manifest: Manifest, paths: dict[str, str]) -> dict[str, 
     idents = names.unique_identifiers(j.name for j in scene.joints)
     out = {name: f"{JOINTS_PATH}/{ident}" for name, ident in idents.items()}
     offsets = {b.name: np.asarray(b.origin_offset, float) for b in scene.bodies}
+    fixed = {b.name for b in scene.bodies if b.static}
     for joint in scene.joints:
         _joint(stage, out[joint.name], joint, paths, offsets)
+        if joint.parent in fixed and not joint.collide:
+            _deaf(stage, paths[joint.child], paths[joint.parent])
     articulate(stage, scene, paths, out)
     return out
+
+
+def _deaf(stage: Any, body: str, other: str) -> None:
+    """Lets a body not touch what stands: its colliders are no body, which a joint could name."""
+    from pxr import UsdPhysics
+
+    pairs = UsdPhysics.FilteredPairsAPI.Apply(stage.GetPrimAtPath(body)).CreateFilteredPairsRel()
+    for part in stage.GetPrimAtPath(other).GetChildren():
+        if part.HasAPI(UsdPhysics.CollisionAPI):
+            pairs.AddTarget(part.GetPath())
 
 
 def _joint(

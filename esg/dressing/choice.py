@@ -168,13 +168,25 @@ def _ground(doc: EsgDocument, place: Place, text: str) -> tuple[str, str]:
 def _dry_ground(doc: EsgDocument, place: Place, text: str) -> tuple[str, str]:
     """The surface that words ask for, else the place's own; a room's floor outdoors never."""
     told = doc.scene_definition
+<<<<<<< HEAD
+    if told.wording is not None and told.wording.surface is not None:
+        return told.wording.surface, f"ground: {told.wording.surface}"
+    configs = doc.asset_configurations
+    solid = {
+        name.rpartition("_")[0].replace("_", " ")
+        for name, node in doc.spatial_relation_graph.nodes.items()
+        if node.asset_id in configs and configs[node.asset_id].proxies
+    }
+=======
+>>>>>>> main
     natural = {"snow", "ice", "sand", "grass", "soil", "gravel", "water"}
     for name, row in surfaces().items():
         if place.setting == "indoor" and name in natural:
             continue
         if told.scene_parameters.environment.replace("_", " ") in row.said_as:
             return name, f"ground: environment {told.scene_parameters.environment}"
-        strong, word = _said(row.said_as, text)
+        # What one bumps into is a thing, not the ground: the boards of a rink.
+        strong, word = _said((w for w in row.said_as if singular(w) not in solid), text)
         snowed = name == "snow" and strong > 0.0
         if strong >= WHERE or snowed:
             return name, f'ground: "{word}"'

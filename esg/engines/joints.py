@@ -256,13 +256,15 @@ def opening_asked(joint: Joint, half_extents: Vec, degrees: float) -> float:
 def joint_problems(scene: SimScene) -> list[str]:
     """Everything that is wrong with a scene's joints, each with its place, value and remedy."""
     bodies = {b.name: b for b in scene.bodies}
+    pieces = {name for b in scene.bodies for name in b.fragments}
+    whole = sorted(bodies.keys() - pieces)
     out: list[str] = []
     for i, joint in enumerate(scene.joints):
         place = f"/joints/{i}"
         if joint.name in [j.name for j in scene.joints[:i]]:
             out.append(f"{place}/name: {joint.name!r} is used twice; give each joint its own")
         missing = [
-            f"{place}/{end}: no body {name!r}; bodies are {sorted(bodies)}"
+            f"{place}/{end}: no body {name!r}; bodies are {whole}"
             for end, name in (("child", joint.child), ("parent", joint.parent))
             if name not in bodies and (end, name) != ("parent", WORLD)
         ]

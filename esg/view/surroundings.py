@@ -132,31 +132,34 @@ def before_the_picture(parts: Sequence[Part], cameras: Sequence[Camera]) -> froz
         parts: Of surroundings.
         cameras: At least one.
     """
-    boxes: dict[str, list[tuple[Floats, Floats, Part]]] = {}
-    for part in parts:
+    things: dict[str, list[int]] = {}
+    for k, part in enumerate(parts):
         name = thing_of(part)
         if name != GROUND:
-            low, high = part.vertices.min(axis=0), part.vertices.max(axis=0)
-            boxes.setdefault(name, []).append((low, high, part))
+            things.setdefault(name, []).append(k)
+    low = np.array([p.vertices.min(axis=0) for p in parts]).reshape(-1, 1, 3)
+    high = np.array([p.vertices.max(axis=0) for p in parts]).reshape(-1, 1, 3)
+    thin = (high - low).min(axis=(1, 2)) < FLAT_M
     found: set[str] = set()
     for camera in cameras:
         ends = camera.spread(RAYS, SHORT_OF)
         starts = np.repeat(np.array([camera.eye], float), len(ends), axis=0)
-        for name, of_thing in boxes.items():
-            if name in found:
+        near = _crosses_box(starts, ends, low, high)
+        enough = COVERS * len(ends)
+        for name in [n for n in things if n not in found]:
+            # What is cheap comes first: most things have too few rays near them.
+            members = things[name]
+            if np.count_nonzero(near[members].any(axis=0)) < enough:
                 continue
-            met = np.zeros(len(ends), bool)
-            for low, high, part in of_thing:
-                cross = _crosses_box(starts, ends, low, high) & ~met
-                if not cross.any():
-                    continue
-                if float((high - low).min()) < FLAT_M:
-                    met |= cross
-                    continue
-                rays = np.flatnonzero(cross)
-                corners = part.vertices[part.faces]
-                met[rays] = [_crosses(starts[k : k + 1], ends[k : k + 1], corners) for k in rays]
-            if np.count_nonzero(met) >= COVERS * len(ends):
+            met: NDArray[np.bool_] = np.any(near[[k for k in members if thin[k]]], axis=0)
+            solid = [k for k in members if not thin[k]]
+            for k, ray in zip(*np.nonzero(near[solid]), strict=True):
+                if np.count_nonzero(met) >= enough:
+                    break
+                if not met[ray]:
+                    corners = parts[solid[k]].vertices[parts[solid[k]].faces]
+                    met[ray] = _crosses(starts[ray : ray + 1], ends[ray : ray + 1], corners)
+            if np.count_nonzero(met) >= enough:
                 found.add(name)
     return frozenset(found)
 
@@ -167,12 +170,12 @@ def _some(rows: Floats, most: int) -> Floats:
 
 
 def _crosses_box(starts: Floats, ends: Floats, low: Floats, high: Floats) -> NDArray[np.bool_]:
-    """Which segments meet a box, shape [n]."""
+    """Which segments meet which boxes, shape [..., n] for boxes of shape [..., 1, 3]."""
     way = ends - starts
     way = np.where(np.abs(way) < 1e-9, 1e-9, way)
     near, far = (low - starts) / way, (high - starts) / way
-    enter = np.minimum(near, far).max(axis=1)
-    leave = np.maximum(near, far).min(axis=1)
+    enter = np.minimum(near, far).max(axis=-1)
+    leave = np.maximum(near, far).min(axis=-1)
     return (enter <= leave) & (leave >= 0.0) & (enter <= 1.0)
 
 

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+import json
 from pathlib import Path
 import shutil
 import subprocess
 import sys
 
 import numpy as np
+from PIL import Image
 import pytest
 
 import esg
@@ -91,6 +93,20 @@ def test_a_replay_elsewhere_is_judged_by_the_same_timeline(scene: esg.Scene) -> 
 def test_an_export_lies_where_it_was_asked_for(scene: esg.Scene, tmp_path: Path) -> None:
     files = scene.export("mjcf", tmp_path)
     assert files and all(f.is_relative_to(tmp_path) and f.is_file() for f in files)
+
+
+def test_pictures_lie_where_they_were_asked_for(scene: esg.Scene, tmp_path: Path) -> None:
+    """Of the size and channels that were asked for, and all mistakes at once."""
+    folder = scene.render("depth,segmentation", tmp_path / "seen", size="32x24", fps=4.0)
+    manifest = json.loads((folder / "manifest.json").read_bytes())
+    assert folder == tmp_path / "seen" and set(manifest["channels"]) == {"depth", "segmentation"}
+    pictures = [path for path in folder.rglob("*.png") if path.name != "sheet.png"]
+    assert len(pictures) >= 4
+    with Image.open(pictures[0]) as picture:
+        assert picture.size == (32, 24)
+    with pytest.raises(esg.UserError) as told:
+        scene.render("smell", size="huge", camera="behind")
+    assert all(word in str(told.value) for word in ("smell", "huge", "behind"))
 
 
 def test_a_notebook_shows_prompt_outcome_and_pictures(scene: esg.Scene) -> None:

@@ -266,6 +266,15 @@ def test_usd_starts_the_articulation_at_what_stands(tmp_path: Path) -> None:
     assert not [p for p in alone.Traverse() if p.HasAPI(UsdPhysics.ArticulationRootAPI)]
 
 
+def test_usd_keeps_a_leaf_from_touching_the_frame_that_stands(tmp_path: Path) -> None:
+    """Colliders of what stands are no body, so that the joint does not tell whom it means."""
+    from pxr import Usd
+
+    stage = Usd.Stage.Open(str(usd_of(tmp_path, *built("door"))))
+    deaf = stage.GetPrimAtPath("/World/Leaf").GetRelationship("physics:filteredPairs")
+    assert [str(p) for p in deaf.GetTargets()] == ["/World/Frame/Collider0"]
+
+
 def test_usd_names_the_solver_with_which_the_scene_was_proven(tmp_path: Path) -> None:
     from pxr import Usd
 

@@ -215,3 +215,13 @@ def test_what_stands_open_is_open_at_the_start() -> None:
     for prompt in ("The door stands open until a ball hits it.", "A fridge door stands open."):
         (joint,) = draft(prompt).spatial_relation_graph.joints or ()
         assert joint.position is not None and joint.position >= 80.0
+
+
+@pytest.mark.parametrize(
+    ("side", "way"), [("from the left", "-X"), ("from the right", "+X"), ("", "+Y")]
+)
+def test_what_is_to_swing_faces_along_a_blow_out_of_a_stated_side(side: str, way: str) -> None:
+    doc = draft(f"A hammer strikes a church bell {side}, then it sways.")
+    faces = {r.from_: r.cardinal for r in doc.spatial_relation_graph.edges.binary_relations}
+    assert faces["bell_1"] == way
+    assert Predicate.STRUCK_ON not in {s.predicate for s in doc.statements or ()}

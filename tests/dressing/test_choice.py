@@ -148,6 +148,13 @@ def test_the_ground_is_what_words_say() -> None:
     assert chosen("On a snowy day a sled slides.", ("sled", (1, 0.5, 0.3))).ground == "snow"
     assert chosen("A ball rolls over the sand.", BALL).ground == "sand"
     assert chosen("A box slides over ice.", BALL, environment="ice").ground == "ice"
+
+
+def test_what_one_runs_into_is_not_the_ground() -> None:
+    prompt = "A puck slides across the rink into the boards."
+    puck, board = ("puck", (0.1, 0.1, 0.1)), ("board", (3.0, 0.1, 1.0))
+    assert chosen(prompt, puck).ground == "boards"
+    assert chosen(prompt, puck, board).ground == "ice"
     assert chosen("A ball rolls through the park.", BALL, environment="park").ground == "grass"
 
 

@@ -25,6 +25,7 @@ from esg.engines.program import (
 from esg.engines.registry import get_engine
 from esg.engines.scene import SimScene, Variation
 from esg.engines.shapes import SceneShapes
+from esg.outcomes import UserError
 from esg.units import quat_from_euler_deg
 from tests.engines.lab import DT, ball, box
 
@@ -125,11 +126,11 @@ def test_what_closes_a_ring_is_what_needs_no_coordinate() -> None:
 def test_what_neither_branches_nor_ties_can_do_is_refused_by_name() -> None:
     scene = links_of(1, parents=[-1])
     brittle = replace(scene.joints[0], break_impulse=1.0, motor=Motor(1.0))
-    with pytest.raises(ValueError, match="cannot simulate 'j0', which closes a ring or may break"):
+    with pytest.raises(UserError, match="cannot simulate 'j0', which closes a ring or may break"):
         play(replace(scene, joints=(brittle,)))
     spring = joint_between("s", "spring", scene.bodies[0], None, at=(0.0, 0.0, 3.0))
     spring = replace(spring, upper=0.5, break_impulse=1.0)
-    with pytest.raises(ValueError, match="cannot simulate 's', a spring that may break"):
+    with pytest.raises(UserError, match="cannot simulate 's', a spring that may break"):
         play(replace(scene, joints=(spring,)))
 
 

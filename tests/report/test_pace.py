@@ -3,20 +3,26 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 import json
 import os
 from pathlib import Path
 import time
 from typing import Any
 
+import numpy as np
 import pytest
+import trimesh
 
 from esg.dressing import dress
 from esg.graph import EsgDocument
 from esg.report.page import write_report
 from esg.report.run import load_run
+from esg.view.pieces import Part
+from esg.view.surroundings import Surroundings, surroundings_of
 from tests.report import browser as chrome
 from tests.report.folders import document, rollout, scene, write_scene
+from tests.report.test_browser import PAINTED
 
 pytestmark = [
     pytest.mark.browser,
@@ -37,8 +43,12 @@ SMOOTH = f"{CANVAS} return c.getContext('webgl2').getContextAttributes().antiali
 @pytest.fixture(scope="module")
 def page(tmp_path_factory: pytest.TempPathFactory) -> Path:
     """A scene in a street with its houses."""
+    return page_of(tmp_path_factory.mktemp("run") / "drop")
+
+
+def page_of(folder: Path) -> Path:
     prompt = "A red ball falls onto a box in the street."
-    folder = write_scene(tmp_path_factory.mktemp("run") / "drop", prompt)
+    write_scene(folder, prompt)
     told = document(prompt)
     told["scene_definition"]["scene_parameters"]["scene_type"] = "outdoor"
     dressed = dress(EsgDocument.model_validate(told), scene(), rollout(), seed=0)
@@ -108,3 +118,20 @@ def until(driver: Any, true: Callable[[float], bool]) -> None:
     while not true(driver.execute_script(SHARE)):
         assert time.monotonic() < deadline
         time.sleep(0.02)
+
+
+def test_what_hides_one_participant_is_left_out(
+    driver: Any, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A board before the ball, beside the line to the middle of the picture."""
+    board = trimesh.creation.box((1.0, 0.1, 0.75))
+    board.apply_translation((0.0, 1.0, 2.3))
+    hides = Part(-1, np.array(board.vertices), np.array(board.faces), (0.5, 0.5, 0.5), name="b/1")
+
+    def with_board(*asked: Any) -> Surroundings:
+        return replace(surroundings_of(*asked), parts=(hides,))
+
+    monkeypatch.setattr("esg.view.surroundings.surroundings_of", with_board)
+    opened(driver, page_of(tmp_path / "drop"))
+    until(driver, lambda share: share > 0.99)
+    assert driver.execute_script(PAINTED) > 300

@@ -21,7 +21,7 @@ from esg.outcomes import UserError
 from esg.view.camera import Camera
 from esg.view.maps import encoded, linear, pyramid
 from esg.view.pieces import Part
-from esg.view.renderers import cycles
+from esg.view.renderers import cycles, mitsuba
 from esg.view.renderers.finish import view_directions
 from esg.view.renderers.kinds import KINDS, kind_named
 from esg.view.renderers.records import Poses, Quality, Scenery
@@ -317,3 +317,13 @@ def test_blender_draws_the_same_picture() -> None:
     b = rgb(drawn("raster", shown)).astype(float)
     assert np.abs(a[:4] - b[:4]).max() <= 1
     assert np.median(np.abs(a - b)) < 16
+
+
+def test_slopes_of_a_normal_map_are_as_steep_as_the_material_says() -> None:
+    """Rubber at full strength is lit alike all over: its balls looked flat."""
+    steep = np.array([[[218, 127, 217]]], np.uint8)
+    flat, half, full = (2 * mitsuba.sloped(steep, s)[0, 0] - 1 for s in (0.0, 0.5, 1.0))
+    assert flat == pytest.approx((0.0, 0.0, 1.0), abs=1e-6)
+    assert full[0] / full[2] == pytest.approx(91 / 90, abs=0.02)
+    assert half[0] / half[2] == pytest.approx(0.5 * full[0] / full[2], abs=1e-3)
+    assert np.linalg.norm(half) == pytest.approx(1.0, abs=1e-6)

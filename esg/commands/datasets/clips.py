@@ -8,11 +8,10 @@ from typing import TYPE_CHECKING, Annotated, Any, Literal
 
 from cyclopts import Parameter
 
+from esg.api.rendering import MAX_CAMERAS, directed_by, drawn_by
+
 if TYPE_CHECKING:
     from esg.dataset.plan import RenderSpec
-
-MAX_CAMERAS = 8
-MAX_SAMPLES = 65536
 
 
 @Parameter(name="*")
@@ -207,35 +206,3 @@ def check_same(asked: RenderSpec | None, begun: RenderSpec | None, place: str) -
         f"{place} was begun with other clips; repeat those, or choose another --out:\n"
         + "\n".join(told)
     )
-
-
-def directed_by(camera: str) -> str:
-    """A checked kind of camera.
-
-    Raises:
-        UserError: Naming those there are.
-    """
-    from esg.outcomes import UserError
-    from esg.view.director.paths import KINDS
-
-    known = ("around", "auto", *KINDS)
-    if camera not in known:
-        raise UserError(f"--camera {camera!r}: choose from {', '.join(known)}")
-    return camera
-
-
-def drawn_by(renderer: str, samples: int | None) -> tuple[str, int | None]:
-    """Checked renderer and its rays a pixel.
-
-    Raises:
-        UserError: Naming the options and what they take, or what the renderer lacks here.
-    """
-    from esg.api.inputs import checked, in_range
-    from esg.view.renderers.kinds import kind_named
-
-    kind, _ = checked(
-        lambda: kind_named(renderer),
-        lambda: None if samples is None else in_range("--samples", samples, 1, MAX_SAMPLES),
-    )
-    kind.version()
-    return renderer, samples

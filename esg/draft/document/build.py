@@ -27,6 +27,7 @@ from esg.graph.models import (
     MultiRelation,
     MultiRelationType,
     Node,
+    NodeEvent,
     Provenance,
     RegionType,
     RelationEdges,
@@ -316,10 +317,25 @@ def _courses(graph: _Graph) -> dict[str, str]:
     return out
 
 
+def _struck_across(graph: _Graph, courses: dict[str, str]) -> dict[str, str]:
+    """Where hinged things face that swing from a blow out of a stated side: they swing that way."""
+    out: dict[str, str] = {}
+    nodes = graph.scene.timeline.nodes
+    swung = {n.participants[0] for n in nodes if n.event is NodeEvent.SWING}
+    for joint in (j for j in graph.scene.joints if j.kind == "hinge" and j.child in swung):
+        hits = (n for n in nodes if n.event is NodeEvent.COLLISION)
+        by = (n.participants[0] for n in hits if joint.child in n.participants[1:])
+        way = next((courses[b] for b in by if b in courses), None)
+        if way is not None:
+            out |= {n: way for n in (joint.child, joint.parent) if n is not None}
+    return out
+
+
 def _face(graph: _Graph) -> None:
     """Exactly one `face` per regular object that is not round."""
     aims: dict[str, str] = {}
     courses = _courses(graph)
+    swings = _struck_across(graph, courses)
     for edge in graph.scene.timeline.edges:
         if edge.target is not None and edge.event.value != "InertialConnector":
             aims.setdefault(edge.actor, edge.target)
@@ -331,9 +347,10 @@ def _face(graph: _Graph) -> None:
             or ("round" in e.noun.traits and e.noun.shape == "sphere")
         ):
             continue
-        if name in courses:
-            text = f"{e.label} faces the way that it goes"
-            _add(graph, name, GROUND, RelationType.FACE, cardinal=courses[name], confidence=0.9,
+        if name in courses or name in swings:
+            text = f"{e.label} faces the way that it {'goes' if name in courses else 'swings'}"
+            way = courses.get(name) or swings[name]
+            _add(graph, name, GROUND, RelationType.FACE, cardinal=way, confidence=0.9,
                  semantic_description=text)  # fmt: skip
             continue
         target = graph.scene.facing.get(name) or aims.get(name, "")

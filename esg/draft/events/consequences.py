@@ -7,7 +7,6 @@ from esg.draft.discourse.places import carries, elevated, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING
 from esg.draft.events.acts import add_event, add_hit, share_support
-from esg.draft.events.courses import measurable
 from esg.draft.events.ends import opening, takes_up_from_above
 from esg.draft.events.hanging import tipped
 from esg.draft.events.roles import role
@@ -110,17 +109,25 @@ def struck_before(d: Discourse, f: Frame, body: str) -> None:
 
 
 def met_in_its_row(d: Discourse, body: str) -> str:
-    """The last event told of others in the row that a body stands in; "" if none."""
+    """The last hit told of others in the row that a body stands in; "" if none."""
     mates = {*mates_of(d, body)} - {body} if entity_of(d, body).pattern == "row" else set[str]()
-    met = [n.id for n in d.timeline.nodes if mates & {*n.participants} and measurable(n.event)]
+    hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
+    met = [n.id for n in hits if mates & {*n.participants}]
     return met[-1] if met else ""
 
 
-def passed_on(d: Discourse, body: str) -> None:
-    """ "A marble hits the first domino, and the last one falls": by touch, and not by itself."""
-    met = met_in_its_row(d, body)
-    if met:
-        d.timeline.carry(body, met)
+def passed_on(d: Discourse, f: Frame, body: str) -> None:
+    """ "A marble hits the first domino, and the last one falls": by touch, and not by itself.
+
+    The one that was hit has then fallen, too.
+    """
+    met = d.timeline.node(met_in_its_row(d, body))
+    if met is None:
+        return
+    struck = next(p for p in reversed(met.participants) if p in mates_of(d, body))
+    if not happened(d, NodeEvent.TOPPLE, struck):
+        add_event(d, NodeEvent.TOPPLE, (struck,), f, None)
+    d.timeline.carry(body, met.id)
 
 
 def landing_of(d: Discourse, f: Frame, moved: list[str]) -> bool:

@@ -131,6 +131,7 @@ def interpret(
         if m is not None and has_counted_parts(m):
             ids_of(d, m)  # "the first ball of a Newton's cradle": there before its parts
     refer_all(d, frames)
+    _on_what_has_it(frames, attachments)
     linked = take_links(d)
     loosen(d.scene, d.text)
     dodge(frames, d.text)
@@ -161,9 +162,21 @@ def interpret(
     return d.scene
 
 
+def _on_what_has_it(frames: list[Frame], attachments: list[tuple[Mention, Phrase]]) -> None:
+    """ "Drops a tray with a cup on it": on the tray, and no place that the clause tells."""
+    owners = {id(p.mention): m for m, p in attachments if p.prep == "with"}
+    for m, p in attachments:
+        owner = owners.get(id(m))
+        if owner is None or p.mention is None or p.mention.pronoun not in ("it", "them"):
+            continue
+        p.mention.entities = [*owner.entities]
+        for f in frames:
+            f.phrases[:] = [q for q in f.phrases if q.mention is not p.mention]
+
+
 def _tells_of_hands(f: Frame) -> bool:
     """Whether a clause tells where something is put: not where it is at first."""
-    put = _HANDLED.get((f.verb.sense, f.verb.lemma)) == "put"
+    put = f.verb.sense == "park" or _HANDLED.get((f.verb.sense, f.verb.lemma)) == "put"
     return put and not f.verb.passive and not f.reduced and f.object is not None
 
 

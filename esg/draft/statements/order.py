@@ -46,15 +46,23 @@ def orders(d: Discourse) -> Iterator[Ordered]:
 
 
 def started_alone(d: Discourse) -> Iterator[tuple[int, int, str]]:
-    """Where those of a row are told that set off by themselves after others of it: by no touch."""
+    """Where something sets off by itself that others should move: those of a row that have been
+    hit, or what it stands on and is taken away.
+    """
     met: set[str] = set()
+    moved: set[str] = set()
     for clause in d.scene.clauses:
         for mover in clause.movers:
             mates = {*mates_of(d, mover)} - {mover}
             row = entity_of(d, mover).pattern == "row" and mates & met
-            alone = (e for e in d.timeline.edges if e.actor == mover and e.from_ == START)
-            if row and mover not in met and next(alone, None) is not None:
+            taken = d.scene.supported_by.get(mover) in moved | met and mover not in moved
+            launched = (
+                e for e in d.timeline.edges
+                if e.actor == mover and e.from_ == START and e.event is EdgeEvent.TOWARD
+            )  # fmt: skip
+            if (row or taken) and mover not in met and next(launched, None) is not None:
                 yield clause.frame.verb.start, clause.frame.verb.end, mover
+        moved |= {*clause.movers}
         verb = id(clause.frame.verb)
         told = {n for g, n in d.times.of_frame if id(g.verb) == verb}
         met |= {p for n in d.timeline.nodes if n.id in told for p in n.participants}

@@ -41,6 +41,7 @@ _SIDES = {
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
+_LEVELS = frozenset({"height", "level", "altitude"})
 _BEFORE = re.compile(r"\bbefore (?:an? |the )?$", re.IGNORECASE)
 _OWN = frozenset({"own", "fly", "reverse"})
 _INNER = frozenset({"in", "into", "inside", "within", "inside of"})
@@ -156,6 +157,8 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
     """Whether a phrase that names nothing in the scene need not be missed."""
     m = p.mention
     assert m is not None
+    if "same" in m.adjectives and m.head in _LEVELS:
+        return False  # nothing sees to it that two things start at one height
     if m.head in _TO_PIECES and any(happened(a.d, NodeEvent.BREAK, i) for i in about):
         return True  # "shatters into pieces"
     if (

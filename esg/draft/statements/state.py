@@ -258,6 +258,10 @@ def _carried(book: _Book, clause: Clause, s: Said, mover: str) -> None:
         bearer = d.scene.supported_by.get(load)
         if load in d.world.entities and bearer in bearers:
             book.add(s.row.states, s.start, s.end, object=(load,), target=(bearer,))
+            others = tuple(i for i in _ids(f.subject) if i != bearer and i in d.world.entities)
+            if others:  # "two men carry a sofa"
+                book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=others,
+                         note="only one of them carries it")  # fmt: skip
 
 
 def _rolled(book: _Book, clause: Clause, s: Said, mover: str) -> None:
@@ -399,6 +403,10 @@ def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> 
         return
     if s.phrase is not None and direction in ("up", "down"):
         _slope(book, s, mover, where)
+        return
+    if clause.frame.verb.sense == "topple":
+        note = "it falls over whichever way it is pushed"
+        book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=(mover,), note=note)
         return
     if clause.frame.verb.sense in TURNING or "turn" in d.scene.used.get(_span(clause.frame), ""):
         return

@@ -18,6 +18,7 @@ from esg.draft.discourse.core import entity_of, kind_of
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.discourse.windows import Draft
+from esg.draft.events.hanging import hanging
 from esg.draft.events.stated import adverbs_of, place_of, start_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
@@ -122,6 +123,8 @@ def _how(d: Discourse, f: Frame, n: Draft) -> Iterator[Struck]:
     for p in f.phrases:
         if p.prep == "from" and p.mention is not None and p.mention.attribute:
             side = _sides().get(("from", p.mention.part or p.mention.head))
+            if side in _HANDS and hanging(d, [target]):
+                continue  # a bell has no left: it is where what strikes it comes from
             yield from _on(d, n, target, side, start_of(p, d.text), p.mention.end)
     for word in adverbs_of(d.text, f):
         at = place_of(word, d.text, f) or (f.verb.start, f.verb.end)

@@ -151,6 +151,7 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "loose": lambda d, c: bool(c.movers) and _loose(d, c),
     "bumped": lambda d, c: c.frame.verb.form == "ing" and _bumped(d, c.frame),
     "down": _goes_down,
+    "finite": lambda d, c: not (c.frame.verb.passive or c.frame.reduced),
     "shoved": _shoved,
     "untied": lambda d, c: not _tied(d, c.frame),
 }

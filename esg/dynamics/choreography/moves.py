@@ -12,7 +12,15 @@ from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, sliding_travel
 from esg.dynamics.story.paces import turns_at
 from esg.dynamics.story.stagecraft import coasting_drag, top_surface
-from esg.dynamics.story.story import CRUISES, ON_THE_SPOT, Phase, bounds, rebounds, turn_of
+from esg.dynamics.story.story import (
+    CRUISES,
+    ON_THE_SPOT,
+    Phase,
+    bounds,
+    rebounds,
+    turn_of,
+    turns_back,
+)
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
@@ -44,6 +52,8 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
             continue
         else:
             duration = float(stage.rng.uniform(1.2, 1.8)) * stage.tight
+        if turns_back(stage.story, phase, lambda name: stage.prop(name).fixed):
+            track.heading += math.pi
         _advance(stage, actor, phase, duration)
         arrived.append(track.time)
     if not arrived:

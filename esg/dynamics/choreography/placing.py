@@ -201,7 +201,7 @@ def _place_target(
     sets_off = _sets_off(stage, node, b)
     turn = stage.stated_turn(node, b, a)
     yaw = yaw_met(stage, node, a, b, heading, turn, sets_off=sets_off)
-    if node.event is NodeEvent.ENTER_REGION:
+    if node.event is NodeEvent.ENTER_REGION or (stage.story.flies(a) and _is_hoop(pb)):
         # Its opening towards what comes (`meetings.enters`).
         yaw = heading + math.pi
     lateral = float(stage.rng.uniform(-0.12, 0.12)) * min(
@@ -232,6 +232,11 @@ def _place_target(
     if sets_off:
         stage.frames[b] = Frame(cx, cy, heading if turn is None else yaw)
     bring_support(stage, b, cx, cy, heading)
+
+
+def _is_hoop(b: Prop) -> bool:
+    """Whether it has a hoop, with a board behind it, that things are thrown at from its front."""
+    return b.config is not None and any(r.name == "hoop" for r in b.config.regions)
 
 
 def _at_kerb(

@@ -16,7 +16,10 @@ MOST_FAR = 4.0
 
 
 def broke(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
-    """The blow has to be harder than what it bears; what is missing of that is how far it was."""
+    """The blow has to be harder than what it bears; what is missing of that is how far it was.
+
+    Of a blow that broke it too early, a push off a table, it is by how much that was too hard.
+    """
     whole = rec.scene.index(node.participants[0])
     bears = rec.scene.bodies[whole].break_impulse
     if bears is None:
@@ -27,12 +30,14 @@ def broke(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) ->
     gone = blows > bears if own is None else broken_frames(own, rec.r.position, rec.r.quaternion)
     first = rec.first(gone)
     # It breaks in the step of the hit that it follows, which counts at the end of that step.
-    time = np.where(first >= earliest - 1.5 / rec.fps, np.maximum(first, earliest), np.inf)
+    early = first < earliest - 1.5 / rec.fps
+    time = np.where(early, np.inf, np.maximum(first, earliest))
     last = np.where(np.isfinite(first), first, rec.t[-1])
     hardest = np.where(rec.t <= last[:, None] + 1.5 / rec.fps, blows, 0.0).max(axis=1) / bears
     short = np.clip(SAFE_BLOW - hardest, 0.0, 1.0)
     add(f"{node.id}/weak", np.where(np.isfinite(time), short, 0.0))
-    return Detected(time, np.clip(2.0 - hardest, 0.5, MOST_FAR) ** 2)
+    missing = np.where(early, np.minimum(hardest, MOST_FAR), np.clip(2.0 - hardest, 0.5, MOST_FAR))
+    return Detected(time, missing**2)
 
 
 def _blows(rec: Recording, body: int) -> Floats:

@@ -87,6 +87,23 @@ def region_center(scene: SimScene, name: str) -> Floats | None:
     return None
 
 
+def rim_point(scene: SimScene, mover: Body, target: str) -> Floats | None:
+    """The near side [m] of a hoop's rim: what is thrown at a hoop is not thrown at its post.
+
+    Args:
+        scene: The scene.
+        mover: What is thrown.
+        target: What it is thrown at.
+    """
+    region = next((r for r in scene.regions if r.name == f"{target}/hoop"), None)
+    center = None if region is None else region_center(scene, region.name)
+    if region is None or center is None:
+        return None
+    toward = np.array(mover.position)[:2] - center[:2]
+    toward *= region.half_extents[0] / max(float(np.linalg.norm(toward)), 1e-9)
+    return center + np.array([*toward, region.half_extents[2]])
+
+
 def aim_heading(scene: SimScene, story: Story, mover: Body, phase: Phase, target: str) -> float:
     """Heading [rad] that starts the chain of events behind this phase.
 

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from esg.dynamics.choreography.flights import flown_to
 from esg.dynamics.choreography.handling import goes_straight_up
 from esg.dynamics.choreography.slopes import slope_of
-from esg.dynamics.plan.aim import aim_point, region_center
+from esg.dynamics.plan.aim import aim_point, region_center, rim_point
 from esg.dynamics.story.stagecraft import support_of
 from esg.dynamics.story.story import ON_THE_SPOT, Phase, Story, read_story, rebounds, stranded
 from esg.engines.scene import Region, SimScene
@@ -77,8 +77,11 @@ class Cast:
             if center is not None:
                 return center
         target = self.target(phase)
+        if not target:
+            return None
         body = self.scene.body(actor)
-        return aim_point(body, self.scene.body(target)) if target else None
+        rim = rim_point(self.scene, body, target)
+        return aim_point(body, self.scene.body(target)) if rim is None else rim
 
     def _bank_point(self, actor: str, phase: Phase) -> NDArray[np.float64] | None:
         """Where the choreography has a ball hit a board to come down in the hoop before it."""

@@ -30,7 +30,7 @@ from esg.dynamics.story.paces import (
     usual_halt,
 )
 from esg.dynamics.story.stagecraft import coasting_drag, prop, stacked_with, support_of
-from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, turn_of
+from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, turn_of, turns_back
 from esg.engines.joints import start_position
 from esg.engines.program import (
     AdjustProperties,
@@ -43,6 +43,7 @@ from esg.engines.program import (
 from esg.engines.scene import FRAGMENT, Body
 from esg.graph.joints import towed_by
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
+from esg.metrics.plausibility.told import surface_of
 from esg.units import GRAVITY_MPS2, quat_from_euler_deg, yaw_from_quat
 
 STRAIGHT_S = 1.0
@@ -246,6 +247,8 @@ class Composer:
             if self.story.tips(phase) or (k > 0 and (jumps or self.story.flies(actor))):
                 # Nothing may hold it upright or on its course any more.
                 course.out = [_until(p, start) for p in course.out]
+            if turns_back(self.story, phase, lambda name: self.scene.body(name).static):
+                course.heading += math.pi
             leg = _Leg(phase, v, start, end, k == 0, k + 1 == len(phases), duration)
             done = len(course.out)
             if phase.edge.event is EdgeEvent.GUIDE:
@@ -298,7 +301,10 @@ class Composer:
         usual = pace(self.doc, primitive.body)
         rubs = 0.0 if primitive.climb is not None else coasting_drag(prop(self.doc, primitive.body))
         gains, loses = max(usual.gains, primitive.acceleration), usual.brakes - rubs
-        return replace(primitive, gains=gains + rubs, loses=max(loses, LEAST_SHARE * usual.brakes))
+        least, room = LEAST_SHARE * usual.brakes, grip(self.doc, primitive.body) - rubs
+        if surface_of(self.doc) != "dry" and room > 0.0:  # both hold no better than it grips
+            least = min(least, 0.5 * room)
+        return replace(primitive, gains=gains + rubs, loses=max(loses, least))
 
     def _let_go(self, course: _Course, leg: _Leg) -> None:
         """A throw, a kick, a push: its velocity is set once."""

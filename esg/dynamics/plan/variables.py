@@ -317,8 +317,9 @@ class Declarations:
         if not (fixed or edge.speed_is_prescribed):
             # A guessed interval gives way to what the choreography needs.
             low, high = min(low, 60.0 * nominal), max(high, 160.0 * nominal)
-            top = top_speed(self.cast.doc, actor, params.backward is True)
-            high = max(min(high, 100.0 * top), low)
+            backward = params.backward is True
+            top = 100.0 * top_speed(self.cast.doc, actor, backward)
+            high = max(min(high, top), low) if not backward else top
         if self.story.tips(phase):
             low, high = 50.0 * nominal, 400.0 * nominal
         tie = self.same_speed_as(phase) or self.keeps_speed(phase)

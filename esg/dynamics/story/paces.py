@@ -31,6 +31,8 @@ SLOWEST_G, FASTEST_G = 0.1, 0.5
 """What anything gains at least and at most, over g."""
 FAST = 1.25
 """What reverses fast does so at no more of its usual pace without need."""
+IN_NEED = 3.0
+"""Times that pace at which it reverses where an event needs it: still no faster than a runner."""
 STEADY = 0.75
 """Share of its grip that a usual turn takes: 0.6 g of good tyres on dry asphalt."""
 
@@ -139,8 +141,11 @@ def top_speed(doc: EsgDocument, name: str, backward: bool = False) -> float:
         name: A node.
         backward: Whether it reverses.
     """
-    motion = motion_of(*_called(doc, name))
-    return SHORT_OF_TOP * (motion.reverse_mps if backward else motion.speed_mps)
+    names = _called(doc, name)
+    motion = motion_of(*names)
+    if backward:
+        return min(SHORT_OF_TOP * motion.reverse_mps, IN_NEED * pace_of(*names).reverses)
+    return SHORT_OF_TOP * motion.speed_mps
 
 
 def stated_speeds(doc: EsgDocument, name: str, edge: TimelineEdge) -> Quantity | None:

@@ -255,6 +255,12 @@ def _begins_at_a_wall(phase: Phase, is_fixed: Callable[[str], bool]) -> bool:
     return actor in start.participants and bool(others) and all(is_fixed(p) for p in others)
 
 
+def turns_back(story: Story, phase: Phase, is_fixed: Callable[[str], bool]) -> bool:
+    """Whether an actor drives forward from what it has backed into, and which cannot move."""
+    reversed_into = story.reverses(phase.edge.actor) and phase.edge.params.backward is not True
+    return reversed_into and _begins_at_a_wall(phase, is_fixed)
+
+
 def rebounds(story: Story, phase: Phase, is_fixed: Callable[[str], bool]) -> bool:
     """Whether a phase begins with a hit of something fixed and ends with the start of braking.
 
@@ -268,6 +274,8 @@ def rebounds(story: Story, phase: Phase, is_fixed: Callable[[str], bool]) -> boo
     """
     actor, end = phase.edge.actor, phase.end
     if end.event is not NodeEvent.TRIGGER or not _begins_at_a_wall(phase, is_fixed):
+        return False
+    if turns_back(story, phase, is_fixed):
         return False
     return any(
         p.edge.event is EdgeEvent.BRAKE and p.start.id == end.id for p in story.phases[actor]

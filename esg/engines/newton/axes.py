@@ -13,6 +13,7 @@ from esg.engines.joints import Joint
 from esg.engines.newton.places import Places
 from esg.engines.newton.setup import DRIVE_GAIN, quiet_warp
 from esg.engines.newton.trees import AXES, Floats, turned_around
+from esg.outcomes import UserError
 
 if TYPE_CHECKING:
     from esg.engines.newton.worlds import NewtonWorlds
@@ -95,13 +96,13 @@ class Axes:
             worlds: Of the scene.
 
         Raises:
-            ValueError: For a joint that is in no tree.
+            UserError: For a joint that is in no tree.
         """
         out = np.full((worlds, len(joints)), -1, np.int32)
         for p, joint in enumerate(joints):
             if joint >= 0:
                 if (k, int(joint)) not in self._first:
-                    raise ValueError(
+                    raise UserError(
                         f"Newton cannot drive joint {joint}, which closes a ring or may break; "
                         "simulate in physx"
                     )

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.joints import GAP_M, Joint
+from esg.outcomes import UserError
 from esg.units import quat_inverse, quat_multiply, quat_rotate
 
 Floats = NDArray[np.float64]
@@ -110,7 +111,7 @@ def plan_trees(
         dynamic: Bodies that move, shape [B].
 
     Raises:
-        ValueError: For what can neither be a branch of a tree nor be made of ties.
+        UserError: For what can neither be a branch of a tree nor be made of ties.
     """
     trees, rings = _grow(joints, ends, dynamic)
     brittle = [k for k, j in enumerate(joints) if j.break_impulse is not None]
@@ -140,7 +141,7 @@ def plan_trees(
 def _refuse(joints: list[Joint], what: str) -> None:
     if joints:
         names = ", ".join(repr(j.name) for j in joints)
-        raise ValueError(f"Newton cannot simulate {names}, {what}; simulate in physx")
+        raise UserError(f"/joints: Newton cannot simulate {names}, {what}; simulate in physx")
 
 
 def _more_than_ties(joint: Joint) -> bool:

@@ -309,7 +309,8 @@ def _pass_on(f: Facts, disturbed: Bools) -> None:
 def _first_touch(f: Facts, i: int, disturbed: Bools) -> int:
     """The frame at which something disturbed first touches a body; all frames without.
 
-    What a joint holds to it is moved as by a touch.
+    What a joint holds to it, or what it stands on at the start, is moved as by a touch: a tray that
+    is let go falls away from the cup on it without a blow.
     """
     c, r = f.replay.contacts, f.replay
     mine = np.flatnonzero(((c.a == i) | (c.b == i)) & (c.impulse > 0) & (c.a >= 0) & (c.b >= 0))
@@ -321,4 +322,12 @@ def _first_touch(f: Facts, i: int, disturbed: Bools) -> int:
         if i in j.bodies and len(j.bodies) == 2:
             there = sum(j.bodies) - i
             found += [int(k) for k in np.flatnonzero(disturbed[:, there] & j.intact)[:1]]
+    names = {f.name(k): k for k in range(len(r.scene.bodies))}
+    below = names.get(f.told.stands_on.get(f.name(i), ""))
+    if below is not None:
+        found += [int(k) for k in np.flatnonzero(disturbed[:, below] & _moving(f, below))[:1]]
     return min(found, default=len(r.time))
+
+
+def _moving(f: Facts, body: int) -> Bools:
+    return f.replay.speed[:, body] > MOVING_MPS

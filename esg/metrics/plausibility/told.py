@@ -29,6 +29,7 @@ class Told:
         slides: Bodies that are said to slide, or not to roll.
         surface: dry, or a row of the table of grounds.
         off_road: Whether something is said to leave the road.
+        stands_on: By body, what it stands on or in at the start.
     """
 
     movers: frozenset[str] = frozenset()
@@ -36,6 +37,7 @@ class Told:
     slides: frozenset[str] = frozenset()
     surface: str = "dry"
     off_road: bool = False
+    stands_on: Mapping[str, str] = field(default_factory=dict[str, str])
 
 
 def told_of(doc: EsgDocument) -> Told:
@@ -75,7 +77,15 @@ def told_of(doc: EsgDocument) -> Told:
         slides=frozenset(members(slides)),
         surface=surface_of(doc),
         off_road=_OFF_ROAD.search(definition.original_description) is not None,
+        stands_on=_stands_on(doc),
     )
+
+
+def _stands_on(doc: EsgDocument) -> dict[str, str]:
+    graph = doc.spatial_relation_graph
+    regions = graph.semantic_regions
+    placed = ((n, regions.get(node.semantic_region or "")) for n, node in graph.nodes.items())
+    return {n: r.parent_object for n, r in placed if r is not None}
 
 
 def surface_of(doc: EsgDocument) -> str:

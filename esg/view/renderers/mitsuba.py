@@ -109,17 +109,24 @@ def material(mi: Any, look: Look, uv_scale: float = 1.0) -> Any:
         "specular": 0.5,
     }
     if maps is not None:
-        bent = _bitmap(mi, maps.normal.astype(np.float32) / 255.0, uv_scale)
+        bent = _bitmap(mi, sloped(maps.normal, look.normal_strength), uv_scale)
         bsdf = {
             "type": "normalmap",
             "normalmap": bent,
-            "use_shadowing_function": False,
+            "use_shadowing_function": True,
             "bsdf": bsdf,
         }
     bsdf = {"type": "twosided", "bsdf": bsdf}
     if look.alpha < CLEAR:
         bsdf = {"type": "mask", "opacity": float(look.alpha), "bsdf": bsdf}
     return mi.load_dict(bsdf)
+
+
+def sloped(normals: NDArray[np.uint8], strength: float) -> NDArray[np.float32]:
+    """A normal map with its slopes multiplied, each value in [0, 1], shape [n, n, 3]."""
+    found = (normals / 127.5 - 1.0) * (strength, strength, 1.0)
+    found /= np.linalg.norm(found, axis=-1, keepdims=True)
+    return (0.5 + 0.5 * found).astype(np.float32)
 
 
 def _bitmap(mi: Any, pixels: NDArray[np.float32], scale: float) -> dict[str, Any]:

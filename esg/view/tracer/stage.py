@@ -166,6 +166,7 @@ class Stage:
                 self._array(b.vertices, wp.vec3),
                 self._array(b.faces.ravel(), wp.int32),
                 bvh_constructor="sah",  # made once and searched often, on a GPU, too
+                bvh_leaf_size=2,
             )
             for b in made
         ]

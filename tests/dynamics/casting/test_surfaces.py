@@ -81,7 +81,7 @@ def test_a_ground_that_is_said_rubs_and_holds_so(prompt: str, mover: str, name: 
 
 def test_who_walks_on_snow_slides_on_no_ice() -> None:
     doc = fitted(resolve(draft("A man walks across the snow and kicks a box.")))
-    assert prop(doc, "man_1").friction == pytest.approx(0.3)
+    assert prop(doc, "man_1").friction == pytest.approx(0.22)
 
 
 @pytest.mark.parametrize("name", ["wet", "snow", "mud", "sand", "gravel"])
@@ -90,4 +90,4 @@ def test_soles_rub_on_a_ground_as_it_grips(name: str) -> None:
     ground = {"wet": "wet floor", "mud": "muddy field"}.get(name, name)
     doc = fitted(resolve(draft(f"A dog runs across the {ground} and knocks over a bucket.")))
     pair = 0.5 * (prop(doc, "dog_1").friction + ground_friction(doc))
-    assert pair <= grounds()[name].grip + 1e-9
+    assert pair <= 0.8 * grounds()[name].grip + 1e-9

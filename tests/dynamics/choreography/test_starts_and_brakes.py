@@ -360,15 +360,23 @@ def test_a_stated_speed_is_kept_even_beyond_its_kind() -> None:
     ],
 )
 def test_what_reverses_does_so_at_the_pace_of_its_kind(prompt: str, kind: str) -> None:
-    """The plan begins at it, and the search goes to no more than twice and a half of it."""
+    """The plan begins at it, and the search goes to no more than three times it."""
     plan = planned(cast(prompt))
     speed = next(v for v in plan.variables if v.name.endswith("/speed"))
     usual = pace_of(kind).reverses
     assert 0.5 * usual <= speed.initial <= 1.25 * usual
-    assert speed.upper <= 2.5 * usual < motion_of(kind).reverse_mps
+    assert speed.upper <= min(3.0 * usual, motion_of(kind).reverse_mps)
 
 
 def test_a_stated_speed_backwards_is_kept() -> None:
     hold = program_of(cast("A van reverses at 6 m/s into a trash can."))[0]
     assert isinstance(hold, HoldVelocity)
     assert hold.speed == pytest.approx(6.0, rel=0.05)
+
+
+def test_what_has_backed_into_a_wall_drives_forward_away_from_it() -> None:
+    """It rolled on against it, or back by the bounce of the hit alone."""
+    told = cast("A truck backs up and hits a mailbox, then drives forward and stops.")
+    back, ahead = [p for p in program_of(told) if isinstance(p, HoldVelocity)][:2]
+    assert math.cos(ahead.heading - back.heading) == pytest.approx(-1.0)
+    assert ahead.start > 0.5

@@ -25,7 +25,7 @@ class NoStory:
         return (name,)
 
 
-def found(bears: float, *, fragments: bool) -> tuple[float, float, float]:
+def found(bears: float, *, fragments: bool, since: float = 0.0) -> tuple[float, float, float]:
     whole, pieces = broken(replace(POT, break_impulse=bears), 6)
     scene = SimScene("s", (whole, *pieces))
     scene = scene if fragments else unbroken(scene)
@@ -34,7 +34,7 @@ def found(bears: float, *, fragments: bool) -> tuple[float, float, float]:
     )
     terms: dict[str, np.ndarray] = {}
     rec = Recording(scene, NoStory(), out, [{}])  # type: ignore[arg-type]
-    result = broke(rec, NODE, np.zeros(1), terms.__setitem__)
+    result = broke(rec, NODE, np.full(1, since), terms.__setitem__)
     return float(result.time[0]), float(result.far[0]), float(terms["e/weak"][0])
 
 
@@ -47,6 +47,13 @@ def test_it_breaks_when_it_lands_and_a_harder_blow_is_nearer(fragments: bool) ->
     misses = [found(bears, fragments=fragments) for bears in (12.0, 40.0)]
     assert all(math.isinf(time) for time, _, _ in misses)
     assert misses[0][1] < misses[1][1]
+
+
+def test_the_harder_a_blow_that_breaks_it_too_early_the_farther() -> None:
+    """A push off a table must not break what is to break on the floor."""
+    gentle, hard = (found(bears, fragments=False, since=0.7) for bears in (6.0, 3.0))
+    assert math.isinf(gentle[0]) and math.isinf(hard[0])
+    assert 1.0 < gentle[1] < hard[1]
 
 
 def test_what_does_not_break_never_does() -> None:

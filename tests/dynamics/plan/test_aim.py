@@ -8,11 +8,13 @@ import math
 import numpy as np
 import pytest
 
-from esg.dynamics import build_scene
+from esg.dynamics import build_scene, start_hints
+from esg.dynamics.plan.cast import Cast
 from esg.dynamics.plan.planner import Plan, make_plan
 from esg.engines.program import batch_programs
 from esg.engines.registry import get_engine
 from esg.engines.scene import Body, Shape, SimScene
+from esg.layout import solve
 from esg.units import quat_multiply, quat_rotate
 from tests.dynamics import stories
 from tests.dynamics.stage import lay_out
@@ -120,3 +122,18 @@ def test_what_the_story_speaks_of_is_not_avoided() -> None:
     offset = np.array(table.position) - np.array(ball.position)
     assert heading == pytest.approx(np.arctan2(offset[1], offset[0]), abs=1e-6)
     assert abs(wide - heading) > 0.01
+
+
+def test_what_is_thrown_at_a_hoop_is_thrown_at_its_rim_from_its_front() -> None:
+    """Not at the post behind it, which is broader at the height of a hand."""
+    doc = stories.cast("A basketball is thrown at a hoop and bounces off the rim.")
+    laid = solve(doc, hints=start_hints(doc))
+    scene = build_scene(laid)
+    ball, hoop = scene.body("basketball_1"), scene.body("hoop_1")
+    way = np.array(ball.position)[:2] - np.array(hoop.position)[:2]
+    front = quat_rotate(np.array(hoop.quaternion), np.array([1.0, 0.0, 0.0]))[:2]
+    assert way @ front > 0.9 * np.linalg.norm(way)
+    cast = Cast(laid, scene, {}, True)
+    goal = cast.throw_goal("basketball_1", cast.story.phases["basketball_1"][0])
+    assert goal is not None
+    assert goal[2] == pytest.approx(3.0, abs=0.06)

@@ -63,6 +63,8 @@ class Entity:
     """A part that stands as the one that is named does."""
     whole: str = ""
     """The jointed thing of which it is one of several parts, by node id."""
+    one: bool = False
+    """One of several, as its phrase says ("one block"): "another" is one more of them."""
     place: str = ""
     """front, rear, left, right or an ordinal, once known."""
     origin: int = -1

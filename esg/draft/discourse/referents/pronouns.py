@@ -244,7 +244,7 @@ def _one_more_like(
     actor = [world.entities[i] for i in mine[:1] if _solid(world, i)]
     rest = [e for e in solid if e.id not in mine]
     passed = actor and actor[0].noun.kind in _MOVERS and not subject and rest
-    model = model or [e for e in rest if e.label.lower().startswith("one ")]
+    model = model or [e for e in solid if e.one]
     model = model or (rest if passed or not actor else actor)
     second = ["second"] if m.pronoun == "another" else []
     telling = words or [a for a in m.adjectives if a in ("next", "other")] or second

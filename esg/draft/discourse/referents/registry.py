@@ -227,6 +227,7 @@ def create(world: World, m: Mention) -> list[str]:
     ]  # fmt: skip
     enrich(world, m, ids)
     if group is None:
+        world.entities[ids[0]].one = m.count == 1
         return ids
     world.groups[group] = ids
     if m.count is None or m.vague:

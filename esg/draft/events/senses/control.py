@@ -289,7 +289,7 @@ def _stops_by(d: Discourse, f: Frame, actor: str, node_id: str) -> None:
     node = d.timeline.node(node_id)
     beside = f.phrase(*_STOPPING_BY)
     others = [i for i in things(beside) if aimable(d, i) and i != actor]
-    if node is None or not others or node.constraints or f.verb.sense != "stop":
+    if node is None or not others or node.constraints or f.verb.sense not in ("stop", "park"):
         return
     met = any({actor, others[0]} <= {*n.participants} for n in d.timeline.nodes)
     if not met and not moves(d, others[0]):
@@ -315,6 +315,8 @@ def read_park(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     stands = f.verb.passive or f.reduced or f.verb.form == "pp" or not s
     if stands or kind_of(d, s[0]) not in SELF_POWERED:
         read_be(d, f, s, o)
-    else:
-        _stop(d, f, s[0], time_of(d, f))
+        return
+    parked = [i for i in o if movable(d, i)] if kind_of(d, s[0]) == "person" else []
+    _stop(d, f, (parked or s)[0], time_of(d, f))
+    if not parked and not things(f.phrase(*_STOPPING_BY)):
         places(d, f, s)

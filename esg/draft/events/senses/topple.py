@@ -97,7 +97,7 @@ def read_topple(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         struck_before(d, f, b)
         b = b if o or b in d.timeline.tracks else _collapsing(d, b)
         if not o and at_rest(d, b):
-            passed_on(d, b)
+            passed_on(d, f, b)
         if at_rest(d, b):
             if not o and fits_on(d, b, next(iter(things(f.phrase("on"))), b)):
                 moves_on_it(d, f, [b])  # "falls flat on the table"

@@ -406,7 +406,7 @@ def stands_for_noun(c: Chunks, k: int, m: Mention) -> bool:
     anything, and with nothing behind it, the word is a noun.
     """
     token, nxt = c.tokens[k], token_at(c, k + 1)
-    forms = {r.form for r in verb_readings(token.low)}
+    forms = {r.form for r in verb_readings(token.low) if r.sense != "hit"}  # "rams it broadside"
     ends = nxt is None or nxt.kind == "punct" or nxt.low in ("and", "is")
     part = low_at(c, k - 1) in lex.PARTS  # "its roof rack" is the bus's
     if m.plural or part or not m.determiner or forms != {"base"} or not ends:
