@@ -77,11 +77,11 @@ def test_only_balls_of_any_kind_may_be_solid() -> None:
 def test_a_guessed_window_is_no_reason_to_search_on() -> None:
     """Long after the time that the draft guessed, everything happens in all members."""
     terms = {"e/task": np.zeros(8), "e/window": np.full(8, 3.0)}
-    known = {"completed": {"e": np.ones(8, bool)}, "terms": terms}
-    guessed = Assessment(np.full(8, 3.0), **known, guessed={"e/window"})
+    done = {"e": np.ones(8, bool)}
+    guessed = Assessment(np.full(8, 3.0), done, terms=terms, guessed={"e/window"})
     # Of a prescribed time the same loss tells that it is missed.
     missed = {"e/time/e": np.full(8, 2.0)}
-    prescribed = Assessment(np.full(8, 3.0), **known, error=missed, measured=missed)
+    prescribed = Assessment(np.full(8, 3.0), done, terms=terms, error=missed, measured=missed)
     for ensemble, good in ((guessed, True), (prescribed, False)):
         found = Found(np.zeros(1), 3.0, ensemble.worlds(slice(0, 1)), ensemble)
         assert found.good() is good
