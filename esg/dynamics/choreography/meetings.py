@@ -16,11 +16,11 @@ from esg.dynamics.choreography import (
     encounters,
     falls,
     flights,
-    impacts,
     overtaking,
     swings,
     throws,
 )
+from esg.dynamics.choreography.hits import impacts
 from esg.dynamics.choreography.hits.caroms import carom, is_carom
 from esg.dynamics.choreography.moves import plain
 from esg.dynamics.choreography.stage import Encounter, Stage
