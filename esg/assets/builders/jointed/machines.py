@@ -169,10 +169,10 @@ def balance_stand(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
 @builder("clock_pendulum")
 def clock_pendulum(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Flat bob on a rod that swings along Y, drawn at 3 x 17 x 90."""
-    s.rod(8.5, (-1.5, 0, 8.5), (1.5, 0, 8.5), c, solid=1, sections=40)
-    s.slab((-0.3, 0.3), (-0.6, 0.6), (16.5, 90), DARK_WOOD, solid=0.5)
-    s.mount("pivot", (0.0, 0.0, 90.0), (1.0, 0.0, 0.0))
+    """Flat bob on a rod that swings along Y, drawn at 3 x 12 x 70."""
+    s.rod(6, (-1.5, 0, 6), (1.5, 0, 6), c, solid=1, sections=40)
+    s.slab((-0.3, 0.3), (-0.6, 0.6), (12, 70), DARK_WOOD, solid=0.5)
+    s.mount("pivot", (0.0, 0.0, 70.0), (1.0, 0.0, 0.0))
 
 
 @builder("clock_case")
