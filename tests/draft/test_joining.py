@@ -40,7 +40,6 @@ def joints(doc: EsgDocument) -> tuple[Joint, ...]:
         ("A ball hits a windmill blade.", "blade_1", "windmill_1", "hinge"),
         ("A car hits a boom gate.", "gate_1", "boom_post_1", "hinge"),
         ("A ball hits a revolving door.", "door_1", "revolving_drum_1", "hinge"),
-        ("A ball hits a laptop lid.", "laptop_lid_1", "laptop_base_1", "hinge"),
         ("A ball hits a ceiling fan.", "ceiling_fan_1", "piece_of_ceiling_1", "hinge"),
         ("A ball rolls onto a drawbridge.", "drawbridge_1", "gatehouse_1", "hinge"),
         ("A ball hits a lever.", "lever_1", "lever_foot_1", "hinge"),

@@ -29,7 +29,8 @@ def way_of(prompt: str, child: str) -> np.ndarray:
     joint = next(j for j in plan.scene.joints if j.child == child)
     assert joint.parent is not None
     ends = (plan.scene.index(joint.child), plan.scene.index(joint.parent))
-    there, held = ((played.position[0, :, i], played.quaternion[0, :, i]) for i in ends)
+    poses = (played.position.astype(float), played.quaternion.astype(float))
+    there, held = ((poses[0][0, :, i], poses[1][0, :, i]) for i in ends)
     position = np.asarray(joint_state(joint, there, held).position, float)
     if joint.kind == "slider":
         return 100.0 * position
