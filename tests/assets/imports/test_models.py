@@ -135,6 +135,7 @@ def test_a_prompt_that_names_a_model_draws_its_parts(cabinet: Path) -> None:
     mount = next(m for m in body.mounts or () if m.name == hinge.parent_mount)
     assert mount.position_cm == pytest.approx((22.5, 0, 5))
     assert mount.axis == pytest.approx((0, 1, 0))
+    assert len(build_mesh(door).geometry) == 2  # a link without visuals shows what touches
     points = build_mesh(door).bounds
     assert np.ptp(points, axis=0)[1] == pytest.approx(56, abs=0.1)  # its mesh is in millimetres
 
@@ -167,6 +168,47 @@ def test_a_pendulum_of_mjcf(pendulum: Path) -> None:
     arm = assets[graph.nodes[pivot.child].asset_id]
     assert arm.mass_kg == pytest.approx(2.1)
     assert {p.kind.value for p in arm.proxies} == {"sphere", "capsule"}
+
+
+CART = """<mujoco model="snark cart">
+  <default><default class="wheel">
+    <geom type="cylinder" size="0.1 0.02" euler="90 0 0" mass="0.5"/>
+    <joint axis="0 1 0" damping="0.01"/></default></default>
+  <worldbody><body name="cart" pos="0 0 0.1"><freejoint/>
+    <geom type="box" size="0.3 0.2 0.05" mass="4"/>
+    <body name="left" pos="0.2 0.25 0"><joint class="wheel"/><geom class="wheel"/></body>
+    <body name="right" pos="0.2 -0.25 0"><joint class="wheel"/><geom class="wheel"/></body>
+  </body></worldbody></mujoco>
+"""
+
+
+def test_what_moves_freely_is_a_root_that_moves(tmp_path: Path) -> None:
+    path = tmp_path / "cart.xml"
+    path.write_text(CART)
+    import_model(path)
+    doc = resolved("A ball rolls past a snark cart.")
+    joints = doc.spatial_relation_graph.joints or ()
+    assert [(j.kind, j.lower, j.upper, j.damping) for j in joints] == [
+        ("hinge", None, None, 0.01)
+    ] * 2
+    root = doc.asset_configurations[
+        doc.spatial_relation_graph.nodes[joints[0].parent or ""].asset_id
+    ]
+    assert root.is_movable and root.mass_kg == 4
+
+
+def test_a_link_called_world_fixes_the_root(cabinet: Path) -> None:
+    fixed = '<link name="world"/><joint name="w" type="fixed"><parent link="world"/><child link="body"/></joint>'
+    for text, movable in (
+        (CABINET, True),
+        (CABINET.replace("</robot>", fixed + "</robot>"), False),
+    ):
+        cabinet.write_text(text)
+        import_model(cabinet)
+        doc = resolved("A ball rolls past a quorl cabinet.")
+        parent = (doc.spatial_relation_graph.joints or ())[0].parent or ""
+        asset = doc.asset_configurations[doc.spatial_relation_graph.nodes[parent].asset_id]
+        assert (asset.is_movable, asset.mass_kg) == (movable, 30)
 
 
 REFUSED = {
@@ -223,6 +265,7 @@ def test_all_faults_are_told_at_once(cabinet: Path) -> None:
         ("</worldbody>", '<body><freejoint/><geom size="1"/></body></worldbody>', "one root"),
         ('damping="0.001"', 'stiffness="5" springref="30"', "springref"),
         ("<asset>", '<asset><mesh builtin="sphere" params="9"/>', "names no file"),
+        ('size="0.08"', 'size="1e-9"', "at least 1e-05 m"),
         ('type="ellipsoid"', 'type="nonsense"', "MuJoCo does not read it"),
     ],
 )

@@ -66,6 +66,7 @@ class Admitted:
         files: Meshes as binary STL, by name.
         faults: What is wrong: place, value and remedy each.
         digest: All bytes that were read.
+        in_world: Whether a URDF hangs in a link called `world`, fixed there.
     """
 
     root: ET.Element
@@ -74,6 +75,7 @@ class Admitted:
     files: dict[str, bytes] = field(default_factory=dict)
     faults: list[str] = field(default_factory=list)
     digest: list[bytes] = field(default_factory=list)
+    in_world: bool = False
 
 
 def admit(path: Path) -> Admitted:
@@ -97,6 +99,7 @@ def admit(path: Path) -> Admitted:
     model.faults += [f for e in root.iter() for f in _numbers(e)]
     if urdf:
         model.faults += [*_tree(root), *_joints(root)]
+        model.in_world = any(e.get("name") == "world" for e in root.findall("link"))
         for stray in root.findall("mujoco"):
             root.remove(stray)
         compiler = ET.SubElement(ET.SubElement(root, "mujoco"), "compiler")
@@ -248,15 +251,21 @@ def _plain(root: ET.Element) -> str:
                 element.remove(inner)
     world = root.find("worldbody")
     if world is not None:
-        # What stands in the world is a body, so that it is weighed as one.
-        base = ET.Element("body", name="the world's shapes")
-        for geom in world.findall("geom"):
-            if geom.get("type") != "plane":
-                world.remove(geom)
-                base.append(geom)
-        if len(base):
-            world.insert(0, base)
+        _weighed(world)
     return folder
+
+
+def _weighed(container: ET.Element) -> None:
+    """Makes a body of the shapes that stand in the world, so that they are weighed as one."""
+    for frame in container.findall("frame"):
+        _weighed(frame)
+    shapes = [geom for geom in container.findall("geom") if geom.get("type") != "plane"]
+    if shapes:
+        base = ET.Element("body")
+        for geom in shapes:
+            container.remove(geom)
+            base.append(geom)
+        container.insert(0, base)
 
 
 def _take_in(model: Admitted, home: Path, element: ET.Element, attribute: str, folder: str) -> None:

@@ -31,7 +31,7 @@ _SHAPES = {
 }  # fmt: skip
 _ELLIPSOID, _MESH = 4, 7
 _GREY = (0.5, 0.5, 0.5, 1.0)
-_AT_REST = 1e-9
+_AT_REST, _TINY_M = 1e-9, 1e-5
 
 
 @dataclass
@@ -83,8 +83,11 @@ def measured(model: Admitted) -> tuple[list[Part], list[Joint], list[str]]:
     d = mujoco.MjData(m)
     mujoco.mj_forward(m, d)
     faults = list(_several(m))
-    parts = _grouped(m, model.urdf)
-    faults += _rooted(m, parts)
+    parts = _grouped(m, model)
+    if len(parts) < 2:
+        faults.append("it has no joint that moves; import its meshes instead (a folder of them)")
+    else:
+        faults += _rooted(m, parts)
     if len(parts) > MOST_PARTS:
         faults.append(f"it has {len(parts)} moving parts; at most {MOST_PARTS} are imported")
     if faults:
@@ -110,7 +113,7 @@ def _several(m: Any) -> Iterator[str]:
             )
 
 
-def _grouped(m: Any, urdf: bool) -> list[Part]:
+def _grouped(m: Any, model: Admitted) -> list[Part]:
     """Bodies with no joint between them, as parts; the root first, parents before children."""
     of: dict[int, int] = {}
     parts = [Part("", "", [0], movable=False)]
@@ -126,8 +129,7 @@ def _grouped(m: Any, urdf: bool) -> list[Part]:
         parts.append(Part("", "", [body], parent=None if free else above))
     world = parts[0]
     solid = any(m.geom_type[g] != _PLANE for g in _geoms(m, world)) or _mass(m, world) > 0.0
-    if urdf:
-        world.movable = m.nbody > 1 and m.body(1).name != "world" and m.body_jntnum[1] == 0
+    world.movable = model.urdf and not model.in_world
     roots = [p for p in parts[1:] if p.parent is None]
     if not solid and len(roots) == 1:
         # Nothing stands in the world: what moves freely is the root.
@@ -180,8 +182,18 @@ def _shape(m: Any, d: Any, part: Part, urdf: bool) -> Iterator[str]:
         yield f"part {part.name!r}: it has no shape; give it one, or fix its joint"
         return
     solid = [g for g in geoms if m.geom_contype[g] or m.geom_conaffinity[g]]
-    # A viewer shows groups 0 to 2; visuals of a URDF are in group 1, what touches in group 0.
-    shown = [g for g in geoms if (g not in solid if urdf else m.geom_group[g] <= 2)]
+    tiny = [g for g in geoms if m.geom_type[g] in _SHAPES and _thinnest(m, g) < _TINY_M]
+    if tiny:
+        told = f"{_thinnest(m, tiny[0]):g} m; a shape is at least {_TINY_M:g} m thick"
+        yield f"part {part.name!r}: a shape measures {told}"
+        return
+    # A viewer shows groups 0 to 2; of a URDF's link its visuals, else what touches.
+    seen = {int(m.geom_bodyid[g]) for g in geoms if g not in solid}
+    shown = [
+        g
+        for g in geoms
+        if (g not in solid or m.geom_bodyid[g] not in seen if urdf else m.geom_group[g] <= 2)
+    ]
     shown = [g for g in shown if _color(m, g)[3] > 0.0] or solid or geoms
     solid = solid or shown
     drawn = {g: _placed(m, d, g) for g in {*solid, *shown}}
@@ -200,6 +212,12 @@ def _shape(m: Any, d: Any, part: Part, urdf: bool) -> Iterator[str]:
         return
     part.meshes = [(drawn[g], _color(m, g)) for g in shown]
     part.proxies = [_proxy(m, d, g, part.origin, drawn[g]) for g in solid]
+
+
+def _thinnest(m: Any, g: int) -> float:
+    """Smallest half extent or radius of a primitive [m]; a capsule may be as short as a sphere."""
+    count = {ProxyKind.BOX: 3, ProxyKind.CYLINDER: 2}.get(_SHAPES[int(m.geom_type[g])], 1)
+    return float(min(m.geom_size[g][:count]))
 
 
 def _color(m: Any, g: int) -> tuple[float, float, float, float]:
@@ -234,7 +252,8 @@ def _placed(m: Any, d: Any, g: int) -> Any:
             mesh = trimesh.creation.cylinder(radius=size[0], height=2 * size[1])
         else:
             mesh = trimesh.creation.capsule(radius=size[0], height=2 * size[1])
-            mesh.vertices = np.asarray(mesh.vertices) - np.asarray(mesh.bounds).mean(0)
+            mesh.vertices = np.asarray(mesh.vertices) - np.ptp(mesh.vertices, axis=0) / 2 \
+                - np.min(mesh.vertices, axis=0)  # fmt: skip
     turn = np.reshape(d.geom_xmat[g], (3, 3))
     mesh.vertices = np.asarray(mesh.vertices) @ turn.T + d.geom_xpos[g]
     return mesh

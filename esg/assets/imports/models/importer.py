@@ -48,8 +48,6 @@ def import_model(path: str | Path, *, library: str | None = None) -> ImportRepor
     faults = model.faults
     if not faults:
         parts, joints, faults = measured(model)
-    if not faults and not joints:
-        faults = ["it has no joint that moves; import its meshes instead (a folder of them)"]
     if faults:
         told = "".join(f"\n  {fault}" for fault in faults[:_MOST_TOLD])
         more = len(faults) - _MOST_TOLD
