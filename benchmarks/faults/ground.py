@@ -152,7 +152,7 @@ def start(arguments: Sequence[str], place: Path, cache: Path, *, fork: bool) -> 
             not for commands that start workers or servers.
     """
     if fork:
-        return started_fork(arguments, place, cache, _nothing)
+        return started_fork(arguments, place, cache, _nothing, memory=resource.RLIM_INFINITY)
     command = begin(arguments, place, cache)
     return Started(command.pid, lambda patience: finish(command, patience, time.monotonic()))
 
@@ -171,13 +171,14 @@ def forked(arguments: Sequence[str], place: Path, cache: Path, **more: str) -> E
 
 def started_fork(
     arguments: Sequence[str], place: Path, cache: Path,
-    first: Callable[[], object], **more: str,
+    first: Callable[[], object], *, memory: int = MEMORY_BYTES, **more: str,
 ) -> Started:  # fmt: skip
     """Starts a command in a fork of this process.
 
     Args:
         arguments, place, cache, more: As of `forked`.
         first: Called in the fork before anything else.
+        memory: That it may allocate [bytes].
     """
     (place / "tmp").mkdir(parents=True, exist_ok=True)
     said = Path(tempfile.mkdtemp(prefix="esg-said-"))
@@ -189,7 +190,7 @@ def started_fork(
             handle = os.open(said / name, os.O_CREAT | os.O_WRONLY | os.O_TRUNC, 0o600)
             os.dup2(handle, number)
         first()
-        _child(arguments, place, environment(place, cache) | more)
+        _child(arguments, place, environment(place, cache) | more, memory)
     with contextlib.suppress(OSError):
         os.setpgid(child, child)  # whoever is first: it shall be killable as a group at once
 
@@ -206,12 +207,12 @@ def _nothing() -> None:
     """What most forks do before their command."""
 
 
-def _child(arguments: Sequence[str], place: Path, variables: dict[str, str]) -> None:
+def _child(arguments: Sequence[str], place: Path, variables: dict[str, str], memory: int) -> None:
     code = 99
     try:
         sys.stdout = open(1, "w", closefd=False)  # noqa: SIM115
         sys.stderr = open(2, "w", closefd=False)  # noqa: SIM115
-        resource.setrlimit(resource.RLIMIT_DATA, (MEMORY_BYTES, MEMORY_BYTES))
+        resource.setrlimit(resource.RLIMIT_DATA, (memory, memory))
         resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
         os.chdir(place)
         os.environ.clear()

@@ -245,6 +245,10 @@ def _problem(file: Path) -> str:
 
 def _blame(files: dict[str, list[Path]], error: BaseException) -> str:
     """Which files made an ingest fail, found by reading each again."""
+    import duckdb
+
+    if isinstance(error, duckdb.OutOfMemoryException):
+        return "nothing was ingested: there is not enough memory; free some, then run it again"
     problems = _damaged(files)
     if not problems:
         why = final_names(first_line(error))

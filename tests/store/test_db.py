@@ -492,6 +492,22 @@ def _ingest_one(path: str, folder: str, barrier) -> None:
     ingest(Path(path), [Path(folder)])
 
 
+def test_too_little_memory_is_not_called_damage(tmp_path, parts, monkeypatch):
+    """Say that memory ran out where it did, and leave the database as it was."""
+    import duckdb
+
+    from esg.store import ingesting
+
+    def fail(*_: object) -> int:
+        raise duckdb.OutOfMemoryException("failed to allocate block (bad allocation)")
+
+    monkeypatch.setattr(ingesting, "_upsert", fail)
+    with pytest.raises(UserError, match="not enough memory"):
+        ingest(tmp_path / "r.duckdb", [parts])
+    monkeypatch.undo()
+    assert ingest(tmp_path / "r.duckdb", [parts]).files
+
+
 def test_two_ingests_at_once_lose_nothing(tmp_path):
     context = multiprocessing.get_context("spawn")
     barrier = context.Barrier(3)
