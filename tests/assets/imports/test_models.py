@@ -140,6 +140,20 @@ def test_a_prompt_that_names_a_model_draws_its_parts(cabinet: Path) -> None:
     assert np.ptp(points, axis=0)[1] == pytest.approx(56, abs=0.1)  # its mesh is in millimetres
 
 
+def test_every_one_of_several_has_its_parts_and_a_prescribed_mass_is_the_roots(
+    cabinet: Path,
+) -> None:
+    import_model(cabinet)
+    joints = resolved("Two quorl cabinets stand side by side.").spatial_relation_graph.joints or ()
+    assert len(joints) == 4 and len({j.parent for j in joints}) == 2
+    doc = resolved("A ball rolls past a 60 kg quorl cabinet.")
+    hinge = next(j for j in doc.spatial_relation_graph.joints or () if j.kind == "hinge")
+    nodes, assets = doc.spatial_relation_graph.nodes, doc.asset_configurations
+    body, door = (assets[nodes[n].asset_id] for n in (hinge.parent or "", hinge.child))
+    assert (body.mass_kg, door.mass_kg) == (60, 4.5)
+    assert body.inertia_kg_cm2[0] == pytest.approx(6e4)
+
+
 def test_parts_are_not_found_by_their_names(cabinet: Path) -> None:
     import_model(cabinet)
     assert "cabinet/quorl_cabinet" in [c.asset_name for c in search("quorl cabinet", 5)]
