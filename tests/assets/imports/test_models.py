@@ -154,6 +154,20 @@ def test_every_one_of_several_has_its_parts_and_a_prescribed_mass_is_the_roots(
     assert body.inertia_kg_cm2[0] == pytest.approx(6e4)
 
 
+def test_an_obj_is_read_alone_and_colours_are_kept(cabinet: Path) -> None:
+    """What an .obj names (here a file outside) is not read."""
+    leaf = trimesh.creation.box(extents=(20, 560, 400)).export(file_type="obj")
+    (cabinet.parent / "meshes" / "leaf.obj").write_text(f"mtllib ../../secret.mtl\n{leaf}")
+    cabinet.write_text(CABINET.replace("leaf.stl", "leaf.obj"))
+    import_model(cabinet)
+    doc = resolved("A ball rolls past a quorl cabinet.")
+    hinge = next(j for j in doc.spatial_relation_graph.joints or () if j.kind == "hinge")
+    nodes, assets = doc.spatial_relation_graph.nodes, doc.asset_configurations
+    body, door = (assets[nodes[n].asset_id] for n in (hinge.parent or "", hinge.child))
+    assert np.ptp(build_mesh(door).bounds, axis=0)[1] == pytest.approx(56, abs=0.1)
+    assert body.color_rgb == pytest.approx((0.6, 0.4, 0.2))
+
+
 def test_parts_are_not_found_by_their_names(cabinet: Path) -> None:
     import_model(cabinet)
     assert "cabinet/quorl_cabinet" in [c.asset_name for c in search("quorl cabinet", 5)]
