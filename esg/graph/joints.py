@@ -32,7 +32,7 @@ ACROSS: Vec3 = (0.0, 1.0, 0.0)
 """What hangs on a ball joint, a rope or a spring is drawn back about this axis of its parent."""
 KINDS_OF_JOINT: dict[EdgeEvent, tuple[str, ...]] = {
     EdgeEvent.DRIVE: ("hinge", "slider"),
-    EdgeEvent.RELEASE: ("hinge", "ball", "rope", "spring"),
+    EdgeEvent.RELEASE: ("hinge", "ball", "rope", "slider", "spring"),
 }
 """Segments along a joint, and the kinds of joint on which they can be."""
 _IDENTITY = np.array([0.0, 0.0, 0.0, 1.0])

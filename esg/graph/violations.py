@@ -171,7 +171,7 @@ RULES: dict[str, str] = {
     "hang on.",
     "EVENT_UNBROKEN": "Break is of what the document says breaks.",
     "EDGE_NO_JOINT": "Drive moves the child of a hinge or slider, Release lets go the child of a "
-    "hinge, ball joint or rope.",
+    "joint that draws it back: a hinge, ball joint, rope, spring or sprung slider.",
     "EVENT_NOT_LED_TO": "A Guide leads to PickedUp and Placed, a Toward to a Jump.",
     "EDGE_FORCE_DIRECTION": "A segment agrees with its actor's force direction.",
     "CONNECTOR_ACTIVE": "Inertial connectors belong to passive actors.",

@@ -7,7 +7,7 @@ import pytest
 from esg.assets import resolve
 from esg.draft import draft
 from esg.graph import verify
-from esg.graph.models import EsgDocument, Joint
+from esg.graph.models import EsgDocument, Joint, Predicate
 from esg.lexicon.articulations import articulations
 
 
@@ -40,6 +40,11 @@ def joints(doc: EsgDocument) -> tuple[Joint, ...]:
         ("A ball hits a windmill blade.", "blade_1", "windmill_1", "hinge"),
         ("A car hits a boom gate.", "gate_1", "boom_post_1", "hinge"),
         ("A ball hits a revolving door.", "door_1", "revolving_drum_1", "hinge"),
+        ("A ball hits a ceiling fan.", "ceiling_fan_1", "piece_of_ceiling_1", "hinge"),
+        ("A ball rolls onto a drawbridge.", "drawbridge_1", "gatehouse_1", "hinge"),
+        ("A ball hits a lever.", "lever_1", "lever_foot_1", "hinge"),
+        ("A coin drops onto a balance scale.", "balance_scale_1", "balance_stand_1", "hinge"),
+        ("A box hits a spring launcher.", "spring_launcher_1", "launcher_rail_1", "slider"),
     ],
 )
 def test_what_a_thing_hangs_on_is_added(prompt: str, child: str, parent: str, kind: str) -> None:
@@ -86,6 +91,9 @@ def test_what_the_prompt_has_to_hang_on_is_taken() -> None:
         "A ball hits a sign.",
         "A ball rolls into a wall.",
         "A crane stands next to a box.",
+        "A ball hits a laptop.",  # it stands open, and nothing turns its lid
+        "A laptop falls off a desk.",
+        "A grandfather clock falls over.",
     ],
 )
 def test_parts_of_other_things_and_all_else_have_no_joints(prompt: str) -> None:
@@ -108,6 +116,9 @@ def test_sizes_of_both_parts_go_together() -> None:
         ("A ball hits a chest.", "chest_lid_1", "chest_1"),
         ("A ball hits a windmill.", "mill_sails_1", "windmill_1"),
         ("A ball hits a catapult.", "catapult_arm_1", "catapult_1"),
+        ("A ball hits a trebuchet.", "trebuchet_arm_1", "trebuchet_1"),
+        ("A ball hits a Ferris wheel.", "ferris_rotor_1", "ferris_wheel_1"),
+        ("A ball hits a closed laptop.", "laptop_lid_1", "laptop_1"),
     ],
 )
 def test_what_carries_its_moving_part_keeps_its_name(prompt: str, child: str, parent: str) -> None:
@@ -182,3 +193,17 @@ def test_the_balls_of_a_cradle_are_hardened_steel_whatever_they_are_called(promp
     nodes = doc.spatial_relation_graph.nodes
     balls = {n.asset_id for k, n in nodes.items() if "ball" in k}
     assert balls and {doc.asset_requirement[a].material for a in balls} == {None}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "child", "parent"),
+    [
+        ("The door of a locker closes.", "door_1", "locker_1"),
+        ("The drawbridge of a castle comes down.", "drawbridge_1", "castle_1"),
+        ("The pendulum of a grandfather clock swings.", "pendulum_1", "grandfather_clock_1"),
+    ],
+)
+def test_what_a_joint_holds_together_is_represented(prompt: str, child: str, parent: str) -> None:
+    doc = draft(prompt)
+    assert [(j.child, j.parent) for j in joints(doc)] == [(child, parent)]
+    assert not [s for s in doc.statements or () if s.predicate is Predicate.NOT_REPRESENTED]

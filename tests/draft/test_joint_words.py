@@ -49,6 +49,22 @@ def lost(doc: EsgDocument) -> list[str]:
         ("The boom barrier is raised.", [("Open", "barrier_1")], {"barrier_1": "Drive"}),
         ("The toll barrier comes down.", [("Close", "barrier_1")], {"barrier_1": "Drive"}),
         ("The lid of the chest is lifted.", [("Open", "chest_lid_1")], {"chest_lid_1": "Drive"}),
+        ("A drawbridge lowers.", [("Close", "drawbridge_1")], {"drawbridge_1": "Drive"}),
+        ("A boom barrier lowers.", [("Close", "barrier_1")], {"barrier_1": "Drive"}),
+        ("The lever is pulled.", [("Open", "lever_1")], {"lever_1": "Drive"}),
+        ("The ceiling fan turns.", [("Spin", "ceiling_fan_1")], {"ceiling_fan_1": "Drive"}),
+        ("A Ferris wheel turns.", [("Spin", "ferris_rotor_1")], {"ferris_rotor_1": "Drive"}),
+        ("A trebuchet swings.", [("Swing", "trebuchet_arm_1")], {"trebuchet_arm_1": "Release"}),
+        (
+            "A spring launcher is released and hits a ball.",
+            [("Collision", "spring_launcher_1", "ball_1")],
+            {"spring_launcher_1": "Release"},
+        ),
+        (
+            "A ball rolls into a laptop lid and closes it.",
+            [("Collision", "ball_1", "laptop_lid_1"), ("Close", "laptop_lid_1")],
+            {"ball_1": "Toward", "laptop_lid_1": "InertialConnector"},
+        ),
         (
             "A fridge door stands open. A ball hits it.",
             [("Collision", "ball_1", "door_1")],
@@ -100,6 +116,11 @@ def start_of(doc: EsgDocument) -> float:
         ("A ball rolls into a half-open door.", 40.0),
         ("The door closes.", 80.0),
         ("The door opens.", 0.0),
+        ("The laptop closes.", 105.0),
+        ("A laptop is opened.", 0.0),
+        ("A ball hits a closed laptop.", 0.0),
+        ("A drawbridge lowers.", 80.0),
+        ("A trebuchet is released.", -120.0),
     ],
 )
 def test_a_joint_starts_where_its_events_need_it(prompt, degrees):

@@ -24,6 +24,8 @@ from esg.units import GRAVITY_MPS2
 _OPEN = {"open": 1.0, "opened": 1.0, "wide-open": 1.0, "half-open": 0.5, "ajar": 0.25}
 """Share of how far a thing opens at which it starts, by what it is called."""
 
+_SHUT = frozenset({"closed", "shut"})
+
 GIVES_WAY_MPS = 1e-3
 """Change of speed that a snapped rope still bears: far less than gravity's in a step."""
 JOLT_MPS = 0.3
@@ -47,6 +49,7 @@ TOY = 0.3
 MEETS_CM = 12.0
 """What hangs reaches so far below the top of what it is told to meet, or four fifths of that."""
 _MOTIONS = (EdgeEvent.DRIVE, EdgeEvent.RELEASE)
+_MODES = ("drive", "release")
 _TURNS = (NodeEvent.OPEN, NodeEvent.CLOSE)
 
 
@@ -63,6 +66,8 @@ def join_parts(scene: Scene) -> list[str]:
         row = articulation_of(scene, scene.text, e)
         fixed = e.id in scene.attached and e.id not in acting  # nothing happens to it
         if row is None or e.whole or fixed or f"{e.id}/inside" in entered:
+            continue
+        if row.start and row.carries == "becomes" and not _told_of_joint(scene, e):
             continue
         _light_enough(scene, row, e)
         _toy_sized(scene, row, e)
@@ -102,6 +107,13 @@ def join_parts(scene: Scene) -> list[str]:
             _hand_over(scene, e.id, added[0].id)
     _seat_on_seesaws(scene)
     return reasons
+
+
+def _told_of_joint(scene: Scene, e: Entity) -> bool:
+    """Whether what stands open in use is told to open, to close or to be shut: a laptop."""
+    turns = (n for n in scene.timeline.nodes if n.event in _TURNS)
+    said = bool({*_OPEN, *_SHUT} & {*e.adjectives}) or e.id in scene.openings
+    return said or any(e.id in n.participants for n in turns)
 
 
 def _under_a_ceiling(scene: Scene, row: Articulation, e: Entity) -> list[str]:
@@ -258,7 +270,10 @@ def _seat_on_seesaws(scene: Scene) -> None:
 def _hand_over(scene: Scene, named: str, part: str) -> None:
     """Lets the part that turns do what is told of the whole: a chest opens, a cradle swings."""
     moves = any(x.actor == named and x.event in _MOTIONS for x in scene.timeline.edges)
-    if moves or any(x.event in _TURNS and named in x.participants for x in scene.timeline.nodes):
+    track = scene.timeline.tracks.get(named)
+    going = track is not None and track.motion is not None and track.motion.mode in _MODES
+    turns = any(x.event in _TURNS and named in x.participants for x in scene.timeline.nodes)
+    if moves or going or turns:
         scene.timeline.hand_over(named, part)
 
 
@@ -315,7 +330,7 @@ def _joint(
     long = 1.0 if turns else size
     words = (*named.adjectives, *named.head.lower().split(), *_left(scene, named))
     start = max((_OPEN.get(a, 0.0) for a in words), default=0.0)
-    start = (row.opened or 0.0) * start or row.start
+    start = (row.opened or 0.0) * start or (0.0 if _SHUT & {*words} else row.start)
 
     # of several, the first is let go and meets the others, unless the prompt says which
     opening = scene.openings.get(named.id, start) if n == 1 else row.start

@@ -42,6 +42,8 @@ _TURNS = re.compile(
 _RISING = {"go": "up", "rise": "", "raise": "", "lift": ""}
 _SINKING = {"go": "down", "come": "down", "lower": ""}
 """How what has hinges goes up and down, with the adverb that says so: a boom gate, a lid."""
+_WORKING = frozenset({"pull", "push", "throw", "flip"})
+"""What is done to a lever."""
 _SWINGING = {
     ("noop", "sway"): "swing",
     ("noop", "oscillate"): "swing",
@@ -129,7 +131,8 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     hinged = openable(d, bodies)
     if hinged and f.verb.sense == "posture" and f.verb.extra.get("result") == "open":
         return "left_open"
-    if hinged and (opens or "result" in f.verb.extra or raised(f) or lowered(f)):
+    opens = opens or _worked(f) or raised(f) or lowered(f)
+    if hinged and (opens or "result" in f.verb.extra):
         return "open"
     turns = f.object is not None and _TURNS.match(f.object.head) is not None
     if (f.verb.lemma in _TURNING or (turns and f.verb.lemma in _MAKING)) and turning(d, bodies):
@@ -153,9 +156,15 @@ def lowered(f: Frame) -> bool:
     return _goes(f, _SINKING)
 
 
+def _worked(f: Frame) -> bool:
+    """ "The lever is pulled": nobody is told of who does it."""
+    return f.verb.passive and f.verb.lemma in _WORKING and f.phrase("by") is None
+
+
 def _goes(f: Frame, ways: dict[str, str]) -> bool:
     way = ways.get(f.verb.lemma)
-    carried = f.verb.sense == "carry" and (not f.verb.passive or f.phrase("by") is not None)
+    by = f.phrase("by") is not None if f.verb.passive else f.object is not None
+    carried = f.verb.sense == "carry" and by
     return way is not None and not carried and (not way or way in f.adverbs)
 
 

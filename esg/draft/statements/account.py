@@ -84,4 +84,5 @@ def held(d: Discourse, about: set[str], others: set[str]) -> bool:
     places = (scene.supported_by, scene.inside_of, scene.attached, scene.marked)
     pairs = [{*pair} for at in places for pair in at.items()]
     pairs += [{node, tow.by} for node, tow in scene.tows.items()]
+    pairs += [{j.child, j.parent or ""} for j in scene.joints]
     return any(pair & about and pair & others for pair in pairs)

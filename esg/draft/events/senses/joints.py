@@ -50,9 +50,9 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     note = "opens or closes"
     things = [i for i in doers if movable(d, i) and kind_of(d, i) != "person" and i not in moved]
     for body in moved:
-        if shut and body not in d.timeline.tracks:
-            row = row_of(d, body)
-            d.scene.openings.setdefault(body, (row.opened or 0.0) if row else 0.0)
+        row = row_of(d, body)
+        if row is not None and (shut or row.start) and body not in d.timeline.tracks:
+            d.scene.openings.setdefault(body, (row.opened or 0.0) if shut else 0.0)
     if things and not already_hit(d, f, things, moved):
         add_hit(d, f, things[:1], moved, time_of(d, f))
     for body in moved:
