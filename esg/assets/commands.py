@@ -141,10 +141,14 @@ def draw_materials(path: Path) -> int:
 
 
 def import_assets(path: str | Path, library: str | None = None, **options: Any) -> dict[str, Any]:
-    """Imports a folder or a `.sh3f` and says what happened."""
+    """Imports a folder, a `.sh3f`, or a `.urdf` or MJCF file, and says what happened."""
     from esg.assets.imports.importer import import_folder
+    from esg.assets.imports.models.importer import SUFFIXES, import_model
 
-    report = import_folder(path, library=library, **options)
+    if Path(path).is_file() and Path(path).suffix.lower() in SUFFIXES:
+        report = import_model(path, library=library)
+    else:
+        report = import_folder(path, library=library, **options)
     return {
         "library": report.library,
         "folder": str(report.folder),

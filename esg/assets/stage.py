@@ -49,6 +49,7 @@ def resolve(doc: EsgDocument, *, seed: int = 0, retrieval_only: bool = False) ->
         The document with configurations and one more provenance entry, which names the generator
         and what it failed at (those requirements get a plain body).
     """
+    from esg.assets.imports.models.joining import with_parts
     from esg.assets.imports.providers import chosen_generator
 
     generator = None if retrieval_only else chosen_generator()
@@ -70,12 +71,13 @@ def resolve(doc: EsgDocument, *, seed: int = 0, retrieval_only: bool = False) ->
     if generator is not None:
         state |= {"generator": generator.name, "generator_failures": failures}
     entry = Provenance(stage="resolve", version=VERSION, seed=seed, config=state)
-    return doc.model_copy(
+    resolved = doc.model_copy(
         update={
             "asset_configurations": configurations,
             "provenance": (*(p for p in doc.provenance if p.stage != "resolve"), entry),
         }
     )
+    return with_parts(resolved)
 
 
 def _library_state() -> dict[str, str]:
@@ -105,9 +107,13 @@ def configure(
         rolled: Whether the story rolls it on its rim; None lets the size decide.
         retrieval_only: Take the closest asset of the library, whatever it is.
     """
+    from esg.assets.imports.models.joining import named_model
     from esg.assets.library.nearest import nearest, usual_size
     from esg.assets.library.wording import restated
 
+    model = named_model(requirement)
+    if model is not None:
+        return build_configuration(key, requirement, Decision(model, 1.0, ()))
     said = restated(requirement)
     if said is not requirement:
         made = build_configuration(key, said, decide(said), rolled)

@@ -131,10 +131,10 @@ def import_(
     library: str | None = None,
     json: Json = False,
 ) -> int:
-    """Import meshes: a folder, or a Sweet Home 3D library (.sh3f).
+    """Import meshes (a folder, or a Sweet Home 3D library) or a model with joints (URDF, MJCF).
 
     Args:
-        path: Folder or file.
+        path: Folder, .sh3f, .urdf or .xml.
         library: Name of the new library; default the file's.
         json: Print one JSON document.
     """

@@ -15,7 +15,7 @@ from esg.assets.imports.store import find_record
 from esg.assets.library.proposal import choose_dimensions, choose_mass
 from esg.assets.library.retrieve import Decision
 from esg.assets.materials import MATERIALS, find_material
-from esg.graph.models import AssetConfiguration, AssetRequirement, Proxy, SupportSurface
+from esg.graph.models import AssetConfiguration, AssetRequirement, Mount, Proxy, SupportSurface
 from esg.outcomes import UserError
 
 if TYPE_CHECKING:
@@ -32,6 +32,8 @@ def configure_imported(
     if found is None:
         raise UserError(f"asset {entry.library}/{entry.name} has left its library; import it again")
     _, record = found
+    if "inertia_kg_cm2" in record:
+        return _as_modelled(key, requirement, decision, record)
     dimensions = choose_dimensions(entry, requirement)
     factor = math.prod(b / a for a, b in zip(entry.dimensions_cm, dimensions, strict=True)) ** (
         1 / 3
@@ -48,6 +50,32 @@ def configure_imported(
         key, entry, requirement, scaled(sketch, factor), dimensions, mass, material,
         entry.color_rgb, decision, "library",
     )  # fmt: skip
+
+
+def _as_modelled(
+    key: str, requirement: AssetRequirement, decision: Decision, record: dict[str, Any]
+) -> AssetConfiguration:
+    """A part of a model with joints: as large and as heavy as its description says.
+
+    Only a mass that the prompt prescribes is taken instead.
+    """
+    entry = decision.entry
+    assert entry is not None
+    proxies = [Proxy.model_validate(p) for p in record["proxies"]]
+    sketch = Sketch(
+        proxies=proxies,
+        densities=[1.0] * len(proxies),
+        surfaces=[SupportSurface.model_validate(s) for s in record["surfaces"]],
+        mounts=[Mount.model_validate(m) for m in record["mounts"]],
+    )
+    mass = requirement.expected_mass_kg if requirement.mass_is_prescribed else entry.mass_kg
+    config = finish(
+        key, entry, requirement, sketch, entry.dimensions_cm, mass, MATERIALS[entry.material],
+        entry.color_rgb, decision, "library",
+    )  # fmt: skip
+    inertia = tuple(v * mass / entry.mass_kg for v in record["inertia_kg_cm2"])
+    center = tuple(record["center_of_mass_cm"])
+    return config.model_copy(update={"center_of_mass_cm": center, "inertia_kg_cm2": inertia})
 
 
 def _load(path: Any) -> trimesh.Scene:

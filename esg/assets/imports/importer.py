@@ -211,7 +211,7 @@ def convert(
     shift = -(low + high) / 2 * factor
     shift[2] = -low[2] * factor
     matrix[:3, 3] = shift
-    meshes = [_thin(m, notes) for m in meshes]
+    meshes = [thinned(m, notes) for m in meshes]
     local = trimesh.Scene()
     for k, mesh in enumerate(meshes):
         mesh.apply_transform(matrix)
@@ -321,7 +321,7 @@ def _scale(source: Source, extents: np.ndarray, notes: list[str]) -> tuple[float
     return unit, extents * unit
 
 
-def _thin(mesh: Any, notes: list[str]) -> Any:
+def thinned(mesh: Any, notes: list[str]) -> Any:
     """Clusters the vertices of a heavy mesh on a grid until it is light enough."""
     if len(mesh.faces) <= MAX_FACES:
         return mesh

@@ -27,9 +27,12 @@ from esg.assets.library.index import (
     unpack,
 )
 from esg.assets.materials import MATERIALS
+from esg.graph.models import Joint, Mount
 from esg.outcomes import UserError
 
 INDEX_NAME = "index.npz"
+PART = "part"
+"""Flag of a part of a model with joints: nobody finds it, a document asks for it."""
 
 
 def library_root() -> Path:
@@ -66,6 +69,8 @@ def read_record(path: Path) -> dict[str, Any]:
     try:
         record = json.loads(path.read_bytes())
         wrong = [n for n, sound in _FIELDS.items() if not sound(record[n])]
+        for name, kind in _LISTS.items():
+            _ = [kind.model_validate(one) for one in record.get(name, ())]
     except (OSError, ValueError, KeyError, TypeError, RecursionError) as error:
         wrong = [f"{type(error).__name__}: {error}"]
     if wrong:
@@ -111,6 +116,25 @@ _FIELDS: dict[str, Callable[[Any], bool]] = {
     "surfaces": lambda v: isinstance(v, list),
 }
 """What every record has, and whether a value will do."""
+_LISTS: dict[str, type[Joint] | type[Mount]] = {"joints": Joint, "mounts": Mount}
+"""What the records of models with joints have besides (`esg.assets.imports.models`)."""
+
+
+def joined_records() -> list[tuple[Path, dict[str, Any]]]:
+    """Folders and records of the roots of models with joints, by library and key."""
+    found = _joined(_state())
+    return list(found)
+
+
+@lru_cache(maxsize=2)
+def _joined(state: tuple[tuple[str, int], ...]) -> tuple[tuple[Path, dict[str, Any]], ...]:
+    folders = [Path(path) for path, _ in state]
+    return tuple((f, r) for f in folders for r in read_records(f) if r.get("joints"))
+
+
+def _listed(folder: Path) -> tuple[Entry, ...]:
+    """Entries of a library that may be found: no parts."""
+    return tuple(as_entry(r, folder.name) for r in read_records(folder) if PART not in r["flags"])
 
 
 def as_entry(record: dict[str, Any], library: str) -> Entry:
@@ -136,7 +160,7 @@ def as_entry(record: dict[str, Any], library: str) -> Entry:
 
 def write_index(folder: Path) -> None:
     """Embeds the library's texts into `index.npz`; unchanged texts cost nothing."""
-    entries = tuple(as_entry(r, folder.name) for r in read_records(folder))
+    entries = _listed(folder)
     target = folder / INDEX_NAME
     if target.is_file() and unpack(target.read_bytes(), entries) is not None:
         target.touch()
@@ -163,7 +187,7 @@ def _extended(fingerprint: str, state: tuple[tuple[str, int], ...]) -> Index:
     digest = hashlib.sha256(fingerprint.encode())
     for path, _ in state:
         folder = Path(path)
-        more = tuple(as_entry(r, folder.name) for r in read_records(folder))
+        more = _listed(folder)
         data = (folder / INDEX_NAME).read_bytes()
         found = unpack(data, more)
         vectors.append(compute_vectors(more) if found is None else found)
