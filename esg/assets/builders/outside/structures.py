@@ -56,8 +56,8 @@ def road(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 @builder("crossroads", "free")
 def crossroads(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Two roads that cross at right angles; each is 800 wide, as roads are, or half the extent."""
-    # It is higher than a road: it lies over the lines of those that lead to it, as wide as they are.
-    t, top, w = H * 0.8, H, min(800.0, L / 2, W / 2)
+    # Drawn a layer over the roads that lead to it, whose lines its asphalt must cover.
+    t, top, w = H * 0.85, H, min(800.0, L / 2, W / 2)
     s.slab((-L / 2, L / 2), (-w / 2, w / 2), (0, t), c, rough=1.0)
     for y in ((-W / 2, -w / 2), (w / 2, W / 2)):
         s.slab((-w / 2, w / 2), y, (0, t), c, rough=1.0)
