@@ -8,6 +8,7 @@ from functools import cache
 from pathlib import Path
 import re
 
+from esg.lexicon.cells import words
 from esg.lexicon.kinds import kinds
 from esg.lexicon.morphology import singular
 from esg.lexicon.places import surfaces
@@ -52,9 +53,9 @@ def grounds() -> dict[str, Ground]:
         return {
             row["name"]: Ground(
                 name=row["name"],
-                said_as=_words(row["said_as"]),
-                lies_as=_words(row["lies_as"]),
-                weather=_words(row["weather"]),
+                said_as=words(row["said_as"]),
+                lies_as=words(row["lies_as"]),
+                weather=words(row["weather"]),
                 friction=float(row["friction"]),
                 grip=float(row["grip"]),
                 source=row["source"],
@@ -123,7 +124,3 @@ def _of_a_thing(rest: str) -> bool:
     """Whether a word is followed by the name of a thing: a sand castle, a road sign."""
     following = re.match(r"[\s-]+([a-z]+)", rest, re.IGNORECASE)
     return following is not None and singular(following[1].lower()) in _things()
-
-
-def _words(text: str) -> tuple[str, ...]:
-    return tuple(word for word in text.split(";") if word)

@@ -11,6 +11,8 @@ from functools import cache
 from pathlib import Path
 from typing import Literal
 
+from esg.lexicon.cells import words
+
 _FOLDER = Path(__file__).parent
 Span = tuple[float, float]
 Rgb = tuple[float, float, float]
@@ -180,7 +182,7 @@ def surfaces() -> dict[str, Surface]:
     return {
         row["name"]: Surface(
             name=row["name"],
-            said_as=_words(row["said_as"]),
+            said_as=words(row["said_as"]),
             material=row["material"],
             rgb=hex_rgb(row["color"]) if row["color"] else None,
             roughness=float(row["roughness"]) if row["roughness"] else None,
@@ -196,8 +198,8 @@ def skies() -> dict[str, SkyRow]:
         row["name"]: SkyRow(
             name=row["name"],
             setting=_setting(row),
-            said_as=_words(row["said_as"]),
-            not_shown=_words(row["not_shown"]),
+            said_as=words(row["said_as"]),
+            not_shown=words(row["not_shown"]),
             kind=_SKY_KINDS[row["kind"]],
             weight=float(row["weight"]),
             elevation_deg=_span(row["elevation_deg"]),
@@ -230,9 +232,9 @@ def places() -> dict[str, Place]:
             name=row["name"],
             setting=_setting(row),
             presets=_weights(row["presets"]),
-            said_as=_words(row["said_as"]),
+            said_as=words(row["said_as"]),
             kinds=_weights(row["kinds"], 1.0),
-            needs=frozenset(_words(row["needs"])),
+            needs=frozenset(words(row["needs"])),
             surface=row["surface"],
             axis=row["axis"],
             clear_m=float(row["clear_m"]),
@@ -247,7 +249,7 @@ def places() -> dict[str, Place]:
 @cache
 def standing(place: str) -> tuple[Standing, ...]:
     """What may stand in a place, in the order in which it is put there."""
-    return tuple(_standing(r) for r in _rows("place_items.csv") if place in _words(r["places"]))
+    return tuple(_standing(r) for r in _rows("place_items.csv") if place in words(r["places"]))
 
 
 @cache
@@ -259,7 +261,7 @@ def things() -> frozenset[str]:
 @cache
 def drawn(place: str) -> tuple[Drawn, ...]:
     """What is drawn on the ground of a place."""
-    return tuple(_drawn(r) for r in _rows("place_markings.csv") if place in _words(r["places"]))
+    return tuple(_drawn(r) for r in _rows("place_markings.csv") if place in words(r["places"]))
 
 
 def hex_rgb(text: str) -> Rgb:
@@ -278,7 +280,7 @@ def _standing(row: dict[str, str]) -> Standing:
     size = [_span(text) for text in row["size_m"].split("x")] if row["size_m"] else None
     low, high = _span(row["count"])
     return Standing(
-        places=_words(row["places"]),
+        places=words(row["places"]),
         item=row["item"],
         where=row["where"],
         sides=row["sides"],
@@ -286,8 +288,8 @@ def _standing(row: dict[str, str]) -> Standing:
         count=(int(low), int(high)),
         chance=float(row["chance"]),
         size_m=None if size is None else (size[0], size[1], size[2]),
-        surfaces=_words(row["surfaces"]),
-        colors=tuple(hex_rgb(text) for text in _words(row["colors"])),
+        surfaces=words(row["surfaces"]),
+        colors=tuple(hex_rgb(text) for text in words(row["colors"])),
         gap_m=float(row["gap_m"]),
         facing=row["facing"],
     )
@@ -295,7 +297,7 @@ def _standing(row: dict[str, str]) -> Standing:
 
 def _drawn(row: dict[str, str]) -> Drawn:
     return Drawn(
-        places=_words(row["places"]),
+        places=words(row["places"]),
         surface=row["surface"],
         sides=row["sides"],
         away_m=float(row["away_m"]),
@@ -308,12 +310,8 @@ def _drawn(row: dict[str, str]) -> Drawn:
     )
 
 
-def _words(text: str) -> tuple[str, ...]:
-    return tuple(word for word in text.split(";") if word)
-
-
 def _weights(text: str, usual: float = USUAL) -> dict[str, float]:
-    pairs = (word.partition(":") for word in _words(text))
+    pairs = (word.partition(":") for word in words(text))
     return {name: float(weight) if weight else usual for name, _, weight in pairs}
 
 

@@ -7,6 +7,8 @@ from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
 
+from esg.lexicon.cells import words
+
 UNSAID = "unsaid"
 """The share of sentences that leave something open."""
 CAMERAS = ("around", "auto", "static", "tracking", "dolly", "orbit", "dash")
@@ -86,15 +88,11 @@ def _rows(name: str) -> list[dict[str, str]]:
     return list(csv.DictReader(text.splitlines()))
 
 
-def _words(text: str) -> tuple[str, ...]:
-    return tuple(word for word in text.split(";") if word)
-
-
 @cache
 def settings() -> dict[str, Setting]:
     """Places by name."""
     return {
-        r["place"]: Setting(r["place"], r["phrase"], frozenset(_words(r["suits"])), r["lights"])
+        r["place"]: Setting(r["place"], r["phrase"], frozenset(words(r["suits"])), r["lights"])
         for r in _rows("settings.csv")
     }
 
@@ -103,7 +101,7 @@ def settings() -> dict[str, Setting]:
 def lights() -> dict[str, Light]:
     """Lights by name."""
     return {
-        r["light"]: Light(r["light"], r["phrase"], frozenset(_words(r["under"])))
+        r["light"]: Light(r["light"], r["phrase"], frozenset(words(r["under"])))
         for r in _rows("lights.csv")
     }
 
@@ -112,7 +110,7 @@ def lights() -> dict[str, Light]:
 def bystanders() -> dict[str, Bystander]:
     """Bystanders by kind."""
     return {
-        r["kind"]: Bystander(r["kind"], r["plural"], frozenset(_words(r["suits"])))
+        r["kind"]: Bystander(r["kind"], r["plural"], frozenset(words(r["suits"])))
         for r in _rows("bystanders.csv")
     }
 
@@ -123,10 +121,10 @@ def looks() -> dict[str, Looks]:
     return {
         r["noun"]: Looks(
             r["head"],
-            frozenset(_words(r["materials"])),
+            frozenset(words(r["materials"])),
             bool(r["colors"]),
             bool(r["sizes"]),
-            _words(r["variants"]),
+            words(r["variants"]),
         )
         for r in _rows("looks.csv")
     }

@@ -32,7 +32,7 @@ from esg.graph.models import ForceDirection, NodeEvent, Quantity
 _AIRBORNE = lex.word_set("airborne")
 _ONCE = frozenset({"after", "once", "when", "whenever", "as soon as"})
 THEN = lex.word_set("then")
-_AFTER_THAT = re.compile(r"\bafter (?:that|this|which)\b")
+AFTER_THAT = r"\bafter (?:that|this|which)\b"
 _SLOW, _FAST = (0.0, 0.25), (0.5, 1.0)
 """The parts of the range of plausible speeds that are slow and fast."""
 
@@ -164,7 +164,7 @@ def told_after(d: Discourse, f: Frame) -> list[Frame]:
     begin = last.verb.end if last.verb.end < f.verb.start else f.verb.start
     between = d.text[begin : f.verb.end].lower().replace(",", " ")
     words = {*between.split(), *f.adverbs}
-    return earlier if words & THEN or _AFTER_THAT.search(between) else []
+    return earlier if words & THEN or re.search(AFTER_THAT, between) else []
 
 
 def comes_after(d: Discourse, f: Frame) -> list[Frame]:

@@ -16,14 +16,14 @@ from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.timeline import START
 from esg.draft.events.courses import measurable
-from esg.draft.events.motions import THEN, told_after
+from esg.draft.events.motions import AFTER_THAT, THEN, told_after
 from esg.draft.events.told import mates_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import EdgeEvent, Predicate
 
 UNKEPT = "the order is not kept: nothing that is measured ends what comes first"
 ALONE = "it moves by itself: nothing is passed on to it"
-_THEN = re.compile(rf"\b(?:{'|'.join(sorted(THEN))}|after (?:that|this|which))\b", re.IGNORECASE)
+_THEN = re.compile(rf"\b(?:{'|'.join(sorted(THEN))})\b|{AFTER_THAT}", re.IGNORECASE)
 
 
 @dataclass(frozen=True)

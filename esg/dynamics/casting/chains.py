@@ -13,11 +13,10 @@ from dataclasses import replace
 import math
 
 from esg.dynamics.casting.changes import scaled
-from esg.dynamics.casting.hits import hits
 from esg.dynamics.casting.toppling import comes_in_all_sizes
 from esg.dynamics.choreography.hits.rows import asked_of_first, rows
 from esg.dynamics.story.stagecraft import Prop, default_speed, prop, support_of
-from esg.dynamics.story.story import Story
+from esg.dynamics.story.story import Story, hits
 from esg.graph.models import AssetConfiguration, EsgDocument
 
 LIVELIEST, POLISHED = 0.95, 0.06

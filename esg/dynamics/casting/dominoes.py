@@ -9,10 +9,9 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.casting.changes import resized
-from esg.dynamics.casting.hits import hits
 from esg.dynamics.story.slabs import BY_ITSELF_S, KNOCKED_S, ORDER_S, REACH
 from esg.dynamics.story.stagecraft import support_of, top_surface
-from esg.dynamics.story.story import Story
+from esg.dynamics.story.story import Story, hits
 from esg.graph.models import AssetConfiguration, EsgDocument, NodeEvent, TimelineNode
 from esg.layout.problem.patterns import is_domino_like
 

@@ -5,28 +5,13 @@ from __future__ import annotations
 from esg.dynamics.choreography.hits.demands import KEPT, passed_on
 from esg.dynamics.choreography.stage import FASTEST_MPS
 from esg.dynamics.story.stagecraft import prop
-from esg.dynamics.story.story import Story, bounds
-from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
+from esg.dynamics.story.story import Story, bounds, hits
+from esg.graph.models import EdgeEvent, EsgDocument, TimelineNode
 
 FALLS_TOO = 0.5
 """Share of a stated speed that counts where something thrown falls as well."""
 USUAL_CARRIED_MPS = 3.0
 """Speed with which something that was struck arrives at the next thing, where it is open."""
-
-
-def hits(doc: EsgDocument, story: Story) -> list[tuple[TimelineNode, str, str]]:
-    """Hits of two objects as (hit, mover, target)."""
-    nodes = doc.spatial_relation_graph.nodes
-    out: list[tuple[TimelineNode, str, str]] = []
-    for node in story.nodes.values():
-        if node.event is not NodeEvent.COLLISION or len(node.participants) < 2:
-            continue
-        a, b = node.participants[:2]
-        if story.is_active(b) and not story.is_active(a):
-            a, b = b, a
-        if a in nodes and b in nodes:
-            out.append((node, a, b))
-    return out
 
 
 def carried(doc: EsgDocument, story: Story, name: str, node: TimelineNode) -> float:

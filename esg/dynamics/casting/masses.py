@@ -5,11 +5,11 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.casting.changes import Configs, scaled
-from esg.dynamics.casting.hits import fastest, hits, launched
+from esg.dynamics.casting.hits import fastest, launched
 from esg.dynamics.choreography.hits.demands import passed_on, run_on_speed
 from esg.dynamics.choreography.slopes import fastest_down, rides
 from esg.dynamics.story.stagecraft import prop
-from esg.dynamics.story.story import Story, bounds
+from esg.dynamics.story.story import Story, bounds, hits
 from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
 
 LIGHTEST, HEAVIEST = 0.3, 2.5

@@ -11,7 +11,6 @@ import math
 import numpy as np
 
 from esg.dynamics.casting.changes import Configs, resized, weighing
-from esg.dynamics.casting.hits import hits
 from esg.dynamics.choreography.slopes import (
     AT_FOOT_M,
     STARTS_MPS,
@@ -32,7 +31,7 @@ from esg.dynamics.story.stagecraft import (
     support_of,
     top_surface,
 )
-from esg.dynamics.story.story import Phase, Story, bounds
+from esg.dynamics.story.story import Phase, Story, bounds, hits
 from esg.dynamics.story.tipping import stand_of
 from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2

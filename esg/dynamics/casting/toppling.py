@@ -13,10 +13,10 @@ from functools import partial
 import math
 
 from esg.dynamics.casting.changes import resized, scaled, thrown, with_assets
-from esg.dynamics.casting.hits import carried, fastest, hits, launched
+from esg.dynamics.casting.hits import carried, fastest, launched
 from esg.dynamics.choreography.slopes import fastest_down, rides
 from esg.dynamics.story.stagecraft import Prop, fall_speed, prop
-from esg.dynamics.story.story import Story
+from esg.dynamics.story.story import Story, hits
 from esg.dynamics.story.tipping import Stand, first_touch, stand_of, topple_speed
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.thresholds import SAFE_IMPULSE_NS

@@ -246,6 +246,21 @@ def _topological(ids: list[str], before: dict[str, list[str]]) -> list[str]:
     return done
 
 
+def hits(doc: EsgDocument, story: Story) -> list[tuple[TimelineNode, str, str]]:
+    """Hits of two objects as (hit, mover, target)."""
+    nodes = doc.spatial_relation_graph.nodes
+    out: list[tuple[TimelineNode, str, str]] = []
+    for node in story.nodes.values():
+        if node.event is not NodeEvent.COLLISION or len(node.participants) < 2:
+            continue
+        a, b = node.participants[:2]
+        if story.is_active(b) and not story.is_active(a):
+            a, b = b, a
+        if a in nodes and b in nodes:
+            out.append((node, a, b))
+    return out
+
+
 def _begins_at_a_wall(phase: Phase, is_fixed: Callable[[str], bool]) -> bool:
     """Whether an actor is driven on from its hit of something fixed."""
     actor, start = phase.edge.actor, phase.start

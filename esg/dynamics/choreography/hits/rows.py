@@ -13,8 +13,8 @@ import itertools
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import back_spin
 from esg.dynamics.story.stagecraft import Prop, passed_on, prop
-from esg.dynamics.story.story import Story
-from esg.graph.models import EsgDocument, NodeEvent
+from esg.dynamics.story.story import Story, hits
+from esg.graph.models import EsgDocument
 from esg.thresholds import SAFE_IMPULSE_NS
 from esg.units import GRAVITY_MPS2
 
@@ -36,16 +36,10 @@ def rows(doc: EsgDocument, story: Story) -> list[list[str]]:
     All but the first are carried from hit to hit: they do not move by themselves, and neither fall
     nor topple nor stand fast before the last hit.
     """
-    nodes = doc.spatial_relation_graph.nodes
     follows: dict[str, str] = {}
-    for node in story.nodes.values():
-        if node.event is not NodeEvent.COLLISION or len(node.participants) < 2:
-            continue
-        a, b = node.participants[:2]
-        if story.is_active(b) and not story.is_active(a):
-            a, b = b, a
-        if a in nodes and b in nodes and not story.is_active(b):
-            follows.setdefault(a, b)
+    for _, mover, target in hits(doc, story):
+        if not story.is_active(target):
+            follows.setdefault(mover, target)
     found: list[list[str]] = []
     for first in (a for a in follows if a not in follows.values()):
         row = [first]
