@@ -11,7 +11,7 @@ import sys
 
 import pytest
 
-from benchmarks.faults import losses
+from benchmarks.faults import diary, losses
 from benchmarks.faults.shims import compiled
 
 ROOT = Path(__file__).parents[2]
@@ -78,3 +78,23 @@ def test_what_was_not_forced_is_lost_or_torn(tmp_path: Path, library: Path) -> N
     found = {lost(UNSAFE, 0, seed, tmp_path, library)[0] for seed in range(30)}
     assert b"" in found
     assert found - WHOLE
+
+
+def entry(number: int, wrong: str = "", operations: int = 8) -> diary.Entry:
+    return diary.Entry("report", 1, number, operations, losses.Loss(number > 1, 3 * number, wrong))
+
+
+def test_losses_are_kept_as_they_end(tmp_path: Path) -> None:
+    """A run that is stopped leaves what it has."""
+    log = tmp_path / "runs" / "losses.jsonl"
+    assert diary.entries(log) == []
+    diary.append(log, entry(0))
+    diary.append(log, entry(1, "k.html is gone"))
+    assert diary.entries(log) == [entry(0), entry(1, "k.html is gone")]
+
+
+def test_losses_of_several_runs_add_up() -> None:
+    found = [entry(0), entry(1, "k.html is gone", 9), entry(2)]
+    ((cells, bad),) = diary.rows(found, ("db ingest", "report"))
+    assert cells == ("report", "8 to 9", 3, 1, 2, 2)
+    assert bad == ["report:1 of seed 1: k.html is gone"]
