@@ -248,6 +248,9 @@ def _losses(ground: Path, place: Path, args: argparse.Namespace) -> int:
     names = list(dict.fromkeys(name for name, _ in items))
     work = partial(_before_loss, ground)
     sound, wrong = _sound_ones(zip(names, spread(work, names, place, args.jobs), strict=True))
+    for name in [name for name in sound if not sound[name][1]]:
+        print(f"{name}: changes no files", flush=True)
+        del sound[name]
     items = [item for item in items if item[0] in sound]
     run = partial(_one_loss, ground, sound, args.seed, log)
     for _ in spread(run, items, place, args.jobs):
