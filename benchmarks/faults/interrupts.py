@@ -31,6 +31,8 @@ def interrupted(
     Returns:
         A row for `HEADS`, with what is wrong.
     """
+    # A job that a shell began in the background ignores Ctrl-C, and what it starts would as well.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     sound = undisturbed(name, 1, ground, place)
     rng = random.Random(f"{seed} {name}")
     codes, slowest, wrong = list[str](), 0.0, list[str]()
