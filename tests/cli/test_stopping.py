@@ -18,6 +18,10 @@ BUSY = {
     "native": "import ctypes, signal\n"
     "signal.pthread_sigmask(signal.SIG_BLOCK, [signal.SIGINT, signal.SIGTERM])\n"
     "ctypes.CDLL(None).sleep(60)",
+    "finalizer": "class Held:\n    def __del__(self):\n        import time; time.sleep(60)\n"
+    "Held()\nwhile True: pass",
+    "query": "import duckdb\nduckdb.execute('SELECT count(*) FROM range(10000000) a, '\n"
+    "    'range(100000) b WHERE a.range % 7 = b.range % 5')",
     "slow to unwind": "try:\n    import time; time.sleep(60)\nfinally:\n    time.sleep(60)",
 }
 
@@ -42,7 +46,7 @@ def test_a_command_answers_whatever_it_is_doing(
     )  # fmt: skip
     assert command.stderr is not None
     assert command.stderr.readline() == "busy\n"
-    time.sleep(0.1)
+    time.sleep(1.0 if what == "query" else 0.1)
     start = time.monotonic()
     command.send_signal(number)
     out, err = command.communicate(timeout=30)
