@@ -381,10 +381,18 @@ class PhysxWorld:
         return self._breaks.states() if self._breaks else {}
 
     def read(self, body: int) -> tuple[Any, Any, Any, Any]:
+        return *self.pose(body), *self.velocities(body)
+
+    def pose(self, body: int) -> tuple[Any, Any]:
+        """Position [m] and quaternion (x, y, z, w)."""
+        pose = self.bodies[body].entity.pose
+        w, x, y, z = pose.q.tolist()
+        return pose.p, (x, y, z, w)
+
+    def velocities(self, body: int) -> tuple[Any, Any]:
+        """Linear [m/s] and angular velocity [rad/s]."""
         component = self.bodies[body]
-        pose = component.entity.pose
-        w, x, y, z = pose.q
-        return pose.p, (x, y, z, w), component.linear_velocity, component.angular_velocity
+        return component.linear_velocity, component.angular_velocity
 
     def contacts(self, ground: bool) -> Iterator[Touch]:
         # What breaks takes its contacts along.
