@@ -6,11 +6,10 @@
 
 The real command, `esg render DATASET`, for so many minutes or until all is rendered. The dataset is
 made before (untimed, its physics as first guessed: pictures cost the same) unless `--of` has one;
-a first small one, made or given by
-`--warm`, makes what is made once a machine. A frame is one instant seen by one camera in
-all channels; those of scenes that are whole on disk count, over the wall clock from the command's
-start to its end. Memory is that of every worker, and its slope over the scenes once a tenth of them
-is rendered.
+a first small one, made or given by `--warm`, makes what is made once a machine. A frame is one
+instant seen by one camera in all channels; those of scenes that are whole on disk count, over the
+wall clock from the command's start to its end. Memory is that of every worker, and its slope over
+the scenes once a tenth of them is rendered.
 """
 
 from __future__ import annotations
