@@ -14,6 +14,7 @@ import signal
 import sys
 import threading
 import time
+from typing import NoReturn
 
 GRACE_S = 1.5
 KEPT = "finished stages are kept, run the same command again to go on"
@@ -58,8 +59,18 @@ def stopped(as_json: bool) -> int:
     """
     code = _tell(as_json)
     if _received:
-        os._exit(code)
+        _end(code)
     return code
+
+
+def _end(code: int) -> NoReturn:
+    """Ends this process and its workers, which in native code would not notice for a while."""
+    if "multiprocessing" in sys.modules:
+        import multiprocessing
+
+        for worker in multiprocessing.active_children():
+            worker.kill()
+    os._exit(code)
 
 
 def _tell(as_json: bool) -> int:
@@ -99,4 +110,4 @@ def _watch(pipe: int, as_json: bool) -> None:
     time.sleep(GRACE_S)
     if sys.stderr.isatty():
         os.write(sys.stderr.fileno(), b"\x1b[?25h\n")  # a progress display hid the cursor
-    os._exit(_tell(as_json))
+    _end(_tell(as_json))

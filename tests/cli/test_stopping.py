@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import ctypes
 import os
 from pathlib import Path
 import signal
@@ -55,3 +56,29 @@ def test_a_command_answers_whatever_it_is_doing(
     assert err.startswith(f"esg: {word}; finished stages are kept")
     assert err.count("\n") == 1
     assert f'"exit_code": {code}' in out
+
+
+def hold(mark: str) -> None:
+    """Native code that lets no other thread of Python's go on."""
+    Path(mark).touch()
+    ctypes.PyDLL(None).sleep(60)
+
+
+def test_workers_that_do_not_listen_end_with_the_command(tmp_path: Path) -> None:
+    mark = tmp_path / "mark"
+    script = (
+        "import sys\nfrom esg import cli\nfrom esg.workers import WorkerPool\n"
+        "from tests.cli.test_stopping import hold\nsys.argv = ['esg', 'doctor']\n"
+        f"def app():\n    WorkerPool(1).run(hold, {str(mark)!r})\n"
+        "cli.build_app = app\ncli.main()\n"
+    )
+    command = subprocess.Popen(
+        [sys.executable, "-c", script], stderr=subprocess.PIPE, text=True,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+    )  # fmt: skip
+    while not mark.exists():
+        assert command.poll() is None
+        time.sleep(0.05)
+    command.send_signal(signal.SIGTERM)
+    command.communicate(timeout=30)  # until nobody has its output any more
+    assert command.returncode == 143
