@@ -116,7 +116,9 @@ def _rules_objects(rules: EsgDocument) -> list[CoverageItem]:
 
 
 _SEGMENTS = {
-    "motion": frozenset({"UniformMotion", "Toward", "AcceleratedMotion"}),
+    "motion": frozenset(
+        {"UniformMotion", "Toward", "AcceleratedMotion", "Turn", "Guide", "Release"}
+    ),
     "acceleration": frozenset({"AcceleratedMotion"}),
     "braking": frozenset({"Brake"}),
 }
