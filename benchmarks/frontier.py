@@ -6,6 +6,7 @@
     python -m benchmarks.frontier DIR --layouts --json FILE
     python -m benchmarks.frontier DIR --handout 8       # the requests, for eight who answer by hand
     python -m benchmarks.frontier DIR --served --of 20  # of the server that ESG_LLM_… names
+    python -m benchmarks.frontier DIR --answers FILE --tokens  # kept answers (benchmarks/answers)
 
 200 prompts (`data/prompts/frontier.json`): 60 of `test`, 60 of `blind2`, 40 of each half of
 `public`, those with the least hashes of their ids. Nothing is asked here: whoever has a model
@@ -28,6 +29,7 @@ from pathlib import Path
 import sys
 from typing import Any, get_args
 
+from benchmarks.answers import KeptAnswers, counter
 from benchmarks.drafting.corpus import PROMPTS, load
 from benchmarks.drafting.score import PAPER, Score, score_document
 from benchmarks.drafting.whole import summary
@@ -216,6 +218,8 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--variants", nargs="+", choices=get_args(Variant), default=["full"])
     parser.add_argument("--of", type=int, metavar="N", help="only N of the prompts, evenly")
     parser.add_argument("--served", action="store_true", help="ask the configured server instead")
+    parser.add_argument("--answers", type=Path, metavar="FILE", help="score kept answers instead")
+    parser.add_argument("--tokens", action="store_true", help="count tokens of kept answers")
     parser.add_argument("--partial", action="store_true", help="score what is drafted by now")
     parser.add_argument("--layouts", action="store_true", help="high-quality given usable, too")
     parser.add_argument("--show", action="store_true", help="list misses of the opened prompts")
@@ -229,9 +233,13 @@ def main(argv: list[str] | None = None) -> int:
     for variant in args.variants:
         # The folder of `full` is of all prompts: fewer would drop the others' requests from it.
         asked = every if variant == "full" else rows
-        if args.served:
-            drafts = draft_llm_batch([r["prompt"] for r in rows], settings=config, variant=variant)
+        if args.served or args.answers:
+            kept = _kept(args)
+            prompts = [r["prompt"] for r in rows]
+            drafts = draft_llm_batch(prompts, settings=config, variant=variant, client=kept)
             found[variant] = of_model(rows, drafts)
+            if kept is not None:
+                print(f"{variant}: {kept.text()}")
             continue
         got = gather(
             [row["prompt"] for row in asked],
@@ -259,6 +267,13 @@ def main(argv: list[str] | None = None) -> int:
         text = json.dumps({"prompts": len(rows), "drafters": tables}, indent=2) + "\n"
         Path(args.json).write_text(text, encoding="utf-8")
     return 3 if waiting else 0
+
+
+def _kept(args: argparse.Namespace) -> KeptAnswers | None:
+    """The kept answers that are to be scored; None asks the configured server."""
+    if args.answers is None:
+        return None
+    return KeptAnswers(args.answers, counter() if args.tokens else None)
 
 
 HOW = """Answer every request below. Write one JSON Lines file, one line a request:

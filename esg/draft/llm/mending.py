@@ -139,9 +139,12 @@ def at_sides(raw: Json) -> list[str]:
         What was changed, in words.
     """
     log: list[str] = []
-    graph: Json = (raw.get("timeline_system") or {}).get("sequence_graph", {})
-    for node in graph.get("nodes", ()):
-        people = node.get("participants") or []
+    timeline: Json = raw.get("timeline_system") or {}
+    graph: Json = timeline.get("sequence_graph", {})
+    nodes: list[Json] = graph.get("nodes", [])
+    edges: list[Json] = graph.get("edges", [])
+    for node in nodes:
+        people: list[str] = node.get("participants") or []
         if node["event"] != NodeEvent.REACH.value or len(people) != 2:
             continue
         mover, other = people
@@ -149,7 +152,7 @@ def at_sides(raw: Json) -> list[str]:
             continue
         log.append(f"{mover!r} goes to a side of {other!r}: {node['id']!r} is no arrival at it")
         node["event"], node["participants"] = NodeEvent.TRIGGER.value, [mover]
-        for edge in graph["edges"]:
+        for edge in edges:
             if edge["to"] == node["id"] and edge["actor"] == mover and edge["target"] == other:
                 edge["target"] = None
     return log

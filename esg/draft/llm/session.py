@@ -298,8 +298,8 @@ class Session:
         if document is None:
             self.document = None
             return
-        from esg.draft.llm.coverage import cover, read_by_rules
-        from esg.draft.llm.unheld import with_unheld
+        from esg.draft.llm.words.coverage import cover, read_by_rules
+        from esg.draft.llm.words.unheld import with_unheld
 
         stated = with_unheld(document, read_by_rules(self.prompt))
         if stated is not None:

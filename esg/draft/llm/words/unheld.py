@@ -74,8 +74,8 @@ def unheld(doc: EsgDocument, rules: EsgDocument | None) -> tuple[Statement, ...]
 
     Args:
         doc: The model's document.
-        rules: The rules drafter's, of the same prompt; None where they refuse it: then every word of
-            content is looked up by itself.
+        rules: The rules drafter's, of the same prompt; None where they refuse it: then every word
+            of content is looked up by itself.
 
     Returns:
         One for each stretch of words, about the document's own nodes; their ids mean nothing.
@@ -230,9 +230,7 @@ class _Book:
         return tuple(
             s
             for s in self.doc.statements or ()
-            if s.start < gap.end
-            and gap.start < s.end
-            and not any(self.soft(n) for n in s.object)
+            if s.start < gap.end and gap.start < s.end and not any(self.soft(n) for n in s.object)
         )
 
     def soft(self, name: str) -> bool:

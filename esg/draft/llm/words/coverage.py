@@ -10,7 +10,7 @@ from functools import lru_cache
 import re
 
 from esg.draft.llm.names import slug
-from esg.draft.llm.unheld import heads
+from esg.draft.llm.words.unheld import heads
 from esg.draft.rules import draft_rules
 from esg.graph.models import Coverage, CoverageItem, EsgDocument, Predicate, Quantity
 from esg.graph.violations import pointer
@@ -97,9 +97,7 @@ def _objects(prompt: str, doc: EsgDocument, rules: EsgDocument | None) -> list[C
         again = (w for (a, b), w in found.items() if prompt[a:b].lower().split()[-1] == words[-1])
         named = (n for n, nouns in called.items() if singular(words[-1].strip(".,;:!?")) in nouns)
         meant = (pointer("spatial_relation_graph", "nodes", n) for n in named)
-        items.append(
-            _item(prompt, i.start, i.end, "object", next(again, "") or next(meant, ""))
-        )
+        items.append(_item(prompt, i.start, i.end, "object", next(again, "") or next(meant, "")))
     return items
 
 
