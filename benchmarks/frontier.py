@@ -32,7 +32,8 @@ from typing import Any, get_args
 from benchmarks.answers import KeptAnswers, counter
 from benchmarks.drafting.corpus import PROMPTS, load
 from benchmarks.drafting.score import PAPER, Score, score_document
-from benchmarks.drafting.whole import summary
+from benchmarks.drafting.whole import Outcome as Verdicts
+from benchmarks.drafting.whole import Verdict, summary
 from esg.draft import draft
 from esg.draft.llm.drafter import draft_llm_batch
 from esg.draft.llm.gathering import gather
@@ -157,6 +158,9 @@ def _figures(made: Sequence[Made]) -> dict[str, Any]:
         out |= {k: whole["classes"][k] for k in ("fully_right", "silent_wrong")}
         out |= {k: v for k, v in whole["classes"].items() if k not in out}
         out["statements"] = whole["statement_recall"]
+        out["unsayable_named"] = whole["unsayable_named"]
+        out["fully_right_but_owns_up"] = whole["fully_right_but_owns_up"]
+        out["causes"] = causes(score.verdicts)
         out["sayable"] = _sayable(made)
     calls = [m.call for m in made if m.call is not None]
     if calls:
@@ -191,6 +195,32 @@ def mended(calls: Sequence[LlmDraft]) -> dict[str, dict[str, int]]:
                 row["told"] += 1
                 row["gone"] += code not in after
     return dict(sorted(out.items(), key=lambda item: -item[1]["told"]))
+
+
+CAUSES = {
+    "content no document can hold": ("unsayable",),
+    "event missing": ("missing",),
+    "statement not held": ("statement",),
+    "event invented": ("invented",),
+    "no thing, but drawn": ("absent",),
+    "objects missing, twice, never asked for": ("object", "twice", "spurious"),
+    "no usable draft": ("unusable",),
+    "quantity lost": ("quantity",),
+}
+"""Kinds of faults by what keeps a draft from being fully right."""
+
+
+def causes(verdicts: Sequence[Verdict]) -> dict[str, dict[str, int]]:
+    """By cause: drafts with it, of them those with nothing else, and those that are silent."""
+    out = {name: {"drafts": 0, "alone": 0, "silent": 0} for name in (*CAUSES, "any")}
+    for v in verdicts:
+        kinds = {f.kind for f in v.faults}
+        found = [name for name, of in CAUSES.items() if kinds & {*of}]
+        for name in (*found, *(["any"] if found else [])):
+            out[name]["drafts"] += 1
+            out[name]["alone"] += len(found) == 1
+            out[name]["silent"] += v.outcome is Verdicts.SILENT
+    return {name: row for name, row in out.items() if row["drafts"]}
 
 
 def _sayable(made: Sequence[Made]) -> float:
@@ -337,6 +367,10 @@ def _print(tables: dict[str, dict[str, dict[str, Any]]]) -> None:
     for name, sets in tables.items():
         for code, row in sets["all"].get("mended", {}).items():
             print(f"{name}: {code} told {row['told']} times, gone with the answer {row['gone']}")
+    for name, sets in tables.items():
+        for cause, row in sets["all"].get("causes", {}).items():
+            told = f"{row['drafts']} drafts, {row['alone']} alone, {row['silent']} silent"
+            print(f"{name}: {cause}: {told}")
     for name in tables:
         if name in PAPER:
             print(f"paper, {name}: usability {PAPER[name]}, high-quality {PAPER_HIGH[name]}")

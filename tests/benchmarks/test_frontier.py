@@ -97,6 +97,10 @@ def test_kept_answers_outlive_a_change_of_the_instructions(
     line = [str(tmp_path), "--answers", str(kept), "--of", "10", "--json", str(target)]
     assert frontier.main([*line, "--tokens"]) == 0
     told = json.loads(target.read_text())["drafters"]["full"]["all"]
+    wrong = told["causes"].get("any", {"drafts": 0, "silent": 0})
+    public = json.loads(target.read_text())["drafters"]["full"]["public"]["prompts"]
+    assert wrong["drafts"] == round(public * (100.0 - told["fully_right"]) / 100.0)
+    assert wrong["silent"] == round(public * told["silent_wrong"] / 100.0)
     assert told["usability"] == 100.0 and told["tokens_in"] > 10 * told["tokens_out"] > 0
     exact, other = map(
         int, re.findall(r"full: (\d+) requests .*, (\d+) with", capsys.readouterr().out)[0]
