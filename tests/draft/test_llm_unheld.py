@@ -205,6 +205,12 @@ def test_a_prompt_that_the_rules_refuse_is_looked_up_word_by_word() -> None:
     assert {"Aerial", "shot", "flying"} <= set(lost(doc)) and "town" not in lost(doc)
 
 
+def test_words_of_another_language_are_not_looked_up() -> None:
+    """Say nothing of a prompt whose words the tables do not know."""
+    prompt = "Ein Hund läuft über die Straße und ein Auto steht auf dem Gehweg."
+    assert lost(made(prompt, scene(("dog", "road", "car")), goes("dog_1"))) == {}
+
+
 @pytest.mark.parametrize(
     ("label", "noun"),
     [("tin buckets of water", "bucket"), ("two people", "person"), ("leaves", "leaf"), ("", "")],

@@ -13,6 +13,7 @@ from functools import cached_property
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.document.screening import screen
 from esg.draft.statements.account import NOTHING, PASSED_OVER
 from esg.draft.statements.adverbs import NO_MANNER
 from esg.draft.statements.unseen import FLUIDS, NO_THING, unseen_words
@@ -31,6 +32,7 @@ from esg.graph.models import (
     TimelineEdge,
     TimelineNode,
 )
+from esg.outcomes import UserError
 
 _COURSES = lex.word_set("shapes of courses")
 _SOFT = lex.word_set("soft garments")
@@ -97,10 +99,14 @@ _CONTENT = frozenset({"NOUN", "PROPN", "VERB", "ADJ", "ADV"})
 def _by_words(doc: EsgDocument) -> tuple[Statement, ...]:
     """Words of content that no thing is called or described by and no statement is about.
 
-    Of prompts that the rules read no further; without a timeline no verb is shown, either.
+    Of English prompts that the rules read no further; without a timeline no verb is shown, either.
     """
     definition = doc.scene_definition
     text, things = definition.original_description, _described(doc)
+    try:
+        screen(text)
+    except UserError:
+        return ()  # in another language its words say nothing of the document's
     called = frozenset[str]().union(*heads(doc).values())
     said = [(s.start, s.end) for s in doc.statements or ()]
     why = {a: w for a, _, w in unseen_words(text, definition.scene_parameters.scene_type)}
