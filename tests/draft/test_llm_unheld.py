@@ -105,9 +105,9 @@ def test_a_fluid_in_a_vessel_is_owned_up_to(
 
 
 def test_a_water_that_is_drawn_by_itself_is_there() -> None:
-    """Leave a lake alone, and what is loose beside it."""
-    doc = made("A boat lies beside water.", scene(("boat", "water"), [("boat_1", "near", "water_1")],
-                                                  dynamic=False))  # fmt: skip
+    """Leave alone what flows in no vessel."""
+    told = says("supported_by", "rides a wave", "surfer_1", "wave_1")
+    doc = made("A surfer rides a wave.", scene(("surfer", "wave")), goes("surfer_1", [told]))
     assert lost(doc) == {}
 
 
@@ -121,6 +121,11 @@ HELD = (says("slower_than", "slowly", "dog_1", low=100),)
         ("A dog walks slowly along a road.", (), {"slowly": FORGOTTEN}),
         ("A dog walks along a road rapidly.", (), {"rapidly": FORGOTTEN}),
         ("A dog walks gracefully along a road.", (), {"gracefully": "manner is not simulated"}),
+        (
+            "A dog walks gracefully along a road.",
+            (says("slower_than", "gracefully", "dog_1", low=100),),
+            {},
+        ),
         (
             "A dog walks gracefully along a road.",
             (says("moves", "walks gracefully", "dog_1", direction="forward"),),
@@ -189,6 +194,24 @@ def test_an_act_that_only_the_model_draws_holds_its_verb() -> None:
     turned = made("A car drives around a corner.", scene(("car",)),
                   goes("car_1", to=bent, motion="Turn", turn_direction="left", turn_degrees=90))  # fmt: skip
     assert lost(turned) == {} and turned.coverage.warnings == ()
+
+
+def test_a_statement_with_its_words_holds_a_verb() -> None:
+    """Let a model climb where the rules do not, and miss it where neither does."""
+    prompt, things = "A cat climbs a tree.", scene(("cat", "tree"))
+    up = says("moves", "climbs", "cat_1", direction="up")
+    assert lost(made(prompt, things, goes("cat_1", [up]))) == {}
+    found = lost(made(prompt, things, goes("cat_1", target="tree_1")))
+    assert found.keys() == {"climbs"}
+
+
+def test_an_event_holds_the_direction_that_it_has() -> None:
+    """Ask for no "up" beside a jump, and for one beside a walk."""
+    jump: Json = {"id": "e1", "event": "Jump", "participants": ["boy_1"]}
+    leaps = goes("boy_1", to=jump, motion="Toward")
+    leaps["actors"][0]["force_direction"] = "ANY_3D"
+    assert lost(made("A boy jumps up.", scene(("boy",)), leaps)) == {}
+    assert lost(made("A bird flies up.", scene(("bird",)), goes("bird_1"))) == {"up": FORGOTTEN}
 
 
 def test_what_the_model_owns_up_to_is_not_said_twice() -> None:

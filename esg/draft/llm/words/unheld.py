@@ -64,7 +64,7 @@ _ACTS = frozenset(
 """Motions that say what is done, and not only that something moves."""
 _UP_OR_DOWN = {
     "down": (NodeEvent.FALL, NodeEvent.TOPPLE, NodeEvent.PLACED, NodeEvent.BOUNCE),
-    "up": (NodeEvent.JUMP, NodeEvent.PICKED_UP),
+    "up": (NodeEvent.JUMP, NodeEvent.PICKED_UP, NodeEvent.BOUNCE),
 }
 """Point events that show a direction."""
 _NO_EVENTS = (NodeEvent.SCENE_START, NodeEvent.TRIGGER)
