@@ -53,7 +53,7 @@ OTHERS = {
     "hitch": "A pickup truck tows a trailer down the road.",
     "towing rope": "A tractor pulls a log along the ground with a rope.",
     "rider": "A girl rides a skateboard into a crate.",
-    "load of a seesaw": "A crate drops onto one end of a seesaw and launches a ball from the other.",
+    "load of a seesaw": "A crate drops onto one end of a seesaw and launches a ball.",
     "rope that snaps": "The rope of a hanging flower pot snaps, and the pot falls to the ground.",
     "below a ceiling": "A lamp hanging from the ceiling is hit by a tennis ball.",
 }
