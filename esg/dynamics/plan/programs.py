@@ -160,15 +160,16 @@ class Composer:
 
     @cached_property
     def _riders(self) -> dict[str, tuple[str, ...]]:
-        """What lies on an actor and has no part of its own, or is drawn along by it: it is under
-        way with it.
+        """What lies on an actor or is joined to it and has no part of its own, or is drawn along by
+        it: it is under way with it.
         """
         nodes = self.doc.spatial_relation_graph.nodes
         told = {p for n in self.story.nodes.values() for p in n.participants}
         free = [n for n, x in nodes.items() if n not in told and not x.is_structural]
         free = [n for n in free if n in self.scene.names and not self.scene.body(n).static]
+        on = {j.child: j.parent for j in self.scene.joints if not j.flexible}
         return {
-            a: tuple(n for n in free if a in _supports(self.doc, n))
+            a: tuple(n for n in free if a in _supports(self.doc, n) or on.get(n) == a)
             + tuple(n for n in towed_by(self.doc, a) if n in self.scene.names)
             for a in self.story.phases
         }
