@@ -168,11 +168,12 @@ class Composer:
         free = [n for n, x in nodes.items() if n not in told and not x.is_structural]
         free = [n for n in free if n in self.scene.names and not self.scene.body(n).static]
         on = {j.child: j.parent for j in self.scene.joints if not j.flexible}
-        return {
-            a: tuple(n for n in free if a in _supports(self.doc, n) or on.get(n) == a)
-            + tuple(n for n in towed_by(self.doc, a) if n in self.scene.names)
-            for a in self.story.phases
-        }
+        out: dict[str, tuple[str, ...]] = {}
+        for a in self.story.phases:
+            with_it = [n for n in free if a in _supports(self.doc, n) or on.get(n) == a]
+            with_it += [n for n in towed_by(self.doc, a) if n in self.scene.names]
+            out[a] = tuple(dict.fromkeys(with_it))
+        return out
 
     @cached_property
     def _headings(self) -> dict[str, float]:
