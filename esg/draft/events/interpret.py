@@ -222,6 +222,17 @@ def _parts(d: Discourse, f: Frame) -> Parts:
     return Parts(subject, [i for i in dict.fromkeys(named) if kind_of(d, i) != "region"])
 
 
+def _meets_a_rope(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "Flies against the cable": a rope that a joint draws is nothing that one can touch."""
+    told = [p.mention for p in f.phrases if p.prep in ("against", "into", "at", "onto")]
+    met = [i for m in told if m is not None for i in m.entities]
+    met += parts.objects if f.verb.sense == "hit" else []
+    if d.scene.links.isdisjoint(met):
+        return False
+    ignore(d, f, "a rope is a joint here, which nothing touches")
+    return True
+
+
 def _comes_apart(d: Discourse, f: Frame, parts: Parts) -> bool:
     """Verbs of breaking have their sense where what they are about can break."""
     who = who_breaks(d, f, parts.subject)
@@ -426,6 +437,7 @@ def _what_sways(d: Discourse, f: Frame, parts: Parts) -> bool:
 
 STEPS: tuple[Step, ...] = (
     _gives_way,
+    _meets_a_rope,
     _what_sways,
     _comes_apart,
     _mount_instead,
