@@ -14,6 +14,7 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
 
 RIDDEN = lex.word_set("ridden")
+_RIDES = lex.word_set("rides")
 _STACKING = lex.word_set("stacking")
 _STACKS = lex.word_set("stacks (references)")
 
@@ -49,6 +50,9 @@ def refer(d: Discourse, f: Frame) -> None:
     for m in (f.object, *phrases):
         _it(d, f, m, subject if f.verb.sense != "cause" else [])
     objects: list[str] = []
+    ridden = f.object if f.verb.lemma in _RIDES and len(subject) > 1 else None
+    if ridden is not None and ridden.plural and ridden.count is None and not ridden.determiner:
+        ridden.count = len(subject)  # "two people riding bicycles": one each
     d.world.movers = subject
     rest = [m for m in (f.object, f.object2, *phrases) if m is not None]
     for m in sorted(rest, key=lambda m: m.start):

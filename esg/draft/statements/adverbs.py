@@ -51,6 +51,8 @@ def _says_how(a: Account, w: Word) -> bool:
     """Whether an adverb tells how exactly, how much or why of what the scene has."""
     if w.low == "right":
         return exactly(a.d.text, w.end)
+    if w.low == "apart":  # "2 m apart": a distance
+        return any(t.kind == "qty" and w.start - 2 < t.end <= w.start for t in a.tokens)
     if w.low in ("twice", "half", "thrice"):  # "twice as fast as": a figure
         return re.match(r"\s+as\s", a.d.text[w.end :]) is not None
     f = next((f for f in a.frames if w.low in f.adverbs), None)

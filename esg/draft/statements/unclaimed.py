@@ -50,7 +50,9 @@ def _qualities(a: Account) -> Iterator[Gap]:
             if not m.start <= t.start < m.end or t.low not in m.adjectives:
                 continue
             noun = entity_of(a.d, ids[0]).noun
-            going = t.low.endswith("ing") and _motion(t.low) and movable(a.d, ids[0])
+            going = t.low.endswith("ing") and (
+                _manner(t.low) or (_motion(t.low) and movable(a.d, ids[0]))
+            )
             shown = _shows(a, t.low, {*ids}) or bool({*ids} & moving and not _manner(t.low))
             aslant = t.low in ASLANT and "incline" not in noun.traits
             if t.low in _QUALITIES or (going and t.low not in noun.name and not shown) or aslant:

@@ -93,7 +93,11 @@ def _driven(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
     if kind_of(d, o[0]) not in SELF_POWERED and not glides:
         return s
     if f.subject is not None:
-        d.refs.mounts[id(f.subject)] = o[:1]
+        d.refs.mounts[id(f.subject)] = o if len(s) == len(o) else o[:1]
+    if f.verb.lemma in _RIDES and len(s) == len(o):  # "two people ride bicycles": one each
+        for rider, mount in zip(s, o, strict=True):
+            place(d, [rider], [mount], "on")
+        return o
     place(d, s, o, "near")
     return o[:1]
 

@@ -208,7 +208,8 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 def read_unknown(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """An unknown verb is a motion if its phrases are; it is reported either way."""
     ways = f.phrase("toward", "towards", "into", "across", "along", "through", "down", "against")
-    if s and (ways is not None or quantity_of(d, f, "speed") is not None):
+    told = ways is not None or quantity_of(d, f, "speed") is not None
+    if s and told and f.object is None:  # "pours milk into a cup" moves nobody
         motion(d, f, s, None)
         d.scene.used.pop((f.verb.start, f.verb.end), None)
 
