@@ -14,6 +14,8 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
 
 RIDDEN = lex.word_set("ridden")
+_NO_WAY = frozenset({"unknown", "noop", "launch"})
+"""Senses of verbs that lead nobody into water or out of it."""
 _RIDES = lex.word_set("rides")
 _STACKING = lex.word_set("stacking")
 _STACKS = lex.word_set("stacks (references)")
@@ -47,6 +49,9 @@ def refer(d: Discourse, f: Frame) -> None:
         between = f.subject is not None and f.subject.start < m.start < f.verb.start
         if between and id(m) not in d.framed and (m.head or m.pronoun) and m.count != 0:
             ids_of(d, m, avoid=subject)
+    no_way = f.verb.sense in _NO_WAY or f.verb.lemma == "splash"
+    if f.object is not None and no_way and f.object.head == "water":
+        f.object.attribute = f.object.attribute or not f.object.determiner  # "pours water"
     for m in (f.object, *phrases):
         _it(d, f, m, subject if f.verb.sense != "cause" else [])
     objects: list[str] = []

@@ -22,6 +22,7 @@ _PICTURE, _THE_PICTURE = ("frame", "screen"), ("", "the")
 _ACROSS = ("across", "of", "off", "on")
 _OWN = ("his", "her", "its", "their")
 _ACTING_PARTS = lex.word_set("acting parts")
+_RUN = lex.OWN_PARTS - {"door", "leg", "roof"}
 _HAVE_PARTS = frozenset({"vehicle", "cart", "flyer", "toyvehicle"})
 _SHARES = frozenset({"half", "third", "quarter"})
 _UNSEEN = lex.word_set("unseen light and weather") | lex.word_set("unseen fluids")
@@ -86,9 +87,9 @@ def _pieces(world: World, m: Mention, subject: bool) -> bool:
 
 
 def _running_water(world: World, m: Mention, subject: bool) -> bool:
-    """ "Water drips from a tap", "pours water", "filled with water": no pool of it."""
+    """ "Water drips from a tap", "filled with water": no pool of it."""
     bare = m.head == "water" and not m.determiner
-    return bare and (subject or m.after_prep in ("", "of", "with"))
+    return bare and (subject or m.after_prep in ("of", "off", "with"))
 
 
 def _date(world: World, m: Mention, subject: bool) -> bool:
@@ -108,7 +109,7 @@ def _its_parts(world: World, m: Mention, subject: bool) -> bool:
     whose = m.determiner in ("", "the", "its", "their")
     all_of_them = m.plural and m.count is None and not m.group_word and m.possessor is None
     wholes = (e.noun.kind for e in world.entities.values())
-    return whose and all_of_them and m.head in lex.OWN_PARTS and bool({*wholes} & _HAVE_PARTS)
+    return whose and all_of_them and m.head in _RUN and bool({*wholes} & _HAVE_PARTS)
 
 
 def _share(world: World, m: Mention, subject: bool) -> bool:

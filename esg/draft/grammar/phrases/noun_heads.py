@@ -54,6 +54,7 @@ from esg.draft.grammar.phrases.reader import (
 from esg.draft.grammar.phrases.rows import inner_phrase, member_of_row, the_rest
 from esg.draft.text.elements import ONE_OF_THESE, Mention, Verb
 from esg.draft.verbphrases import verb_readings
+from esg.lexicon.senses import no_things
 
 _RUNNING_GEAR = lex.word_set("running gear")
 _SINGULAR = lex.word_set("singular")
@@ -507,8 +508,8 @@ def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
         m.attribute = names_no_thing(p.low)
         m.head, m.known = p.low, m.attribute
         return Head(p.at + 1)
-    cloth = m.determiner in ("a", "an") and last in lex.MATERIALS  # "with a cloth"
-    cloth = cloth and c.tokens[p.at - 1].tag == "NOUN"
+    cloth = m.determiner in ("a", "an") and last in lex.MATERIALS and not no_things().get(last)
+    cloth = cloth and c.tokens[p.at - 1].tag == "NOUN"  # "with a cloth"
     if (cloth or not known_adjective(last)) and not last.startswith("@"):
         m.adjectives.pop()  # the tagger took an unknown noun for an adjective
         m.head, m.plural = lex.singular(last)
