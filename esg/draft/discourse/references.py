@@ -5,6 +5,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.discourse.antecedents import it_means
 from esg.draft.discourse.core import entity_of, ids_of, kind_of, quantity_of
+from esg.draft.discourse.places import RELATION_PREPS
 from esg.draft.discourse.record import Discourse, Told
 from esg.draft.discourse.referents.entities import ACTING_PARTS
 from esg.draft.discourse.referents.registry import current_id
@@ -17,6 +18,7 @@ RIDDEN = lex.word_set("ridden")
 _NO_WAY = frozenset({"unknown", "noop", "launch"})
 """Senses of verbs that lead nobody into water or out of it."""
 _RIDES = lex.word_set("rides")
+_OBLIQUE = frozenset({"him", "her", "them"})
 _STACKING = lex.word_set("stacking")
 _STACKS = lex.word_set("stacks (references)")
 
@@ -61,7 +63,8 @@ def refer(d: Discourse, f: Frame) -> None:
     d.world.movers = subject
     rest = [m for m in (f.object, f.object2, *phrases) if m is not None]
     for m in sorted(rest, key=lambda m: m.start):
-        ids = ids_of(d, m, avoid=subject + objects)
+        himself = m.pronoun in _OBLIQUE and m.after_prep in RELATION_PREPS  # "behind him"
+        ids = ids_of(d, m, avoid=objects if himself else subject + objects)
         if m is f.object:
             objects = ids
             d.world.movers = subject + objects

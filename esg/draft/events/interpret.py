@@ -137,7 +137,7 @@ def interpret(
     linked = take_links(d)
     loosen(d.scene, d.text)
     dodge(frames, d.text)
-    goals = {id(p.mention) for f in frames if _tells_of_hands(f) for p in f.phrases}
+    goals = {id(p.mention) for f in frames for p in f.phrases if _is_goal(f, p)}
     for m, p in attachments:
         if p.mention is None or id(p.mention) not in goals | linked:
             attachment(d, m, p)
@@ -174,6 +174,12 @@ def _on_what_has_it(frames: list[Frame], attachments: list[tuple[Mention, Phrase
         p.mention.entities = [*owner.entities]
         for f in frames:
             f.phrases[:] = [q for q in f.phrases if q.mention is not p.mention]
+
+
+def _is_goal(f: Frame, p: Phrase) -> bool:
+    """ "Drops a ball in a bowl", "puts a cup on a shelf": it is not there at first."""
+    sent = f.verb.sense in ("drop", "launch") and f.object is not None and not f.reduced
+    return _tells_of_hands(f) or (sent and p.prep in ("in", "inside"))
 
 
 def _tells_of_hands(f: Frame) -> bool:

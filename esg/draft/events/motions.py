@@ -286,10 +286,12 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
     _leaves_from(d, f, fresh)
     sets_off_late(d, f, actors)
     d.moves.held_back.update((a, comes_after(d, f)) for a in fresh)
-    for actor in actors:
-        if aim is not None:
-            d.moves.aim[actor] = aim
-        _moves_on(d, f, actor, mode, aim)
+    meet = len(actors) == 2 and "each other" in f.adverbs and _toward_each_other(d, f)
+    for actor, other in zip(actors, reversed(actors), strict=True):
+        its = other if meet else aim
+        if its is not None:
+            d.moves.aim[actor] = its
+        _moves_on(d, f, actor, mode, its)
     if speeds and all(moved_by_others(d, a) for a in actors):
         speed_after(d, actors[0], speeds[0])
     elif speeds and len(actors) == 1:
@@ -300,6 +302,11 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
         _comes_off(d, f, actors, fresh)
     _lasts_for(d, f, actors)
     d.outcomes(f, actors)
+
+
+def _toward_each_other(d: Discourse, f: Frame) -> bool:
+    said = d.text[f.verb.end : f.verb.end + 40].lower()
+    return said.strip().startswith(("toward each other", "towards each other"))
 
 
 def _leaves_from(d: Discourse, f: Frame, fresh: list[str]) -> None:

@@ -129,10 +129,11 @@ def _particles(a: Account) -> Iterator[Gap]:
     """ "The doors open and a man walks out": of what, if nothing shows it."""
     for c in a.d.scene.clauses:
         f = c.frame
-        if f.verb.sense not in _MOTIONS or not c.movers or not any(f is g for g in a.frames):
+        going = f.verb.sense in _MOTIONS | {"launch"} and not f.verb.passive
+        if not going or not c.movers or not any(f is g for g in a.frames):
             continue
-        words = [*re.finditer(r"\S+", a.d.text[f.verb.start : f.verb.end])]
-        last = words[-1][0].lower() if words else ""
+        words = [*re.finditer(r"\S+", a.d.text[f.verb.start : f.verb.end + 4])]
+        last = words[-1][0].lower().rstrip(".,;!") if words else ""
         if len(words) < 2 or last not in _PARTICLES or f.phrases:
             continue
         (ways, events), about = _PARTICLES[last], {*c.movers}
@@ -140,11 +141,13 @@ def _particles(a: Account) -> Iterator[Gap]:
         told = (n for n in a.d.timeline.nodes if n.event in events)
         if not shown and not any(about & {*n.participants} for n in told) and _enclosed(a, about):
             at = f.verb.start + words[-1].start()
-            yield Gap(at, f.verb.end, NOTHING, tuple(about))
+            yield Gap(at, at + len(last), NOTHING, tuple(about))
 
 
 def _enclosed(a: Account, about: set[str]) -> bool:
     """Whether the scene has something that who moves could go into or come out of."""
+    if any(entity_of(a.d, i).pattern == "stack" for i in about):
+        return True  # "the middle one shoots out"
     nouns = (entity_of(a.d, i).noun for i in {*a.d.world.entities} - about)
     return any(n.kind == "building" or "door" in n.name or "container" in n.traits for n in nouns)
 

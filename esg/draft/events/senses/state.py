@@ -287,7 +287,7 @@ def places(d: Discourse, f: Frame, bodies: list[str]) -> None:
 def _place_by(d: Discourse, f: Frame, bodies: list[str], p: Phrase, gap: Amount | None) -> None:
     """Where one phrase says that things are."""
     others = things(p)
-    if p.mention is None or p.mention.attribute:
+    if p.mention is None or p.mention.attribute or not (others or p.mention.noun):
         _arrange(d, bodies, p)
     elif f.verb.lemma in _HANGING and p.prep in _HUNG_BY and _hangs(d, bodies, others):
         return
@@ -339,7 +339,7 @@ def _arrange(d: Discourse, bodies: list[str], p: Phrase) -> None:
     """ "in a triangle", "in a queue": how a plural stands."""
     m = p.mention
     pattern = lex.ARRANGEMENTS.get(m.head) if m is not None else None
-    if m is None or not m.attribute or p.prep not in ("in", "into") or pattern is None:
+    if m is None or m.entities or p.prep not in ("in", "into") or pattern is None:
         return
     for t in bodies:
         _pattern_of(d, t, pattern)

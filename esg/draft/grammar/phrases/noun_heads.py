@@ -254,7 +254,8 @@ def _made_of(c: Chunks, j: int, m: Mention) -> int:
 def _stands(c: Chunks, j: int, m: Mention, plural: bool) -> int:
     """ "the car behind", "the one in front of it", "the crate on top of the stack"."""
     low, the = low_at(c, j), m.determiner == "the"
-    if low in ("behind", "following") and low_at(c, j + 1) in _THEM:
+    new = m.determiner in ("a", "an") and low == "behind"  # "a couch behind him": a place
+    if low in ("behind", "following") and low_at(c, j + 1) in _THEM and not new:
         m.adjectives.append("rear")
         j += 2
     elif low == "behind" and the and _ends_or_acts(c, j + 1):
