@@ -118,6 +118,7 @@ def _left_out(a: Account) -> Iterator[Gap]:
             yield Gap(t.start, t.end, NOTHING)
 
 
+_HIDING = frozenset({Predicate.BEHIND, Predicate.UNDER, Predicate.INSIDE})
 _PARTICLES: dict[str, tuple[frozenset[str], frozenset[NodeEvent]]] = {
     "out": (frozenset({"away_from"}), frozenset({NodeEvent.ENTER_REGION, NodeEvent.FALL})),
     "in": (frozenset({"toward"}), frozenset({NodeEvent.ENTER_REGION, NodeEvent.REACH})),
@@ -148,6 +149,8 @@ def _enclosed(a: Account, about: set[str]) -> bool:
     """Whether the scene has something that who moves could go into or come out of."""
     if any(entity_of(a.d, i).pattern == "stack" for i in about):
         return True  # "the middle one shoots out"
+    if any(s.predicate in _HIDING and about & {*s.object} for s in a.kept):
+        return True  # "rolls behind a screen and comes out"
     nouns = (entity_of(a.d, i).noun for i in {*a.d.world.entities} - about)
     return any(n.kind == "building" or "door" in n.name or "container" in n.traits for n in nouns)
 

@@ -324,8 +324,12 @@ class UnitBuilder:
             dx, dy = first[0] - c.points_cm[0][0], first[1] - c.points_cm[0][1]
             return (at[0] - first[0]) * dx + (at[1] - first[1]) * dy > -1.0
 
-        # a row may also continue to the other side, and lie across the path of who hits it
-        for c, s in ((1.0, 0.0), (-1.0, 0.0), (0.0, 1.0), (0.0, -1.0)):
+        # a row may also continue to the other side; of balls and cones it may lie any way
+        square = all(
+            math.isclose(s.hx, s.hy, rel_tol=0.1) for s in map(self.shape.get, members) if s
+        )
+        across = ((0.0, 1.0), (0.0, -1.0)) if square else ()
+        for c, s in ((1.0, 0.0), (-1.0, 0.0), *across):
             turned = {m: (c * x - s * y, s * x + c * y, yaw) for m, (x, y, yaw) in local.items()}
             frame = compose(first, inverse(turned[started[0]]))
             poses = {m: compose(frame, turned[m]) for m in members}

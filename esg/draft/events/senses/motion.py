@@ -116,7 +116,7 @@ def _hovers(d: Discourse, f: Frame, actors: list[str]) -> None:
 
 def _by_hand(d: Discourse, doer: str, thing: str) -> bool:
     """Whether somebody moves a thing that does not move by itself."""
-    acts = kind_of(d, doer) in LIMBED
+    acts = kind_of(d, doer) in LIMBED or entity_of(d, doer).noun.name == "arm"
     return acts and movable(d, thing) and kind_of(d, thing) not in SELF_POWERED
 
 
