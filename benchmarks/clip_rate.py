@@ -2,14 +2,14 @@
 
     python -m benchmarks.clip_rate [--scenes 2000] [--minutes 10] [--workers 15] [--device cuda:0]
         [--render rgb,depth,segmentation] [--size 256x256] [--cameras 1] [--batch 8]
-        [--of FOLDER] [--json FILE] [--plot FILE.svg]
+        [--of FOLDER] [--warm FOLDER] [--json FILE] [--plot FILE.svg]
 
 The real command, `esg render DATASET`, for so many minutes or until all is rendered. The dataset is
 made before (untimed, its physics as first guessed: pictures cost the same) unless `--of` has one;
-a first small one makes what is made once a machine. A frame is one instant seen by one camera in
-all channels; those of scenes that are whole on disk count, over the wall clock from the command's
-start to its end. Memory is that of every worker, and its slope over the scenes once a tenth of them
-is rendered.
+a first small one, made or given by `--warm`, makes what is made once a machine. A frame is one
+instant seen by one camera in all channels; those of scenes that are whole on disk count, over the
+wall clock from the command's start to its end. Memory is that of every worker, and its slope over
+the scenes once a tenth of them is rendered.
 """
 
 from __future__ import annotations
@@ -49,6 +49,7 @@ def main() -> int:
     parser.add_argument("--cameras", default="1")
     parser.add_argument("--batch", default="8")
     parser.add_argument("--of", type=Path, help="a finished dataset, or where to keep the new one")
+    parser.add_argument("--warm", type=Path, help="a finished small dataset, rendered first")
     parser.add_argument("--json", type=Path)
     parser.add_argument("--plot", type=Path)
     args = parser.parse_args()
@@ -60,8 +61,10 @@ def main() -> int:
         folder = args.of or Path(stack.enter_context(tempfile.TemporaryDirectory())) / "set"
         if not DatasetFolder(folder).finished():
             made_dataset(folder, args.scenes, args.workers)
-        warm = Path(stack.enter_context(tempfile.TemporaryDirectory())) / "warm"
-        made_dataset(warm, 1, 1)
+        warm = args.warm
+        if warm is None:
+            warm = Path(stack.enter_context(tempfile.TemporaryDirectory())) / "warm"
+            made_dataset(warm, 1, 1)
         subprocess.run([*ESG, "render", str(warm), *options], check=True)
         watch = Watch(folder / SCAFFOLD)
         command = [

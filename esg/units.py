@@ -6,6 +6,7 @@ right-handed, Z up, left = +X, front = +Y. Unreal is left-handed: ``y`` is mirro
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 import math
 
 import numpy as np
@@ -78,6 +79,18 @@ def quat_rotate(q: ArrayLike, v: ArrayLike) -> NDArray[np.float64]:
     u, w = q[..., :3], q[..., 3:]
     t = 2.0 * np.cross(u, v)
     return v + w * t + np.cross(u, t)
+
+
+def quat_rotated(q: Iterable[float], v: Iterable[float]) -> tuple[float, float, float]:
+    """`quat_rotate` of one vector [3] by one quaternion [4], to the last bit, without arrays."""
+    x, y, z, w = (float(n) for n in q)
+    a, b, c = (float(n) for n in v)
+    tx, ty, tz = 2.0 * (y * c - z * b), 2.0 * (z * a - x * c), 2.0 * (x * b - y * a)
+    return (
+        a + w * tx + (y * tz - z * ty),
+        b + w * ty + (z * tx - x * tz),
+        c + w * tz + (x * ty - y * tx),
+    )
 
 
 def quat_from_down(direction: ArrayLike) -> NDArray[np.float64]:

@@ -34,11 +34,12 @@ from esg.engines.breaking.swap import brittle, settle
 from esg.engines.executor import play, touch_order
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.engines.worlds import ContactRecorder, Frames, Principal, Values, rest_states, world_values
-from esg.units import quat_rotate
+from esg.units import quat_rotate, quat_rotated
 
 _BOX, _SPHERE, _CAPSULE = 0, 1, 2
 
 _D = C.POINTER(C.c_double)
+_Three = C.c_double * 3
 _CALLBACKS = {
     "asset": C.CFUNCTYPE(C.c_int, C.c_char_p, _D),
     "log": C.CFUNCTYPE(None, C.c_char_p, C.c_char_p, C.c_char_p),
@@ -131,20 +132,20 @@ class ClassRun:
 
     def _get_pose(self, component: int, location: Any, rotation: Any) -> None:
         position, quaternion = self._origin_pose(component)
-        _fill(location, frames.vector_to_unreal(position))
-        _fill(rotation, frames.quaternion_to_unreal(quaternion))
+        location[0], location[1], location[2] = frames.vector_numbers(position)
+        rotation[0], rotation[1], rotation[2], rotation[3] = frames.quaternion_numbers(quaternion)
 
-    def _origin_pose(self, component: int) -> tuple[np.ndarray, np.ndarray]:
-        position, rotation, _, _ = self._world.read(self._body_of[component])
-        quaternion = np.array([float(v) for v in rotation])
-        return np.array(position, float) + quat_rotate(
-            quaternion, self._offset[component]
-        ), quaternion
+    def _origin_pose(
+        self, component: int
+    ) -> tuple[tuple[float, float, float], tuple[float, float, float, float]]:
+        (x, y, z), quaternion = self._world.pose(self._body_of[component])
+        a, b, c = quat_rotated(quaternion, self._offset[component])
+        return (float(x) + a, float(y) + b, float(z) + c), quaternion
 
     def _get_velocity(self, component: int, linear: Any, angular: Any) -> None:
-        _, _, velocity, spin = self._world.read(self._body_of[component])
-        _fill(linear, frames.vector_to_unreal(velocity))
-        _fill(angular, frames.angular_to_unreal(spin))
+        velocity, spin = self._world.velocities(self._body_of[component])
+        linear[0], linear[1], linear[2] = frames.vector_numbers(velocity)
+        angular[0], angular[1], angular[2] = frames.angular_numbers(spin)
 
     def _set_velocity(self, component: int, linear: Any) -> None:
         v = frames.vector_from_unreal(linear[0:3])
@@ -411,14 +412,15 @@ class _Driver:
             first, second = self._component(a, b), self._component(b, a)
             if not (notifies[first].notifies or notifies[second].notifies):
                 continue
-            push = frames.vector_to_unreal(np.asarray(normal, float) * impulse)
+            x, y, z = (float(v) for v in normal)
+            facing = (v / frames.CM_PER_M for v in frames.vector_numbers((x, y, z)))
             self._run._check(
                 self._hit(
                     first,
                     second,
-                    _doubles(push),
-                    _doubles(frames.vector_to_unreal(point)),
-                    _doubles(frames.vector_to_unreal(normal) / frames.CM_PER_M),
+                    _Three(*frames.vector_numbers((x * impulse, y * impulse, z * impulse))),
+                    _Three(*frames.vector_numbers(point)),
+                    _Three(*facing),
                     depth * frames.CM_PER_M,
                 )
             )
@@ -433,7 +435,3 @@ def _fill(pointer: Any, values: Any) -> None:
     """Writes numbers behind a C pointer."""
     for i, value in enumerate(values):
         pointer[i] = float(value)
-
-
-def _doubles(values: Any) -> Any:
-    return (C.c_double * 3)(*(float(v) for v in values))

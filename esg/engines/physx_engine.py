@@ -187,6 +187,7 @@ class PhysxWorld:
         self._scene.set_timestep(dt)
         self._dt = dt
         self._within: list[Touch] = []
+        self._seen: dict[bool, list[Touch]] = {}  # of the ground, and not
         self._log: list[Touch] | None = None
         self._away: set[int] = set()
         self._mass = values.mass[w]
@@ -351,9 +352,9 @@ class PhysxWorld:
         if n > 1:
             self.system.set_timestep(self._dt / n)
             for _ in range(n - 1):
-                self.system.step()
+                self._step()
                 self._within.extend(self._touches(ground=True))
-        self.system.step()
+        self._step()
         if n > 1:
             self.system.set_timestep(self._dt)
         if self.joints:
@@ -381,10 +382,18 @@ class PhysxWorld:
         return self._breaks.states() if self._breaks else {}
 
     def read(self, body: int) -> tuple[Any, Any, Any, Any]:
+        return *self.pose(body), *self.velocities(body)
+
+    def pose(self, body: int) -> tuple[Any, Any]:
+        """Position [m] and quaternion (x, y, z, w)."""
+        pose = self.bodies[body].entity.pose
+        w, x, y, z = pose.q.tolist()
+        return pose.p, (x, y, z, w)
+
+    def velocities(self, body: int) -> tuple[Any, Any]:
+        """Linear [m/s] and angular velocity [rad/s]."""
         component = self.bodies[body]
-        pose = component.entity.pose
-        w, x, y, z = pose.q
-        return pose.p, (x, y, z, w), component.linear_velocity, component.angular_velocity
+        return component.linear_velocity, component.angular_velocity
 
     def contacts(self, ground: bool) -> Iterator[Touch]:
         # What breaks takes its contacts along.
@@ -395,15 +404,23 @@ class PhysxWorld:
             yield from self._touches(ground)
 
     def _touches(self, ground: bool) -> list[Touch]:
-        """What touched in the last part of the step."""
+        """What touched in the last part of the step, in `touch_order`; read once a part."""
         # SAPIEN lists pairs of shapes by where they lie in memory, which tells of the scenes that
         # this process has played before: of two bodies the strongest contact comes first.
-        return sorted(self._listed(ground), key=touch_order)
+        for of_ground in (False, True) if ground else (False,):
+            if of_ground not in self._seen:
+                self._seen[of_ground] = [*self._listed(of_ground)]
+        touches = [t for part in self._seen.values() for t in part]
+        return sorted(touches if ground else self._seen[False], key=touch_order)
 
-    def _listed(self, ground: bool) -> Iterator[Touch]:
+    def _step(self) -> None:
+        self.system.step()
+        self._seen.clear()
+
+    def _listed(self, of_ground: bool) -> Iterator[Touch]:
         for contact in self.system.get_contacts():
             a, b = (self._index[c._physx_pointer] for c in contact.bodies)
-            if (a < 0 or b < 0) and not ground:
+            if (a < 0 or b < 0) is not of_ground:
                 continue
             points = contact.points
             if not points:

@@ -7,7 +7,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from esg.compile import frames
-from esg.units import quat_rotate
+from esg.units import quat_rotate, quat_rotated
 
 finite = st.floats(-1e4, 1e4)
 vector = st.tuples(finite, finite, finite)
@@ -28,6 +28,22 @@ def test_mirrored_rotation_turns_mirrored_vectors(seed: int, v: tuple[float, ...
     here = frames.vector_to_unreal(quat_rotate(q, v))
     there = quat_rotate(frames.quaternion_to_unreal(q), frames.vector_to_unreal(v))
     np.testing.assert_allclose(there, here, rtol=1e-9, atol=1e-6)
+
+
+def same(numbers: tuple[float, ...], array: np.ndarray) -> bool:
+    """To the last bit, the sign of zero included."""
+    return np.array(numbers).tobytes() == array.tobytes()
+
+
+@given(seeds, vector)
+def test_numbers_one_by_one_are_those_of_arrays_to_the_last_bit(seed: int, v: tuple) -> None:
+    q = tuple(Rotation.random(rng=np.random.default_rng(seed)).as_quat().tolist())
+    single = np.array(v, np.float32)
+    for value in (v, single):
+        assert same(frames.vector_numbers(value), frames.vector_to_unreal(value))
+        assert same(frames.angular_numbers(value), frames.angular_to_unreal(value))
+        assert same(quat_rotated(q, value), quat_rotate(q, value))
+    assert same(frames.quaternion_numbers(q), frames.quaternion_to_unreal(q))
 
 
 small = st.floats(-100.0, 100.0)

@@ -226,6 +226,21 @@ def test_what_lies_on_the_ground_is_drawn_the_smaller_the_higher() -> None:
     assert lifts == pytest.approx({1: 0.004 - 0.01, 0: 0.008 - 0.004})
 
 
+def test_a_junction_lies_over_the_roads_that_lead_to_it_and_under_their_markings() -> None:
+    def flat(name: str, category: str, *half: float) -> Any:
+        box = scenes.box(name, (0.0, 0.0, 0.0), (*half, 0.005), 0.0, static=True)
+        return replace(box, shapes=(), category=category)
+
+    bodies = (
+        flat("junction", "crossroad", 40, 40),
+        flat("zebra", "crosswalk", 2, 4),
+        flat("road", "road", 40, 4),
+    )
+    scene = SimScene("flat", (*bodies, scenes.ball("b", (0, 0, 1), 0.1, 1.0)))
+    lifts = drawn_lifts(scene)
+    assert lifts[2] < lifts[0] < lifts[1]
+
+
 def test_ropes_and_springs_end_where_their_joints_do(tmp_path: Path) -> None:
     scene, program = built("hung")
     folder = folder_of(tmp_path, scene, program)

@@ -10,8 +10,13 @@ from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import cast
 from esg.graph import effective
-from esg.graph.models import EsgDocument
+from esg.graph.models import BinaryRelation, EsgDocument
 from esg.layout import solve, stored_hints
+from esg.layout.judge.check import distance_range
+from esg.layout.problem import terms
+from esg.layout.problem.edges import Term
+from esg.layout.problem.supports import shape_of
+from tests.layout import builders as b
 
 SIGHT_CM = 1000.0
 
@@ -289,3 +294,23 @@ def test_a_street_that_somebody_crosses_lies_across_his_way() -> None:
     doc = laid("A dog runs across the street.")
     _, across, off, _ = on_street(doc, "street_1", "dog_1")
     assert abs(abs(off) - 90.0) < 1.0 and abs(across) > 150.0
+
+
+@pytest.mark.parametrize(
+    ("ground", "by_it"), [("pavement", True), ("road", False), ("flower bed", False)]
+)
+def test_what_stands_on_the_pavement_stands_by_the_street_side(ground: str, by_it: bool) -> None:
+    """On a road or in a flower bed, nothing is near it: it is on it."""
+    edge = BinaryRelation.model_validate(
+        {"from": "table", "to": "strip", "relation_type": "near", "confidence": 0.7}
+    )
+    strip = shape_of(b.decal(ground, 2000.0, 300.0))
+    band = Term(terms.BAND, ("table", "strip", None), 0.7, (40.0, 60.0))
+    low, _, slack = distance_range(edge, band, strip)
+    assert (low - slack <= -150.0) is by_it
+
+
+def test_a_table_by_the_street_side_may_stand_on_it() -> None:
+    doc = laid("A car collides with a trashbin, knocking it into a picnic table by the street side")
+    assert doc.layout_result is not None
+    assert [r.edge for r in doc.layout_result.relations if not r.satisfied] == []

@@ -7,6 +7,7 @@ they count tiles, and grain runs along the part's length.
 
 from __future__ import annotations
 
+import hashlib
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -25,6 +26,9 @@ _BEVEL_CREASE_DEG = 57.0
 """On what is bevelled: edges and corners stand at 45 and 55 degrees to its faces, and are shaded
 into them."""
 _ROUND = frozenset({"cylinder", "lathe", "torus"})
+_KEPT = 512
+"""Parts whose surfaces a process keeps, some 20 MB: scenes of a dataset differ in colours and
+share most parts of most things."""
 _EVEN = 0.02
 """Relative difference up to which two moments are those of a thing that is round about an axis."""
 
@@ -45,6 +49,9 @@ class Surface(NamedTuple):
     uvs: Floats
 
 
+_surfaces: dict[bytes, Surface] = {}
+
+
 def finished(
     mesh: trimesh.Trimesh, tile_cm: float, *, grain: bool = False, smallest_cm: float = np.inf
 ) -> Surface:
@@ -55,7 +62,26 @@ def finished(
         tile_cm: Edge of one tile of its texture.
         grain: Whether the texture's u runs along the part's length.
         smallest_cm: Parts that are longer are bevelled.
+
+    Returns:
+        Arrays that cannot be written to: the same part gives the same ones.
     """
+    how = (mesh.metadata.get("shape"), float(tile_cm), bool(grain), float(smallest_cm))
+    digest = hashlib.blake2b(repr(how).encode(), digest_size=16)
+    for array in (mesh.vertices, mesh.faces):
+        digest.update(np.ascontiguousarray(array).data)
+    surface = _surfaces.get(digest.digest())
+    if surface is None:
+        surface = _finished(mesh, tile_cm, grain, smallest_cm)
+        for array in surface:
+            array.setflags(write=False)
+        while len(_surfaces) >= _KEPT:
+            _surfaces.pop(next(iter(_surfaces)), None)
+        _surfaces[digest.digest()] = surface
+    return surface
+
+
+def _finished(mesh: trimesh.Trimesh, tile_cm: float, grain: bool, smallest_cm: float) -> Surface:
     vertices, faces, soft = bevelled(mesh, smallest_cm)
     corner_normals = split_normals(vertices, faces, _BEVEL_CREASE_DEG if soft else CREASE_DEG)
     uvs, chart = _projected(mesh, vertices, faces, tile_cm, grain)

@@ -257,7 +257,8 @@ def binary_violation(
         target = CARDINAL[e.cardinal] if e.cardinal else math.atan2(pb[1] - pa[1], pb[0] - pa[0])
         return max(0.0, math.degrees(_angle(pa[2] - target)) - 20.0), ""
     if kind in (RelationType.NEAR, RelationType.ADJACENT, RelationType.FAR_FROM):
-        low, high, slack = distance_range(e, next(t for t in mine if t.kind == terms.BAND))
+        band = next(t for t in mine if t.kind == terms.BAND)
+        low, high, slack = distance_range(e, band, problem.shape[e.to])
         d = surface_distance(problem, world, e.from_, e.to)
         return max(0.0, low - slack - d, d - high - slack), ""
     if kind is RelationType.CENTER_OF:
@@ -271,12 +272,19 @@ def binary_violation(
     return _height_order(problem, world, e), "heights follow from the supports"
 
 
-def distance_range(e: BinaryRelation, band: Term) -> tuple[float, float, float]:
-    """Surface distances [cm] at which near, adjacent or far_from holds, and the slack on them."""
+def distance_range(e: BinaryRelation, band: Term, to: Shape) -> tuple[float, float, float]:
+    """Surface distances [cm] at which near, adjacent or far_from holds, and the slack on them.
+
+    Args:
+        e: The relation.
+        band: Its energy term.
+        to: What it is a relation to.
+    """
     low, high = band.params[:2]
     slack = 0.25 * (high - low) + 1.0 if high < 1e5 else 0.1 * low
     if e.relation_type is RelationType.NEAR and e.distance_cm is None:
-        low = 0.0  # closer than preferred is still near
+        # closer than preferred is still near, and nobody is closer to the street side than on it
+        low = -2.0 * (to.hx + to.hy) if to.is_pavement else 0.0
     return low, high, slack
 
 

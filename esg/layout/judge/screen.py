@@ -191,7 +191,7 @@ def _row_of(
         target = CARDINAL[e.cardinal] if e.cardinal else 0
         return _row(FACE, pair, float(bool(e.cardinal)), target)
     if kind in (R.NEAR, R.ADJACENT, R.FAR_FROM):
-        low, high, slack = distance_range(e, mine[terms.BAND])
+        low, high, slack = distance_range(e, mine[terms.BAND], problem.shape[e.to])
         return _row(DISTANCE, pair, low - slack, high + slack, _rise(problem, still, *pair))
     if kind is R.CENTER_OF:
         t = mine[terms.CENTER]

@@ -65,6 +65,11 @@ class Shape:
         """No proxies: lies flat on the ground and never collides."""
         return not self.prims
 
+    @property
+    def is_pavement(self) -> bool:
+        """The street side: what stands on it stands by it, and nothing is driven along it."""
+        return self.config.asset_name == "pavement"
+
 
 def shape_of(config: AssetConfiguration) -> Shape:
     """Measures an asset once."""

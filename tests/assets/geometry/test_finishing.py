@@ -9,7 +9,7 @@ from trimesh.visual import TextureVisuals
 from trimesh.visual.material import PBRMaterial
 
 from esg.assets import build_mesh
-from esg.assets.geometry import shapes
+from esg.assets.geometry import finishing, shapes
 from esg.assets.geometry.bevels import bevelled
 from esg.assets.geometry.finishing import completed, finished, split_normals
 from esg.assets.geometry.mesh import closed_mesh
@@ -157,3 +157,24 @@ def test_an_asset_drawn_twice_is_the_same_and_its_arrays_are_nobody_s_to_change(
     moved.dump()
     for name, mesh in build_mesh(config).geometry.items():
         np.testing.assert_array_equal(mesh.vertices, again.geometry[name].vertices)
+
+
+def test_the_same_part_is_finished_once_and_a_process_keeps_so_many(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    """Its surface depends on all that is asked of it, and nobody may write to it."""
+    monkeypatch.setattr(finishing, "_KEPT", 3)
+    monkeypatch.setattr(finishing, "_surfaces", {})
+    first = finished(shapes.box((60, 30, 10), (0, 0, 0)), 100.0)
+    assert finished(shapes.box((60, 30, 10), (0, 0, 0)), 100.0) is first
+    with pytest.raises(ValueError, match="read-only"):
+        first.vertices[0] = 0.0
+    others = [
+        finished(shapes.box((60, 30, 10), (0, 0, 1)), 100.0),
+        finished(shapes.box((60, 30, 10), (0, 0, 0)), 50.0),
+        finished(shapes.box((60, 30, 10), (0, 0, 0)), 100.0, smallest_cm=1.0),
+    ]
+    assert all(len({id(a), id(first)}) == 2 for a in others)
+    assert len(finishing._surfaces) == 3
+    again = finished(shapes.box((60, 30, 10), (0, 0, 0)), 100.0)
+    assert again is not first and np.array_equal(again.normals, first.normals)
