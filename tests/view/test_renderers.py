@@ -256,7 +256,7 @@ def test_motion_blur_smears_what_moves_and_nothing_else(kind: str) -> None:
     moved[0, :, 0, 0] = np.linspace(-0.5, 0.5, INSTANTS)
     blurred = Poses(moved, np.repeat(poses.quaternion, INSTANTS, axis=1))
     high = Camera((0.0, -8.0, 8.0), (0.0, 0.0, 0.0))
-    made = kind_named(kind).load(shown, Quality(SIZE, samples=36))
+    made = kind_named(kind).load(shown, Quality(SIZE, samples=100))
     sharp, soft = (linear(rgb(made.draw(p, [high]))[30] / 255.0)[:, 1] for p in (poses, blurred))
     grey = lambda row: int(((row > 0.1) & (row < 0.6)).sum())  # noqa: E731
     assert grey(soft) >= grey(sharp) + 8
