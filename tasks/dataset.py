@@ -15,7 +15,7 @@ from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.running import mark_dead, try_scene
 from esg.pipeline import may_pass
 from esg.workers import WorkerDied
-from tasks.context import current
+from tasks.context import expendable_pool
 
 RETRIES = 3
 
@@ -51,7 +51,7 @@ def dataset_batch(job: BatchJob) -> Any:
 
 def run_job(job: BatchJob) -> BatchResult:
     """Makes a batch in a worker; scenes that end their worker are found and left out."""
-    pool = current().pool
+    pool = expendable_pool()
     try:
         return pool.run(make_batch, job)
     except WorkerDied:
