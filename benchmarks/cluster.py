@@ -5,8 +5,8 @@
         [--object-store 80] [--options '--strategy none'] [--out FOLDER] [--json FILE]
 
 A scheduler (Dask) or a head without cores (Ray), and every node, are processes of their own, as
-`dask worker` and `ray start` make them; nodes have 1 or 2 slots by turns, Ray's a small object store
-[MB]. The real command, `esg dataset --runner`, works at their address. At random moments a node
+`dask worker` and `ray start` make them; nodes have 1 or 2 slots by turns, Ray's a small object
+store [MB]. The real command, `esg dataset --runner`, works at their address. At random moments a node
 that is making batches loses all its processes, by turns at once (SIGKILL) and as spot machines are
 evicted (SIGTERM, SIGKILL after two seconds); another joins some seconds later. The command is never
 started again. Who makes a batch holds its lock, which is how batches that were begun twice are
@@ -247,7 +247,9 @@ def make(command: list[str], out: Path, cluster: Cluster, args: argparse.Namespa
         "kills": kills,
         "lost": sorted(lost),
         "made_twice": sorted(n for n, pids in makers.items() if len(pids) > 1),
-        "most_at_once": {n.name: [n.most, n.slots] for n in [*cluster.former, *cluster.nodes]},
+        "most_at_once": {
+            n.name: f"{n.most} of {n.slots}" for n in [*cluster.former, *cluster.nodes]
+        },
     }
 
 

@@ -211,7 +211,8 @@ class _Slot:
 def _with_children() -> Generator[None]:
     """Lets this process start others even if it is a daemon, as the workers of Dask are.
 
-    Daemons may not, so that they leave none behind; ours end with their parent (`_end_with_parent`).
+    Daemons may not, so that they leave none behind; ours end with their parent
+    (`_end_with_parent`).
     """
     config: dict[str, Any] = vars(multiprocessing.process.current_process())["_config"]
     before = config.get("daemon")

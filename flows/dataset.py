@@ -23,7 +23,7 @@ from tasks.dataset import dataset_batch
 LOST = frozenset(
     {"KilledWorker", "WorkerCrashedError", "NodeDiedError", "ObjectLostError", "CrashedRun"}
 )
-"""Names of what Dask, Ray and Prefect raise for a task whose machine is gone (bases of theirs count).
+"""Names of what Dask, Ray and Prefect raise for a task whose machine is gone, or of its bases.
 
 Both clusters run such a task again, but give up when it has lost three or four machines, which a
 long batch on machines that are evicted every hour may well.
@@ -116,8 +116,8 @@ def _gather(
                 more[dataset_batch.submit(job)] = job
             else:
                 errors[job.number] = UserError(
-                    f"batch {job.number} lost its machine {MOST_LOST + 1} times ({error}); finished "
-                    "batches are kept, run the same command with --resume to go on",
+                    f"batch {job.number} lost its machine {MOST_LOST + 1} times ({error}); "
+                    "finished batches are kept, run the same command with --resume to go on",
                     exit_code=1,
                 )
             continue
