@@ -6,11 +6,11 @@
 
 A scheduler (Dask) or a head without cores (Ray), and every node, are processes of their own, as
 `dask worker` and `ray start` make them; nodes have 1 or 2 slots by turns, Ray's a small object
-store [MB]. The real command, `esg dataset --runner`, works at their address. At random moments a node
-that is making batches loses all its processes, by turns at once (SIGKILL) and as spot machines are
-evicted (SIGTERM, SIGKILL after two seconds); another joins some seconds later. The command is never
-started again. Who makes a batch holds its lock, which is how batches that were begun twice are
-counted: not more than the killed nodes were making. At the end the same dataset is made by one
+store [MB]. The real command, `esg dataset --runner`, works at their address. At random moments a
+node that is making batches loses all its processes, by turns at once (SIGKILL) and as spot machines
+are evicted (SIGTERM, SIGKILL after two seconds); another joins some seconds later. The command is
+never started again. Who makes a batch holds its lock, which is how batches that were begun twice
+are counted: not more than the killed nodes were making. At the end the same dataset is made by one
 process, and both must hold the same files with the same bytes as `benchmarks.resume` compares them.
 Exits with 1 on a difference, on a batch made twice for no kill, or with fewer kills than asked.
 """

@@ -111,7 +111,7 @@ def _gather(
             results[job.number] = future.result()
         except Exception as error:
             if not lost_machine(error):
-                errors[job.number] = error
+                errors[job.number] = _explained(error)
             elif again:
                 more[dataset_batch.submit(job)] = job
             else:
@@ -125,6 +125,18 @@ def _gather(
             with contextlib.suppress(Exception):
                 on_batch(results[job.number])
     return more
+
+
+def _explained(error: Exception) -> Exception:
+    """What to do about workers on machines that do not reach the private API of this command."""
+    if "Failed to reach API" not in str(error):
+        return error
+    return UserError(
+        f"a worker of the cluster says: {error}. That is Prefect's API, by default a private one "
+        "that only this machine reaches: run `prefect server start --host 0.0.0.0` here and set "
+        "PREFECT_API_URL=http://THIS-MACHINE:4200/api for this command; finished batches are kept",
+        exit_code=1,
+    )
 
 
 def lost_machine(error: BaseException) -> bool:

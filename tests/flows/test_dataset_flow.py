@@ -142,6 +142,24 @@ def test_batches_that_lose_their_machines_are_made_elsewhere(
     assert sorted(heard) == [1, 2]
 
 
+def test_workers_that_do_not_reach_the_api_are_told_of_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The private API listens on this machine only; workers elsewhere need one that they reach."""
+
+    def elsewhere(job: BatchJob) -> Any:
+        raise RuntimeError("Failed to reach API at http://127.0.0.1:4/api/")
+
+    with session(0) as call:
+        from flows.dataset import with_runner
+        from tasks import dataset as task_module
+
+        elsewhere.__name__ = "make_batch"
+        monkeypatch.setattr(task_module, "make_batch", elsewhere)
+        with pytest.raises(UserError, match=r"127\.0\.0\.1:4/api/.*PREFECT_API_URL="):
+            call(with_runner("process", 1), make_jobs(tmp_path / "set", ["a"]))
+
+
 @pytest.mark.parametrize(
     ("package", "names"),
     [
