@@ -214,7 +214,7 @@ def _with_children() -> Generator[None]:
     Daemons may not, so that they leave none behind; ours end with their parent
     (`_end_with_parent`).
     """
-    config: dict[str, Any] = vars(multiprocessing.process.current_process())["_config"]
+    config: dict[str, Any] = vars(multiprocessing.current_process())["_config"]
     before = config.get("daemon")
     config["daemon"] = False
     try:
