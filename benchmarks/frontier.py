@@ -6,6 +6,7 @@
     python -m benchmarks.frontier DIR --layouts --json FILE
     python -m benchmarks.frontier DIR --handout 8       # the requests, for eight who answer by hand
     python -m benchmarks.frontier DIR --served --of 20  # of the server that ESG_LLM_… names
+    python -m benchmarks.frontier DIR --answers FILE --tokens  # kept answers (benchmarks/answers)
 
 200 prompts (`data/prompts/frontier.json`): 60 of `test`, 60 of `blind2`, 40 of each half of
 `public`, those with the least hashes of their ids. Nothing is asked here: whoever has a model
@@ -28,9 +29,11 @@ from pathlib import Path
 import sys
 from typing import Any, get_args
 
+from benchmarks.answers import KeptAnswers, counter
 from benchmarks.drafting.corpus import PROMPTS, load
 from benchmarks.drafting.score import PAPER, Score, score_document
-from benchmarks.drafting.whole import summary
+from benchmarks.drafting.whole import Outcome as Verdicts
+from benchmarks.drafting.whole import Verdict, summary
 from esg.draft import draft
 from esg.draft.llm.drafter import draft_llm_batch
 from esg.draft.llm.gathering import gather
@@ -155,6 +158,9 @@ def _figures(made: Sequence[Made]) -> dict[str, Any]:
         out |= {k: whole["classes"][k] for k in ("fully_right", "silent_wrong")}
         out |= {k: v for k, v in whole["classes"].items() if k not in out}
         out["statements"] = whole["statement_recall"]
+        out["unsayable_named"] = whole["unsayable_named"]
+        out["fully_right_but_owns_up"] = whole["fully_right_but_owns_up"]
+        out["causes"] = causes(score.verdicts)
         out["sayable"] = _sayable(made)
     calls = [m.call for m in made if m.call is not None]
     if calls:
@@ -191,6 +197,32 @@ def mended(calls: Sequence[LlmDraft]) -> dict[str, dict[str, int]]:
     return dict(sorted(out.items(), key=lambda item: -item[1]["told"]))
 
 
+CAUSES = {
+    "content no document can hold": ("unsayable",),
+    "event missing": ("missing",),
+    "statement not held": ("statement",),
+    "event invented": ("invented",),
+    "no thing, but drawn": ("absent",),
+    "objects missing, twice, never asked for": ("object", "twice", "spurious"),
+    "no usable draft": ("unusable",),
+    "quantity lost": ("quantity",),
+}
+"""Kinds of faults by what keeps a draft from being fully right."""
+
+
+def causes(verdicts: Sequence[Verdict]) -> dict[str, dict[str, int]]:
+    """By cause: drafts with it, of them those with nothing else, and those that are silent."""
+    out = {name: {"drafts": 0, "alone": 0, "silent": 0} for name in (*CAUSES, "any")}
+    for v in verdicts:
+        kinds = {f.kind for f in v.faults}
+        found = [name for name, of in CAUSES.items() if kinds & {*of}]
+        for name in (*found, *(["any"] if found else [])):
+            out[name]["drafts"] += 1
+            out[name]["alone"] += len(found) == 1
+            out[name]["silent"] += v.outcome is Verdicts.SILENT
+    return {name: row for name, row in out.items() if row["drafts"]}
+
+
 def _sayable(made: Sequence[Made]) -> float:
     """Share of the prompts of which a document can hold everything: no more can be fully right."""
     whole = [m for m in made if "unsayable" in m.row]
@@ -216,6 +248,8 @@ def main(argv: list[str] | None = None) -> int:
     parser.add_argument("--variants", nargs="+", choices=get_args(Variant), default=["full"])
     parser.add_argument("--of", type=int, metavar="N", help="only N of the prompts, evenly")
     parser.add_argument("--served", action="store_true", help="ask the configured server instead")
+    parser.add_argument("--answers", type=Path, metavar="FILE", help="score kept answers instead")
+    parser.add_argument("--tokens", action="store_true", help="count tokens of kept answers")
     parser.add_argument("--partial", action="store_true", help="score what is drafted by now")
     parser.add_argument("--layouts", action="store_true", help="high-quality given usable, too")
     parser.add_argument("--show", action="store_true", help="list misses of the opened prompts")
@@ -229,9 +263,13 @@ def main(argv: list[str] | None = None) -> int:
     for variant in args.variants:
         # The folder of `full` is of all prompts: fewer would drop the others' requests from it.
         asked = every if variant == "full" else rows
-        if args.served:
-            drafts = draft_llm_batch([r["prompt"] for r in rows], settings=config, variant=variant)
+        if args.served or args.answers:
+            kept = _kept(args)
+            prompts = [r["prompt"] for r in rows]
+            drafts = draft_llm_batch(prompts, settings=config, variant=variant, client=kept)
             found[variant] = of_model(rows, drafts)
+            if kept is not None:
+                print(f"{variant}: {kept.text()}")
             continue
         got = gather(
             [row["prompt"] for row in asked],
@@ -259,6 +297,13 @@ def main(argv: list[str] | None = None) -> int:
         text = json.dumps({"prompts": len(rows), "drafters": tables}, indent=2) + "\n"
         Path(args.json).write_text(text, encoding="utf-8")
     return 3 if waiting else 0
+
+
+def _kept(args: argparse.Namespace) -> KeptAnswers | None:
+    """The kept answers that are to be scored; None asks the configured server."""
+    if args.answers is None:
+        return None
+    return KeptAnswers(args.answers, counter() if args.tokens else None)
 
 
 HOW = """Answer every request below. Write one JSON Lines file, one line a request:
@@ -322,6 +367,10 @@ def _print(tables: dict[str, dict[str, dict[str, Any]]]) -> None:
     for name, sets in tables.items():
         for code, row in sets["all"].get("mended", {}).items():
             print(f"{name}: {code} told {row['told']} times, gone with the answer {row['gone']}")
+    for name, sets in tables.items():
+        for cause, row in sets["all"].get("causes", {}).items():
+            told = f"{row['drafts']} drafts, {row['alone']} alone, {row['silent']} silent"
+            print(f"{name}: {cause}: {told}")
     for name in tables:
         if name in PAPER:
             print(f"paper, {name}: usability {PAPER[name]}, high-quality {PAPER_HIGH[name]}")

@@ -75,7 +75,7 @@ def main() -> None:
     """Runs one command and exits with its code: 0 good, 1 error, 2 usage, 3 some scenes failed."""
     from esg.commands.console import fail, flush, quiet_native_output, silence
     from esg.commands.parsing import parse
-    from esg.commands.stopping import answer_signals, stopped
+    from esg.commands.stopping import answer_signals, heard, stopped
     from esg.telemetry.watching import watched
     from esg.up.client import delegated
 
@@ -109,7 +109,7 @@ def main() -> None:
         told = f"{error.filename or 'output'}: {_remedy(error)}"
         code = fail(told, 1, as_json and error.filename is not None)
     except Exception as error:
-        if interrupted(error):
+        if interrupted(error) or heard():
             sys.exit(stopped(as_json))
         if os.environ.get("ESG_DEBUG"):
             raise

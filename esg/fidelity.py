@@ -123,6 +123,29 @@ def unplaced(document: Mapping[str, Any]) -> list[Row]:
     ]
 
 
+def stand_ins(document: Mapping[str, Any]) -> list[str]:
+    """Warnings of what is drawn as something else, because the library has nothing for it.
+
+    What the drafter warned of already is left out.
+
+    Args:
+        document: The ESG with its assets.
+    """
+    configs = document.get("asset_configurations") or {}
+    told = " ".join((document.get("coverage") or {}).get("warnings", ()))
+    nodes = (document.get("spatial_relation_graph") or {}).get("nodes") or {}
+    out: list[str] = []
+    for node in nodes.values():
+        config = configs.get(node["asset_id"]) or {}
+        label = node.get("label") or node["asset_id"]
+        if not node.get("mentioned") or config.get("source") != "fallback" or f'"{label}"' in told:
+            continue
+        size = " x ".join(f"{d:.3g}" for d in config["dimensions_cm"])
+        drawn = config["asset_name"].rpartition("/")[2].replace("_", " ")
+        out.append(f'The library has nothing for "{label}": drawn as a {drawn} of {size} cm.')
+    return list(dict.fromkeys(out))
+
+
 def lost_in(document: Mapping[str, Any], metrics: Mapping[str, Any] | None) -> list[Row]:
     """The shortfalls of a scene, as far as it came.
 

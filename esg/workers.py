@@ -179,7 +179,7 @@ class _Slot:
                     raise OutOfTime("it ran longer than its limit (ESG_STAGE_SECONDS)") from None
         raise WorkerDied(
             f"the worker process ended twice during {function.__name__}; a crash in native code, "
-            f"or more memory than its limit of {self._bound / 2**30:.1f} GiB (ESG_WORKER_GIB)"
+            f"or more memory than its limit of {self._bound / 2**30:.3g} GiB (ESG_WORKER_GIB)"
         )
 
     def _memory(self) -> int:

@@ -12,7 +12,8 @@ from prefect.tasks import Task, exponential_backoff
 
 from esg.dataset.batch import make_batch
 from esg.dataset.job import BatchJob, BatchResult
-from esg.dataset.running import mark_dead, try_scene
+from esg.dataset.running import forget_dead, mark_dead, try_scene
+from esg.outcomes import UserError
 from esg.pipeline import may_pass
 from esg.workers import WorkerDied
 from tasks.context import expendable_pool
@@ -50,7 +51,11 @@ def dataset_batch(job: BatchJob) -> Any:
 
 
 def run_job(job: BatchJob) -> BatchResult:
-    """Makes a batch in a worker; scenes that end their worker are found and left out."""
+    """Makes a batch in a worker; scenes that end their worker are found and left out.
+
+    Raises:
+        UserError: If workers end whatever scene they are given; no scene is blamed then.
+    """
     pool = expendable_pool()
     try:
         return pool.run(make_batch, job)
@@ -60,4 +65,12 @@ def run_job(job: BatchJob) -> BatchResult:
                 pool.run(try_scene, job, position)
             except WorkerDied as error:
                 mark_dead(job, scene.index, str(error))
-    return pool.run(make_batch, job)
+    try:
+        return pool.run(make_batch, job)
+    except WorkerDied as error:
+        forget_dead(job)
+        raise UserError(
+            f"batch {job.number} of {job.out}: no worker lives to its end, whatever is left "
+            f"out of it: {error}; raise the limit, or give fewer --workers more memory each",
+            exit_code=1,
+        ) from None

@@ -5,7 +5,7 @@
     python -m benchmarks.faults bits --count 250
     python -m benchmarks.faults kills --count 4 --rounds 2 [--only "db rebuild"]
     python -m benchmarks.faults pairs
-    python -m benchmarks.faults losses --count 25
+    python -m benchmarks.faults losses --count 25 [--log FILE]
     python -m benchmarks.faults disks --count 3
     python -m benchmarks.faults clocks
     python -m benchmarks.faults stalls
@@ -17,7 +17,8 @@ What must hold: malformed input ends with the right exit code, a message and no 
 30 s and 2 GiB; a flipped bit is noticed or changes nothing; a killed command, run again, leaves
 what an undisturbed one leaves, also when two of them are killed at once, or the power fails, the
 disk is full or read-only; a clock that jumps changes nothing; a server that says nothing is left.
-Prints Markdown tables. `--jobs` spreads the work over so many processes.
+Prints Markdown tables. `--jobs` spreads the work over so many processes. `--log` keeps each power
+loss as it ends: a run that is stopped goes on where it was, and other seeds add to the table.
 """
 
 from __future__ import annotations
@@ -37,6 +38,7 @@ from benchmarks.faults import (
     attacks,
     bits,
     clocks,
+    diary,
     disks,
     flips,
     interrupts,
@@ -64,6 +66,7 @@ def main() -> int:
     parser.add_argument("--seed", type=int, default=0)
     parser.add_argument("--jobs", type=int, default=1, help="faults done at once")
     parser.add_argument("--ground", type=Path, help="folder of the undisturbed work; kept")
+    parser.add_argument("--log", type=Path, help="losses: a line of JSON for each; added to")
     parser.add_argument("--before", type=Path, help="attacks: an earlier checkout, to compare")
     args = parser.parse_args()
     if "losses" in args.what:
@@ -228,29 +231,34 @@ def _before_loss(ground: Path, place: Path, name: str) -> tuple[kills.Facts, int
 
 
 def _one_loss(
-    ground: Path, sound: dict[str, tuple[kills.Facts, int]], seed: int,
+    ground: Path, sound: dict[str, tuple[kills.Facts, int]], seed: int, log: Path,
     place: Path, item: tuple[str, int],
-) -> losses.Loss:  # fmt: skip
+) -> None:  # fmt: skip
     name, number = item
     rng = random.Random(f"{seed} {name} {number}")
-    return losses.loss(name, rng, ground, place, sound[name])
+    found = losses.loss(name, rng, ground, place, sound[name])
+    diary.append(log, diary.Entry(name, seed, number, sound[name][1], found))
 
 
 def _losses(ground: Path, place: Path, args: argparse.Namespace) -> int:
-    items = _chosen(kills.COMMANDS, args.only, args.count)
+    log = args.log or place.with_suffix(".jsonl")
+    done = {(e.name, e.seed, e.number) for e in diary.entries(log)}
+    chosen = _chosen(kills.COMMANDS, args.only, args.count)
+    items = [item for item in chosen if (item[0], args.seed, item[1]) not in done]
     names = list(dict.fromkeys(name for name, _ in items))
     work = partial(_before_loss, ground)
     sound, wrong = _sound_ones(zip(names, spread(work, names, place, args.jobs), strict=True))
+    for name in [name for name in sound if not sound[name][1]]:
+        print(f"{name}: changes no files", flush=True)
+        del sound[name]
     items = [item for item in items if item[0] in sound]
-    _table(("command", "operations", "losses", "after its end", "lost something", "equal"))
-    run = partial(_one_loss, ground, sound, args.seed)
-    for name, found in _by_name(run, items, place, args):
-        bad = [f"{name}:{k} {loss.wrong}" for k, loss in found if loss.wrong]
-        after = sum(loss.after_end for _, loss in found)
-        lost = sum(loss.lost > 0 for _, loss in found)
-        cells = (name, sound[name][1], len(found), after, lost, len(found) - len(bad))
-        wrong += _row(cells, bad)
-    print(f"\n{len(items)} power losses, {wrong} wrong")
+    run = partial(_one_loss, ground, sound, args.seed, log)
+    for _ in spread(run, items, place, args.jobs):
+        pass
+    _table(diary.HEADS)
+    found = diary.entries(log)
+    wrong += sum(_row(cells, bad) for cells, bad in diary.rows(found, kills.COMMANDS))
+    print(f"\n{len(found)} power losses, {wrong} wrong")
     return wrong
 
 

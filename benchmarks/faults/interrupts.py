@@ -2,15 +2,17 @@
 
 from __future__ import annotations
 
+import contextlib
 from pathlib import Path
 import random
 import signal
+import subprocess
 import time
 
 from benchmarks.faults.ground import begin, finish
 from benchmarks.faults.kills import Facts, arguments, difference, facts, prepared_copy, undisturbed
 
-HEADS = ("command", "signals", "exit codes", "slowest answer s", "wrong")
+HEADS = ("command", "signals", "exit codes", "slowest answer s", "all gone s", "wrong")
 _CODES = {signal.SIGINT: 130, signal.SIGTERM: 143}
 ANSWER_S = 2.0
 """How long an answer may take on a machine that has nothing else to do [s]."""
@@ -31,9 +33,12 @@ def interrupted(
     Returns:
         A row for `HEADS`, with what is wrong.
     """
+    # A job that a shell began in the background ignores Ctrl-C, and what it starts would as well.
+    signal.signal(signal.SIGINT, signal.default_int_handler)
     sound = undisturbed(name, 1, ground, place)
     rng = random.Random(f"{seed} {name}")
-    codes, slowest, wrong = list[str](), 0.0, list[str]()
+    codes, wrong = list[str](), list[str]()
+    slowest = gone = 0.0
     for number, code in list(_CODES.items()) * count:
         prepared_copy(ground, place, name)
         command = begin(arguments(name, place), place, place / "cache")
@@ -41,16 +46,21 @@ def interrupted(
         if command.poll() is None:
             command.send_signal(number)
         asked = time.monotonic()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            command.wait(60.0)
+        answer = time.monotonic() - asked
+        # Its output ends with the last of the processes that it started.
         ended = finish(command, 60.0, asked)
         codes.append(str(ended.code))
-        slowest = max(slowest, ended.seconds)
+        slowest, gone = max(slowest, answer), max(gone, ended.seconds)
         # One that had not loaded its handlers yet dies of the signal itself, without a word.
         if ended.code not in (0, 3, -number):
             wrong += [fault] if (fault := ended.wrong((code,))) else []
-        if ended.seconds > ANSWER_S:
-            wrong.append(f"an answer after {ended.seconds:.1f} s")
+        if answer > ANSWER_S:
+            wrong.append(f"an answer after {answer:.1f} s")
         wrong += _again(name, place, sound[0])
-    cells = (name, 2 * count, " ".join(sorted(set(codes))), f"{slowest:.2f}", len(wrong))
+    told = " ".join(sorted(set(codes)))
+    cells = (name, 2 * count, told, f"{slowest:.2f}", f"{gone:.1f}", len(wrong))
     return [(cells, "; ".join(wrong[:3]))]
 
 

@@ -143,7 +143,7 @@ def summarize(state: SceneState, folder: Path) -> dict[str, Any]:
     """What `--json` prints about one scene."""
     import json
 
-    from esg.fidelity import lost_in, statement_rows
+    from esg.fidelity import lost_in, stand_ins, statement_rows
 
     path = folder / "metrics.json"
     metrics = json.loads(path.read_bytes()) if path.exists() else None
@@ -167,7 +167,7 @@ def summarize(state: SceneState, folder: Path) -> dict[str, Any]:
         "not_kept": lost_in(doc, metrics),
         "plausibility": metrics.get("plausibility") if metrics else None,
         "coverage": {
-            "warnings": coverage.get("warnings", []),
+            "warnings": [*coverage.get("warnings", []), *stand_ins(doc)],
             "not_understood": [
                 i["text"] for i in coverage.get("items", []) if i["status"] == "not_understood"
             ],

@@ -14,11 +14,13 @@ import signal
 import sys
 import threading
 import time
+from typing import NoReturn
 
 GRACE_S = 1.5
 KEPT = "finished stages are kept, run the same command again to go on"
 _WORDS = {signal.SIGINT: "interrupted", signal.SIGTERM: "terminated (SIGTERM)"}
 _received: list[int] = []
+_heard = threading.Event()
 _told = threading.Event()
 
 
@@ -35,6 +37,15 @@ def answer_signals(as_json: bool) -> None:
         os.set_blocking(writing, False)
     signal.set_wakeup_fd(writing, warn_on_full_buffer=False)
     threading.Thread(target=_watch, args=(reading, as_json), daemon=True).start()
+    sys.unraisablehook = _unraised
+
+
+def heard() -> bool:
+    """Whether a signal has asked the command to end: what fails then fails of that.
+
+    Libraries that look after signals by themselves (DuckDB) raise an error of their own.
+    """
+    return _heard.wait(0.1)  # the thread that watches may be a step behind
 
 
 def stopped(as_json: bool) -> int:
@@ -48,8 +59,18 @@ def stopped(as_json: bool) -> int:
     """
     code = _tell(as_json)
     if _received:
-        os._exit(code)
+        _end(code)
     return code
+
+
+def _end(code: int) -> NoReturn:
+    """Ends this process and its workers, which in native code would not notice for a while."""
+    if "multiprocessing" in sys.modules:
+        import multiprocessing
+
+        for worker in multiprocessing.active_children():
+            worker.kill()
+    os._exit(code)
 
 
 def _tell(as_json: bool) -> int:
@@ -69,15 +90,24 @@ def _interrupt(number: int, frame: object) -> None:
     raise KeyboardInterrupt
 
 
+def _unraised(args: sys.UnraisableHookArgs) -> None:
+    """Says nothing of a finalizer or a callback that was stopped by a signal: that passes nowhere,
+    and the watching thread ends the command.
+    """
+    if issubclass(args.exc_type, Exception):
+        sys.__unraisablehook__(args)
+
+
 def _watch(pipe: int, as_json: bool) -> None:
     while True:
-        heard = os.read(pipe, 1)
-        if not heard:
+        byte = os.read(pipe, 1)
+        if not byte:
             return
-        if heard[0] in _WORDS:
+        if byte[0] in _WORDS:
             break
-    _received.append(heard[0])
+    _received.append(byte[0])
+    _heard.set()
     time.sleep(GRACE_S)
     if sys.stderr.isatty():
         os.write(sys.stderr.fileno(), b"\x1b[?25h\n")  # a progress display hid the cursor
-    os._exit(_tell(as_json))
+    _end(_tell(as_json))

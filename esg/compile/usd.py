@@ -118,6 +118,8 @@ def usd_scene(
     looks = UsdLooks(Sdf.Layer.CreateAnonymous(".usdc"))
     physics = physics_layer(manifest, looks, folder, setting)
     animation = _animation_layer(manifest, rollout, setting, f"scene.{suffix}")
+    if manifest.scene.joints:
+        _let_go(animation, physics)
     pictures = {name: picture.data for name, picture in sorted(looks.pictures.items())}
     return UsdScene(physics, animation, looks.layer, pictures)
 
@@ -599,6 +601,24 @@ def _animation_layer(
     del stage
     layer.subLayerPaths.append(f"./{physics}")
     return layer
+
+
+def _let_go(animation: Any, physics: Any) -> None:
+    """Switches off the joints of a scene that is played: what no simulator moves they hold no more.
+
+    Args:
+        animation: The layer that plays it.
+        physics: The layer below, which has the joints.
+    """
+    from pxr import Sdf
+
+    root = "PhysicsArticulationRootAPI"
+    Sdf.CreatePrimInLayer(animation, "/World/Joints").active = False
+    for spec in physics.GetPrimAtPath("/World").nameChildren:
+        if root in (spec.GetInfo("apiSchemas") or Sdf.TokenListOp()).GetAppliedItems():
+            gone = Sdf.TokenListOp()
+            gone.deletedItems = [root]
+            Sdf.CreatePrimInLayer(animation, spec.path).SetInfo("apiSchemas", gone)
 
 
 def _move(prim: Any, positions: Any, quaternions: Any) -> None:

@@ -12,7 +12,7 @@ from esg.costs.spent import Spent
 from esg.dataset.folder import INFO, DatasetFolder
 from esg.dataset.job import BatchResult
 from esg.dataset.plan import DatasetSpec
-from esg.files import atomic_file
+from esg.files import atomic_file, sync_folder
 
 if TYPE_CHECKING:
     from esg.store.assembling import Counts
@@ -129,6 +129,7 @@ def clean(out: Path) -> None:
     if (out / INFO).is_file():
         for name in SCAFFOLD:
             shutil.rmtree(out / name, ignore_errors=True)
+        sync_folder(out)  # or it is back after a power loss
 
 
 def timings(results: Mapping[int, BatchResult]) -> dict[str, Any]:

@@ -274,6 +274,11 @@ def mark_dead(job: BatchJob, index: int, reason: str) -> None:
     _write_dead(job, dead)
 
 
+def forget_dead(job: BatchJob) -> None:
+    """Forgets the scenes that were marked: what ended their workers was none of them."""
+    (job.work / _DEAD).unlink(missing_ok=True)
+
+
 def _reached(job: BatchJob) -> str:
     """The stage in which the scene that was tried last ended its worker."""
     with contextlib.suppress(OSError, ValueError):

@@ -77,8 +77,8 @@ class Articulation:
 
     @property
     def turns(self) -> bool:
-        """Whether it turns on and on, neither opening nor hanging."""
-        free = self.lower is None and self.upper is None
+        """Whether it turns on and on, neither opening nor hanging; a wagon's wheels do, not it."""
+        free = self.lower is None and self.upper is None and self.count == 1
         return self.kind == "hinge" and free and self.opened is None and self.drawn is None
 
 

@@ -15,6 +15,7 @@ from esg.assets.looks import Look
 from esg.engines.breaking import shown, whole_of_fragments
 from esg.engines.scene import Rollout, SimScene
 from esg.engines.wheels import scene_angles
+from esg.fidelity import stand_ins
 from esg.report.binary import Chunk
 from esg.report.meshes import MeshLibrary
 from esg.report.replays import Replayed
@@ -81,7 +82,7 @@ def index_entry(
         "not_kept": [{k: row[k] for k in ("words", "status")} for row in scene.not_kept],
         "plausible": scene.plausible,
         "implausible": (scene.metrics.get("plausibility") or {}).get("worst", ""),
-        "warnings": coverage.get("warnings", []),
+        "warnings": [*coverage.get("warnings", []), *stand_ins(scene.document)],
         "objects": len(scene.document.get("spatial_relation_graph", {}).get("nodes", {})),
         "seconds": round(scene.seconds, 2),
     }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import asyncio
 from collections import Counter
 import json
 from pathlib import Path
@@ -10,6 +11,8 @@ import re
 import pytest
 
 from benchmarks import frontier
+from benchmarks.answers import KeptAnswers
+from esg.draft.llm.client import Call, ModelFailure
 from esg.draft.llm.scripted import ScriptedModel
 
 
@@ -75,3 +78,38 @@ def test_what_repairs_is_counted() -> None:
         "B": {"told": 2, "gone": 1},
         "A": {"told": 1, "gone": 1},
     }
+
+
+class Words:
+    """Stands for a tokenizer: a token a word."""
+
+    def __call__(self, text: str) -> int:
+        return len(text.split())
+
+
+def test_kept_answers_outlive_a_change_of_the_instructions(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
+) -> None:
+    """Find answers by their messages, say to how many other instructions belong, count tokens."""
+    kept = Path("benchmarks/results/frontier/full.jsonl")
+    monkeypatch.setattr(frontier, "counter", Words)
+    target = tmp_path / "table.json"
+    line = [str(tmp_path), "--answers", str(kept), "--of", "10", "--json", str(target)]
+    assert frontier.main([*line, "--tokens"]) == 0
+    told = json.loads(target.read_text())["drafters"]["full"]["all"]
+    wrong = told["causes"].get("any", {"drafts": 0, "silent": 0})
+    public = json.loads(target.read_text())["drafters"]["full"]["public"]["prompts"]
+    assert wrong["drafts"] == round(public * (100.0 - told["fully_right"]) / 100.0)
+    assert wrong["silent"] == round(public * told["silent_wrong"] / 100.0)
+    assert told["usability"] == 100.0 and told["tokens_in"] > 10 * told["tokens_out"] > 0
+    exact, other = map(
+        int, re.findall(r"full: (\d+) requests .*, (\d+) with", capsys.readouterr().out)[0]
+    )
+    assert exact + other >= 15
+    record = json.loads(kept.read_text(encoding="utf-8").splitlines()[0])
+    answers = KeptAnswers(kept)
+    asked = Call(record["stage"], "", "told otherwise", tuple(map(tuple, record["messages"])))
+    assert asyncio.run(answers.complete(asked)).text == record["reply"]["text"]
+    assert (answers.exact, answers.other) == (0, 1)
+    with pytest.raises(ModelFailure, match="holds no answer"):
+        asyncio.run(answers.complete(Call("scene", "", "", (("user", "Something else."),))))

@@ -9,12 +9,14 @@ from helpers import assert_same, both, written
 import numpy as np
 import pytest
 import scenes
+from test_export import folder_of
 from usd import player, usd_of
 
 from benchmarks.joints import Case as Swing
 from benchmarks.joints import kept, pendulums, period
 from esg.compile import ReplayError, emit_class, replay_class
 from esg.compile.build import read_classes
+from esg.compile.export import export
 from esg.compile.mjcf import scene_mjcf
 from esg.compile.names import unique_identifiers
 from esg.compile.unreal.selfcontained import self_contained
@@ -341,6 +343,25 @@ def test_usd_with_joints_is_valid(tmp_path: Path, name: str) -> None:
     from pxr import Usd, UsdValidation
 
     stage = Usd.Stage.Open(str(usd_of(tmp_path, *built(name))))
+    validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
+    errors = UsdValidation.ValidationContext(validators).Validate(stage)
+    serious = UsdValidation.ValidationErrorType.Error
+    assert [e.GetMessage() for e in errors if e.GetType() == serious] == []
+
+
+@pytest.mark.parametrize("name", ["door", "hung", "chest"])
+def test_usd_that_is_played_has_no_joints(tmp_path: Path, name: str) -> None:
+    """Its bodies are no simulator's, and OpenUSD objects to joints and articulations of none."""
+    from pxr import Usd, UsdPhysics, UsdValidation
+
+    scene, program = chest() if name == "chest" else built(name)
+    folder = folder_of(tmp_path, scene, program)
+    played = next(p for p in export(folder, "usd", tmp_path / "out") if "animation" in p.name)
+    stage = Usd.Stage.Open(str(played))
+    prims = list(stage.Traverse())
+    assert not any(
+        p.IsA(UsdPhysics.Joint) or p.HasAPI(UsdPhysics.ArticulationRootAPI) for p in prims
+    )
     validators = UsdValidation.ValidationRegistry().GetOrLoadAllValidators()
     errors = UsdValidation.ValidationContext(validators).Validate(stage)
     serious = UsdValidation.ValidationErrorType.Error

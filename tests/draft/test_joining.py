@@ -146,6 +146,40 @@ def test_the_door_of_a_thing_in_the_prompt_hangs_on_that_thing() -> None:
     assert [(j.child, j.parent, j.position) for j in joints(doc)] == [("door_1", "locker_1", 90.0)]
 
 
+@pytest.mark.parametrize(
+    ("prompt", "child", "parent"),
+    [
+        ("A crate hangs from a crane.", "crate_1", "crane_1"),
+        ("A bucket hangs from a hook and a ball hits it.", "bucket_1", "hook_1"),
+        ("A pinata hangs from a tree branch.", "pinata_1", "tree_branch_1"),
+        ("A crate hanging from a crane swings.", "crate_1", "crane_1"),
+    ],
+)
+def test_what_hangs_from_something_needs_no_rope_in_the_prompt(
+    prompt: str, child: str, parent: str
+) -> None:
+    assert [(j.child, j.parent, j.kind) for j in joints(draft(prompt))] == [(child, parent, "rope")]
+
+
+def test_who_hangs_from_something_holds_on_to_it_without_a_rope() -> None:
+    assert joints(draft("A monkey hangs from a branch.")) == ()
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A crate hangs from a crane by a rope. A gull flies against the rope.",
+        "A crate hangs from a crane by a chain. A boy hits the chain.",
+    ],
+)
+def test_nothing_touches_a_rope_and_the_draft_says_so(prompt: str) -> None:
+    doc = draft(prompt)
+    assert verify(resolve(doc)) == ()
+    assert doc.timeline_system is None
+    told = [s.text for s in doc.statements or () if s.predicate is Predicate.NOT_REPRESENTED]
+    assert told and told[0] in prompt
+
+
 def test_what_hangs_below_a_ceiling_is_held_there() -> None:
     doc = draft("A lamp hanging from the ceiling is hit by a tennis ball.")
     (joint,) = joints(doc)

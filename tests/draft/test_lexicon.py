@@ -5,7 +5,11 @@ from __future__ import annotations
 import subprocess
 import sys
 
+import pytest
+
+from esg.draft import draft
 from esg.draft import lexicon as lex
+from esg.draft.discourse.referents.surroundings import Beside, rows
 
 
 def test_breadth() -> None:
@@ -26,7 +30,6 @@ def test_masses_and_sizes_are_plausible() -> None:
 
 def test_every_noun_drafts_to_a_valid_scene() -> None:
     """Every entry of the lexicon can stand in a scene."""
-    from esg.draft import draft
     from esg.graph import verify
 
     for name in sorted({n.name for n in lex.nouns().values() if n.kind != "region"}):
@@ -48,3 +51,12 @@ def test_import_is_light() -> None:
         "import sys, esg.draft; sys.exit(any(m in sys.modules for m in ('spacy', 'yaml', 'warp')))"
     )
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+@pytest.mark.parametrize("row", rows(), ids=lambda r: r.example)
+def test_a_word_names_what_its_row_says_beside_another_thing(row: Beside) -> None:
+    """In its example, of which the other thing is gone in a second one."""
+    found = {n.asset_id for n in draft(row.example).spatial_relation_graph.nodes.values()}
+    assert row.names.replace(" ", "_") + "_01" in found
+    alone = draft(f"A {row.word} hits a wall.").spatial_relation_graph.nodes
+    assert row.names.replace(" ", "_") + "_01" not in {n.asset_id for n in alone.values()}

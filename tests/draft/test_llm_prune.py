@@ -8,9 +8,9 @@ from typing import Any
 import pytest
 
 from esg.draft import draft
-from esg.draft.llm.coverage import cover
 from esg.draft.llm.prune import pruned
 from esg.draft.llm.scripted import ScriptedModel
+from esg.draft.llm.words.coverage import cover
 from esg.graph import canonical_json, verify
 from esg.outcomes import Outcome
 from tests.draft.test_llm import Spoiled, change, run

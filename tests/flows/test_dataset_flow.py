@@ -17,6 +17,7 @@ from esg.outcomes import UserError
 from esg.workers import WorkerDied, WorkerPool
 from flows.session import session
 from tasks.context import run_context
+from tasks.dataset import run_job
 from tests.dataset import fakes
 from tests.dataset.test_batch import dataset as make_jobs
 
@@ -88,6 +89,20 @@ def test_a_dataset_survives_deadly_scenes_and_passing_errors(
     rows, description = shown["dataset"]
     assert rows == [{"outcome": "crashed", "scenes": 1}, {"outcome": "solved", "scenes": 8}]
     assert description == "8 of 9 scenes verified"
+
+
+def test_workers_that_end_whatever_they_run_are_told_and_no_scene_is_blamed(tmp_path: Path) -> None:
+    """Too little memory for the libraries alone, for instance."""
+
+    class Dead(WorkerPool):
+        def run(self, function: Callable[..., Any], *args: Any) -> Any:
+            raise WorkerDied("the worker process ended twice")
+
+    (job,) = make_jobs(tmp_path / "set", ["a", "b"])
+    with run_context(Dead(0)), pytest.raises(UserError, match=r"batch 0 .* ended twice") as told:
+        run_job(job)
+    assert told.value.exit_code == 1
+    assert dead_scenes(job) == {}
 
 
 def test_a_batch_that_cannot_be_written_does_not_stop_the_others(

@@ -204,6 +204,18 @@ def test_a_stack_stays_one_where_a_single_member_has_a_start() -> None:
     assert [round(out.poses[f"c{i}"].position_cm[2] / 100.0) for i in range(4)] == [0, 1, 2, 3]
 
 
+def test_a_row_is_kept_beside_the_member_that_is_hit() -> None:
+    """The path to the one ends among the others, which stand across it."""
+    nodes = {f"b{i}": ("billiard", {"group": "s", "group_pattern": "row"}) for i in range(5)}
+    path = Corridor(((-90.0, 0.0), (0.0, 0.0), (100.0, 0.0)), 38.0, ("cue_1", "b0"))
+    start = Constellation((Placement("cue_1", -90, 0), Placement("b0", 0, 0)), (path,))
+    out = layout(b.document(ASSETS, {"cue_1": "billiard", **nodes}), start)
+    assert out.feasible, out.reason
+    spots = [out.poses[f"b{i}"].position_cm[:2] for i in range(5)]
+    steps = {(round(q[0] - p[0], 2), round(q[1] - p[1], 2)) for p, q in itertools.pairwise(spots)}
+    assert len(steps) == 1
+
+
 @pytest.mark.parametrize("pattern", ["row", "queue", "column"])
 def test_dominoes_stand_at_toppling_distance(pattern: str) -> None:
     """Each slab must reach its neighbour while falling, and none may touch."""

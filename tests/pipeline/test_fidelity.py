@@ -13,6 +13,7 @@ from esg.fidelity import (
     sentence,
     share_kept,
     shortfalls,
+    stand_ins,
     statement_rows,
     unplaced,
 )
@@ -159,3 +160,28 @@ def test_relations_that_the_layout_did_not_satisfy_are_broken() -> None:
         ("cup 1 above tray 1", "broken", "the layout does not satisfy it"),
     ]
     assert unplaced({}) == unplaced({"layout_result": None}) == []
+
+
+def test_what_is_drawn_as_something_else_is_warned_of_once() -> None:
+    config = {
+        "source": "fallback",
+        "asset_name": "plain_cylinder",
+        "dimensions_cm": (16.4, 16.4, 90),
+    }
+    node = {"asset_id": "hook_01", "label": "hook", "mentioned": True}
+    doc = {
+        "asset_configurations": {"hook_01": config, "ball_01": {"source": "parametric"}},
+        "spatial_relation_graph": {
+            "nodes": {
+                "hook_1": node,
+                "hook_2": node,
+                "ball_1": {"asset_id": "ball_01", "label": "ball", "mentioned": True},
+            }
+        },
+    }
+    warning = (
+        'The library has nothing for "hook": drawn as a plain cylinder of 16.4 x 16.4 x 90 cm.'
+    )
+    assert stand_ins(doc) == [warning]
+    told = doc | {"coverage": {"warnings": ['"hook" is not in the lexicon.']}}
+    assert stand_ins(told) == []

@@ -8,7 +8,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.referents.registry import current_id
-from esg.draft.discourse.scene import Scene
+from esg.draft.discourse.scene import LIVING, Scene
 from esg.lexicon.articulations import Articulation, articulations, hangers
 
 HUNG = "hanging thing"
@@ -32,7 +32,9 @@ def articulation_of(scene: Scene, text: str, e: Entity) -> Articulation | None:
     row = next((table[name] for name in _names(scene, text, e) if name in table), None)
     if e.id in scene.sprung:
         return hangers()[SPRUNG]
-    hung = bool(scene.hung.get(e.id)) or e.id in scene.loosed
+    roped = bool(scene.hung.get(e.id)) or (e.noun.kind not in LIVING and _carried(scene))
+    hung = e.id in scene.hung and roped
+    hung = hung or e.id in scene.loosed
     hung = hung and e.id not in scene.tows
     if row is None and (hung or not hangers().keys().isdisjoint(_names(scene, text, e))):
         row = hangers()[LOAD if _under_a_crane(scene) else HUNG]
@@ -69,8 +71,16 @@ def _below_ceiling(scene: Scene, e: Entity) -> bool:
 
 
 def _under_a_crane(scene: Scene) -> bool:
-    cranes = hangers()[LOAD].serves
-    return any(head_of(x) in cranes for x in scene.world.entities.values())
+    return _there(scene, hangers()[LOAD].serves)
+
+
+def _carried(scene: Scene) -> bool:
+    """Whether the prompt names what a thing may hang from without a rope being told of."""
+    return _there(scene, hangers()[LOAD].serves + hangers()[HUNG].serves)
+
+
+def _there(scene: Scene, nouns: tuple[str, ...]) -> bool:
+    return any(head_of(x) in nouns for x in scene.world.entities.values())
 
 
 def loosen(scene: Scene, text: str) -> None:

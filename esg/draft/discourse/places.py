@@ -5,7 +5,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import Relation
+from esg.draft.discourse.scene import LIMBED, Relation
 from esg.graph.models import Quantity
 
 _PREPS = {
@@ -24,6 +24,9 @@ RELATION_PREPS: dict[str, str] = {p: k for k, words in _PREPS.items() for p in w
     "next to": "adjacent", "far from": "far_from", "in the middle of": "center_of",
 }  # fmt: skip
 """Spatial relations by preposition."""
+_OPEN = frozenset({"watercraft", "cart", "sliding"})
+"""Kinds of what is ridden in, and has no roof."""
+_CARRIES_ON_ITS_BACK = frozenset({"animal", "vehicle", "cart"})
 _RAISED = lex.word_set("raised kinds")
 _CLIMBED = lex.word_set("climbed")
 _WALL_THINGS = lex.word_set("wall things")
@@ -55,7 +58,7 @@ def place(
                 d.scene.marked[t] = other
             d.scene.relations.append(Relation(t, other, "structural", text=prep))
             continue
-        kind = _holding(d, kind, other)
+        kind = _holding(d, kind, t, other)
         if towers(d, t) and kind in ("above", "on", "under"):
             continue  # "on the wall above the sofa": what hangs there is above, not the wall
         if kind == "on" and _wall_thing(d, t) and towers(d, other):
@@ -76,15 +79,20 @@ def _at_part(d: Discourse, kind: str, word: str, other: str) -> str:
     """The relation to a thing of what is at one of its parts ("at the edge of the table")."""
     if word in ("edge", "corner", "rim", "end") and "support" in entity_of(d, other).noun.traits:
         return "on"
+    if word == "back" and kind == "on" and kind_of(d, other) in _CARRIES_ON_ITS_BACK:
+        return "on"  # "a monkey on the back of an elephant"
     if word in ("side", "front", "back", "end", "left", "right"):
         beside = {"front": "in_front_of", "back": "behind"}.get(word, "adjacent")
         return beside if kind in ("on", "near", "inside_of") else kind
     return "near" if word in ("bottom", "foot", "base") and kind != "on" else kind
 
 
-def _holding(d: Discourse, kind: str, other: str) -> str:
+def _holding(d: Discourse, kind: str, thing: str, other: str) -> str:
     """ "In" what holds nothing is on it or near it, and nothing stays on a ball."""
     if kind == "inside_of" and not holds(d, other):
+        aboard = kind_of(d, other) in _OPEN and kind_of(d, thing) in LIMBED
+        if aboard:
+            return "on"  # "in a boat", "in a cart"
         kind = "on" if "support" in entity_of(d, other).noun.traits else "near"
     return "near" if kind == "on" and kind_of(d, other) in ("ball", "billiard") else kind
 

@@ -5,6 +5,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.discourse.antecedents import it_means
 from esg.draft.discourse.core import entity_of, ids_of, kind_of, quantity_of
+from esg.draft.discourse.places import RELATION_PREPS
 from esg.draft.discourse.record import Discourse, Told
 from esg.draft.discourse.referents.entities import ACTING_PARTS
 from esg.draft.discourse.referents.registry import current_id
@@ -14,6 +15,10 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
 
 RIDDEN = lex.word_set("ridden")
+_NO_WAY = frozenset({"unknown", "noop", "launch"})
+"""Senses of verbs that lead nobody into water or out of it."""
+_RIDES = lex.word_set("rides")
+_OBLIQUE = frozenset({"him", "her", "them"})
 _STACKING = lex.word_set("stacking")
 _STACKS = lex.word_set("stacks (references)")
 
@@ -46,13 +51,20 @@ def refer(d: Discourse, f: Frame) -> None:
         between = f.subject is not None and f.subject.start < m.start < f.verb.start
         if between and id(m) not in d.framed and (m.head or m.pronoun) and m.count != 0:
             ids_of(d, m, avoid=subject)
+    no_way = f.verb.sense in _NO_WAY or f.verb.lemma == "splash"
+    if f.object is not None and no_way and f.object.head == "water":
+        f.object.attribute = f.object.attribute or not f.object.determiner  # "pours water"
     for m in (f.object, *phrases):
         _it(d, f, m, subject if f.verb.sense != "cause" else [])
     objects: list[str] = []
+    ridden = f.object if f.verb.lemma in _RIDES and len(subject) > 1 else None
+    if ridden is not None and ridden.plural and ridden.count is None and not ridden.determiner:
+        ridden.count = len(subject)  # "two people riding bicycles": one each
     d.world.movers = subject
     rest = [m for m in (f.object, f.object2, *phrases) if m is not None]
     for m in sorted(rest, key=lambda m: m.start):
-        ids = ids_of(d, m, avoid=subject + objects)
+        himself = m.pronoun in _OBLIQUE and m.after_prep in RELATION_PREPS  # "behind him"
+        ids = ids_of(d, m, avoid=objects if himself else subject + objects)
         if m is f.object:
             objects = ids
             d.world.movers = subject + objects

@@ -50,6 +50,7 @@ from esg.draft.events.told import (
     mates_of,
     moves,
     recent,
+    things,
     traits_of,
     unread,
 )
@@ -88,6 +89,7 @@ _NAMED_EVENTS = {
 _ANIMAL_VERBS = lex.word_set("animal verbs")
 _SENT = frozenset({"launch", "drop", "scatter", "pocket"})
 """Senses of which only the object moves."""
+_AGAINST = frozenset({"against", "into", "onto", "at", "past"})
 _STUFF, _REFLEXIVE = lex.word_set("substances"), lex.word_set("reflexive")
 _SLOWER_GAITS, _FASTER_GAITS = lex.word_set("gaits, slow"), lex.word_set("gaits, fast")
 
@@ -135,7 +137,7 @@ def interpret(
     linked = take_links(d)
     loosen(d.scene, d.text)
     dodge(frames, d.text)
-    goals = {id(p.mention) for f in frames if _tells_of_hands(f) for p in f.phrases}
+    goals = {id(p.mention) for f in frames for p in f.phrases if _is_goal(f, p)}
     for m, p in attachments:
         if p.mention is None or id(p.mention) not in goals | linked:
             attachment(d, m, p)
@@ -172,6 +174,12 @@ def _on_what_has_it(frames: list[Frame], attachments: list[tuple[Mention, Phrase
         p.mention.entities = [*owner.entities]
         for f in frames:
             f.phrases[:] = [q for q in f.phrases if q.mention is not p.mention]
+
+
+def _is_goal(f: Frame, p: Phrase) -> bool:
+    """ "Drops a ball in a bowl", "puts a cup on a shelf": it is not there at first."""
+    sent = f.verb.sense in ("drop", "launch") and f.object is not None and not f.reduced
+    return _tells_of_hands(f) or (sent and p.prep in ("in", "inside"))
 
 
 def _tells_of_hands(f: Frame) -> bool:
@@ -232,9 +240,10 @@ def _comes_apart(d: Discourse, f: Frame, parts: Parts) -> bool:
 
 def _mount_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
     """ "A girl rides a skateboard ... she hits a hydrant": the skateboard does."""
-    if len(parts.subject) != 1 or f.verb.sense not in RIDDEN or f.verb.passive:
+    mounts = {d.scene.supported_by.get(i, "") for i in parts.subject}
+    if len(mounts) != 1 or f.verb.sense not in RIDDEN or f.verb.passive:
         return False
-    mount = d.scene.supported_by.get(parts.subject[0], "")
+    mount = mounts.pop()
     riding = mount and kind_of(d, mount) in SELF_POWERED | {"sliding"}
     alone = not parts.objects[1:] and mount not in parts.objects
     if riding and alone and kind_of(d, parts.subject[0]) == "person":
@@ -414,6 +423,19 @@ def _gives_way(d: Discourse, f: Frame, parts: Parts) -> bool:
     return True
 
 
+def _meets_a_link(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "A gull flies against the cable": what is drawn as a joint is no body to meet."""
+    links = d.scene.links
+    met = [i for p in f.phrases if p.prep in _AGAINST for i in things(p)]
+    lost = links & {*parts.subject, *parts.objects, *met}
+    parts.subject = [i for i in parts.subject if i not in links]
+    parts.objects = [i for i in parts.objects if i not in links]
+    if not lost or (parts.subject and (parts.objects or not f.object) and not links & {*met}):
+        return False
+    ignore(d, f, "nothing happens to what is drawn as a joint")
+    return True
+
+
 def _what_sways(d: Discourse, f: Frame, parts: Parts) -> bool:
     """ "A hammer strikes the bell, then it sways": of those named last, what hangs."""
     m = f.subject
@@ -426,6 +448,7 @@ def _what_sways(d: Discourse, f: Frame, parts: Parts) -> bool:
 
 STEPS: tuple[Step, ...] = (
     _gives_way,
+    _meets_a_link,
     _what_sways,
     _comes_apart,
     _mount_instead,

@@ -15,7 +15,7 @@ from esg.draft.discourse.core import (
     movable,
     quantity_of,
 )
-from esg.draft.discourse.places import carries, fits_on, place
+from esg.draft.discourse.places import carries, elevated, fits_on, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING, SELF_POWERED, SPEEDS
 from esg.draft.discourse.timeline import LAUNCHES, START
@@ -283,12 +283,15 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
         return
     fresh = [a for a in actors if at_rest(d, a)]
     aim = next((t for t in target_of(d, f, actors) if aimable(d, t) and t not in under), None)
+    _leaves_from(d, f, fresh)
     sets_off_late(d, f, actors)
     d.moves.held_back.update((a, comes_after(d, f)) for a in fresh)
-    for actor in actors:
-        if aim is not None:
-            d.moves.aim[actor] = aim
-        _moves_on(d, f, actor, mode, aim)
+    meet = len(actors) == 2 and "each other" in f.adverbs and _toward_each_other(d, f)
+    for actor, other in zip(actors, reversed(actors), strict=True):
+        its = other if meet else aim
+        if its is not None:
+            d.moves.aim[actor] = its
+        _moves_on(d, f, actor, mode, its)
     if speeds and all(moved_by_others(d, a) for a in actors):
         speed_after(d, actors[0], speeds[0])
     elif speeds and len(actors) == 1:
@@ -299,6 +302,24 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
         _comes_off(d, f, actors, fresh)
     _lasts_for(d, f, actors)
     d.outcomes(f, actors)
+
+
+def _toward_each_other(d: Discourse, f: Frame) -> bool:
+    said = d.text[f.verb.end : f.verb.end + 40].lower()
+    return said.strip().startswith(("toward each other", "towards each other"))
+
+
+def _leaves_from(d: Discourse, f: Frame, fresh: list[str]) -> None:
+    """ "A dog runs from a chair to a table": it starts by the one, a bird on a roof."""
+    p = f.phrase("from")
+    if p is None or p.mention is None or p.mention.part:
+        return
+    for host in [h for h in things(p) if aimable(d, h)][:1]:
+        for actor in fresh:
+            own_way = kind_of(d, actor) in SELF_POWERED and actor not in d.scene.supported_by
+            perched = flies_itself(d, actor) and elevated(d, host) and carries(d, host, actor)
+            if own_way and host != actor:
+                place(d, [actor], [host], "on" if perched else "near")
 
 
 def moves_on_it(d: Discourse, f: Frame, fresh: list[str]) -> list[str]:

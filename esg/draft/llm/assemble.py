@@ -12,7 +12,7 @@ from typing import Any
 
 from esg.draft.llm.faces import face
 from esg.draft.llm.jointed import join_parts, leave_out_unjointed, let_break, seat_riders
-from esg.draft.llm.mending import mend
+from esg.draft.llm.mending import at_sides, mend, plain_labels
 from esg.draft.llm.names import Names, slug, unique
 from esg.draft.llm.segments import open_times, sound_segments
 from esg.draft.llm.stages import (
@@ -107,7 +107,7 @@ def assemble(
     # What a reply leaves to code by its form is no repair: it is filled in without one, too.
     logs += [join_parts(work.raw), let_break(work.raw), seat_riders(work.raw)]
     if work.repair:
-        logs.append(leave_out_unjointed(work.raw, prompt))
+        logs += [leave_out_unjointed(work.raw, prompt), at_sides(work.raw), plain_labels(work.raw)]
     face(work.raw, once=work.repair)
     return work.raw, tuple(unique(text for log in logs for text in log))
 

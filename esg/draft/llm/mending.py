@@ -8,7 +8,8 @@ from __future__ import annotations
 
 from typing import Any
 
-from esg.graph.models import EdgeEvent, ForceDirection, NodeEvent
+from esg.draft import lexicon as lex
+from esg.graph.models import EdgeEvent, ForceDirection, NodeEvent, Predicate
 from esg.graph.rules_events import OWN_FIELDS, SINGLES
 from esg.graph.rules_segments import GUIDED_TO, LEADS_TO, ONLY
 
@@ -21,6 +22,17 @@ _ON_GROUND = {NodeEvent.BOUNCE.value, NodeEvent.PLACED.value}
 """Events of two that happen on the ground where no other place is told."""
 _ONE = {e.value for e in SINGLES}
 _GUIDED_TO = {e.value for e in GUIDED_TO}
+_SIDES = frozenset(
+    p.value
+    for p in (
+        Predicate.LEFT_OF,
+        Predicate.RIGHT_OF,
+        Predicate.IN_FRONT_OF,
+        Predicate.BEHIND,
+        Predicate.ABOVE,
+        Predicate.UNDER,
+    )
+)
 _ANY_3D = ForceDirection.ANY_3D.value
 
 
@@ -113,6 +125,67 @@ def _movers(nodes: list[Json], edges: list[Json], log: list[str]) -> None:
         if people[1] in led and people[0] not in led:
             log.append(f"{people[1]!r} is the mover of {node['id']!r}")
             node["participants"] = people[::-1]
+
+
+def at_sides(raw: Json) -> list[str]:
+    """Ends at no event who is said to go to a side of something: "to the back of the car".
+
+    That it arrives there is what the statement says; the thing itself is not reached.
+
+    Args:
+        raw: Document as JSON, with its statements; changed in place.
+
+    Returns:
+        What was changed, in words.
+    """
+    log: list[str] = []
+    timeline: Json = raw.get("timeline_system") or {}
+    graph: Json = timeline.get("sequence_graph", {})
+    nodes: list[Json] = graph.get("nodes", [])
+    edges: list[Json] = graph.get("edges", [])
+    for node in nodes:
+        people: list[str] = node.get("participants") or []
+        if node["event"] != NodeEvent.REACH.value or len(people) != 2:
+            continue
+        mover, other = people
+        if not any(_to_a_side(s, mover, other, node["id"]) for s in raw.get("statements", ())):
+            continue
+        log.append(f"{mover!r} goes to a side of {other!r}: {node['id']!r} is no arrival at it")
+        node["event"], node["participants"] = NodeEvent.TRIGGER.value, [mover]
+        for edge in edges:
+            if edge["to"] == node["id"] and edge["actor"] == mover and edge["target"] == other:
+                edge["target"] = None
+    return log
+
+
+def _to_a_side(statement: Json, mover: str, other: str, event: str) -> bool:
+    return (
+        statement["predicate"] in _SIDES
+        and statement["when"] in ("end", event)
+        and mover in statement["object"]
+        and other in statement["target"]
+        and statement["text"].lower().startswith("to ")
+    )
+
+
+def plain_labels(raw: Json) -> list[str]:
+    """Takes the part off a label where the asset is the whole: "rock surface" of a rock.
+
+    Args:
+        raw: Document as JSON; its nodes are changed in place.
+
+    Returns:
+        What was changed, in words.
+    """
+    log: list[str] = []
+    for name, node in raw["spatial_relation_graph"]["nodes"].items():
+        whole, _, last = (node.get("label") or "").rpartition(" ")
+        asset: Json = raw["asset_requirement"].get(node["asset_id"]) or {}
+        category = str(asset.get("asset_category", "")).replace("_", " ").split()
+        if last.lower() in lex.PARTS and category and whole.lower().split()[-1:] == category[-1:]:
+            node["label"] = whole
+            log.append(f"label of {name!r} read as {whole!r}")
+    return log
 
 
 def _roles(nodes: list[Json], edges: list[Json], actors: Json, log: list[str]) -> None:

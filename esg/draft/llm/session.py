@@ -298,8 +298,13 @@ class Session:
         if document is None:
             self.document = None
             return
-        from esg.draft.llm.coverage import cover
+        from esg.draft.llm.words.coverage import cover, read_by_rules
+        from esg.draft.llm.words.unheld import with_unheld
 
+        stated = with_unheld(document, read_by_rules(self.prompt))
+        if stated is not None:
+            raw["statements"] = [s.model_dump(mode="json") for s in stated]
+            document = document.model_copy(update={"statements": stated})
         tokens_in = sum(c.input_tokens for c in self.calls)
         tokens_out = sum(c.output_tokens for c in self.calls)
         raw["coverage"] = cover(self.prompt, document).model_dump(mode="json")

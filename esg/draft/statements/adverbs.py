@@ -5,8 +5,17 @@ from __future__ import annotations
 from collections.abc import Iterator
 import re
 
+from esg.draft.discourse.core import entity_of
 from esg.draft.events.stated import exactly
-from esg.draft.statements.account import NOTHING, PASSED_OVER, Account, Gap, about_of, turns
+from esg.draft.statements.account import (
+    NOTHING,
+    PASSED_OVER,
+    Account,
+    Gap,
+    about_of,
+    nodes_of,
+    turns,
+)
 from esg.draft.statements.arranged import SHOWN_BY
 from esg.draft.text.elements import Word
 from esg.graph.models import EdgeEvent, NodeEvent
@@ -29,6 +38,8 @@ def adverbs(a: Account) -> Iterator[Gap]:
         over = {*a.d.text[w.start : w.end].lower().split()} if w.low == "indeed" else set[str]()
         if over & _BACK_AND_FORTH:
             yield Gap(w.start, w.end, NOTHING)
+        if w.low == "only" and _of_several(a, w):
+            yield Gap(w.start, w.end, NOTHING)
         shown = SHOWN_BY.get(w.low)
         if shown is not None and not _stated(a, w):
             told = (about_of(a.d, f) for f in a.frames if w.low in f.adverbs)
@@ -47,10 +58,20 @@ def adverbs(a: Account) -> Iterator[Gap]:
             yield Gap(w.start, w.end, NO_MANNER if w.low.endswith("ly") else NOTHING)
 
 
+def _of_several(a: Account, w: Word) -> bool:
+    """ "Only one comes out": nothing sees to it that the others of a plural do not."""
+    m = next((m for m in a.d.mentions if m.start == w.end + 1), None)
+    subject = m is not None and any(f.subject is m for f in a.frames)
+    members = (entity_of(a.d, i).group for i in nodes_of(a.d, m))
+    return subject and any(group is not None for group in members)
+
+
 def _says_how(a: Account, w: Word) -> bool:
     """Whether an adverb tells how exactly, how much or why of what the scene has."""
     if w.low == "right":
         return exactly(a.d.text, w.end)
+    if w.low == "apart":  # "2 m apart": a distance
+        return any(t.kind == "qty" and w.start - 2 < t.end <= w.start for t in a.tokens)
     if w.low in ("twice", "half", "thrice"):  # "twice as fast as": a figure
         return re.match(r"\s+as\s", a.d.text[w.end :]) is not None
     f = next((f for f in a.frames if w.low in f.adverbs), None)

@@ -14,10 +14,13 @@ FILES = frozenset({"row", "line", "column", "file", "queue", "convoy"})
 
 
 def in_line(d: Discourse, about: set[str]) -> bool:
-    """Whether some are laid out in a row, or one of them follows another into a hit."""
-    rows = any(entity_of(d, i).pattern in ("row", "queue") for i in about)
-    after = (e for e in d.timeline.edges if e.actor in about and e.target in about - {e.actor})
-    return rows or any(after)
+    """Whether they are laid out in a row, or follow each other into a hit."""
+    members = [entity_of(d, i) for i in about if entity_of(d, i).group is not None]
+    rows = bool(members) and all(e.pattern in ("row", "queue") and e.in_group for e in members)
+    after = {
+        e.actor for e in d.timeline.edges if e.actor in about and e.target in about - {e.actor}
+    }
+    return rows or len(after) >= max(len(about) - 1, 1)
 
 
 def _mutual(d: Discourse, about: set[str]) -> bool:

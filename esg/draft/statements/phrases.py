@@ -215,6 +215,7 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
             or (p.prep == "into" and GROUND not in others)
             or (p.prep == "of" and GROUND in others and _definite(p))  # "the boards of the rink"
             or (p.prep in ("above", "over") and _aloft(a, about))
+            or (p.prep == "from" and GROUND in others and _rises(a, about))
             or _laid_out(d, about, others, p.prep)
         )
     if p.prep == "with" and all(kind_of(d, i) in LIMBED for i in others):
@@ -247,6 +248,11 @@ def _aloft(a: Account, about: set[str]) -> bool:
     """Whether something is said to be in the air, or how high it is."""
     flies = any(s.predicate is Predicate.AIRBORNE and about & {*s.object} for s in a.kept)
     return flies or bool(about & {*a.d.scene.heights})
+
+
+def _rises(a: Account, about: set[str]) -> bool:
+    """ "A drone rises from the ground": where what rises is before."""
+    return any(s.direction == "up" and about & {*s.object} for s in a.kept)
 
 
 def _laid_out(d: Discourse, about: set[str], others: set[str], prep: str) -> bool:

@@ -321,12 +321,13 @@ def _moved(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 
 
 def _back(book: _Book, clause: Clause, s: Said, mover: str) -> None:
-    """ "Hits a wall and rolls back": away from what it has hit."""
+    """ "Hits a wall and rolls back": away from what it has hit; "apart" from each other."""
     d, f, since = book.d, clause.frame, book.d.timeline.node(clause.since.get(mover, START))
-    if since is None or since.event is not NodeEvent.COLLISION or f.object or f.verb.passive:
-        return
-    if since.participants[0] == mover:
-        book.add(s.row.states, s.start, s.end, object=(mover,), target=since.participants[1:],
+    others = tuple(i for i in clause.movers if i != mover) if "apart" in s.row.words else ()
+    if since is not None and since.event is NodeEvent.COLLISION and since.participants[0] == mover:
+        others = since.participants[1:]
+    if others and not f.object and not f.verb.passive:
+        book.add(s.row.states, s.start, s.end, object=(mover,), target=others[:1],
                  direction=s.row.direction, when=_when(d, clause, mover))  # fmt: skip
 
 
@@ -400,6 +401,7 @@ def _driver(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     riders = [i for i in _ids(clause.frame.subject) if i in d.world.entities]
     riders = [i for i in riders if i not in clause.movers]
     riders = [i for i in riders if kind_of(d, i) in LIMBED]
+    riders = [i for i in riders if d.scene.supported_by.get(i, mover) == mover]
     if riders and kind_of(d, mover) in SELF_POWERED:
         open_ = d.scene.supported_by.get(riders[0]) == mover or s.row.states is not Predicate.INSIDE
         says = Predicate.SUPPORTED_BY if open_ else Predicate.INSIDE

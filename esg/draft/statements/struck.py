@@ -87,7 +87,7 @@ def _parts(d: Discourse, f: Frame, n: Draft) -> Iterator[Struck]:
         m = p.mention
         if m is None or p.prep == "from":
             continue
-        who = _whose(f, n, p, m)
+        who = _whose(d, f, n, p, m)
         part = m.part or (m.head if m.attribute or m.noun is None else "")
         if who is not None and part:
             side = _side_of(d, who, " ".join([*m.adjectives, part])) or _side_of(d, who, part)
@@ -95,9 +95,9 @@ def _parts(d: Discourse, f: Frame, n: Draft) -> Iterator[Struck]:
             yield from _on(d, n, who, side, *at)
 
 
-def _whose(f: Frame, n: Draft, p: Phrase, m: Mention) -> str | None:
+def _whose(d: Discourse, f: Frame, n: Draft, p: Phrase, m: Mention) -> str | None:
     """Which participant of a hit has the part that a phrase names."""
-    own = [i for i in m.entities if i in n.participants]
+    own = [i for i in m.entities if i in n.participants and i in d.world.entities]
     if own:
         return own[0]
     its = not p.prep and m.determiner in _ITS

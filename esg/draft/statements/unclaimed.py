@@ -50,7 +50,9 @@ def _qualities(a: Account) -> Iterator[Gap]:
             if not m.start <= t.start < m.end or t.low not in m.adjectives:
                 continue
             noun = entity_of(a.d, ids[0]).noun
-            going = t.low.endswith("ing") and _motion(t.low) and movable(a.d, ids[0])
+            going = t.low.endswith("ing") and (
+                _manner(t.low) or (_motion(t.low) and movable(a.d, ids[0]))
+            )
             shown = _shows(a, t.low, {*ids}) or bool({*ids} & moving and not _manner(t.low))
             aslant = t.low in ASLANT and "incline" not in noun.traits
             if t.low in _QUALITIES or (going and t.low not in noun.name and not shown) or aslant:
@@ -116,6 +118,7 @@ def _left_out(a: Account) -> Iterator[Gap]:
             yield Gap(t.start, t.end, NOTHING)
 
 
+_HIDING = frozenset({Predicate.BEHIND, Predicate.UNDER, Predicate.INSIDE})
 _PARTICLES: dict[str, tuple[frozenset[str], frozenset[NodeEvent]]] = {
     "out": (frozenset({"away_from"}), frozenset({NodeEvent.ENTER_REGION, NodeEvent.FALL})),
     "in": (frozenset({"toward"}), frozenset({NodeEvent.ENTER_REGION, NodeEvent.REACH})),
@@ -127,10 +130,11 @@ def _particles(a: Account) -> Iterator[Gap]:
     """ "The doors open and a man walks out": of what, if nothing shows it."""
     for c in a.d.scene.clauses:
         f = c.frame
-        if f.verb.sense not in _MOTIONS or not c.movers or not any(f is g for g in a.frames):
+        going = f.verb.sense in _MOTIONS | {"launch"} and not f.verb.passive
+        if not going or not c.movers or not any(f is g for g in a.frames):
             continue
-        words = [*re.finditer(r"\S+", a.d.text[f.verb.start : f.verb.end])]
-        last = words[-1][0].lower() if words else ""
+        words = [*re.finditer(r"\S+", a.d.text[f.verb.start : f.verb.end + 4])]
+        last = words[-1][0].lower().rstrip(".,;!") if words else ""
         if len(words) < 2 or last not in _PARTICLES or f.phrases:
             continue
         (ways, events), about = _PARTICLES[last], {*c.movers}
@@ -138,11 +142,15 @@ def _particles(a: Account) -> Iterator[Gap]:
         told = (n for n in a.d.timeline.nodes if n.event in events)
         if not shown and not any(about & {*n.participants} for n in told) and _enclosed(a, about):
             at = f.verb.start + words[-1].start()
-            yield Gap(at, f.verb.end, NOTHING, tuple(about))
+            yield Gap(at, at + len(last), NOTHING, tuple(about))
 
 
 def _enclosed(a: Account, about: set[str]) -> bool:
     """Whether the scene has something that who moves could go into or come out of."""
+    if any(entity_of(a.d, i).pattern == "stack" for i in about):
+        return True  # "the middle one shoots out"
+    if any(s.predicate in _HIDING and about & {*s.object} for s in a.kept):
+        return True  # "rolls behind a screen and comes out"
     nouns = (entity_of(a.d, i).noun for i in {*a.d.world.entities} - about)
     return any(n.kind == "building" or "door" in n.name or "container" in n.traits for n in nouns)
 

@@ -15,8 +15,10 @@ from esg.lexicon.places import Setting, sky_words
 from esg.lexicon.senses import no_things
 
 _LIGHT = "light and weather are not simulated"
+FLUIDS = "fluids are not simulated"
+NO_THING = "no solid thing or motion stands for it"
 _KINDS = (
-    (lex.word_set("unseen fluids"), "fluids are not simulated"),
+    (lex.word_set("unseen fluids"), FLUIDS),
     (lex.word_set("unseen views"), "the camera and the style of the picture are not part of it"),
 )
 
@@ -38,7 +40,7 @@ def _patterns(setting: Setting) -> tuple[tuple[re.Pattern[str], str], ...]:
 
 _GROUNDS = "how such a ground holds is in no table"
 _CLASSES = {
-    "nothing": "no solid thing or motion stands for it",
+    "nothing": NO_THING,
     "substance": "substances are not simulated",
     "body": "parts of bodies do not move by themselves",
 }
@@ -48,6 +50,21 @@ _CONTENTS = re.compile(
 )
 _MOODS = lex.word_set("unseen attributes")
 _UNDERSTOOD = (lex.ATTRIBUTES - _MOODS) | lex.word_set("understood without a thing")
+
+
+def unseen_words(text: str, setting: Setting) -> Iterator[tuple[int, int, str]]:
+    """Words for what no scene shows, by the tables alone: of texts that are not read any further.
+
+    Args:
+        text: Any text.
+        setting: Where it plays.
+
+    Yields:
+        Where a word stands, from start to end, and what a scene lacks of it.
+    """
+    for words, why in _patterns(setting):
+        for found in words.finditer(text):
+            yield found.start(), found.end(), why
 
 
 def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
@@ -72,7 +89,7 @@ def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
                 yield found.start(), found.end(), why
     for found in _CONTENTS.finditer(d.text):
         if any(start < found.start() < end for start, end in drawn):
-            yield found.start(), found.end(), _KINDS[0][1]  # "a bowl of water"
+            yield found.start(), found.end(), FLUIDS  # "a bowl of water"
     for m in d.mentions:
         if (m.start, m.end) in drawn or m.amounts or m.pronoun or m.noun is not None or m.part:
             continue

@@ -105,11 +105,11 @@ def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: b
 
 
 def _seated(doc: EsgDocument, scene: SimScene, driven: dict[str, Start]) -> dict[str, Start]:
-    """Start poses of those who are fixed to what is re-aimed, or drawn along by it: a rider turns
-    with his bicycle.
+    """Start poses of those who are joined to what is re-aimed, or drawn along by it: a rider turns
+    with his bicycle, a wheel with its wagon.
     """
     out: dict[str, Start] = {}
-    pairs = [(j.parent, j.child) for j in scene.joints if j.kind == "fixed"]
+    pairs = [(j.parent, j.child) for j in scene.joints if not j.flexible]
     pairs += [(a, node) for a in driven for node in towed_by(doc, a)]
     for parent, child in pairs:
         if parent not in driven or child in driven:

@@ -315,24 +315,33 @@ class UnitBuilder:
         paths = [c for c in unit.corridors if not {f"group:{name}", *rest} & set(c.participants)]
 
         def is_clear(c: Corridor, m: str, at: Pose2) -> bool:
-            if not topple:
-                return not in_the_way(c, *at[:2], math.hypot(self.shape[m].hx, self.shape[m].hy))
+            if not topple:  # who stands in a row stands close to who is hit there
+                mine = [self.shape[p] for p in c.participants if p in self.shape]
+                width = max((max(s.hx, s.hy) for s in mine), default=c.half_width_cm)
+                narrow = replace(c, half_width_cm=min(width, c.half_width_cm))
+                return not in_the_way(narrow, *at[:2], max(self.shape[m].hx, self.shape[m].hy))
             # whoever comes must meet the one that has a start before the others
             dx, dy = first[0] - c.points_cm[0][0], first[1] - c.points_cm[0][1]
             return (at[0] - first[0]) * dx + (at[1] - first[1]) * dy > -1.0
 
-        for sign in (1.0, -1.0):  # a row may also continue to the other side
-            turned = {m: (sign * x, sign * y, yaw) for m, (x, y, yaw) in local.items()}
+        # a row may also continue to the other side; of balls and cones it may lie any way
+        square = all(
+            math.isclose(s.hx, s.hy, rel_tol=0.1) for s in map(self.shape.get, members) if s
+        )
+        across = ((0.0, 1.0), (0.0, -1.0)) if square else ()
+        for c, s in ((1.0, 0.0), (-1.0, 0.0), *across):
+            turned = {m: (c * x - s * y, s * x + c * y, yaw) for m, (x, y, yaw) in local.items()}
             frame = compose(first, inverse(turned[started[0]]))
             poses = {m: compose(frame, turned[m]) for m in members}
             agrees = all(
                 self.taken[m] is unit and math.dist(poses[m][:2], unit.members[m][:2]) <= 1.0
                 for m in started
             )
-            if agrees and all(is_clear(c, m, poses[m]) for m in rest for c in paths):
+            if agrees and all(is_clear(path, m, poses[m]) for m in rest for path in paths):
                 for m in rest:
                     self._put(unit, m, poses[m])
                 return
+        self.notes.append(f"the {pattern} of {name!r} is not kept: a planned path crosses it")
 
     def _pile(self, unit: Unit, started: str, rest: list[str]) -> None:
         """Sets the rest of a stack above and below the member that has a start."""

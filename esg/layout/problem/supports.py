@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 import math
 from typing import Literal
 
@@ -82,7 +82,13 @@ def shapes(doc: EsgDocument) -> dict[str, Shape]:
     """Returns the geometry of every node; instances of one asset share it."""
     per_asset = {k: shape_of(c) for k, c in doc.asset_configurations.items()}
     out = {n: per_asset[v.asset_id] for n, v in doc.spatial_relation_graph.nodes.items()}
-    return out | {n: shape_of(posed(out[n].config, t)) for n, t in joined(doc).tilt.items()}
+    held = joined(doc)
+    out |= {n: shape_of(posed(out[n].config, t)) for n, t in held.tilt.items()}
+    for name, root in held.root.items():  # a wagon stands on its wheels
+        low = held.rise[name] + out[name].bottom
+        if low < out[root].bottom - REST_GAP_CM:
+            out[root] = replace(out[root], bottom=low)
+    return out
 
 
 TOP_CM = 2.0

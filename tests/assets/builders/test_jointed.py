@@ -69,7 +69,7 @@ def test_parts_fit_each_other(row: Articulation, factor: float) -> None:
             for p, q in itertools.product(shapes, footprints(parent))
         )
         assert deepest <= SLACK_CM * factor, f"{row.nouns[0]}: {deepest:.1f} cm deep"
-    assert min(low) > 0.0, "it hangs into the ground"
+    assert min(low) >= 0.0, "it hangs into the ground"
     if row.carries == "with":
         assert row.above_cm == pytest.approx(min(low) / factor, abs=1.0)
 

@@ -18,7 +18,7 @@ from esg.graph.models import AssetConfiguration, AssetRequirement, Node, Pose
 from tests.assets.worlds import EMPTY, requirement
 
 ENTERED_FROM_THE_SIDE = {
-    "goal", "hockey_goal", "tunnel", "hoop", "well", "fountain", "sailboat", "wicket",
+    "goal", "hockey_goal", "tunnel", "basketball_hoop", "well", "fountain", "sailboat", "wicket",
 }  # fmt: skip
 """A roof, a net, a pedestal, a bow or a mast is above the middle; the hoop has no floor."""
 ASKED_FOR = {

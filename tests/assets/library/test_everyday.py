@@ -33,7 +33,7 @@ def asked(words: str, category: str, size: tuple[float, float, float], mass: flo
         # A category drawn at any size keeps the size that was expected.
         ("box of cereal", "cereal_packet", (19, 7, 28), 0.5, (25, 30), (0.3, 0.8)),
         # A category of another thing of that name says nothing about the size.
-        ("life ring", "hoop", (90, 3, 90), 0.5, (60, 95), (0.3, 3)),
+        ("life ring", "hula_hoop", (90, 3, 90), 0.5, (60, 95), (0.3, 3)),
         ("manhole cover", "well", (120, 120, 80), 900, (50, 75), (20, 90)),
         # The sibling that the words name, not the nearest in size.
         ("floor lamp", "lamp", (25, 25, 50), 2.5, (120, 180), (3, 10)),

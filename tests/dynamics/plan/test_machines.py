@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 import math
 
 import numpy as np
@@ -11,7 +12,7 @@ from esg.dynamics import start_hints
 from esg.dynamics.plan.build import build_scene
 from esg.dynamics.plan.planner import make_plan
 from esg.engines import get_engine
-from esg.engines.joints import joint_state
+from esg.engines.joints import joint_poses, joint_state
 from esg.engines.program import batch_programs
 from esg.layout import solve
 from tests.dynamics.stories import cast
@@ -58,7 +59,11 @@ def test_it_goes_to_the_other_end(
 
 @pytest.mark.parametrize(
     ("prompt", "child"),
-    [("The ceiling fan turns.", "ceiling_fan_1"), ("A Ferris wheel turns.", "ferris_rotor_1")],
+    [
+        ("The ceiling fan turns.", "ceiling_fan_1"),
+        ("A Ferris wheel turns.", "ferris_rotor_1"),
+        ("A garden wagon rolls into a crate.", "hinged_wheel_3"),
+    ],
 )
 def test_it_turns_all_the_way_round(prompt: str, child: str) -> None:
     way = way_of(prompt, child)
@@ -83,3 +88,26 @@ def test_a_balance_goes_down_where_something_drops() -> None:
     way = way_of("A golf ball drops onto one end of a balance scale.", "balance_scale_1")
     assert way[0] == pytest.approx(9.0, abs=1.0)
     assert way.min() < -5.0
+
+
+def test_a_wagon_stands_on_its_wheels_and_is_re_aimed_with_them() -> None:
+    doc = cast("A garden wagon rolls into a crate.")
+    doc = solve(doc, seed=0, hints=start_hints(doc, seed=0))
+    plan = make_plan(doc, build_scene(doc), seed=0)
+    assert doc.layout_result is not None
+    poses = doc.layout_result.poses
+    wheels = [n for n in plan.scene.names if n.startswith("hinged_wheel")]
+    assert len(wheels) == 4
+    assert all(0.0 <= poses[n].position_cm[2] < 0.1 for n in ("wagon_1", *wheels))
+    theta = plan.initial()
+    theta[[v.name for v in plan.variables].index("wagon_1/aim")] = 0.05
+    starts = plan.starts(theta)
+    moved = tuple(
+        replace(b, position=tuple(starts[b.name][0]), quaternion=tuple(starts[b.name][1]))
+        if b.name in starts
+        else b
+        for b in plan.scene.bodies
+    )
+    scene = replace(plan.scene, bodies=moved)
+    gaps = [joint_state(j, *joint_poses(scene, j)).gap for j in scene.joints]
+    assert max(float(g) for g in gaps) < 1e-6

@@ -2,6 +2,10 @@
 
 from __future__ import annotations
 
+import csv
+from dataclasses import dataclass
+from functools import cache
+
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.slopes import ASLANT
@@ -10,12 +14,42 @@ from esg.draft.text.elements import Mention
 _AT_A_BAR = lex.word_set("at a bar")
 _FRICTION = frozenset({"frictionless", "rough", "smooth", "slippery"})
 _ROOMS = lex.word_set("rooms")
-_BALLS = {
-    "golfer": "golf ball", "batter": "baseball", "pitcher": "baseball", "batsman": "cricket ball",
-    "goalkeeper": "soccer ball", "goalie": "soccer ball", "striker": "soccer ball",
-    "footballer": "soccer ball", "tennis player": "tennis ball", "bowling alley": "bowling ball",
-}  # fmt: skip
-"""The ball of who plays with it."""
+
+
+@dataclass(frozen=True)
+class Beside:
+    """A row of `beside.csv`: what a word names where another thing was named before it.
+
+    Args:
+        word: Head of a noun phrase.
+        beside: Heads or kinds of things, any of which was named before.
+        names: What it names then.
+        example: A prompt in which it does.
+    """
+
+    word: str
+    beside: frozenset[str]
+    names: str
+    example: str
+
+
+@cache
+def rows() -> tuple[Beside, ...]:
+    """The table."""
+    with open(lex.DATA / "beside.csv", encoding="utf-8", newline="") as file:
+        told = list(csv.DictReader(file, delimiter=";"))
+    return tuple(
+        Beside(r["word"], frozenset(r["beside"].split("|")), r["names"], r["example"]) for r in told
+    )
+
+
+def _beside(m: Mention, named: list[Entity]) -> str:
+    """What a phrase names beside the things so far; "" if none of them says so."""
+    there = {name for e in named for name in (e.head, e.noun.name)}
+    there |= {f"{word} {e.head}" for e in named for word in e.adjectives}
+    return next(
+        (r.names for r in rows() if r.word == m.head and not r.beside.isdisjoint(there)), ""
+    )
 
 
 def noun_here(
@@ -40,20 +74,19 @@ def noun_here(
     into = m.after_prep in ("into", "in")
     played = not movers or any(e.noun.kind in ("ball", "person") for e in movers)
     basket = m.after_prep == "through" or (into and played)
-    balls = [_BALLS[e.head] for e in named if e.head in _BALLS]
     name = noun.name
-    if name == "net" and into and not net_sport:
+    if beside := _beside(m, named):
+        name = beside
+    elif name == "net" and into and not net_sport:
         name = "goal"
     elif m.head == "bar" and m.after_prep in _AT_A_BAR:
         name = "counter"
     elif name == "building" and m.head in _ROOMS and m.after_prep in ("in", "inside"):
         name = "floor"  # "in a garage a ball rolls": where the scene is
-    elif name == "hoop" and (basket or any(e.noun.name == "basketball" for e in named)):
+    elif name == "hula hoop" and m.head == "hoop" and basket:
         name = "basketball hoop"
     elif name == "roof tile" and m.plural and m.determiner == "the":
         name = "floor"  # "over the edge onto the tiles"
-    elif m.head == "ball" and balls:
-        name = balls[0]
     elif name == "stump" and m.plural and cricket:
         name = "cricket stump"
     elif m.head == "plane" and _sloped(m):

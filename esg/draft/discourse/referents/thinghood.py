@@ -22,6 +22,9 @@ _PICTURE, _THE_PICTURE = ("frame", "screen"), ("", "the")
 _ACROSS = ("across", "of", "off", "on")
 _OWN = ("his", "her", "its", "their")
 _ACTING_PARTS = lex.word_set("acting parts")
+_RUN = lex.OWN_PARTS - {"door", "leg", "roof"}
+_HAVE_PARTS = frozenset({"vehicle", "cart", "flyer", "toyvehicle"})
+_SHARES = frozenset({"half", "third", "quarter"})
 _UNSEEN = lex.word_set("unseen light and weather") | lex.word_set("unseen fluids")
 
 
@@ -86,7 +89,7 @@ def _pieces(world: World, m: Mention, subject: bool) -> bool:
 def _running_water(world: World, m: Mention, subject: bool) -> bool:
     """ "Water drips from a tap", "filled with water": no pool of it."""
     bare = m.head == "water" and not m.determiner
-    return bare and (subject or m.after_prep in ("of", "with"))
+    return bare and (subject or m.after_prep in ("of", "off", "with"))
 
 
 def _date(world: World, m: Mention, subject: bool) -> bool:
@@ -101,6 +104,19 @@ def _of_a_machine(world: World, m: Mention, subject: bool) -> bool:
     return m.head in _ACTING_PARTS and m.determiner == "its" and not subject and not m.after_prep
 
 
+def _its_parts(world: World, m: Mention, subject: bool) -> bool:
+    """ "A car brakes, tires screeching": the parts of what is named, drawn with it."""
+    whose = m.determiner in ("", "the", "its", "their")
+    all_of_them = m.plural and m.count is None and not m.group_word and m.possessor is None
+    wholes = (e.noun.kind for e in world.entities.values())
+    return whose and all_of_them and m.head in _RUN and bool({*wholes} & _HAVE_PARTS)
+
+
+def _share(world: World, m: Mention, subject: bool) -> bool:
+    """ "One half drops": what something was cut into is no thing of its own."""
+    return m.noun is None and m.head in _SHARES and not m.part
+
+
 def _unseen(world: World, m: Mention, subject: bool) -> bool:
     """ "Clouds move", "rides a wave": light, weather and water, which are no bodies."""
     return m.noun is None and {m.head, m.head + "s"} <= _UNSEEN
@@ -111,7 +127,7 @@ def _place_name(world: World, m: Mention, subject: bool) -> bool:
     words = m.text.split()
     named = m.noun is None or (m.noun.name == "person" and m.head != "person")
     capital = named and not m.determiner and all(w[:1].isupper() for w in words)
-    if capital and words and m.after_prep in ("in", "at"):
+    if capital and words and m.after_prep in ("in", "at", "of"):
         return True
     bare = not (m.determiner or m.plural or m.adjectives or m.count or m.letters or m.amounts)
     named = bare and m.noun is None and m.head not in hypernyms()
@@ -129,5 +145,7 @@ _TESTS: tuple[Callable[[World, Mention, bool], bool], ...] = (
     _date,
     _of_a_machine,
     _unseen,
+    _its_parts,
+    _share,
     _place_name,
 )

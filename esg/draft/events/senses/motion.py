@@ -93,7 +93,11 @@ def _driven(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
     if kind_of(d, o[0]) not in SELF_POWERED and not glides:
         return s
     if f.subject is not None:
-        d.refs.mounts[id(f.subject)] = o[:1]
+        d.refs.mounts[id(f.subject)] = o if len(s) == len(o) else o[:1]
+    if f.verb.lemma in _RIDES and len(s) == len(o):  # "two people ride bicycles": one each
+        for rider, mount in zip(s, o, strict=True):
+            place(d, [rider], [mount], "on")
+        return o
     place(d, s, o, "near")
     return o[:1]
 
@@ -112,7 +116,7 @@ def _hovers(d: Discourse, f: Frame, actors: list[str]) -> None:
 
 def _by_hand(d: Discourse, doer: str, thing: str) -> bool:
     """Whether somebody moves a thing that does not move by itself."""
-    acts = kind_of(d, doer) in LIMBED
+    acts = kind_of(d, doer) in LIMBED or entity_of(d, doer).noun.name == "arm"
     return acts and movable(d, thing) and kind_of(d, thing) not in SELF_POWERED
 
 

@@ -208,7 +208,8 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 def read_unknown(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """An unknown verb is a motion if its phrases are; it is reported either way."""
     ways = f.phrase("toward", "towards", "into", "across", "along", "through", "down", "against")
-    if s and (ways is not None or quantity_of(d, f, "speed") is not None):
+    told = ways is not None or quantity_of(d, f, "speed") is not None
+    if s and told and f.object is None:  # "pours milk into a cup" moves nobody
         motion(d, f, s, None)
         d.scene.used.pop((f.verb.start, f.verb.end), None)
 
@@ -286,7 +287,7 @@ def places(d: Discourse, f: Frame, bodies: list[str]) -> None:
 def _place_by(d: Discourse, f: Frame, bodies: list[str], p: Phrase, gap: Amount | None) -> None:
     """Where one phrase says that things are."""
     others = things(p)
-    if p.mention is None or p.mention.attribute:
+    if p.mention is None or p.mention.attribute or not (others or p.mention.noun):
         _arrange(d, bodies, p)
     elif f.verb.lemma in _HANGING and p.prep in _HUNG_BY and _hangs(d, bodies, others):
         return
@@ -338,7 +339,7 @@ def _arrange(d: Discourse, bodies: list[str], p: Phrase) -> None:
     """ "in a triangle", "in a queue": how a plural stands."""
     m = p.mention
     pattern = lex.ARRANGEMENTS.get(m.head) if m is not None else None
-    if m is None or not m.attribute or p.prep not in ("in", "into") or pattern is None:
+    if m is None or m.entities or p.prep not in ("in", "into") or pattern is None:
         return
     for t in bodies:
         _pattern_of(d, t, pattern)

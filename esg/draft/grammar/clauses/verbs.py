@@ -36,6 +36,8 @@ _SCENE = lex.word_set("scene")
 _AIMING = lex.word_set("aiming")
 _BY_ITSELF = frozenset({"posture", "park", "stop", "fall", "topple", "roll", "slide"})
 _BY_ITSELF_OR_HIT = frozenset({"posture", "park", "stop", "hit", "topple", "fall"})
+_SENDING = frozenset({"drop", "launch", "roll", "slide", "carry", "pick"})
+"""Senses of which a command says what hands do: "lift the cube and drop it"."""
 _HANDLING = frozenset({"posture", "pick", "carry", "noop"})
 _STATES = frozenset({"be", "posture", "park", "weigh", "measure", "have", "contain"})
 
@@ -249,6 +251,7 @@ def _goes_on(c: Clauses, s: State, o: _Opening) -> bool:
     told = v.lemma in _LETTING or (
         v.sense in _HANDLING and (v.form == "base" or v.lemma in UNCHANGED)
     )
+    told = told or (v.sense in _SENDING and v.form == "base" and _acts_on(c, o.at))
     if told and v.form != "ing" and not v.passive and previous.subject is None:
         return True  # "Push the ball and let it roll", "open the box and put a ball in it"
     before = before_what_it_waits_for(c, before_what_it_lets(previous, v), s, v)

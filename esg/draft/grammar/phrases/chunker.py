@@ -188,7 +188,8 @@ def _unknown_verb(c: Chunks, i: int) -> int | None:
     if not unknown_verb(c, i):
         return None
     token = c.tokens[i]
-    c.elements.append(Verb(token.start, token.end, token.low, "unknown", "s"))
+    form = "ing" if token.low.endswith("ing") else "s"
+    c.elements.append(Verb(token.start, token.end, token.low, "unknown", form))
     return i + 1
 
 

@@ -48,11 +48,13 @@ from esg.draft.grammar.phrases.reader import (
     noun_not_verb,
     noun_soon,
     stands_for_noun,
+    unknown_act,
     unknown_noun,
 )
 from esg.draft.grammar.phrases.rows import inner_phrase, member_of_row, the_rest
 from esg.draft.text.elements import ONE_OF_THESE, Mention, Verb
 from esg.draft.verbphrases import verb_readings
+from esg.lexicon.senses import no_things
 
 _RUNNING_GEAR = lex.word_set("running gear")
 _SINGULAR = lex.word_set("singular")
@@ -128,9 +130,29 @@ def _noun_here(c: Chunks, j: int, m: Mention) -> NounMatch | None:
         return None  # of a room or a table, not of the street; a tunnel has no door
     if noun[3] == "path" and m.determiner and low_at(c, j + 1) == "of":
         return None  # "into the path of a tram": no footpath
+    if noun[3] in lex.COLORS and _color_of(c, j + 1):
+        return None  # "orange sky"
+    if noun[3] in lex.PARTS and low_at(c, j + 1) == "of" and _of_a_vehicle(c, j + 2):
+        return None  # "the bed of a truck"
     if m.determiner in ("both", "all") and many_do(c, j, m):
         return None  # "and both slide into a bale"
     return noun
+
+
+def _color_of(c: Chunks, j: int) -> bool:
+    """Whether a noun stands at token j that the lexicon does not know as a thing."""
+    token = token_at(c, j)
+    noun = token is not None and token.tag == "NOUN" and match_noun(c, j) is None
+    return noun and token is not None and not verb_readings(token.low)
+
+
+def _of_a_vehicle(c: Chunks, j: int) -> bool:
+    """Whether a vehicle is named at token j, after an article and adjectives."""
+    for k in range(j, min(j + 4, len(c.tokens))):
+        noun = match_noun(c, k)
+        if noun is not None:
+            return noun[0].kind in ("vehicle", "toyvehicle", "watercraft")
+    return False
 
 
 def _owner(c: Chunks, j: int) -> tuple[Mention, int] | None:
@@ -209,7 +231,8 @@ def _measure_or_role(c: Chunks, k: int, m: Mention) -> None:
         told = low_at(c, k) in ("of", "is") and after is not None and after.kind == "qty"
         if told or m.determiner == "its":
             m.noun, m.attribute = None, True
-    if m.head in lex.PERSON_ROLES or m.head in ("cyclist", "rider"):
+    crew = m.head in lex.PERSON_ROLES and not m.plural  # two passengers are no vehicle
+    if crew or m.head in ("cyclist", "rider"):
         m.role = m.head if m.head in lex.PERSON_ROLES else ""
     if m.head in ("row", "line"):
         m.noun = None
@@ -231,7 +254,8 @@ def _made_of(c: Chunks, j: int, m: Mention) -> int:
 def _stands(c: Chunks, j: int, m: Mention, plural: bool) -> int:
     """ "the car behind", "the one in front of it", "the crate on top of the stack"."""
     low, the = low_at(c, j), m.determiner == "the"
-    if low in ("behind", "following") and low_at(c, j + 1) in _THEM:
+    new = m.determiner in ("a", "an") and low == "behind"  # "a couch behind him": a place
+    if low in ("behind", "following") and low_at(c, j + 1) in _THEM and not new:
         m.adjectives.append("rear")
         j += 2
     elif low == "behind" and the and _ends_or_acts(c, j + 1):
@@ -278,6 +302,7 @@ def _unknown_after(c: Chunks, j: int, m: Mention) -> int:
     if token is None or token.kind != "word" or token.tag not in ("NOUN", "PROPN"):
         return j
     acts = looks_like_verb(c, j, m) and not stands_for_noun(c, j, m)
+    acts = acts or unknown_act(c, j, m)
     if len(token.text) < 2 or acts or numbers(c, j):
         return j
     if token.low in _NO_NOUNS or (verb_readings(token.low) and not stands_for_noun(c, j, m)):
@@ -305,7 +330,9 @@ def _people(c: Chunks, p: Place, m: Mention) -> Head | None:
     told = m.determiner not in ("", "the") or m.count is not None
     those = m.determiner == "the" and word in lex.GROUP_WORDS  # "the group": who was named
     verb = several and m.determiner in ("a", "an")  # "an engine couples onto five wagons"
-    if m.group_word or those or verb or not (told or m.determiner or (several and m.adjectives)):
+    caption = not several and not c.elements  # "Happy family with two kids"
+    named = told or m.determiner or ((several or caption) and m.adjectives)
+    if m.group_word or those or verb or not named:
         return OTHER
     m.noun, m.head, m.plural, m.group_word = lex.nouns()["person"], "person", True, word
     m.pattern = lex.GROUP_WORDS.get(word) or "scatter"
@@ -478,7 +505,13 @@ def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
         m.attribute, m.head = True, p.low
         return Head(p.at + 1)
     last = m.adjectives[-1]
-    if not known_adjective(last) and not last.startswith("@"):
+    if _bare_form(c, p.at, m):
+        m.attribute = names_no_thing(p.low)
+        m.head, m.known = p.low, m.attribute
+        return Head(p.at + 1)
+    cloth = m.determiner in ("a", "an") and last in lex.MATERIALS and not no_things().get(last)
+    cloth = cloth and c.tokens[p.at - 1].tag == "NOUN"  # "with a cloth"
+    if (cloth or not known_adjective(last)) and not last.startswith("@"):
         m.adjectives.pop()  # the tagger took an unknown noun for an adjective
         m.head, m.plural = lex.singular(last)
         m.known = False
@@ -498,6 +531,14 @@ def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
     return Head(after, complete=True)
 
 
+def _bare_form(c: Chunks, j: int, m: Mention) -> bool:
+    """ "Around a vertical loop": after "a" and an adjective no bare verb follows."""
+    if m.determiner not in ("a", "an") or j >= len(c.tokens) or c.tokens[j].tag != "NOUN":
+        return False
+    forms = {r.form for r in verb_readings(low_at(c, j))}
+    return forms == {"base"} and low_at(c, j + 1) not in lex.DETERMINERS
+
+
 def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
     """A noun that the lexicon does not know, possibly a compound."""
     tokens, j = c.tokens, p.at
@@ -511,6 +552,7 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
         m.adjectives.append(low_at(c, k))
         k += 1
     known = match_noun(c, k + 1) if k + 1 < len(tokens) else None
+    known = None if known is not None and unknown_act(c, k + 1, m) else known
     ends = bool(m.determiner) and ends_phrase(c, k + 1)  # "on the lab floor."
     clear = ends or not verb_readings(low_at(c, k + 1)) or noun_not_verb(c, k + 1, m)
     if known is not None and clear and tokens[k].text != "'s":
@@ -542,8 +584,8 @@ def _weighs(c: Chunks, first: int, last: int, m: Mention) -> bool:
 
 def _unknown_goes_on(c: Chunks, k: int, m: Mention) -> bool:
     """Whether one more unknown noun follows the one at token k."""
-    if looks_like_verb(c, k + 1, m):
-        return False  # "a metronome ticks"
+    if looks_like_verb(c, k + 1, m) or unknown_act(c, k + 1, m):
+        return False  # "a metronome ticks", "a panda eating"
     if k + 1 >= len(c.tokens) or match_noun(c, k + 1) is not None or not unknown_noun(c, k + 1):
         return False
     return c.tokens[k + 1].tag in ("NOUN", "PROPN", "") and c.tokens[k].tag != ""

@@ -48,10 +48,13 @@ def noun_then_verb(c: Chunks, k: int, m: Mention) -> bool:
 
 
 def part_alone(c: Chunks, j: int, m: Mention) -> bool:
-    """ "hits a bumper", "by a mobile base": with an article of its own it is no part."""
+    """ "hits a bumper", "The lid slides off": what nothing before it has is no part."""
     owned = low_at(c, j + 1) == "of" or match_noun(c, j + 1) is not None
     pinball = low_at(c, j) == "bumper" and "pinball" in c.text.lower()
-    own = m.determiner in ("a", "an") and low_at(c, j) in _ALSO_THINGS
+    first = m.determiner == "the" and not any(isinstance(e, Mention) for e in c.elements)
+    several = m.count is not None and m.count > 1  # "two red tops"
+    own = m.determiner in ("a", "an") or first or several
+    own = own and lex.singular(low_at(c, j))[0] in _ALSO_THINGS
     return (own or pinball) and not owned
 
 

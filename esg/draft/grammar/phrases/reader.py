@@ -9,14 +9,17 @@ from esg.draft import lexicon as lex
 from esg.draft.grammar.phrases.chunks import Chunks, NounMatch
 from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
 from esg.draft.text.elements import Element, Mention, Verb, Word
+from esg.draft.text.numerals import parse_number
 from esg.draft.text.tokens import is_name
 from esg.draft.verbphrases import PHRASES, verb_readings
+from esg.lexicon.hypernyms import hypernyms
 
 _NOUNS_FIRST = lex.word_set("nouns first")
 _ALSO_NOUNS = lex.word_set("also nouns")
 _ARTICLES = frozenset({"a", "an", "the", "its", "his", "her", "their", "another"})
 _OBJECTS = frozenset({"it", "him", "them"})
 _SMALL = lex.PREPOSITIONS | lex.ADVERBS | lex.MODALS | lex.DETERMINERS | lex.PRONOUNS
+_AFTER_ACTS = frozenset({"DET", "NOUN", "PROPN", "ADJ", "ADP", "ADV", "PRON", "NUM"})
 _BE = frozenset({"is", "are", "was", "were", "be", "been", "being", "'s", "gets", "get"})
 _HAVE = frozenset({"has", "have", "had", "having"})
 _CANNOT = frozenset({"cannot", "can't", "couldn't"})
@@ -278,6 +281,9 @@ def _goes_on(c: Chunks, w: _Word) -> bool | None:
     ends = w.next in ("", "and", "then") and previous.kind in ("punct", "conj", "adv")
     if w.nounish and w.forms & {"s", "past"} and ends and told:
         return True  # "..., slides, and hits"
+    counted = parse_number(w.next) is not None
+    if "s" in w.forms and counted and told and previous.kind in ("conj", "adv"):
+        return True  # "knocks down eight pins and leaves two standing"
     if (
         previous.kind == "rel"
         and "s" in w.forms
@@ -320,9 +326,24 @@ def looks_like_verb(c: Chunks, j: int, m: Mention) -> bool:
     return not (verb_readings(nxt) or nxt in lex.MODALS or nxt == "'s")
 
 
+def unknown_act(c: Chunks, i: int, m: Mention) -> bool:
+    """ "A panda drinking coffee": a word in -ing that no table knows, behind its doer."""
+    low, nxt = low_at(c, i), token_at(c, i + 1)
+    if not low.endswith("ing") or verb_readings(low):
+        return False
+    if match_noun(c, i) is not None:
+        return nxt is not None and nxt.low in _ARTICLES  # "painting a wall"
+    if not (m.determiner or m.count is not None or m.plural):
+        return False
+    goes_on = nxt is not None and (nxt.kind == "punct" or nxt.tag in _AFTER_ACTS)
+    return (goes_on or nxt is None) and low.isalpha() and low not in hypernyms()
+
+
 def unknown_verb(c: Chunks, i: int) -> bool:
     """ "The bag rips, and", ", rounds a shelf": an unknown word in -s in place of a verb."""
     previous, nxt = element_before(c), token_at(c, i + 1)
+    if isinstance(previous, Mention) and not previous.attribute and unknown_act(c, i, previous):
+        return previous.end == c.tokens[i - 1].end
     if _acted_on(c, i, previous):
         return True
     if not _unknown_in_s(c, i, previous):

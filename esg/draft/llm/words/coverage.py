@@ -6,11 +6,16 @@ which nouns, events and quantities the prompt has, and the document is searched 
 
 from __future__ import annotations
 
+from functools import lru_cache
 import re
 
 from esg.draft.llm.names import slug
+from esg.draft.llm.words.unheld import heads
+from esg.draft.rules import draft_rules
 from esg.graph.models import Coverage, CoverageItem, EsgDocument, Predicate, Quantity
 from esg.graph.violations import pointer
+from esg.lexicon.morphology import singular
+from esg.outcomes import UserError
 
 TOLERANCE = 0.02
 _PRONOUNS = frozenset(
@@ -19,9 +24,20 @@ _PRONOUNS = frozenset(
 )  # fmt: skip
 
 
+@lru_cache(maxsize=16)
+def read_by_rules(prompt: str) -> EsgDocument | None:
+    """The rules drafter's document of a prompt; None where it gives up."""
+    try:
+        return draft_rules(prompt)
+    except UserError:
+        return None
+
+
 def cover(prompt: str, doc: EsgDocument) -> Coverage:
     """Where each noun, event and quantity of the prompt went; a warning for each that is absent."""
-    items = [*_objects(prompt, doc), *_events(prompt, doc), *_quantities(prompt, doc)]
+    rules = read_by_rules(prompt)
+    items = [*_objects(prompt, doc, rules), *_quantities(prompt, doc)]
+    items += _events(prompt, doc, rules) if rules is not None else []
     items = [_owned(i, doc) for i in items]
     items.sort(key=lambda i: (i.start, i.end, i.kind))
     missed = [i for i in items if i.status == "not_understood"]
@@ -52,7 +68,7 @@ def _item(prompt: str, start: int, end: int, kind: str, where: str) -> CoverageI
     )
 
 
-def _objects(prompt: str, doc: EsgDocument) -> list[CoverageItem]:
+def _objects(prompt: str, doc: EsgDocument, rules: EsgDocument | None) -> list[CoverageItem]:
     """Finds each mentioned node by its label, category or name; a phrase is counted once."""
     found: dict[tuple[int, int], str] = {}
     for name, node in doc.spatial_relation_graph.nodes.items():
@@ -71,53 +87,50 @@ def _objects(prompt: str, doc: EsgDocument) -> list[CoverageItem]:
                 found.setdefault(match.span(), where)
                 break
     items = [_item(prompt, *span, "object", where) for span, where in found.items()]
-    for start, end, kind in _rules_spans(prompt):
-        if kind != "object" or any(a < end and start < b for a, b in found):
+    called = heads(doc)
+    for i in _rules_objects(rules) if rules is not None else ():
+        if any(a < i.end and i.start < b for a, b in found):
             continue
-        words = prompt[start:end].lower().split()
+        words = prompt[i.start : i.end].lower().split()
         if words[-1] in _PRONOUNS:
             continue  # it stands for something that is told by its name
         again = (w for (a, b), w in found.items() if prompt[a:b].lower().split()[-1] == words[-1])
-        items.append(_item(prompt, start, end, "object", next(again, "")))
+        named = (n for n, nouns in called.items() if singular(words[-1].strip(".,;:!?")) in nouns)
+        meant = (pointer("spatial_relation_graph", "nodes", n) for n in named)
+        items.append(_item(prompt, i.start, i.end, "object", next(again, "") or next(meant, "")))
     return items
 
 
-def _rules_spans(prompt: str) -> list[tuple[int, int, str]]:
-    """Spans of nouns and events that the rules drafter recognizes; none where it gives up."""
-    from esg.draft.rules import draft_rules
-    from esg.outcomes import UserError
-
-    try:
-        coverage = draft_rules(prompt).coverage
-    except UserError:
-        return []
-    good = ("used", "not_understood")
-    return [(i.start, i.end, i.kind) for i in coverage.items if i.status in good]
+def _rules_objects(rules: EsgDocument) -> list[CoverageItem]:
+    """Nouns that the rules drafter recognizes, but for those that it owns up to: see `unheld`."""
+    lost = [s for s in rules.statements or () if s.predicate is Predicate.NOT_REPRESENTED]
+    return [
+        i
+        for i in rules.coverage.items
+        if i.kind == "object"
+        and i.status in ("used", "not_understood")
+        and not any(s.start <= i.start and i.end <= s.end for s in lost)
+    ]
 
 
 _SEGMENTS = {
-    "motion": frozenset({"UniformMotion", "Toward", "AcceleratedMotion"}),
+    "motion": frozenset(
+        {"UniformMotion", "Toward", "AcceleratedMotion", "Turn", "Guide", "Release"}
+    ),
     "acceleration": frozenset({"AcceleratedMotion"}),
     "braking": frozenset({"Brake"}),
 }
 """Segments by what the rules drafter notes of a verb that became no point event."""
 
 
-def _events(prompt: str, doc: EsgDocument) -> list[CoverageItem]:
+def _events(prompt: str, doc: EsgDocument, rules: EsgDocument) -> list[CoverageItem]:
     """Compares the kinds of events that the rules drafter reads with those of the document."""
-    from esg.draft.rules import draft_rules
-    from esg.outcomes import UserError
-
-    try:
-        other = draft_rules(prompt)
-    except UserError:
-        return []
     graph = doc.timeline_system.sequence_graph if doc.timeline_system else None
     items: list[CoverageItem] = []
-    for i in other.coverage.items:
+    for i in rules.coverage.items:
         if i.kind != "event" or i.status == "not_understood":
             continue  # a verb that the rules drafter does not know says nothing here
-        kinds = _kinds_of(other, i.note)
+        kinds = _kinds_of(rules, i.note)
         if not kinds:
             continue
         where = ""
