@@ -2,6 +2,7 @@
 #   docker build -t esg .
 #   docker build -t esg:cuda --build-arg BASE=nvidia/cuda:12.8.1-runtime-ubuntu24.04 .
 #   docker run --rm -v "$PWD/runs:/work/runs" esg generate "A ball rolls off a table."
+#   docker build -t esg:dask --build-arg EXTRAS=[dask] .    # or [ray], for --runner
 ARG BASE=python:3.12-slim-bookworm
 FROM ${BASE}
 
@@ -16,8 +17,9 @@ COPY constraints.txt pyproject.toml README.md LICENSE ./
 COPY esg esg
 COPY tasks tasks
 COPY flows flows
+ARG EXTRAS=
 RUN python3 -m venv /opt/venv \
-    && /opt/venv/bin/pip install --no-cache-dir -c constraints.txt .
+    && /opt/venv/bin/pip install --no-cache-dir -c constraints.txt ".${EXTRAS}"
 
 # Kernels and class runtime are compiled once, here: the first scene does not wait for them.
 ENV PATH=/opt/venv/bin:$PATH ESG_CACHE_DIR=/opt/cache PYTHONUNBUFFERED=1

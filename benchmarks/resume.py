@@ -131,14 +131,12 @@ def kill(
 def descendants(pid: int) -> list[int]:
     """All processes below a process."""
     out: list[int] = []
-    for child in Path(f"/proc/{pid}/task/{pid}").glob("children"):
-        with contextlib.suppress(OSError):
-            for number in child.read_text().split():
-                out += [int(number), *descendants(int(number))]
-    # Workers are started by threads: their children are listed under the thread.
-    for task in Path(f"/proc/{pid}/task").glob("*/children"):
-        with contextlib.suppress(OSError):
-            out += [int(n) for n in task.read_text().split() if int(n) not in out]
+    # Children that a thread started are listed under the thread.
+    with contextlib.suppress(OSError):
+        for listed in Path(f"/proc/{pid}/task").glob("*/children"):
+            with contextlib.suppress(OSError):
+                for number in listed.read_text().split():
+                    out += [int(number), *descendants(int(number))]
     return out
 
 

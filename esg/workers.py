@@ -7,7 +7,7 @@ dies as well, the call is at fault and raises `WorkerDied`.
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Generator
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 import contextlib
@@ -148,7 +148,8 @@ class _Slot:
                 initargs=(os.getpid(), tell, self._sharing, self._bound),
             )
             self._calls = 0
-            future = self._executor.submit(function, *args)
+            with _with_children():
+                future = self._executor.submit(function, *args)
             # The process has its own copy: with ours closed, its death ends the pipe.
             tell.close()
             relay(events)
@@ -204,6 +205,22 @@ class _Slot:
         if self._executor is not None:
             self._executor.shutdown(wait=True, cancel_futures=True)
             self._executor = None
+
+
+@contextlib.contextmanager
+def _with_children() -> Generator[None]:
+    """Lets this process start others even if it is a daemon, as the workers of Dask are.
+
+    Daemons may not, so that they leave none behind; ours end with their parent
+    (`_end_with_parent`).
+    """
+    config: dict[str, Any] = vars(multiprocessing.current_process())["_config"]
+    before = config.get("daemon")
+    config["daemon"] = False
+    try:
+        yield
+    finally:
+        config["daemon"] = before
 
 
 def memory_bound(processes: int) -> int:

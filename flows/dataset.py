@@ -20,6 +20,18 @@ from flows import artifacts
 from flows.naming import current_name, run_tags
 from tasks.dataset import dataset_batch
 
+LOST = frozenset(
+    {"KilledWorker", "WorkerCrashedError", "NodeDiedError", "ObjectLostError", "CrashedRun"}
+)
+"""Names of what Dask, Ray and Prefect raise for a task whose machine is gone, or of its bases.
+
+Both clusters run such a task again, but give up when it has lost three or four machines, which a
+long batch on machines that are evicted every hour may well.
+"""
+MOST_LOST = 10
+"""A batch is handed to the cluster again so often; a scene that ends its worker is no reason for it
+(`tasks.dataset.run_job` finds it), so that only machines are counted."""
+
 Runner = Literal["process", "dask", "ray"]
 Done = Callable[[BatchResult], None]
 
@@ -61,30 +73,75 @@ def dataset(out: str, scenes: int) -> list[BatchResult]:
         Results in the order of the jobs.
 
     Raises:
-        BaseException: The first error of a batch that could not be written; the other batches are
-            made first.
+        BaseException: The first error of a batch that could not be written, or that lost its
+            machine too often; the other batches are made first.
     """
-    from prefect.futures import as_completed
-
     jobs, on_batch = _work().jobs, _work().on_batch
-    futures = [dataset_batch.submit(job) for job in jobs]
-    numbers = {future.task_run_id: job.number for future, job in zip(futures, jobs, strict=True)}
     results: dict[int, BatchResult] = {}
     errors: dict[int, BaseException] = {}
-    for future in as_completed(futures):
-        number = numbers[future.task_run_id]
-        try:
-            results[number] = future.result()
-        except Exception as error:
-            errors[number] = error
-            continue
-        if on_batch is not None:
-            with contextlib.suppress(Exception):
-                on_batch(results[number])
+    ahead: dict[Any, BatchJob] = {dataset_batch.submit(job): job for job in jobs}
+    lost = 0
+    while ahead:
+        ahead = _gather(ahead, lost < MOST_LOST, results, errors, on_batch)
+        lost += 1
     _show(list(results.values()))
     if errors:
         raise errors[min(errors)]
     return [results[job.number] for job in jobs]
+
+
+def _gather(
+    futures: dict[Any, BatchJob],
+    again: bool,
+    results: dict[int, BatchResult],
+    errors: dict[int, BaseException],
+    on_batch: Done | None,
+) -> dict[Any, BatchJob]:
+    """Takes what comes of batches as it comes; hands in those that lost their machine once more.
+
+    Returns:
+        Those, while `again`.
+    """
+    from prefect.futures import as_completed
+
+    more: dict[Any, BatchJob] = {}
+    for future in as_completed(list(futures)):
+        job = futures[future]
+        try:
+            results[job.number] = future.result()
+        except Exception as error:
+            if not lost_machine(error):
+                errors[job.number] = _explained(error)
+            elif again:
+                more[dataset_batch.submit(job)] = job
+            else:
+                errors[job.number] = UserError(
+                    f"batch {job.number} lost its machine {MOST_LOST + 1} times ({error}); "
+                    "finished batches are kept, run the same command with --resume to go on",
+                    exit_code=1,
+                )
+            continue
+        if on_batch is not None:
+            with contextlib.suppress(Exception):
+                on_batch(results[job.number])
+    return more
+
+
+def _explained(error: Exception) -> Exception:
+    """What to do about workers on machines that do not reach the private API of this command."""
+    if "Failed to reach API" not in str(error):
+        return error
+    return UserError(
+        f"a worker of the cluster says: {error}. That is Prefect's API, by default a private one "
+        "that only this machine reaches: run `prefect server start --host 0.0.0.0` here and set "
+        "PREFECT_API_URL=http://THIS-MACHINE:4200/api for this command; finished batches are kept",
+        exit_code=1,
+    )
+
+
+def lost_machine(error: BaseException) -> bool:
+    """Whether a cluster tells by an error that the machine of a task is gone."""
+    return any(kind.__name__ in LOST for kind in type(error).__mro__)
 
 
 def _show(results: Sequence[BatchResult]) -> None:
@@ -162,6 +219,8 @@ def _dask(runner: Any, workers: int) -> Any:
 def _ray(runner: Any, workers: int) -> Any:
     """A running cluster (`RAY_ADDRESS`), else one on this machine."""
     address = os.environ.get("RAY_ADDRESS")
+    quiet = {"log_to_driver": False}  # every task's log, twice, on the terminal
     if address:
-        return runner(address=address)
-    return runner(init_kwargs={"num_cpus": max(1, workers), "include_dashboard": False})
+        return runner(address=address, init_kwargs=quiet)
+    here = {"num_cpus": max(1, workers), "include_dashboard": False}
+    return runner(init_kwargs={**quiet, **here})

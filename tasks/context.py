@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 import contextlib
 from dataclasses import dataclass
+from functools import cache
 from pathlib import Path
 
 from esg.pipeline import SceneState
@@ -33,12 +34,27 @@ class RunContext:
     store: Path | None = None
 
 
-_current = RunContext(WorkerPool(0))
+_ALONE = RunContext(WorkerPool(0))
+_current: RunContext | None = None
 
 
 def current() -> RunContext:
     """The context of the run in progress; without one, calls run in this process."""
-    return _current
+    return _current or _ALONE
+
+
+def expendable_pool() -> WorkerPool:
+    """Workers whose death this process survives.
+
+    Those of the run in progress; in a process of a cluster, which is told of no run, a worker of
+    its own: what ends it is found and left out, and the cluster does not lose a process for it.
+    """
+    return _own() if _current is None else _current.pool
+
+
+@cache
+def _own() -> WorkerPool:
+    return WorkerPool(1)
 
 
 @contextlib.contextmanager

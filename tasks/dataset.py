@@ -16,7 +16,7 @@ from esg.dataset.running import forget_dead, mark_dead, try_scene
 from esg.outcomes import UserError
 from esg.pipeline import may_pass
 from esg.workers import WorkerDied
-from tasks.context import current
+from tasks.context import expendable_pool
 
 RETRIES = 3
 
@@ -56,7 +56,7 @@ def run_job(job: BatchJob) -> BatchResult:
     Raises:
         UserError: If workers end whatever scene they are given; no scene is blamed then.
     """
-    pool = current().pool
+    pool = expendable_pool()
     try:
         return pool.run(make_batch, job)
     except WorkerDied:

@@ -20,6 +20,7 @@ from esg.dataset.batch import make_batch
 from esg.dataset.folder import read_mark
 from esg.pipeline import SceneState
 from esg.workers import WorkerPool
+from tasks import context
 from tasks.context import run_context
 from tasks.dataset import run_job
 from tests.dataset import fakes
@@ -152,6 +153,17 @@ def test_a_scene_that_kills_its_worker_is_left_out(tmp_path: Path) -> None:
         result = run_job(job)
     assert result.outcomes == {"solved": 2, "crashed": 1}
     assert [(row["prompt"], row["stage"]) for row in result.failures] == [("deadly b", "layout")]
+
+
+def test_a_cluster_does_not_lose_a_process_for_a_deadly_scene(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """A process that no command told of a run, as those of Dask and Ray, has a worker beside it."""
+    job, *_ = dataset(tmp_path / "a", ["a", "deadly b", "c"])
+    assert context._own().processes == 1
+    with FakePool(1) as pool:
+        monkeypatch.setattr(context, "_own", lambda: pool)
+        assert run_job(job).outcomes == {"solved": 2, "crashed": 1}
 
 
 def test_a_worker_killed_from_outside_costs_nothing(tmp_path: Path) -> None:

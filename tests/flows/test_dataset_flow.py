@@ -126,6 +126,73 @@ def test_a_batch_that_cannot_be_written_does_not_stop_the_others(
     assert [p.name for p in (tmp_path / "set" / "marks").iterdir()] == ["batch-000001.json"]
 
 
+class KilledWorker(Exception):
+    """As Dask names what it raises for a task that lost several machines."""
+
+
+def test_batches_that_lose_their_machines_are_made_elsewhere(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """One loses four machines; one every machine, which is told once all others are made."""
+    jobs = make_jobs(tmp_path / "set", list("abcdefghijkl"))
+    real, lost = make_batch, [0, 0, 0]
+
+    def evicted(job: BatchJob) -> Any:
+        if job.number == 0 or (job.number == 1 and lost[1] < 4):
+            lost[job.number] += 1
+            raise KilledWorker("node-3 is gone")
+        return real(job)
+
+    heard: list[int] = []
+    with session(0) as call:
+        from flows.dataset import MOST_LOST, with_runner
+        from tasks import dataset as task_module
+
+        evicted.__name__ = "make_batch"
+        monkeypatch.setattr(task_module, "make_batch", evicted)
+        told = f"batch 0 lost its machine {MOST_LOST + 1} times .node-3 is gone.; .*--resume"
+        with pytest.raises(UserError, match=told):
+            call(with_runner("process", 2), jobs, lambda r: heard.append(r.number))
+    assert lost == [MOST_LOST + 1, 4, 0]
+    assert sorted(heard) == [1, 2]
+
+
+def test_workers_that_do_not_reach_the_api_are_told_of_it(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The private API listens on this machine only; workers elsewhere need one that they reach."""
+
+    def elsewhere(job: BatchJob) -> Any:
+        raise RuntimeError("Failed to reach API at http://127.0.0.1:4/api/")
+
+    with session(0) as call:
+        from flows.dataset import with_runner
+        from tasks import dataset as task_module
+
+        elsewhere.__name__ = "make_batch"
+        monkeypatch.setattr(task_module, "make_batch", elsewhere)
+        with pytest.raises(UserError, match=r"127\.0\.0\.1:4/api/.*PREFECT_API_URL="):
+            call(with_runner("process", 1), make_jobs(tmp_path / "set", ["a"]))
+
+
+@pytest.mark.parametrize(
+    ("package", "names"),
+    [
+        ("distributed.scheduler", ["KilledWorker"]),
+        ("ray.exceptions", ["WorkerCrashedError", "NodeDiedError", "OwnerDiedError"]),
+        ("prefect.exceptions", ["CrashedRun"]),
+    ],
+)
+def test_a_lost_machine_is_known_by_what_clusters_raise(package: str, names: list[str]) -> None:
+    module = pytest.importorskip(package)
+    from flows.dataset import lost_machine
+
+    for name in names:
+        kind = getattr(module, name)
+        assert lost_machine(kind.__new__(kind)), name
+    assert not lost_machine(OSError(28, "No space left on device"))
+
+
 def test_thousands_of_scenes_are_no_parameters_of_the_flow(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

@@ -4,12 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor
+import multiprocessing
 import os
 from pathlib import Path
 import signal
 import subprocess
 import sys
 import time
+from typing import Any
 
 import pytest
 
@@ -61,6 +63,23 @@ def test_a_deadly_call_is_told_apart_from_bad_luck(tmp_path: Path) -> None:
         with pytest.raises(WorkerDied, match="die"):
             pool.run(die)
         assert pool.run(process_id) != os.getpid()
+
+
+def in_daemon(found: Any) -> None:
+    with WorkerPool(1) as pool:
+        found.put((os.getpid(), pool.run(process_id)))
+
+
+def test_a_daemon_has_workers_too() -> None:
+    """Dask's workers are daemons, which multiprocessing forbids to start processes."""
+    context = multiprocessing.get_context("spawn")
+    found = context.Queue()
+    daemon = context.Process(target=in_daemon, args=(found,), daemon=True)
+    daemon.start()
+    daemon.join(120)
+    assert daemon.exitcode == 0
+    here, worker = found.get(timeout=10)
+    assert (here == daemon.pid) and worker not in (here, os.getpid())
 
 
 def test_workers_end_when_the_command_is_killed() -> None:
