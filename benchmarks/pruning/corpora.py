@@ -68,7 +68,7 @@ class Reader(Subject):
         return _digest(whole.encode()), _digest(account)
 
     def judge(self, case: Case, result: Any) -> tuple[float, tuple[float, ...]]:
-        """Labels met and validity less inventions (of whole labels: less all faults), and counts."""
+        """Labels met and validity less inventions (of whole labels: all faults), and counts."""
         if case.row is None:
             return 0.0, (0.0,) * len(COUNTS)
         score = score_document(case.row, result)
