@@ -47,19 +47,38 @@ def refer(d: Discourse, f: Frame) -> None:
     for m in phrases if f.verb.sense == "reach" else ():
         m.after_prep = "to"  # "arrives at the depot": no scene, but where to
     subject = _subject(d, f, phrases)
-    for m in d.mentions:
-        between = f.subject is not None and f.subject.start < m.start < f.verb.start
-        if between and id(m) not in d.framed and (m.head or m.pronoun) and m.count != 0:
-            ids_of(d, m, avoid=subject)
+    _between(d, f, subject)
     no_way = f.verb.sense in _NO_WAY or f.verb.lemma == "splash"
     if f.object is not None and no_way and f.object.head == "water":
         f.object.attribute = f.object.attribute or not f.object.determiner  # "pours water"
     for m in (f.object, *phrases):
         _it(d, f, m, subject if f.verb.sense != "cause" else [])
-    objects: list[str] = []
+    _one_each(f, subject)
+    objects = _others(d, f, subject, phrases)
+    subject[:] = [current_id(d.world, i) for i in subject]  # a phrase may have told more
+    objects[:] = [current_id(d.world, i) for i in objects]
+    _note_properties(d, f, subject, objects)
+    d.refs.told.append(Told(f, subject, objects))
+
+
+def _between(d: Discourse, f: Frame, subject: list[str]) -> None:
+    """What stands between a subject and its verb, in no clause of its own."""
+    for m in d.mentions:
+        between = f.subject is not None and f.subject.start < m.start < f.verb.start
+        if between and id(m) not in d.framed and (m.head or m.pronoun) and m.count != 0:
+            ids_of(d, m, avoid=subject)
+
+
+def _one_each(f: Frame, subject: list[str]) -> None:
+    """ "Two people riding bicycles": one each."""
     ridden = f.object if f.verb.lemma in _RIDES and len(subject) > 1 else None
     if ridden is not None and ridden.plural and ridden.count is None and not ridden.determiner:
-        ridden.count = len(subject)  # "two people riding bicycles": one each
+        ridden.count = len(subject)
+
+
+def _others(d: Discourse, f: Frame, subject: list[str], phrases: list[Mention]) -> list[str]:
+    """Resolves all but the subject in the order of the text; returns what the object means."""
+    objects: list[str] = []
     d.world.movers = subject
     rest = [m for m in (f.object, f.object2, *phrases) if m is not None]
     for m in sorted(rest, key=lambda m: m.start):
@@ -68,10 +87,7 @@ def refer(d: Discourse, f: Frame) -> None:
         if m is f.object:
             objects = ids
             d.world.movers = subject + objects
-    subject[:] = [current_id(d.world, i) for i in subject]  # a phrase may have told more
-    objects[:] = [current_id(d.world, i) for i in objects]
-    _note_properties(d, f, subject, objects)
-    d.refs.told.append(Told(f, subject, objects))
+    return objects
 
 
 def _it(d: Discourse, f: Frame, m: Mention | None, avoid: list[str]) -> None:

@@ -23,6 +23,7 @@ from esg.draft.events.told import happened, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.account import PASSED_OVER, Account, Gap, about_of, held, nodes_of, turns
 from esg.draft.statements.arranged import FILES, in_line
+from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Predicate, Statement, TimelineEdge
 
 _WAYS = frozenset(
@@ -159,36 +160,52 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
     assert m is not None
     if "same" in m.adjectives and m.head in _LEVELS:
         return False  # nothing sees to it that two things start at one height
-    if m.head in _TO_PIECES and any(happened(a.d, NodeEvent.BREAK, i) for i in about):
-        return True  # "shatters into pieces"
-    if (
-        p.prep == "of"
-        or "same" in m.adjectives
-        or m.pronoun
-        or m.head in PASSED_OVER
-        or (m.start, m.end) in a.d.scene.used
-    ):
+    if _in_pieces(a, about, m) or _names_nothing(a, p, m):
         return True
     if m.noun is not None and m.noun.kind == "region":  # "into the side pocket"
         return any(n.event is NodeEvent.ENTER_REGION for n in a.d.timeline.nodes)
+    return _where_it_happens(a, about, p, m) or _told_already(a, about, p, m)
+
+
+def _in_pieces(a: Account, about: set[str], m: Mention) -> bool:
+    """ "Shatters into pieces"."""
+    return m.head in _TO_PIECES and any(happened(a.d, NodeEvent.BREAK, i) for i in about)
+
+
+def _names_nothing(a: Account, p: Phrase, m: Mention) -> bool:
+    """Whether a phrase says how or of what, or was used for something else."""
+    passed = p.prep == "of" or "same" in m.adjectives or m.pronoun or m.head in PASSED_OVER
+    return bool(passed) or (m.start, m.end) in a.d.scene.used
+
+
+def _where_it_happens(a: Account, about: set[str], p: Phrase, m: Mention) -> bool:
+    """Whether an event has the place that a phrase names."""
     if p.prep == "in" and m.head in FILES and in_line(a.d, about):
         return True
-    spins = [n for n in a.d.timeline.nodes if n.event is NodeEvent.SPIN]
-    if m.head in ("spot", "place") and any(about & {*n.participants} for n in spins):
+    if m.head in ("spot", "place") and _takes_part(a, NodeEvent.SPIN, about):
         return True  # "spins on the spot"
     if p.prep == "at" and m.head in _FEET and _below_a_slope(a, about):
         return True
-    falls = [n for n in a.d.timeline.nodes if n.event is NodeEvent.FALL]
-    if p.prep in ("off", "over", "from") and any(about & {*n.participants} for n in falls):
+    if p.prep in ("off", "over", "from") and _takes_part(a, NodeEvent.FALL, about):
         return True  # "falls off the edge"
-    hits = [n for n in a.d.timeline.nodes if n.event is NodeEvent.COLLISION]
-    if m.head in _HITS and any(about & {*n.participants} for n in hits):
-        return True  # "breaks upon impact"
+    # "breaks upon impact"
+    return m.head in _HITS and _takes_part(a, NodeEvent.COLLISION, about)
+
+
+def _takes_part(a: Account, event: NodeEvent, about: set[str]) -> bool:
+    return any(n.event is event and about & {*n.participants} for n in a.d.timeline.nodes)
+
+
+def _told_already(a: Account, about: set[str], p: Phrase, m: Mention) -> bool:
+    """Whether a statement has the phrase's words, or that its things are in the air."""
     start = start_of(p, a.d.text)
     if any(s.start < m.end and start < s.end for s in a.kept):
         return True
-    flies = any(s.predicate is Predicate.AIRBORNE and about & {*s.object} for s in a.kept)
-    return flies and m.head in _AIR
+    return m.head in _AIR and _flies(a, about)
+
+
+def _flies(a: Account, about: set[str]) -> bool:
+    return any(s.predicate is Predicate.AIRBORNE and about & {*s.object} for s in a.kept)
 
 
 def _below_a_slope(a: Account, about: set[str]) -> bool:
@@ -208,28 +225,12 @@ def _below_a_slope(a: Account, about: set[str]) -> bool:
 
 def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame | None) -> bool:
     """Whether something in the document is about both what a phrase names and who it is said of."""
-    d, by = a.d, carriers().get(p.prep, _ANY)
+    d, part = a.d, p.mention.part if p.mention is not None else ""
     if any(structural(d, i) for i in others):
-        return (
-            p.prep in _WAYS
-            or (p.prep == "into" and GROUND not in others)
-            or (p.prep == "of" and GROUND in others and _definite(p))  # "the boards of the rink"
-            or (p.prep in ("above", "over") and _aloft(a, about))
-            or (p.prep == "from" and GROUND in others and _rises(a, about))
-            or _laid_out(d, about, others, p.prep)
-        )
-    if p.prep == "with" and all(kind_of(d, i) in LIMBED for i in others):
-        by = replace(by, relations=by.relations | {"near"})
-    part = p.mention.part if p.mention is not None else ""
-    if part in _SIDES:
-        by = replace(by, relations=frozenset({_SIDES[part]}))
-    elif part and part != "surface" and p.prep in _TO_A_PART:
-        return any(about & {*s.object} and s.predicate.value in _ENDS for s in a.kept) or any(
-            others & {*s.object} and s.predicate is Predicate.STRUCK_ON for s in a.kept
-        )
-    open_ = any(kind_of(d, i) in _ENTERED for i in others)
-    if f is not None and f.verb.sense in _OWN and (open_ or p.prep in ("on", "onto")):
-        by = replace(by, events=by.events - {"Collision"})  # "jumps onto a box" is no bump
+        return _answered_by_ground(a, about, others, p)
+    if part and part not in _SIDES and part != "surface" and p.prep in _TO_A_PART:
+        return _told_of_a_part(a, about, others)
+    by = _carrier(d, others, p, part, f)
     own = {node for g, node in d.times.of_frame if f is not None and g.verb is f.verb}
     return (
         (by.holds and held(d, about, others))
@@ -240,14 +241,47 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
     )
 
 
+def _answered_by_ground(a: Account, about: set[str], others: set[str], p: Phrase) -> bool:
+    """Whether the document is about the ground, or what is laid on it, as a phrase is."""
+    return (
+        p.prep in _WAYS
+        or (p.prep == "into" and GROUND not in others)
+        or (p.prep == "of" and GROUND in others and _definite(p))  # "the boards of the rink"
+        or (p.prep in ("above", "over") and _aloft(a, about))
+        or (p.prep == "from" and GROUND in others and _rises(a, about))
+        or _laid_out(a.d, about, others, p.prep)
+    )
+
+
+def _told_of_a_part(a: Account, about: set[str], others: set[str]) -> bool:
+    """Whether a statement tells where something ends, or which part of another is struck."""
+    return any(
+        (about & {*s.object} and s.predicate.value in _ENDS)
+        or (others & {*s.object} and s.predicate is Predicate.STRUCK_ON)
+        for s in a.kept
+    )
+
+
+def _carrier(d: Discourse, others: set[str], p: Phrase, part: str, f: Frame | None) -> Carriers:
+    """What of a document may carry the meaning of a phrase."""
+    by = carriers().get(p.prep, _ANY)
+    if p.prep == "with" and all(kind_of(d, i) in LIMBED for i in others):
+        by = replace(by, relations=by.relations | {"near"})
+    if part in _SIDES:
+        by = replace(by, relations=frozenset({_SIDES[part]}))
+    open_ = any(kind_of(d, i) in _ENTERED for i in others)
+    if f is not None and f.verb.sense in _OWN and (open_ or p.prep in ("on", "onto")):
+        by = replace(by, events=by.events - {"Collision"})  # "jumps onto a box" is no bump
+    return by
+
+
 def _definite(p: Phrase) -> bool:
     return p.mention is not None and p.mention.determiner == "the"
 
 
 def _aloft(a: Account, about: set[str]) -> bool:
     """Whether something is said to be in the air, or how high it is."""
-    flies = any(s.predicate is Predicate.AIRBORNE and about & {*s.object} for s in a.kept)
-    return flies or bool(about & {*a.d.scene.heights})
+    return _flies(a, about) or bool(about & {*a.d.scene.heights})
 
 
 def _rises(a: Account, about: set[str]) -> bool:

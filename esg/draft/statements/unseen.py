@@ -10,6 +10,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.record import Discourse
 from esg.draft.document.requirements import environment
 from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.text.elements import Mention
 from esg.lexicon.grounds import ground_said
 from esg.lexicon.places import Setting, sky_words
 from esg.lexicon.senses import no_things
@@ -70,36 +71,52 @@ def unseen_words(text: str, setting: Setting) -> Iterator[tuple[int, int, str]]:
 def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
     """Words for what became no object: where they stand, and what the scene lacks of it."""
     drawn = [(m.start, m.end) for m in d.mentions if m.entities or d.world.resolved.get(id(m))]
-    taken = [*drawn, *((f.verb.start, f.verb.end) for f in frames)]
     setting: Setting = "indoor" if environment(d.scene)[0] == "indoor" else "outdoor"
-    shown, _ = sky_words(setting)
-    lit = _any_of(shown)
     lies = [(start, end) for _, start, end in ground_said(d.text)]
-    told: list[int] = []
-    qualities = {a for m in d.mentions for a in m.adjectives}
-    for words, why in _patterns(setting):
-        for found in words.finditer(d.text):
-            free = not any(start <= found.start() < end for start, end in taken)
-            if any(start <= found.start() < end for start, end in lies):
-                continue
-            if free or (
-                why in (_LIGHT, _GROUNDS) and found[0].lower() in qualities
-            ):  # "a rainy street"
-                told.append(found.start())
-                yield found.start(), found.end(), why
+    taken = [*drawn, *((f.verb.start, f.verb.end) for f in frames)]
+    told = [*_unseen_of_tables(d, setting, taken, lies)]
+    yield from told
     for found in _CONTENTS.finditer(d.text):
         if any(start < found.start() < end for start, end in drawn):
             yield found.start(), found.end(), FLUIDS  # "a bowl of water"
+    known = [*(start for start, _, _ in told), *(end - 1 for _, end in lies)]
+    yield from _unseen_of_nouns(d, setting, drawn, known)
+
+
+def _unseen_of_tables(
+    d: Discourse, setting: Setting, taken: list[tuple[int, int]], lies: list[tuple[int, int]]
+) -> Iterator[tuple[int, int, str]]:
+    """Words of the tables that neither a thing, a verb nor the ground has taken."""
+    qualities = {a for m in d.mentions for a in m.adjectives}
+    for start, end, why in unseen_words(d.text, setting):
+        free = not any(low <= start < high for low, high in taken)
+        if any(low <= start < high for low, high in lies):
+            continue
+        quality = d.text[start:end].lower() in qualities  # "a rainy street"
+        if free or (why in (_LIGHT, _GROUNDS) and quality):
+            yield start, end, why
+
+
+def _unseen_of_nouns(
+    d: Discourse, setting: Setting, drawn: list[tuple[int, int]], known: list[int]
+) -> Iterator[tuple[int, int, str]]:
+    """Nouns that no object stands for, with words at `known` left out."""
+    lit = _any_of(sky_words(setting)[0])
     for m in d.mentions:
         if (m.start, m.end) in drawn or m.amounts or m.pronoun or m.noun is not None or m.part:
             continue
-        head = lex.singular(m.head)[0]
-        why = _CLASSES.get("nothing" if head in _MOODS else no_things().get(head, ""), "")
-        done = m.attribute and not m.after_prep and m.head not in lex.ATTRIBUTES
-        why = why or (_CLASSES["nothing"] if done and head not in no_things() else "")
+        why = _lacks(m)
         if why and lit.search(d.text, m.start, m.end):
             d.scene.used.setdefault((m.start, m.end), "light of the scene")
             continue  # "in the evening", "on a sunny day"
-        said = any(m.start <= at < m.end for at in (*told, *(end - 1 for _, end in lies)))
+        said = any(m.start <= at < m.end for at in known)
         if why and not said and m.head not in _UNDERSTOOD:
             yield m.start, m.end, why
+
+
+def _lacks(m: Mention) -> str:
+    """Why a noun is no thing of a scene; nothing where it may be one."""
+    head = lex.singular(m.head)[0]
+    why = _CLASSES.get("nothing" if head in _MOODS else no_things().get(head, ""), "")
+    done = m.attribute and not m.after_prep and m.head not in lex.ATTRIBUTES
+    return why or (_CLASSES["nothing"] if done and head not in no_things() else "")

@@ -560,15 +560,20 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
     m.head, m.plural = lex.singular(low_at(c, k))
     if k == j and is_name(c, j, m):
         m.head, m.plural, m.noun = low_at(c, k), False, lex.nouns()["person"]
-    titled = k == j and k + 1 < len(tokens) and tokens[k + 1].text == ":"
-    bare = not m.determiner and m.count is None
-    titled = titled and m.head in lex.ATTRIBUTES
-    nothing = m.head in lex.ATTRIBUTES or names_no_thing(low_at(c, k), bare=bare) or _done(c)
-    m.noun = m.noun or packed(c, m.head, m)
-    nothing = nothing and m.noun is None and not _weighs(c, p.first, k, m)
-    m.attribute = nothing and not titled  # "Night has fallen."
+    m.attribute = _no_thing(c, Place(p.first, k, low_at(c, k), None), m, alone=k == j)
     m.known = m.attribute or m.noun is not None
     return Head(k + 1)
+
+
+def _no_thing(c: Chunks, last: Place, m: Mention, alone: bool) -> bool:
+    """Whether an unknown noun that ends at a place names no thing ("Night has fallen.")."""
+    k = last.at
+    titled = alone and k + 1 < len(c.tokens) and c.tokens[k + 1].text == ":"
+    titled = titled and m.head in lex.ATTRIBUTES
+    bare = not m.determiner and m.count is None
+    nothing = m.head in lex.ATTRIBUTES or names_no_thing(last.low, bare=bare) or _done(c)
+    m.noun = m.noun or packed(c, m.head, m)
+    return nothing and m.noun is None and not _weighs(c, last.first, k, m) and not titled
 
 
 def _done(c: Chunks) -> bool:
