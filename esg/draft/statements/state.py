@@ -121,6 +121,7 @@ def state(
     for start, end, why in unseen(d, frames):
         book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
     _struck(book, frames)
+    _upright(book, frames)
     _in_order(book)
     _own_up(book, frames, elements, tokens)
     for actor, at in d.moves.still.items():
@@ -145,6 +146,17 @@ def _struck(book: _Book, frames: list[Frame]) -> None:
         else:
             book.add(Predicate.STRUCK_ON, hit.start, hit.end, object=(hit.struck,),
                      target=(hit.by,), side=hit.side, when=hit.event)  # fmt: skip
+
+
+def _upright(book: _Book, frames: list[Frame]) -> None:
+    """ "The bottle does not tip over": unless it does so elsewhere in the text."""
+    told = (n for n in book.d.timeline.nodes if n.event in (NodeEvent.TOPPLE, NodeEvent.FALL))
+    fallen = {i for n in told for i in n.participants}
+    for f in frames:
+        denied = f.verb.negated and f.verb.sense == "topple" and not f.unreal
+        stand = tuple(i for i in _ids(f.subject) if i in book.d.world.entities) if denied else ()
+        if stand and not fallen & {*stand}:
+            book.add(Predicate.STAYS_UPRIGHT, *_span(f), object=stand)
 
 
 def _in_order(book: _Book) -> None:
@@ -366,6 +378,10 @@ def _goal(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
     if not targets or structural(d, targets[0]) or _met(d, mover, targets):
         return
+    hung = {j.child for j in d.scene.joints} | {*d.scene.attached}
+    held = (r for r in d.scene.relations if r.target == targets[0] and r.source in hung)
+    if any(r.kind == s.row.states.value for r in held):
+        return  # "drifts into the fan above the table": what hangs there is above it
     if s.row.states is Predicate.ABOVE and clause.frame.verb.sense in ("drop", "fall"):
         return  # that is where it starts
     if queues_behind(d, s, mover) is not None:
