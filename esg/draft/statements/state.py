@@ -10,6 +10,7 @@ from typing import Any
 from esg.draft.discourse.core import amounts_of, entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.thinghood import without
 from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED, SPEEDS
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import (
@@ -122,6 +123,8 @@ def state(
         book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
     _struck(book, frames)
     _upright(book, frames)
+    for m in (m for m in d.mentions if without(m, d.text)):
+        book.add(Predicate.ABSENT, m.start - len("without "), m.end, noun=m.head)
     _in_order(book)
     _own_up(book, frames, elements, tokens)
     for actor, at in d.moves.still.items():
