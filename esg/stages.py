@@ -260,6 +260,16 @@ def _replay_program(state: SceneState) -> Rollout:
     return engine.rollout(scene, batch, dt=1.0 / REPLAY_RATE_HZ)
 
 
+_READ = {
+    "coverage": True,
+    "statements": True,
+    "layout_result": {"relations", "patterns"},
+    "spatial_relation_graph": {"nodes"},
+    "scene_definition": {"original_description"},
+}
+"""Of a document, what says what became of the prompt."""
+
+
 def _judge(state: SceneState, folder: Path) -> None:
     from esg.metrics import expectations_from_timeline
 
@@ -267,7 +277,7 @@ def _judge(state: SceneState, folder: Path) -> None:
     expected, from_suite = load_suite_scene(state.request, doc)
     verdict = _verdict(state, expected)
     own = _verdict(state, expectations_from_timeline(doc)) if from_suite else verdict
-    said = doc.model_dump(mode="json", include={"coverage", "statements", "layout_result"})
+    said = doc.model_dump(mode="json", include=_READ)
     statements = statement_rows(said, [s.model_dump(mode="json") for s in own.statements])
     lost = [*unplaced(said), *shortfalls(said, statements)]
     outcome, reason = _outcome(doc, own, lost)

@@ -80,7 +80,8 @@ def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
     for words, why in _patterns(setting):
         for found in words.finditer(d.text):
             free = not any(start <= found.start() < end for start, end in taken)
-            if any(start <= found.start() < end for start, end in lies):
+            weighs = not free and found[0].lower() in lex.WEIGHTS  # "a light ball"
+            if weighs or any(start <= found.start() < end for start, end in lies):
                 continue
             if free or (
                 why in (_LIGHT, _GROUNDS) and found[0].lower() in qualities
