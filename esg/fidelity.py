@@ -12,6 +12,8 @@ from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
+from esg.thresholds import NEAR_END_M
+
 Row = dict[str, Any]
 
 NOT_REPRESENTED = "not_represented"
@@ -25,6 +27,9 @@ _DROPPED = {
 }
 """Kinds of words that a scene must show, and what is said of one that it does not."""
 _MOST = 10
+_CLOSE = ("near", "adjacent")
+NEAR_CM = 100.0 * NEAR_END_M
+"""How much farther away than the layout wants it something is still near by the planned start."""
 
 
 def statement_rows(
@@ -101,26 +106,74 @@ def shortfalls(document: Mapping[str, Any], rows: Iterable[Mapping[str, Any]]) -
 
 
 def unplaced(document: Mapping[str, Any]) -> list[Row]:
-    """Relations between things that the layout did not satisfy, as shortfalls; they have no words.
+    """Relations and arrangements that the prompt states and the layout did not satisfy.
 
     Args:
-        document: The ESG with its layout. Where things face is the layout's own choice, and what
-            the planned start moves where it belongs is held.
+        document: The ESG with its layout, of which only the coverage, the layout and the nodes are
+            read. What nobody named is related by the drafter's own choice; so is where things
+            face. What the planned start keeps near is near within `NEAR_CM`.
+
+    Returns:
+        A shortfall each, with the words from the mention of the one to the mention of the other, or
+        those that tell the arrangement.
     """
-    reports = (document.get("layout_result") or {}).get("relations", ())
-    return [
-        {
-            "words": r["edge"].replace("_", " "),
-            "start": 0,
-            "end": 0,
-            "status": "broken",
-            "reason": r.get("note") or "the layout does not satisfy it",
+    layout = document.get("layout_result") or {}
+    read = _Read(document)
+    rows: dict[tuple[int, int], Row] = {}
+    for r in (*layout.get("relations", ()), *(layout.get("patterns") or ())):
+        if r["satisfied"] or r["relation_type"] == "face":
+            continue
+        planned = "held by the planned start" in r.get("note", "")
+        if planned and r["relation_type"] in _CLOSE and r["violation"] <= NEAR_CM:
+            continue
+        words = read.words_of(r["edge"])
+        if words is not None:
+            why = r.get("note") or "the layout does not satisfy it"
+            row = {**words, "status": "broken", "reason": why}
+            rows.setdefault((row["start"], row["end"]), row)
+    return list(rows.values())
+
+
+class _Read:
+    """Where the nodes and arrangements of a document stand in its prompt."""
+
+    def __init__(self, document: Mapping[str, Any]) -> None:
+        nodes = (document.get("spatial_relation_graph") or {}).get("nodes") or {}
+        self.text: str = (document.get("scene_definition") or {}).get("original_description", "")
+        self.group = {n: node.get("group") or n for n, node in nodes.items()}
+        self.ways = {
+            (a, b)
+            for s in document.get("statements") or ()
+            if s["predicate"] == "moves" and s.get("direction") in ("up", "down")
+            for a in s["object"]
+            for b in s["target"]
         }
-        for r in reports
-        if not r["satisfied"]
-        and r["relation_type"] != "face"
-        and "held by the planned start" not in r.get("note", "")
-    ]
+        """Who goes up or down what: nearness at the start is the drafter's, the replay shows it."""
+        self.spans: dict[str, list[tuple[int, int]]] = {}
+        for item in (document.get("coverage") or {}).get("items", ()):
+            _, _, place = item["pointer"].partition("/nodes/")
+            node, _, field = place.partition("/")
+            if node in self.group:
+                for name in {node, self.group[node], *([f"{node}/{field}"] if field else [])}:
+                    self.spans.setdefault(name, []).append((item["start"], item["end"]))
+
+    def words_of(self, edge: str) -> Row | None:
+        """The words that state an edge ("a,b between c,d", "a,b row"); None if none do."""
+        names, kind, *rest = edge.split(" ")
+        if not rest:
+            told = (self.spans.get(f"{n}/group_pattern", []) for n in names.split(","))
+            return self._row(next((spans[0] for spans in told if spans), None))
+        if kind == "near" and (names, rest[0]) in self.ways:
+            return None
+        ends = [[s for n in side.split(",") for s in self._of(n)] for side in (names, rest[0])]
+        pairs = ((min(a, b)[0], max(a[1], b[1])) for a in ends[0] for b in ends[1])
+        return self._row(min(pairs, key=lambda at: at[1] - at[0], default=None))
+
+    def _of(self, node: str) -> list[tuple[int, int]]:
+        return self.spans.get(node) or self.spans.get(self.group.get(node, node), [])
+
+    def _row(self, at: tuple[int, int] | None) -> Row | None:
+        return at and {"words": self.text[at[0] : at[1]], "start": at[0], "end": at[1]}
 
 
 def stand_ins(document: Mapping[str, Any]) -> list[str]:

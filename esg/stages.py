@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+import contextlib
 from dataclasses import dataclass
 from functools import partial
 import json
@@ -200,8 +201,16 @@ def _layout(state: SceneState, folder: Path) -> None:
 
 
 def _optimize(state: SceneState, folder: Path) -> None:
-    from esg.dynamics import optimize
+    from esg.machine.companion import done_elsewhere
 
+    done_elsewhere(partial(_search, state, folder))
+
+
+def _search(state: SceneState, folder: Path) -> None:
+    from esg.dynamics import optimize
+    from esg.engines.newton import quiet_warp
+
+    quiet_warp()
     doc = load_doc(state, "layout")
     request = state.request
     if doc.timeline_system is not None:
@@ -251,6 +260,16 @@ def _replay_program(state: SceneState) -> Rollout:
     return engine.rollout(scene, batch, dt=1.0 / REPLAY_RATE_HZ)
 
 
+_READ = {
+    "coverage": True,
+    "statements": True,
+    "layout_result": {"relations", "patterns"},
+    "spatial_relation_graph": {"nodes"},
+    "scene_definition": {"original_description"},
+}
+"""Of a document, what says what became of the prompt."""
+
+
 def _judge(state: SceneState, folder: Path) -> None:
     from esg.metrics import expectations_from_timeline
 
@@ -258,7 +277,7 @@ def _judge(state: SceneState, folder: Path) -> None:
     expected, from_suite = load_suite_scene(state.request, doc)
     verdict = _verdict(state, expected)
     own = _verdict(state, expectations_from_timeline(doc)) if from_suite else verdict
-    said = doc.model_dump(mode="json", include={"coverage", "statements", "layout_result"})
+    said = doc.model_dump(mode="json", include=_READ)
     statements = statement_rows(said, [s.model_dump(mode="json") for s in own.statements])
     lost = [*unplaced(said), *shortfalls(said, statements)]
     outcome, reason = _outcome(doc, own, lost)
@@ -341,6 +360,7 @@ def _record(state: SceneState, folder: Path) -> None:
     from esg.compile.export import export, thinned
     from esg.engines.rollout_file import load_rollout
     from esg.machine.beside import beside
+    from esg.machine.companion import handed
     from esg.store.mcap_log import write_mcap
     from esg.view.preview import film, preview
     from esg.view.setting import setting_of
@@ -354,8 +374,12 @@ def _record(state: SceneState, folder: Path) -> None:
     if not verdict.events and "own_timeline" in metrics:
         shown = _read_verdict(metrics["own_timeline"])  # a suite that asks for nothing
     played = thinned(rollout)
-    setting = setting_of(scene, played, shown, doc)
-    with beside(partial(film, scene, rollout, shown, doc, folder)) as filmed:
+    filming = partial(film, scene, rollout, shown, doc, folder)
+    with (
+        handed(filming) as there,
+        beside(filming) if there is None else contextlib.nullcontext(there) as filmed,
+    ):
+        setting = setting_of(scene, played, shown, doc)
         write_meshes(doc, folder)
         # Exports read a scene folder: lend them the manifest, which belongs to another stage.
         manifest = folder / "manifest.json"

@@ -759,6 +759,8 @@ class LayoutResult(Model):
     energy: float
     energy_terms: dict[str, float] = {}
     relations: tuple[RelationReport, ...] = ()
+    patterns: tuple[RelationReport, ...] | None = None
+    """Groups that do not stand in their pattern; None if all do."""
     max_penetration_cm: float = 0.0
     feasible: bool = True
     reason: str = ""

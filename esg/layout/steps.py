@@ -14,6 +14,7 @@ from esg.graph.models import EsgDocument, LayoutResult, Pose
 from esg.layout.clock import Clock
 from esg.layout.config import LayoutConfig
 from esg.layout.judge.check import World, intrusions, penetrations, relation_reports
+from esg.layout.judge.patterns import pattern_reports
 from esg.layout.judge.resting import unsupported
 from esg.layout.judge.selection import HARD_RELATIONS, Found, choose_all
 from esg.layout.problem.hints import StartHints
@@ -242,6 +243,7 @@ def _result(doc: EsgDocument, problem: LayoutProblem, found: Found) -> LayoutRes
             "initial": round(float(result.initial[k].sum()), 4),
         },
         relations=reports,
+        patterns=pattern_reports(doc, problem, world) or None,
         max_penetration_cm=round(deep[0][0] if deep else 0.0, 4),
         feasible=feasible,
         reason="; ".join(p for p in (reason, notes) if p),

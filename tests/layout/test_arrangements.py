@@ -257,3 +257,14 @@ def test_stacked_chairs_lean_off_each_others_backrests() -> None:
     at = _poses(out)
     steps = [math.dist(at[f"chair_{k}"][:2], at[f"chair_{k + 1}"][:2]) for k in range(2)]
     assert all(0.0 < s < 5.0 for s in steps)
+
+
+def test_a_row_whose_members_are_planned_elsewhere_is_told_not_to_stand() -> None:
+    whole = solve(_slabs(5), hints=_push("slab_0")).layout_result
+    assert whole is not None and whole.patterns is None
+    starts = tuple(Placement(f"slab_{k}", 40.0 * k, 30.0 * (k % 2)) for k in range(5))
+    torn = solve(_slabs(5), hints=StartHints((Constellation(starts),))).layout_result
+    assert torn is not None and torn.patterns is not None
+    told = torn.patterns[0]
+    assert told.edge == "slab_0,slab_1,slab_2,slab_3,slab_4 row" and not told.satisfied
+    assert 5.0 < told.violation < 30.0

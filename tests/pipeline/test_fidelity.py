@@ -6,6 +6,7 @@ from typing import Any
 
 import pytest
 
+from esg.draft import draft
 from esg.fidelity import (
     fully_understood,
     lost_in,
@@ -142,24 +143,61 @@ def test_the_most_frequent_words_count_scenes_not_mentions() -> None:
     assert most[1]["words"] == "spins" and len(most) == 10
 
 
-def relation(edge: str, kind: str, satisfied: bool, note: str = "") -> dict[str, Any]:
-    return {"edge": edge, "relation_type": kind, "satisfied": satisfied, "note": note}
+def laid_out(prompt: str, *edges: str, note: str = "", off: float = 99.0) -> dict[str, Any]:
+    """The draft of a prompt with a layout that breaks relations (three words) and patterns."""
+    doc = draft(prompt).model_dump(mode="json", by_alias=True)
+    reports = [
+        {"edge": e, "relation_type": e.split(" ")[1], "satisfied": False, "violation": off,
+         "note": note} for e in edges
+    ]  # fmt: skip
+    patterns = [r for r in reports if len(r["edge"].split(" ")) == 2]
+    kept = {"edge": "a on b", "relation_type": "on", "satisfied": True, "violation": 0, "note": ""}
+    relations = [kept, *(r for r in reports if r not in patterns)]
+    return {**doc, "layout_result": {"relations": relations, "patterns": patterns or None}}
 
 
-def test_relations_that_the_layout_did_not_satisfy_are_broken() -> None:
-    reports = (
-        relation("dog_1 left_of tree_1", "left_of", False, "12 cm off"),
-        relation("dog_1 near bench_1", "near", True),
-        relation("dog_1 face tree_1", "face", False),
-        relation("car_1 behind bus_1", "behind", False, "held by the planned start"),
-        relation("cup_1 above tray_1", "above", False),
-    )
-    lost = unplaced({"layout_result": {"relations": reports}})
-    assert [(r["words"], r["status"], r["reason"]) for r in lost] == [
-        ("dog 1 left of tree 1", "broken", "12 cm off"),
-        ("cup 1 above tray 1", "broken", "the layout does not satisfy it"),
-    ]
+def words(document: dict[str, Any]) -> list[str]:
+    text = document["scene_definition"]["original_description"]
+    lost = unplaced(document)
+    assert all(text[r["start"] : r["end"]] == r["words"] for r in lost)
+    assert all(r["status"] == "broken" and r["reason"] for r in lost)
+    return [r["words"] for r in lost]
+
+
+def test_relations_that_the_layout_did_not_satisfy_are_broken_with_their_words() -> None:
+    two = "Two dogs sit to the left of a tree. A ball rolls into the tree."
+    said = ["Two dogs sit to the left of a tree"]
+    assert words(laid_out(two, "dog_1 left_of tree_1", "dog_2 left_of tree_1")) == said
+    assert words(laid_out(two, "ball_1 face tree_1")) == []
+    assert words(laid_out(two, "ball_1 near lamp_7")) == [], "nobody named it"
     assert unplaced({}) == unplaced({"layout_result": None}) == []
+
+
+def test_a_planned_start_may_be_near_by_a_strangers_measure_only() -> None:
+    held = "held by the planned start"
+    near = "A ball near a wall rolls to the left."
+    assert words(laid_out(near, "ball_1 near wall_1", note=held, off=30.0)) == []
+    assert words(laid_out(near, "ball_1 near wall_1", note=held, off=80.0)) == [
+        "A ball near a wall"
+    ]
+    behind = "A ball behind a wall rolls to the left."
+    assert words(laid_out(behind, "ball_1 behind wall_1", note=held, off=1.0)) == [
+        "A ball behind a wall"
+    ]
+    ramp = "A car drives up a ramp."
+    assert words(laid_out(ramp, "car_1 near ramp_1")) == [], "its way is measured on the replay"
+
+
+def test_arrangements_break_where_the_prompt_states_them() -> None:
+    row = "Five cones stand in a row and a ball rolls into the first cone."
+    cones = ",".join(["first_cone_1", *(f"cone_{k}" for k in range(2, 6))])
+    stack = "A stack of three boxes stands beside a wall. A ball hits it."
+    assert words(laid_out(row, f"{cones} row")) == ["in a row"]
+    assert words(laid_out(stack, "box_1,box_2,box_3 stack")) == ["A stack of three boxes"]
+    dominoes = "A marble hits the first of four dominoes."
+    names = [n for n in draft(dominoes).spatial_relation_graph.nodes if "domino" in n]
+    assert len(names) == 4
+    assert words(laid_out(dominoes, f"{','.join(names)} row")) == [], "their own arrangement"
 
 
 def test_what_is_drawn_as_something_else_is_warned_of_once() -> None:

@@ -143,7 +143,8 @@ def test_a_relation_that_the_layout_did_not_satisfy_makes_a_scene_partial(
         edge="ball_1 left_of box_1", relation_type="left_of", satisfied=False, violation=12.0
     )
     laid = LayoutResult(poses={}, energy=0.0, relations=(report,))
-    doc = draft("A ball hits a box.").model_copy(update={"layout_result": laid})
+    told = "A ball to the left of a box rolls and hits the box."
+    doc = draft(told).model_copy(update={"layout_result": laid})
     verdict = SceneVerdict(
         scene_id="x", suite_scene="", engine="physx", dt_s=1 / 240, layout=LayoutVerdict(valid=True)
     )
@@ -152,6 +153,7 @@ def test_a_relation_that_the_layout_did_not_satisfy_makes_a_scene_partial(
     monkeypatch.setattr(stages, "_plausibility", lambda state, doc: {"worst": "", "checks": []})
     monkeypatch.setattr(SceneState, "artifact", lambda self, stage: tmp_path)
     (tmp_path / "replay.json").write_text('{"proof": "class"}')
-    stages._judge(SceneState(SceneRequest("A ball hits a box.")), tmp_path)
+    stages._judge(SceneState(SceneRequest(told)), tmp_path)
     metrics = json.loads((tmp_path / "metrics.json").read_text())
-    assert metrics["outcome"] == "partial" and "ball 1 left of box 1" in metrics["reason"]
+    assert metrics["outcome"] == "partial"
+    assert '"A ball to the left of a box": the layout' in metrics["reason"]

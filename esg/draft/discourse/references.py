@@ -82,7 +82,8 @@ def _others(d: Discourse, f: Frame, subject: list[str], phrases: list[Mention]) 
     d.world.movers = subject
     rest = [m for m in (f.object, f.object2, *phrases) if m is not None]
     for m in sorted(rest, key=lambda m: m.start):
-        himself = m.pronoun in _OBLIQUE and m.after_prep in RELATION_PREPS  # "behind him"
+        himself = m.pronoun in _OBLIQUE and m.after_prep in RELATION_PREPS
+        himself = himself and f.object is not None  # "throws it behind him", not "passes her"
         ids = ids_of(d, m, avoid=objects if himself else subject + objects)
         if m is f.object:
             objects = ids

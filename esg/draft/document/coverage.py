@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
+import math
 import re
 from typing import Literal, TypeVar
 
@@ -43,6 +45,13 @@ _ORDER = {
 _DIRECTIONS = lex.word_set("directions") | {"heading"}
 _NO_OBJECT = frozenset({"i", "we", "you", "something", "everything", "this", "that", "it"})
 _ADJECTIVES = frozenset(lex.COLORS) | lex.PLAIN_ADJECTIVES | lex.PLACE_ADJECTIVES
+_PATTERNS = {
+    **{word: p for word, p in (lex.GROUP_WORDS | lex.ARRANGEMENTS).items() if p != "scatter"},
+    **dict.fromkeys(("stacked", "piled", "heaped", "stack"), "stack"),
+    **dict.fromkeys(("lined", "aligned"), "row"), "racked": "pins", "queued": "queue",
+    "side by side": "row", "from left to right": "row", "from right to left": "row",
+}  # fmt: skip
+"""How things stand, by the words that say so."""
 _SILENT = lex.DETERMINERS | {"who", "whom"}
 _DESCRIBED_AFTER = frozenset({"DET", "ADJ"})
 """Parts of speech after which a participle stands before a noun."""
@@ -78,7 +87,42 @@ def account(
         words = ", ".join(f'"{word}"' for word in lost[:4])
         warnings.insert(0, f"{NOTHING_HAPPENS} ({words}): the scene shows none of it.")
     items.sort(key=lambda i: (i.start, i.end))
+    items = _arranged(items, scene, text)
     return Coverage(items=tuple(items), warnings=tuple(dict.fromkeys(warnings)))
+
+
+def _arranged(items: list[CoverageItem], scene: Scene, text: str) -> list[CoverageItem]:
+    """The items, of which those that say how a plural stands point to its pattern."""
+    out = list(items)
+    for name, members in scene.world.groups.items():
+        entities = [e for i in members if (e := scene.world.entities.get(i)) and e.in_group]
+        if len(entities) < 2:
+            continue
+        own = {f"/spatial_relation_graph/nodes/{i}" for i in members}
+        named = [i for i in items if i.pointer in own]
+        pattern = "pins" if entities[0].pattern == "rack" else entities[0].pattern
+        told = [
+            (min((_apart(i, n, text) for n in named), default=math.inf), k)
+            for k, i in enumerate(items)
+            if pattern in {_PATTERNS.get(w) for w in _names(i.text.lower())}
+        ]
+        if told and min(told)[0] < math.inf:
+            pointer = f"/spatial_relation_graph/nodes/{entities[0].id}/group_pattern"
+            k = min(told)[1]
+            out[k] = out[k].model_copy(update={"pointer": pointer})
+    return out
+
+
+def _names(text: str) -> Iterator[str]:
+    yield text
+    for word in text.split():
+        yield from (word, lex.singular(word)[0])
+
+
+def _apart(one: CoverageItem, other: CoverageItem, text: str) -> float:
+    """Characters between two items of one sentence."""
+    between = text[min(one.end, other.end) : max(one.start, other.start)]
+    return math.inf if re.search(r"[.!?]\s", between) else float(len(between))
 
 
 def _acts(tokens: list[Token]) -> frozenset[int]:

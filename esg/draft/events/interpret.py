@@ -30,6 +30,7 @@ from esg.draft.discourse.references import RIDDEN, refer_all
 from esg.draft.discourse.referents.parts import has_counted_parts
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import apply_amount
+from esg.draft.discourse.referents.thinghood import without
 from esg.draft.discourse.scene import SELF_POWERED, Scene
 from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
@@ -99,6 +100,9 @@ _VEHICLE_VERBS = lex.word_set("vehicle verbs")
 
 def begin(world: World, text: str, mentions: list[Mention]) -> Discourse:
     """The discourse of a prompt of which nothing has been read yet."""
+    for m in mentions:
+        if without(m, text):
+            m.count = 0  # "without a driver": nothing is drawn
     timeline = TimelineBuilder()
 
     def event(

@@ -52,7 +52,7 @@ def started_alone(d: Discourse) -> Iterator[tuple[int, int, str]]:
     met: set[str] = set()
     moved: set[str] = set()
     for clause in d.scene.clauses:
-        for mover in clause.movers:
+        for mover in (m for m in clause.movers if m in d.world.entities):
             mates = {*mates_of(d, mover)} - {mover}
             row = entity_of(d, mover).pattern == "row" and mates & met
             taken = d.scene.supported_by.get(mover) in moved | met and mover not in moved

@@ -10,6 +10,7 @@ from typing import Any
 from esg.draft.discourse.core import amounts_of, entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.thinghood import without
 from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED, SPEEDS
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import (
@@ -121,6 +122,9 @@ def state(
     for start, end, why in unseen(d, frames):
         book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
     _struck(book, frames)
+    _upright(book, frames)
+    for m in (m for m in d.mentions if without(m, d.text)):
+        book.add(Predicate.ABSENT, m.start - len("without "), m.end, noun=m.head)
     _in_order(book)
     _own_up(book, frames, elements, tokens)
     for actor, at in d.moves.still.items():
@@ -145,6 +149,17 @@ def _struck(book: _Book, frames: list[Frame]) -> None:
         else:
             book.add(Predicate.STRUCK_ON, hit.start, hit.end, object=(hit.struck,),
                      target=(hit.by,), side=hit.side, when=hit.event)  # fmt: skip
+
+
+def _upright(book: _Book, frames: list[Frame]) -> None:
+    """ "The bottle does not tip over": unless it does so elsewhere in the text."""
+    told = (n for n in book.d.timeline.nodes if n.event in (NodeEvent.TOPPLE, NodeEvent.FALL))
+    fallen = {i for n in told for i in n.participants}
+    for f in frames:
+        denied = f.verb.negated and f.verb.sense == "topple" and not f.unreal
+        stand = tuple(i for i in _ids(f.subject) if i in book.d.world.entities) if denied else ()
+        if stand and not fallen & {*stand}:
+            book.add(Predicate.STAYS_UPRIGHT, *_span(f), object=stand)
 
 
 def _in_order(book: _Book) -> None:
@@ -366,6 +381,10 @@ def _goal(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
     if not targets or structural(d, targets[0]) or _met(d, mover, targets):
         return
+    hung = {j.child for j in d.scene.joints} | {*d.scene.attached}
+    held = (r for r in d.scene.relations if r.target == targets[0] and r.source in hung)
+    if any(r.kind == s.row.states.value for r in held):
+        return  # "drifts into the fan above the table": what hangs there is above it
     if s.row.states is Predicate.ABOVE and clause.frame.verb.sense in ("drop", "fall"):
         return  # that is where it starts
     if queues_behind(d, s, mover) is not None:

@@ -90,10 +90,11 @@ def _unseen_of_tables(
     qualities = {a for m in d.mentions for a in m.adjectives}
     for start, end, why in unseen_words(d.text, setting):
         free = not any(low <= start < high for low, high in taken)
-        if any(low <= start < high for low, high in lies):
+        word = d.text[start:end].lower()
+        weighs = not free and word in lex.WEIGHTS  # "a light ball"
+        if weighs or any(low <= start < high for low, high in lies):
             continue
-        quality = d.text[start:end].lower() in qualities  # "a rainy street"
-        if free or (why in (_LIGHT, _GROUNDS) and quality):
+        if free or (why in (_LIGHT, _GROUNDS) and word in qualities):  # "a rainy street"
             yield start, end, why
 
 

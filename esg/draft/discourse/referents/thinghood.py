@@ -149,3 +149,11 @@ _TESTS: tuple[Callable[[World, Mention, bool], bool], ...] = (
     _share,
     _place_name,
 )
+
+
+def without(m: Mention, text: str) -> bool:
+    """ "Without a driver": nothing of the kind is there; "without wheels" is about a part."""
+    told = text[: m.start].lower().endswith("without ")
+    word = lex.singular(m.head)[0]
+    part = word in lex.PARTS | lex.OWN_PARTS or (m.noun is not None and m.noun.kind == "part")
+    return told and not part and m.noun is not None and m.determiner in ("", "a", "an", "any")
