@@ -253,6 +253,15 @@ def test_what_lies_or_stands_shut_is_shut_at_the_start(prompt: str, event: str) 
     assert joint.position == 0.0
     told = [n.event.value for n in doc.timeline_system.sequence_graph.nodes]
     assert told == ["SceneStart", event]
+    assert not doc.statements
+
+
+@pytest.mark.parametrize("words", ["from side to side", "back and forth", "to and fro"])
+def test_how_something_swings_is_told_by_its_swings(words: str) -> None:
+    doc = draft(f"The pendulum of a grandfather clock swings {words}.")
+    swing = next(n for n in doc.timeline_system.sequence_graph.nodes if n.event.value == "Swing")
+    assert swing.times == 3
+    assert not doc.statements
 
 
 @pytest.mark.parametrize(

@@ -137,7 +137,9 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             draft, often = d.timeline.node(node), _BACK_AND_FORTH.search(d.text, f.verb.end)
             if draft is not None and often is not None:
                 draft.extra.setdefault("times", _TO_AND_FRO)
-                d.scene.used[often.span()] = node
+                words = re.finditer(r"\w+", often[0])
+                spans = [(often.start() + w.start(), often.start() + w.end()) for w in words]
+                d.scene.used |= dict.fromkeys([often.span(), *spans], node)
     mark_used(d, f, note)
 
 
