@@ -22,6 +22,7 @@ import traceback
 from typing import TYPE_CHECKING, Any, TypeVar
 
 from esg.costs.spent import core_time
+from esg.machine.companion import spent_s
 from esg.outcomes import Outcome, UserError
 from esg.paths import cache_dir
 from esg.progress import StageEvent, emit
@@ -213,7 +214,7 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
 
     if state.ended or stage in state.artifacts:
         return state
-    start, core_start = time.perf_counter(), core_time()
+    start, core_start = time.perf_counter(), core_time() + spent_s()
     entry: dict[str, Any] = {"stage": stage, "cached": False}
     emit(StageEvent(state.request.name or state.request.prompt, stage, "started",
                     state.request.seed))  # fmt: skip
@@ -244,7 +245,7 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
         entry["error"] = state.reason
         entry["traceback"] = scrub_all(traceback.format_exc())
     entry["seconds"] = round(time.perf_counter() - start, 4)
-    entry["core_seconds"] = round(core_time() - core_start, 4)
+    entry["core_seconds"] = round(core_time() + spent_s() - core_start, 4)
     if state.outcome is not None:
         entry["outcome"] = state.outcome.value
     state = replace(state, log=(*state.log, entry))
@@ -269,7 +270,7 @@ def finished_event(state: SceneState) -> StageEvent:
 
 def _quiet_libraries(stage: str) -> None:
     """Initializes warp without its banner before a stage does so with it."""
-    if stage not in ("draft", "resolve", "cast"):
+    if stage not in ("draft", "resolve", "cast", "optimize"):
         from esg.engines.newton import quiet_warp
 
         quiet_warp()

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+import contextlib
 from dataclasses import dataclass
 from functools import partial
 import json
@@ -200,8 +201,16 @@ def _layout(state: SceneState, folder: Path) -> None:
 
 
 def _optimize(state: SceneState, folder: Path) -> None:
-    from esg.dynamics import optimize
+    from esg.machine.companion import done_elsewhere
 
+    done_elsewhere(partial(_search, state, folder))
+
+
+def _search(state: SceneState, folder: Path) -> None:
+    from esg.dynamics import optimize
+    from esg.engines.newton import quiet_warp
+
+    quiet_warp()
     doc = load_doc(state, "layout")
     request = state.request
     if doc.timeline_system is not None:
@@ -351,6 +360,7 @@ def _record(state: SceneState, folder: Path) -> None:
     from esg.compile.export import export, thinned
     from esg.engines.rollout_file import load_rollout
     from esg.machine.beside import beside
+    from esg.machine.companion import handed
     from esg.store.mcap_log import write_mcap
     from esg.view.preview import film, preview
     from esg.view.setting import setting_of
@@ -364,8 +374,12 @@ def _record(state: SceneState, folder: Path) -> None:
     if not verdict.events and "own_timeline" in metrics:
         shown = _read_verdict(metrics["own_timeline"])  # a suite that asks for nothing
     played = thinned(rollout)
-    setting = setting_of(scene, played, shown, doc)
-    with beside(partial(film, scene, rollout, shown, doc, folder)) as filmed:
+    filming = partial(film, scene, rollout, shown, doc, folder)
+    with (
+        handed(filming) as there,
+        beside(filming) if there is None else contextlib.nullcontext(there) as filmed,
+    ):
+        setting = setting_of(scene, played, shown, doc)
         write_meshes(doc, folder)
         # Exports read a scene folder: lend them the manifest, which belongs to another stage.
         manifest = folder / "manifest.json"

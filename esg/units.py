@@ -21,11 +21,6 @@ def m_from_cm(value: float) -> float:
     return value / CM_PER_M
 
 
-def cm_from_m(value: float) -> float:
-    """Converts a length, speed or acceleration from metres to centimetres."""
-    return value * CM_PER_M
-
-
 def quat_from_euler_deg(yaw: float, pitch: float = 0.0, roll: float = 0.0) -> NDArray[np.float64]:
     """Quaternion (x, y, z, w) of R = Rz(yaw) Ry(pitch) Rx(roll), angles in degrees, shape [4]."""
     cy, sy = math.cos(math.radians(yaw) / 2), math.sin(math.radians(yaw) / 2)

@@ -98,7 +98,7 @@ def measure(args: argparse.Namespace) -> int:
     heavy = sorted((n for n in numbers if n in bench.reached), key=lambda n: -len(bench.reached[n]))
 
     def work(number: int) -> Effect:
-        return bench.effect([number], args.most, ENOUGH, seed=number)
+        return bench.effect([number], args.most, ENOUGH, seed=number, seen=args.seen)
 
     effects = _measured(args.out, bench) | stay
     heavy = [n for n in heavy if n not in effects]

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Iterator
+import csv
 import hashlib
 import importlib
 import random
@@ -10,8 +11,12 @@ import re
 import sys
 from typing import Any
 
+import yaml
+
 from benchmarks import metamorphic
 from benchmarks.drafting import BLIND, FILES, load, score_document
+from benchmarks.drafting.corpus import PROMPTS
+from benchmarks.drafting.whole import Outcome
 from benchmarks.lib.drafting_soak import texts
 from benchmarks.pruning.effect import Case, Subject
 from esg.outcomes import UserError
@@ -22,6 +27,8 @@ COUNTS = (
 )  # fmt: skip
 REWORDINGS = "rewordings"
 SOAK = "soak"
+SEEN = "seen"
+"""Prompts of suites and those that were read as a stranger: no label, but their documents count."""
 _ALIKE = 0.6
 """Share of words (Jaccard) from which two prompts of one file are one story told twice."""
 
@@ -55,19 +62,21 @@ class Reader(Subject):
                 vars(module)["pos_tags"] = tags
 
     def mark(self, result: Any) -> tuple[str, str]:
-        """Digests of the document without and with its account of the prompt's words."""
-        whole = result.model_dump_json(exclude={"coverage"}).encode()
+        """Digests of the document with its warnings, and of its account of the prompt's words."""
+        whole = result.model_dump_json(exclude={"coverage"}) + "\n".join(result.coverage.warnings)
         account = result.coverage.model_dump_json().encode()
-        return _digest(whole), _digest(account)
+        return _digest(whole.encode()), _digest(account)
 
     def judge(self, case: Case, result: Any) -> tuple[float, tuple[float, ...]]:
-        """Labels met and validity less inventions, and the counts of the benchmark."""
+        """Labels met and validity less inventions (of whole labels: all faults), and counts."""
         if case.row is None:
             return 0.0, (0.0,) * len(COUNTS)
         score = score_document(case.row, result)
         counts = tuple(float(getattr(score, name)) for name in COUNTS)
         found = score.usable + score.objects_found + score.events_found + score.quantities_found
-        return found - score.invented, counts
+        silent = sum(v.outcome is Outcome.SILENT for v in score.verdicts)
+        faults = sum(len(v.faults) for v in score.verdicts) + silent
+        return found - score.invented - faults, counts
 
     def drops(
         self, before: dict[str, list[float]], after: dict[str, list[float]]
@@ -75,7 +84,7 @@ class Reader(Subject):
         """Largest drop of a figure of each corpus [points]; more inventions are a drop."""
         out: dict[str, float] = {}
         for corpus, counts in before.items():
-            if corpus == SOAK:
+            if corpus in (SOAK, SEEN):
                 continue
             was, now = percentages(counts), percentages(after[corpus])
             was["invented_events"], now["invented_events"] = (
@@ -113,7 +122,10 @@ def _digest(data: bytes) -> str:
 def cases(
     every: int = 1, held_out: bool = True, files: Iterable[str] = FILES, soak: int = 0
 ) -> list[Case]:
-    """Development prompts and one story of each rewording decide; the others are totals.
+    """Which prompts there are: some decide, the others enter totals only.
+
+    Development prompts, the open half of `public`, one story of each rewording, suites and the
+    prompts that were read decide.
 
     Args:
         every: Every n-th deciding prompt only, for a quick look.
@@ -136,7 +148,9 @@ def cases(
             family = f"{REWORDINGS}:{row['id']}"
             case = Case(f"{wording} {k}", row["prompt"], family, REWORDINGS, row, k == chosen)
             (out if k == chosen else rewordings).append(case)
-    out = out[::every]
+    for row in load("public"):
+        out.append(Case(row["id"], row["prompt"], f"public:{row['id']}", "public", row))
+    out = [*out, *_seen()][::every]
     dev = [r for name in files for r in load("dev", [name])]
     for n, text in enumerate(texts(soak, dev, seed=7) if soak else ()):
         out.append(Case(f"{SOAK}:{n}", text, f"{SOAK}:{n}", SOAK))
@@ -146,6 +160,19 @@ def cases(
         for row in load(split):
             out.append(Case(f"{split}:{row['id']}", row["prompt"], "", split, row, False))
     return out + rewordings
+
+
+def _seen() -> Iterator[Case]:
+    """Suites and the prompts of `read*.tsv`."""
+    for path in sorted((PROMPTS.parent / "suites").glob("*.yaml")):
+        for scene in yaml.safe_load(path.read_text(encoding="utf-8"))["scenes"]:
+            name = f"{path.stem}:{scene['id']}"
+            yield Case(name, scene["prompt"], name, SEEN)
+    for path in sorted(PROMPTS.glob("read*.tsv")):
+        with path.open(encoding="utf-8", newline="") as file:
+            for row in csv.DictReader(file, delimiter="\t"):
+                name = f"{path.stem}:{row['id']}"
+                yield Case(name, row["prompt"], name, SEEN)
 
 
 def _stories(prompts: list[str]) -> list[int]:
@@ -179,7 +206,7 @@ def totals(counts: Iterable[tuple[str, tuple[float, ...]]]) -> dict[str, dict[st
     """Percentages of each corpus from the counts of its cases."""
     sums: dict[str, list[float]] = {}
     for corpus, values in counts:
-        if corpus == SOAK:
+        if corpus in (SOAK, SEEN):
             continue
         have = sums.setdefault(corpus, [0.0] * len(COUNTS))
         for k, value in enumerate(values):

@@ -361,7 +361,11 @@ class Bench:
             signal.setitimer(signal.ITIMER_REAL, 0.0)
         if known is not None and mark == known.mark:
             return known
-        points, counts = subject.judge(case, result)
+        try:
+            points, counts = subject.judge(case, result)
+        except Exception as error:  # a document that cannot be judged is as bad as none
+            crashed = type(error).__name__
+            points, counts = subject.judge(case, None)
         return Outcome(mark, points, counts, crashed)
 
     def warm(self) -> None:
@@ -377,7 +381,9 @@ class Bench:
         gc.freeze()
         gc.set_threshold(20_000, 20, 20)  # many small documents, no cycles worth looking for
 
-    def effect(self, numbers: Iterable[int], most: int, enough: int, seed: int = 0) -> Effect:
+    def effect(
+        self, numbers: Iterable[int], most: int, enough: int, seed: int = 0, seen: bool = False
+    ) -> Effect:
         """What leaving units out does to the deciding cases that meet them.
 
         Args:
@@ -385,6 +391,7 @@ class Bench:
             most: Cases read at most, a sample of those that meet one.
             enough: Families that lose after which no more are read.
             seed: Draws the sample.
+            seen: Whether families whose results differ count like those that lose.
         """
         numbers = list(numbers)
         cases = sorted({k for n in numbers for k in self.reached.get(n, ())})
@@ -406,7 +413,7 @@ class Bench:
                     worse.add(self.cases[k].family)
                 elif now.points > was.points:
                     better.add(self.cases[k].family)
-                if len(worse) >= enough:
+                if len(other if seen else worse) >= enough:
                     break
         share = len(cases) / read if read else 1.0
         return Effect(

@@ -6,14 +6,16 @@ single one more than its search.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Generator, Sequence
 import contextlib
 from functools import partial
 from pathlib import Path
 
+from esg.alone.ahead import AHEAD, cold, load_pictures
 from esg.files import unwritable
 from esg.limits import StageTimeout, limited, place_in
 from esg.machine.beside import forking
+from esg.machine.companion import accompanied, companion
 from esg.pipeline import (
     STAGES,
     SceneRequest,
@@ -58,10 +60,27 @@ def run_guarded(request: SceneRequest, pauses: Sequence[float] = PAUSES_S) -> Sc
         OSError: If the disk cannot be written, which is no fault of the scene.
     """
     state = SceneState(request)
-    with forking():  # of a command whose other threads only wait
+    with alongside(request):
         for stage in STAGES:
             state = _tried(stage, state, pauses)
     return state
+
+
+@contextlib.contextmanager
+def alongside(request: SceneRequest) -> Generator[None]:
+    """Allows the body, which makes a scene, a second process, and starts one that loads ahead.
+
+    To be called by a command whose other threads only wait, as soon as it knows what to make.
+
+    Args:
+        request: What the body makes.
+    """
+    searches = request.device == "cpu" and request.strategy != "none"
+    with contextlib.ExitStack() as held:
+        held.enter_context(forking())
+        if searches and cold() and not accompanied():
+            held.enter_context(companion(AHEAD, (load_pictures,)))
+        yield
 
 
 def _tried(stage: str, state: SceneState, pauses: Sequence[float]) -> SceneState:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Generator
 import contextlib
+from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -20,21 +21,44 @@ def _unwatched(_: int) -> Generator[Callable[[int], None]]:
     yield lambda _: None
 
 
-def settings_of(
-    channels: str,
-    size: str = "256x256",
-    fps: float = 24.0,
-    cameras: int = 1,
-    *,
-    camera: str = "around",
-    format: Literal["png", "parquet"] = "png",
-    device: str = "cpu",
-    seed: int = 0,
-    renderer: str = "raster",
-    samples: int | None = None,
-    motion_blur: bool = False,
-) -> Settings:
-    """Checked settings; what they mean is told at `esg.Scene.render`.
+@dataclass(frozen=True)
+class Asked:
+    """What pictures are asked for, unchecked.
+
+    Args:
+        channels: Of rgb, depth, normal, segmentation, flow, backward_flow, object_coordinates,
+            boxes2d, boxes3d (boxes: both), tracks, with commas between; or all.
+        size: Width x height in pixels.
+        fps: Frames a second.
+        cameras: How many, 1 to 8.
+        camera: around (they stand around the whole action), or a director's that stay close: auto,
+            static, tracking, dolly, orbit or dash (from a vehicle). Default around, of a dataset
+            auto.
+        format: png writes files, parquet shards of rows; a dataset's clips are films.
+        device: cpu or cuda:N.
+        seed: Of the points that tracks follow, of noise and of clouds; scenes of a dataset have
+            their own.
+        renderer: Of colours: raster (fast), path (Mitsuba), cycles (a Blender on this machine); the
+            other channels are exact with all of them.
+        samples: Rays a pixel; default what suits the renderer.
+        motion_blur: Let the shutter be open for half of the time between frames.
+    """
+
+    channels: str = "rgb,depth,segmentation"
+    size: str = "256x256"
+    fps: float = 24.0
+    cameras: int = 1
+    camera: str = ""
+    format: Literal["png", "parquet"] = "png"
+    device: str = "cpu"
+    seed: int = 0
+    renderer: str = "raster"
+    samples: int | None = None
+    motion_blur: bool = False
+
+
+def settings_of(asked: Asked) -> Settings:
+    """Checked settings.
 
     Raises:
         UserError: Naming the options and what they take.
@@ -43,18 +67,19 @@ def settings_of(
     from esg.view.seeing.wanted import Settings, parse_channels, parse_size
 
     names, pixels, *_, (renderer, samples), camera, device, seed = checked(
-        lambda: parse_channels(channels),
-        lambda: parse_size(size),
-        lambda: in_range("--fps", fps, 0.1, 1000),
-        lambda: in_range("--cameras", cameras, 1, MAX_CAMERAS),
-        lambda: drawn_by(renderer, samples),
-        lambda: directed_by(camera),
-        lambda: check_device(device),
-        lambda: check_seed(seed),
+        lambda: parse_channels(asked.channels),
+        lambda: parse_size(asked.size),
+        lambda: in_range("--fps", asked.fps, 0.1, 1000),
+        lambda: in_range("--cameras", asked.cameras, 1, MAX_CAMERAS),
+        lambda: drawn_by(asked.renderer, asked.samples),
+        lambda: directed_by(asked.camera or "around"),
+        lambda: check_device(asked.device),
+        lambda: check_seed(asked.seed),
     )
     return Settings(
-        names, pixels, fps, cameras, format, device, seed, renderer, samples, motion_blur, camera
-    )
+        names, pixels, asked.fps, asked.cameras, asked.format, device, seed, renderer, samples,
+        asked.motion_blur, camera,
+    )  # fmt: skip
 
 
 def directed_by(camera: str) -> str:

@@ -314,17 +314,15 @@ class Scene:
             UserError: Naming what cannot be drawn so; or if the scene was never replayed.
         """
         from esg.api.inputs import checked
-        from esg.api.rendering import render_scene, settings_of
+        from esg.api.rendering import Asked, render_scene, settings_of
         from esg.scenefolder import check_writable
 
         target = self.folder / "render" if out is None else Path(out)
-        chosen, _ = checked(
-            lambda: settings_of(
-                channels, size, fps, cameras, camera=camera, format=format, device=device,
-                seed=seed, renderer=renderer, samples=samples, motion_blur=motion_blur,
-            ),
-            lambda: check_writable(target),
+        asked = Asked(
+            channels, size, fps, cameras, camera, format, device, seed, renderer, samples,
+            motion_blur,
         )  # fmt: skip
+        chosen, _ = checked(lambda: settings_of(asked), lambda: check_writable(target))
         return Path(render_scene(self.folder, target, chosen)["folder"])
 
     def show(self) -> Any:

@@ -11,7 +11,7 @@ from cyclopts import Parameter
 from esg.commands.drafting import RULES, Drafting
 
 if TYPE_CHECKING:
-    from esg.pipeline import SceneState
+    from esg.pipeline import SceneRequest, SceneState
     from esg.view.seeing.wanted import Settings
 
 Strategy = Literal["batched", "hybrid", "fd", "ad", "none"]
@@ -101,28 +101,42 @@ def _state(arguments: tuple[Any, ...]) -> SceneState:
     """
     import os
 
-    from esg.alone.guarded import run_guarded
-    from esg.commands.console import note_first_use
-    from esg.limits import stage_limits
-    from esg.pipeline import recall
     from esg.requests import generate_requests
-    from esg.settings import check_limits
 
     request = generate_requests(*arguments)[0]
-    state = recall(request)
-    if state is not None:
-        return state
-    note_first_use()
     if os.environ.get("PREFECT_API_URL"):
-        from flows.session import session
+        return _recalled(request) or _on_server(arguments)
+    from esg.alone.guarded import alongside, run_guarded
+    from esg.limits import stage_limits
+    from esg.settings import check_limits
 
-        with session(processes=0) as call:
-            from flows.generate import generate as flow
+    with alongside(request):
+        state = _recalled(request)
+        if state is not None:
+            return state
+        stage_limits()  # a mistake in them is told before anything starts
+        check_limits()
+        return run_guarded(request)
 
-            return call(flow, *arguments)[0]
-    stage_limits()  # a mistake in them is told before anything starts
-    check_limits()
-    return run_guarded(request)
+
+def _recalled(request: SceneRequest) -> SceneState | None:
+    """The scene as it is in the store; a note where the first one takes longer."""
+    from esg.commands.console import note_first_use
+    from esg.pipeline import recall
+
+    state = recall(request)
+    if state is None:
+        note_first_use()
+    return state
+
+
+def _on_server(arguments: tuple[Any, ...]) -> SceneState:
+    from flows.session import session
+
+    with session(processes=0) as call:
+        from flows.generate import generate as flow
+
+        return call(flow, *arguments)[0]
 
 
 def _pictures(channels: str) -> Settings:

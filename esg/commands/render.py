@@ -5,30 +5,23 @@ from __future__ import annotations
 from collections.abc import Callable, Generator
 import contextlib
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import TYPE_CHECKING, Annotated, Any
 
 from cyclopts import Parameter
 
+from esg.api.rendering import Asked
 from esg.commands.datasets.clips import BatchOptions, RenderOptions
 
 if TYPE_CHECKING:
     from esg.view.seeing.wanted import Settings
 
+_USUAL = Asked()
+
 
 def render(
     scene: str,
     *,
-    channels: str = "rgb,depth,segmentation",
-    size: str = "256x256",
-    fps: float = 24.0,
-    cameras: int = 1,
-    camera: str = "",
-    format: Literal["png", "parquet"] = "png",
-    device: str = "cpu",
-    seed: int = 0,
-    renderer: str = "raster",
-    samples: int | None = None,
-    motion_blur: Annotated[bool, Parameter(negative="")] = False,
+    asked: Annotated[Asked, Parameter(name="*", negative="")] = _USUAL,
     out: Path | None = None,
     batches: BatchOptions | None = None,
     json: Annotated[bool, Parameter(negative="")] = False,
@@ -39,22 +32,7 @@ def render(
 
     Args:
         scene: Scene folder, or id of one below ./runs; or a dataset's folder or URL.
-        channels: Of rgb, depth, normal, segmentation, flow, backward_flow, object_coordinates,
-            boxes2d, boxes3d (boxes: both), tracks; or all.
-        size: Width x height in pixels.
-        fps: Frames a second.
-        cameras: How many, 1 to 8.
-        camera: around (they stand around the whole action), or a director's that stay close: auto,
-            static, tracking, dolly, orbit or dash (from a vehicle). Default around, of a dataset
-            auto.
-        format: png writes files, parquet shards of rows; a dataset's clips are films.
-        device: cpu or cuda:N.
-        seed: Of the points that tracks follow, of noise and of clouds; scenes of a dataset have
-            their own.
-        renderer: Of colours: raster (fast), path (Mitsuba), cycles (a Blender on this machine); the
-            other channels are exact with all of them.
-        samples: Rays a pixel; default what suits the renderer.
-        motion_blur: Let the shutter be open for half of the time between frames.
+        asked: What pictures are made.
         out: Folder to write; default render in the scene folder.
         batches: How a dataset is worked through.
         json: Print one JSON document: the folder and what is in it.
@@ -69,19 +47,19 @@ def render(
         from esg.commands.datasets.adding import render_dataset
 
         wanted = RenderOptions(
-            channels, cameras, size, fps, renderer, samples, camera or "auto", motion_blur
-        )
-        own = {"--format": format != "png", "--seed": seed != 0, "--out": out is not None}
-        return render_dataset(scene, wanted, batches or BatchOptions(), device, own, as_json=json)
+            asked.channels, asked.cameras, asked.size, asked.fps, asked.renderer, asked.samples,
+            asked.camera or "auto", asked.motion_blur,
+        )  # fmt: skip
+        own = {"--format": asked.format != "png", "--seed": asked.seed != 0}
+        own["--out"] = out is not None
+        batches = batches or BatchOptions()
+        return render_dataset(scene, wanted, batches, asked.device, own, as_json=json)
     chosen, folder, *_ = checked(
-        lambda: settings_of(
-            channels, size, fps, cameras, camera=camera or "around", format=format, device=device,
-            seed=seed, renderer=renderer, samples=samples, motion_blur=motion_blur,
-        ),
+        lambda: settings_of(asked),
         lambda: find_scene(scene),
         lambda: None if out is None else check_writable(out),
         lambda: only_for_datasets(batches),
-    )  # fmt: skip
+    )
     result = run(folder, out or folder / "render", chosen)
     if json:
         emit(result)

@@ -7,7 +7,7 @@ from dataclasses import replace
 import itertools
 import time
 
-from esg.engines.base import ENGINES
+from esg.engines.base import ENGINES, SURROGATE
 from esg.engines.joints import joint_between
 from esg.engines.program import AdjustProperties, Program, SetVelocity, batch_programs
 from esg.engines.registry import get_engine
@@ -73,6 +73,14 @@ def warmup(
     if progress is not None:
         progress("done", len(steps), len(steps))
     return seconds
+
+
+def load_kernels(device: str = "cpu") -> None:
+    """Loads the kernels that nearly every search needs, by a moment of a tiny scene."""
+    scene = _scene(("sphere", "box"))
+    program = Program((SetVelocity(scene.bodies[0].name, 0.0, (1.0, 0.0, 0.0)),), 0.05)
+    for name in (SURROGATE, "newton"):
+        get_engine(name, device).rollout(scene, batch_programs([program], scene.names))
 
 
 def _scene(kinds: tuple[ShapeKind, ...]) -> SimScene:

@@ -410,8 +410,8 @@ class PhysxWorld:
         for of_ground in (False, True) if ground else (False,):
             if of_ground not in self._seen:
                 self._seen[of_ground] = [*self._listed(of_ground)]
-        touches = [t for part in self._seen.values() for t in part]
-        return sorted(touches if ground else self._seen[False], key=touch_order)
+        parts = self._seen.values() if ground else (self._seen[False],)
+        return sorted((t for part in parts for t in part), key=touch_order)
 
     def _step(self) -> None:
         self.system.step()

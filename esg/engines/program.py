@@ -136,6 +136,11 @@ class DriveJoint:
         """It moves no body by name."""
         return ""
 
+    @property
+    def lets_go(self) -> bool:
+        """Whether the joint has no motor from then on."""
+        return self.speed is None and self.position is None
+
 
 @dataclass(frozen=True)
 class HoldVelocity:

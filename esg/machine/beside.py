@@ -36,6 +36,21 @@ def forking() -> Generator[None]:
         _allowed.reset(token)
 
 
+def may_fork() -> bool:
+    """Whether work may be done in a process beside this one."""
+    return _allowed.get()
+
+
+def end_with(owner: int) -> None:
+    """In a fork: ends with the process that it was forked off, and not with its signals."""
+    ctypes.CDLL(None).prctl(_PDEATHSIG, signal.SIGKILL)
+    signal.set_wakeup_fd(-1)
+    for number in (signal.SIGINT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_IGN)  # the command ends it
+    if os.getppid() != owner:
+        os._exit(1)
+
+
 @contextlib.contextmanager
 def beside(work: Callable[[], T]) -> Generator[Callable[[], T]]:
     """Does work beside the body: in a fork, or without one where its result is asked for.
@@ -84,14 +99,10 @@ def _in_fork(work: Callable[[], object], out: int, owner: int) -> None:
     code = 1
     try:
         gc.disable()  # it would touch, and so copy, all that there is
-        ctypes.CDLL(None).prctl(_PDEATHSIG, signal.SIGKILL)
-        signal.set_wakeup_fd(-1)
-        for number in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(number, signal.SIG_IGN)  # the command ends it
-        if os.getppid() == owner:
-            data = memoryview(json.dumps(work()).encode())
-            while data:
-                data = data[os.write(out, data) :]
-            code = 0
+        end_with(owner)
+        data = memoryview(json.dumps(work()).encode())
+        while data:
+            data = data[os.write(out, data) :]
+        code = 0
     finally:
         os._exit(code)

@@ -78,6 +78,29 @@ class Binding:
         return tuple(out)
 
 
+def own_parts(binding: Binding, scene: SimScene) -> tuple[int, ...]:
+    """Bodies that move on hinges and slides of what is bound and are called parts of it.
+
+    A "windmill blade" is a part of the windmill that carries it, a "fridge door" of the fridge. A
+    wrecking ball is none of its crane: nothing calls it a crane's, and a rope is no hinge.
+
+    Args:
+        binding: Of a phrase.
+        scene: Its scene.
+
+    Returns:
+        Their indices into `SimScene.bodies`.
+    """
+    out: list[int] = []
+    for joint in scene.joints:
+        whole = next((i for i in binding.bodies if scene.bodies[i].name == joint.parent), None)
+        if whole is not None and joint.kind in ("hinge", "slider"):
+            child = scene.body(joint.child)
+            if parse(scene.bodies[whole].label).head in parse(child.label).modifiers:
+                out.append(scene.index(joint.child))
+    return tuple(out)
+
+
 @dataclass
 class _Candidate:
     index: int

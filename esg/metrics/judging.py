@@ -6,12 +6,13 @@ types and quantities of the suite format, spelled out in docs/metrics.md.
 
 from __future__ import annotations
 
+from dataclasses import replace
 import itertools
 import math
 
 from esg.engines.program import Program
 from esg.engines.scene import GROUND, Rollout, SimScene
-from esg.metrics.binding import Binding, bind
+from esg.metrics.binding import Binding, bind, own_parts
 from esg.metrics.constraints import Scored, measure, unmeasured
 from esg.metrics.detection import Found, Query
 from esg.metrics.events import detect, names
@@ -180,7 +181,7 @@ def _query(
     bindings: dict[str, Binding],
     since: float | None,
 ) -> Query:
-    bound = _bound(event, bindings)
+    bound = _bound(event, bindings, replay.scene)
     if event.type == "misses":
         both = {frozenset(bindings[q].bodies) for q in event.participants}
         later = suite_scene.events[suite_scene.events.index(event) + 1 :]
@@ -203,7 +204,7 @@ def _query(
                 continue
             if not all(bindings[p].bound for p in other.participants):
                 continue
-            result = detect(replay, Query(other, _bound(other, bindings), time))
+            result = detect(replay, Query(other, _bound(other, bindings, replay.scene), time))
             if result.time is not None:
                 times.append(result.time)
         return min(times)
@@ -211,7 +212,8 @@ def _query(
     return Query(event, bound, since, until)
 
 
-def _bound(event: SuiteEvent, bindings: dict[str, Binding]) -> dict[str, Binding]:
+def _bound(event: SuiteEvent, bindings: dict[str, Binding], scene: SimScene) -> dict[str, Binding]:
+    """What plays which part in an event; a blow at a windmill's blade meets the windmill."""
     fields = {
         "a": event.a,
         "b": event.b,
@@ -219,7 +221,14 @@ def _bound(event: SuiteEvent, bindings: dict[str, Binding]) -> dict[str, Binding
         "target": event.target,
         "from": event.from_,
     }
-    return {k: bindings[p] for k, p in fields.items() if p is not None}
+    bound = {k: bindings[p] for k, p in fields.items() if p is not None}
+    if event.type != "collision":
+        return bound
+    told = {i for b in bound.values() for i in b.bodies}
+    return {
+        k: replace(b, bodies=(*b.bodies, *(i for i in own_parts(b, scene) if i not in told)))
+        for k, b in bound.items()
+    }
 
 
 def _event_verdict(replay: Replay, event: SuiteEvent, found: Found) -> EventVerdict:

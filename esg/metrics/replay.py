@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.breaking import hidden
-from esg.engines.program import AdjustProperties, HoldVelocity, Primitive, Program
+from esg.engines.program import AdjustProperties, DriveJoint, HoldVelocity, Primitive, Program
 from esg.engines.scene import ContactLog, Rollout, SimScene
 from esg.metrics.geometry import (
     Core,
@@ -235,15 +235,18 @@ class Replay:
         return tuple(out)
 
     def controls(self, body: int) -> tuple[Control, ...]:
-        """What the program does to one body, in order of time."""
+        """What the program does to one body, and to the joint that carries it, in order of time."""
         name = self.scene.bodies[body].name
-        return tuple(Control(p.time, p) for p in self.program.primitives if p.body == name)
+        axles = {j.name for j in self.scene.joints if j.child == name}
+        return tuple(
+            Control(p.time, p)
+            for p in self.program.primitives
+            if (p.joint in axles if isinstance(p, DriveJoint) else p.body == name)
+        )
 
     def motions(self, body: int) -> tuple[Control, ...]:
-        """The controls of a body that set it in motion (launches, impulses, holds)."""
-        return tuple(
-            c for c in self.controls(body) if not isinstance(c.primitive, AdjustProperties)
-        )
+        """The controls of a body that set it in motion (launches, impulses, holds, motors)."""
+        return tuple(c for c in self.controls(body) if _moves(c.primitive))
 
     def brakings(self, body: int) -> tuple[float, ...]:
         """Times at which the program brakes a body: brakes, raised damping or friction, a hold that
@@ -268,6 +271,10 @@ class Replay:
                 if p.acceleration < 0 or (c.time > 0 and p.speed < now - 0.1):
                     out.append(c.time)
         return tuple(out)
+
+
+def _moves(p: Primitive) -> bool:
+    return not (p.lets_go if isinstance(p, DriveJoint) else isinstance(p, AdjustProperties))
 
 
 def hit_starts(time: Floats, impulse: Floats, gap: float) -> NDArray[np.int64]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import Any
 
 import numpy as np
@@ -74,6 +75,11 @@ class Part:
     uvs: NDArray[np.float64] | None = None
     name: str = ""
     strand: Strand | None = None
+
+    @cached_property
+    def box(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+        """Lowest and highest corner in the body's frame [m], each of shape [3]."""
+        return self.vertices.min(axis=0), self.vertices.max(axis=0)
 
 
 class Movers:

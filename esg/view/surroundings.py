@@ -107,19 +107,25 @@ def in_the_way(parts: Sequence[Part], eyes: Floats, points: Floats) -> frozenset
     from_eyes, to_points = _some(eyes, MOST_EYES), _some(points, MOST_POINTS)
     starts = np.repeat(from_eyes, len(to_points), axis=0)
     ends = np.tile(to_points, (len(from_eyes), 1))
-    found: set[str] = set()
-    for part in parts:
+    solid = [part for part in parts if thing_of(part) != GROUND]
+    low, high = _boxes(solid)
+    around = np.all((eyes > low - NEAR_M) & (eyes < high + NEAR_M), axis=-1)
+    inside = np.asarray(np.any(around, axis=-1), bool)
+    near = _crosses_box(starts, ends, low, high)
+    found = {thing_of(part) for part, holds in zip(solid, inside, strict=True) if holds}
+    for part, cross in zip(solid, near, strict=True):
         name = thing_of(part)
-        if name in found or name == GROUND:
+        if name in found or not cross.any():
             continue
-        low, high = part.vertices.min(axis=0), part.vertices.max(axis=0)
-        if (np.all((eyes > low - NEAR_M) & (eyes < high + NEAR_M), axis=1)).any():
-            found.add(name)
-            continue
-        cross = _crosses_box(starts, ends, low, high)
-        if cross.any() and _crosses(starts[cross], ends[cross], part.vertices[part.faces]):
+        if _crosses(starts[cross], ends[cross], part.vertices[part.faces]):
             found.add(name)
     return frozenset(found)
+
+
+def _boxes(parts: Sequence[Part]) -> tuple[Floats, Floats]:
+    """Lowest and highest corners of parts [m], each of shape [n, 1, 3]."""
+    corners = np.array([part.box for part in parts], float).reshape(-1, 2, 1, 3)
+    return corners[:, 0], corners[:, 1]
 
 
 def before_the_picture(parts: Sequence[Part], cameras: Sequence[Camera]) -> frozenset[str]:
@@ -137,8 +143,7 @@ def before_the_picture(parts: Sequence[Part], cameras: Sequence[Camera]) -> froz
         name = thing_of(part)
         if name != GROUND:
             things.setdefault(name, []).append(k)
-    low = np.array([p.vertices.min(axis=0) for p in parts]).reshape(-1, 1, 3)
-    high = np.array([p.vertices.max(axis=0) for p in parts]).reshape(-1, 1, 3)
+    low, high = _boxes(parts)
     thin = (high - low).min(axis=(1, 2)) < FLAT_M
     found: set[str] = set()
     for camera in cameras:

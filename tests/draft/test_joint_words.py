@@ -239,6 +239,32 @@ def test_what_stands_open_is_open_at_the_start() -> None:
 
 
 @pytest.mark.parametrize(
+    ("prompt", "event"),
+    [
+        ("A laptop that lies shut is opened.", "Open"),
+        ("The door stands shut until a ball hits it.", "Collision"),
+        ("The lid of a treasure chest lies closed until it is opened.", "Open"),
+        ("A fridge door stays closed when a ball hits it.", "Collision"),
+    ],
+)
+def test_what_lies_or_stands_shut_is_shut_at_the_start(prompt: str, event: str) -> None:
+    doc = draft(prompt)
+    (joint,) = doc.spatial_relation_graph.joints or ()
+    assert joint.position == 0.0
+    told = [n.event.value for n in doc.timeline_system.sequence_graph.nodes]
+    assert told == ["SceneStart", event]
+    assert not doc.statements
+
+
+@pytest.mark.parametrize("words", ["from side to side", "back and forth", "to and fro"])
+def test_how_something_swings_is_told_by_its_swings(words: str) -> None:
+    doc = draft(f"The pendulum of a grandfather clock swings {words}.")
+    swing = next(n for n in doc.timeline_system.sequence_graph.nodes if n.event.value == "Swing")
+    assert swing.times == 3
+    assert not doc.statements
+
+
+@pytest.mark.parametrize(
     ("side", "way"), [("from the left", "-X"), ("from the right", "+X"), ("", "+Y")]
 )
 def test_what_is_to_swing_faces_along_a_blow_out_of_a_stated_side(side: str, way: str) -> None:

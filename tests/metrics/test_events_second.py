@@ -277,3 +277,23 @@ def test_separates_what_touched():
     assert together.event(**fields).reason == "stay together"
     apart = World(2.0).add(body("truck_1"), x=0.5).add(body("trailer_1"))
     assert "30 cm apart before" in apart.event(**fields).reason
+
+
+@pytest.mark.parametrize(
+    ("whole", "part", "kind", "completed"),
+    [
+        ("windmill", "spinning windmill blade", "hinge", True),
+        ("fridge", "fridge door", "hinge", True),
+        ("dresser", "dresser drawer", "slider", True),
+        ("crane", "wrecking weight", "hinge", False),
+        ("crane", "crane weight", "rope", False),
+    ],
+)
+def test_a_blow_at_a_part_that_is_called_so_meets_the_whole(whole, part, kind, completed):
+    world = World(2.0).add(body("whole_1", static=True, label=whole), x=2.0)
+    world.add(body("part_1", label=part), x=1.0)
+    world.add(ball("ball_1"), x=lambda t: np.minimum(2 * t, 0.8))
+    world.join(kind, "part_1", "whole_1", **({"upper": 2.0} if kind == "rope" else {}))
+    world.touch(0.4, "part_1", "ball_1", 3.0)
+    assert world.event(type="collision", a="ball", b=whole).completed is completed
+    assert world.event(type="collision", a="ball", b=part.split()[-1]).completed

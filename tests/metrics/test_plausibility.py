@@ -11,7 +11,13 @@ from typing import get_args
 import numpy as np
 import pytest
 
-from esg.engines.program import AdjustProperties, GuideAlong, HoldVelocity, SetVelocity
+from esg.engines.program import (
+    AdjustProperties,
+    DriveJoint,
+    GuideAlong,
+    HoldVelocity,
+    SetVelocity,
+)
 from esg.engines.scene import Shape
 from esg.lexicon.kinds import kinds
 from esg.metrics.plausibility import CHECKS, Check, Told, assess
@@ -273,6 +279,18 @@ def test_energy_from_the_program_is_no_gain_and_from_nowhere_is() -> None:
         "box_1", 0.4, (0.0, 2.6), ((0.0, 0.0, 0.1), (0.0, 0.0, 2.6)), ((0.0, 0.0, 1.0),) * 2
     )
     assert checked(rises.run(path))["energy"].ok
+
+
+def test_energy_from_a_motor_of_the_program_is_no_gain_until_it_lets_go() -> None:
+    def lifted(*commands: DriveJoint) -> bool:
+        world = World().add(body("lid_1"), z=line(0.1, 0.5, 0.5))
+        world.join("slider", "lid_1", axis=(0.0, 0.0, 1.0), lower=0.0, upper=2.0)
+        return checked(world.run(*commands))["energy"].ok
+
+    on = DriveJoint("joint_1", 0.4, 0.5, 1.25)
+    assert not lifted()
+    assert lifted(on)
+    assert not lifted(on, DriveJoint("joint_1", 1.0))
 
 
 def dropped(begin: float, height: float, half: float) -> Curve:

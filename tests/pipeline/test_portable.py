@@ -20,7 +20,9 @@ NAMES = {
                "setitimer"},
     "socket": {"AF_UNIX", "SO_PEERCRED"},
 }  # fmt: skip
-LINUX_ONLY = ("esg/up/", "esg/compile/trust/", "esg/machine/beside.py")
+LINUX_ONLY = (
+    "esg/up/", "esg/compile/trust/", "esg/machine/beside.py", "esg/machine/companion.py",
+)  # fmt: skip
 """Warm workers, locks on classes, forks: each asks for the system first and does without it."""
 GUARDED = {
     "esg/commands/stopping.py": {"os.set_blocking"},

@@ -20,6 +20,7 @@ from benchmarks.faults.tampering import (
     plants,
     source_of,
 )
+from esg.api.rendering import Asked
 from esg.commands.export import export
 from esg.commands.render import render
 from esg.commands.replay import replay
@@ -79,7 +80,7 @@ def test_looking_runs_nothing(
             (scene / name).unlink()
     assert report(scene, engines="physx") == 0
     assert view(str(scene), port=0, once=True) == 0
-    assert render(str(scene), size="32x32", fps=2.0, out=tmp_path / "render") == 0
+    assert render(str(scene), asked=Asked(size="32x32", fps=2.0), out=tmp_path / "render") == 0
     for to in ("usd", "glb", "mjcf", "mcap"):
         assert export(str(scene), to=to, out=tmp_path / to) == 0  # type: ignore[arg-type]
     assert not marker.exists()
@@ -95,7 +96,7 @@ def test_a_place_that_nobody_knows_is_told(scene: Path, tmp_path: Path) -> None:
     with pytest.raises(UserError, match="'the moon' is in no table"):
         export(str(scene), to="glb", out=tmp_path / "glb")
     with pytest.raises(UserError, match="'the moon' is in no table"):
-        render(str(scene), size="32x32", fps=2.0, out=tmp_path / "render")
+        render(str(scene), asked=Asked(size="32x32", fps=2.0), out=tmp_path / "render")
     assert report(scene, engines="physx") in (0, 3)
 
 

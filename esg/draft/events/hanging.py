@@ -129,8 +129,8 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     opens = f.verb.sense == "noop" and f.verb.lemma in _OPENING
     opens = opens or (f.verb.lemma in _SLIDING and bool({"out", "open"} & {*f.adverbs}))
     hinged = openable(d, bodies)
-    if hinged and f.verb.sense == "posture" and f.verb.extra.get("result") == "open":
-        return "left_open"
+    if hinged and f.verb.sense == "posture" and f.verb.extra.get("result") in _OPENING:
+        return "left_so"
     opens = opens or _worked(f) or raised(f) or lowered(f)
     if hinged and (opens or "result" in f.verb.extra):
         return "open"

@@ -18,8 +18,9 @@ _EACH = frozenset(
 _SENT = frozenset({"launch", "drop", "carry", "pick", "phrase"})
 """Senses of which what the clause acts on moves."""
 _STATES = frozenset(
-    {"be", "posture", "have", "weigh", "contain", "measure", "unknown", "lead", "noop", "park"}
-)
+    {"be", "posture", "left_so", "have", "weigh", "contain", "measure", "unknown", "lead", "noop",
+     "park"}
+)  # fmt: skip
 _ALONG = frozenset({"own", "tow", "carry"})
 """Senses of which who does it goes where the object goes."""
 _LIFTED = lex.word_set("picks up")

@@ -29,7 +29,7 @@ _NOT_TOLD = frozenset({"gerund", "no event of its own"})
 _STATES = frozenset(
     {"be", "posture", "have", "weigh", "contain", "face", "measure", "surround", "lead", "unknown",
      "park", "give", "acquire", "apply", "cause", "continue", "avoid", "miss", "end", "lose",
-     "start"}
+     "start", "left_so"}
 )  # fmt: skip
 """Senses that may add nothing to a scene: states, and what other clauses tell."""
 _SETS_IN_MOTION = frozenset({"drop", "launch", "roll", "slide", "knock", "scatter", "pocket"})

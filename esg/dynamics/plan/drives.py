@@ -7,8 +7,8 @@ import math
 import numpy as np
 
 from esg.dynamics.story.story import Phase, bounds
-from esg.engines.joints import Joint, start_position
-from esg.engines.program import GuideAlong, HoldSpin, Primitive
+from esg.engines.joints import Joint, joint_ends, joint_poses, start_position
+from esg.engines.program import DriveJoint, GuideAlong, HoldSpin, Primitive
 from esg.engines.scene import Body, SimScene
 from esg.graph.joints import KINDS_OF_JOINT
 from esg.graph.models import EdgeEvent, NodeEvent
@@ -21,6 +21,15 @@ OPENS_RAD = math.radians(75.0)
 OPENS_M = 0.3
 SURELY = 1.4
 """Of what is asked, an opening that states no position goes so many times as far."""
+LIFTED_M = 0.005
+"""Gravity works against a hinge that raises what it carries by so much on its way."""
+LIFTS_BY = 4.0
+"""What raises it can hold so many times its weight where that pulls the most."""
+PLACES = 13
+"""Places along the way of a hinge at which its weight is looked at."""
+SETTLED_S = 0.5
+"""A motor has reached its place so long after it would at an even speed
+(`esg.engines.joint_rules.APPROACH_RATE`)."""
 
 
 def held_at(body: Body, until: float) -> Primitive:
@@ -65,8 +74,11 @@ def goal_of(joint: Joint, phase: Phase, here: float, goes_on: bool = False) -> f
 
 def driven(
     scene: SimScene, joint: Joint, start: float, here: float, goal: float, lasts: float
-) -> Primitive:
-    """The primitive that moves a joint's child from one position to another.
+) -> tuple[Primitive, ...]:
+    """What moves a joint's child from one position to another.
+
+    A hinge is spun, which gravity slows down by g r m dt / I in every step. One that it would slow
+    down on its way up is given a motor instead, which holds it there unless its friction does.
 
     Args:
         scene: Its scene; bodies as they start.
@@ -79,11 +91,49 @@ def driven(
     turned = quat_rotate(np.asarray(joint.child_rotation, float), np.array([1.0, 0.0, 0.0]))
     axis = quat_rotate(np.asarray(body.quaternion, float), turned)
     if joint.kind == "hinge":
-        return HoldSpin(body.name, start, start + lasts, (goal - here) / lasts, _vec(axis))
+        height, pull = _raised(scene, joint, axis, here, goal)
+        if abs(goal - here) <= math.pi and float(height.max() - height[0]) >= LIFTED_M:
+            rate = abs(goal - here) / lasts
+            most = joint.friction + LIFTS_BY * float(np.abs(pull).max())
+            lifts = DriveJoint(joint.name, start, rate, goal, most)
+            rest = DriveJoint(joint.name, start + lasts + SETTLED_S)
+            return (lifts, rest) if abs(pull[-1]) < joint.friction else (lifts,)
+        return (HoldSpin(body.name, start, start + lasts, (goal - here) / lasts, _vec(axis)),)
     first = np.asarray(body.position, float) + (here - start_position(scene, joint)) * axis
     rest = (0.0, 0.0, 0.0)
     points = (_vec(first), _vec(first + (goal - here) * axis))
-    return GuideAlong(body.name, start, (0.0, lasts), points, (rest, rest))
+    return (GuideAlong(body.name, start, (0.0, lasts), points, (rest, rest)),)
+
+
+def let_go(before: list[Primitive], time: float) -> list[Primitive]:
+    """What has acted on a joint's child, without motors after a time [s], of which it lets go."""
+    motors = [p for p in before if isinstance(p, DriveJoint)]
+    kept = [p for p in before if not isinstance(p, DriveJoint) or p.time < time]
+    return [*kept, DriveJoint(motors[-1].joint, time)] if motors else kept
+
+
+def _raised(
+    scene: SimScene, joint: Joint, axis: np.ndarray, here: float, goal: float
+) -> tuple[np.ndarray, np.ndarray]:
+    """Height [m] of what a hinge carries over its axle, and torque of its weight about it [N m].
+
+    Args:
+        scene: Bodies as they start.
+        joint: The hinge.
+        axis: Of its child as that starts, in the world, shape [3].
+        here, goal: From where to where [rad].
+
+    Returns:
+        Both at places evenly along the way, shape [PLACES].
+    """
+    body = scene.body(joint.child)
+    anchor = joint_ends(joint, *joint_poses(scene, joint))[1]
+    arm = np.asarray(body.position, float) - anchor
+    turn = (np.linspace(here, goal, PLACES) - start_position(scene, joint))[:, None]
+    along, across = (arm @ axis) * axis, np.cross(axis, arm)
+    out = along + np.cos(turn) * (arm - along) + np.sin(turn) * across
+    weight = body.mass * np.asarray(scene.gravity, float)
+    return out[:, 2], np.cross(out, weight) @ axis
 
 
 def _vec(v: np.ndarray) -> tuple[float, float, float]:

@@ -16,7 +16,7 @@ from esg.dynamics.choreography.slopes import FASTEST_MPS
 from esg.dynamics.choreography.ways import arrives
 from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
-from esg.dynamics.plan.drives import driven, goal_of, held_at, joint_of
+from esg.dynamics.plan.drives import driven, goal_of, held_at, joint_of, let_go
 from esg.dynamics.plan.guides import Way
 from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
 from esg.dynamics.story.paces import (
@@ -362,6 +362,7 @@ class Composer:
     def _along_joint(self, course: _Course, leg: _Leg) -> None:
         """It is moved along its joint, or hangs drawn back until it is let go."""
         body, edge = self.scene.body(course.actor), leg.phase.edge
+        course.out = let_go(course.out, leg.start)
         if edge.event is EdgeEvent.RELEASE:
             if leg.first and leg.start > 0.0:
                 course.out.append(held_at(body, leg.start))
@@ -382,7 +383,7 @@ class Composer:
         if leg.phase.end.event is NodeEvent.SPIN and leg.last:
             # It is turned on and on.
             goal, lasts = here + (goal - here) * HELD_ON_S / lasts, HELD_ON_S
-        course.out.append(driven(self.scene, joint, leg.start, here, goal, lasts))
+        course.out += driven(self.scene, joint, leg.start, here, goal, lasts)
         course.clock, course.opening = leg.start + lasts, goal
 
     def _jump(self, course: _Course, leg: _Leg) -> None:

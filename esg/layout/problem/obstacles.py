@@ -10,7 +10,7 @@ from esg.layout.problem.hints import Corridor
 from esg.layout.problem.joined import Joined, joined, swept
 from esg.layout.problem.poses import Pose2
 from esg.layout.problem.shapes import RECTANGLE
-from esg.layout.problem.supports import Shape, SupportMap
+from esg.layout.problem.supports import Shape, SupportMap, is_pavement
 from esg.layout.problem.units import Unit
 
 ROAD_WORDS = (
@@ -165,8 +165,8 @@ def _start_reach(c: Corridor, unit: Unit, shape: dict[str, Shape]) -> float:
 def is_road(doc: EsgDocument, name: str) -> bool:
     """Whether a decal is something that vehicles or balls run along, not a pavement beside it."""
     config = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
-    if config.asset_name == "pavement":
-        return False  # "the street side"
+    if is_pavement(config):
+        return False
     words = f"{config.category} {config.asset_name} {name}".lower().replace("_", " ")
     return bool(set(words.replace("-", " ").split()) & set(ROAD_WORDS))
 

@@ -67,8 +67,13 @@ class Shape:
 
     @property
     def is_pavement(self) -> bool:
-        """The street side: what stands on it stands by it, and nothing is driven along it."""
-        return self.config.asset_name == "pavement"
+        """Whether it is a street side (`is_pavement`)."""
+        return is_pavement(self.config)
+
+
+def is_pavement(config: AssetConfiguration) -> bool:
+    """The street side: what stands on it stands by it, and nothing is driven along it."""
+    return config.asset_name == "pavement"
 
 
 def shape_of(config: AssetConfiguration) -> Shape:

@@ -9,7 +9,14 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.program import ApplyImpulse, GuideAlong, HoldVelocity, Lasting, SetVelocity
+from esg.engines.program import (
+    ApplyImpulse,
+    DriveJoint,
+    GuideAlong,
+    HoldVelocity,
+    Lasting,
+    SetVelocity,
+)
 from esg.metrics.joined import held, joined
 from esg.metrics.plausibility.limits import Motion, limit, motion_of, surface_grip
 from esg.metrics.plausibility.told import Told
@@ -142,8 +149,16 @@ class Facts:
         return float(times.min(initial=math.inf))
 
     def powered(self, body: int) -> Bools:
-        """Frames whose step the program drives, guides or spins a body in."""
-        return self._active(body, lambda _: True)
+        """Frames whose step the program drives, guides or spins a body in, or its joint's motor."""
+        return self._active(body, lambda _: True) | self._motored(body)
+
+    def _motored(self, body: int) -> Bools:
+        """Frames whose step a motor moves a body in that the program gives its joint."""
+        out = np.zeros(len(self.replay.time), bool)
+        for control in self.replay.controls(body):
+            if isinstance(control.primitive, DriveJoint):
+                out[self.replay.time > control.time] = not control.primitive.lets_go
+        return out
 
     def driven(self, body: int) -> Bools:
         """Frames whose step the program drives a body in."""

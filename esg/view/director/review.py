@@ -78,6 +78,7 @@ class Viewfinder:
         self.aspect = size[0] / size[1]
         self._angles = scene_angles(action.scene, action.rollout)
         self._drawn = shown(action.scene, action.rollout)
+        self._dressed: tuple[Take, frozenset[str]] | None = None
         self.frame = -1
 
     def pose(self, time: float) -> None:
@@ -95,12 +96,16 @@ class Viewfinder:
         Returns:
             The number of things that are left out.
         """
+        if self._dressed is not None and self._dressed[0] is take:
+            self.scan.hide(self._dressed[1])
+            return len(self._dressed[1])
         picked = sorted({round(v) for v in np.linspace(0, len(take) - 1, 5)})
         points = [self.action.acting(float(take.time_s[k])) for k in picked]
         shown = np.concatenate([p.mean(axis=0, keepdims=True) for p in points] + points[2:3])
         hidden = in_the_way(self.around, take.eye[picked], shown)
         hidden |= before_the_picture(self.around, [take.camera(k) for k in picked])
         self.scan.hide(hidden)
+        self._dressed = take, hidden
         return len(hidden)
 
     def seen(self, beat: Beat, camera: Camera) -> Seen:

@@ -11,6 +11,7 @@ import pytest
 from esg.dynamics import build_scene, start_hints
 from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.plan.planner import Plan, make_plan
+from esg.dynamics.search import REFERENCE_DT_S, Panel
 from esg.dynamics.story.paces import FASTEST_G, SLOWEST_G, TABLE, grip, pace, pace_of
 from esg.engines import get_engine
 from esg.engines.program import AdjustProperties, HoldVelocity, Primitive, batch_programs
@@ -175,6 +176,23 @@ def test_the_driver_brakes_after_a_hit_that_others_carry_on() -> None:
     assert [p.body for p in brakes] == ["car_1"]
     assert brakes[0].braking == pytest.approx(pace_of("car").brakes)
     assert brakes[0].linear_damping is None
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A van driving at 12.5 m/s hits a barrel and the barrel then crashes into a concrete "
+        "barrier.",
+        "A bus driving at 14 m/s hits a barrel, which then hits a brick wall.",
+        "A taxi driving at 9 m/s hits a wooden crate and the wooden crate then crashes into a "
+        "concrete barrier.",
+    ],
+)
+def test_who_brakes_does_not_crush_what_it_sent_on(prompt: str) -> None:
+    """It comes to what stands fast after the second look at the hit there, whatever the grip."""
+    plan = planned(cast(prompt))
+    found = Panel(plan, "cpu", dt=REFERENCE_DT_S).judge(plan.initial()[None])
+    assert found.ensemble.all_completed().all()
 
 
 def test_nobody_is_let_go_on_their_feet() -> None:

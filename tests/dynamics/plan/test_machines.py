@@ -43,8 +43,8 @@ def way_of(prompt: str, child: str) -> np.ndarray:
     [
         ("The laptop closes.", "laptop_lid_1", 105.0, 0.0, 3.0),
         ("A drawbridge lowers.", "drawbridge_1", 80.0, 0.0, 3.0),
-        # its windlass brakes it on the way
-        ("A drawbridge is raised.", "drawbridge_1", 0.0, 65.0, 8.0),
+        ("A drawbridge is raised.", "drawbridge_1", 0.0, 75.0, 1.0),
+        ("A laptop that lies shut is opened.", "laptop_lid_1", 0.0, 75.0, 1.0),
         ("A lever is pulled.", "lever_1", 0.0, 40.0, 6.0),
         ("A spring launcher is released.", "spring_launcher_1", -30.0, 0.0, 5.0),
     ],

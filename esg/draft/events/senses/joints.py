@@ -67,14 +67,14 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             d.scene.used[at] = note
 
 
-@sense("left_open")
-def read_left_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    """ "The lid stands open until a coconut drops on it": how it is at the start."""
-    note = "how it starts"
+@sense("left_so")
+def read_left_so(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    """ "The lid stands open until a coconut drops on it", "it lies shut": how it starts."""
+    note, shut = "how it starts", f.verb.extra["result"] in SHUTTING
     for body in openable(d, s):
         row = row_of(d, body)
         if row is not None and body not in d.timeline.tracks:
-            d.scene.openings.setdefault(body, row.opened or 0.0)
+            d.scene.openings.setdefault(body, 0.0 if shut else row.opened or 0.0)
     mark_used(d, f, note)
     at = place_of(f.verb.extra["result"], d.text, f)
     if at is not None:
@@ -137,7 +137,9 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             draft, often = d.timeline.node(node), _BACK_AND_FORTH.search(d.text, f.verb.end)
             if draft is not None and often is not None:
                 draft.extra.setdefault("times", _TO_AND_FRO)
-                d.scene.used[often.span()] = node
+                words = re.finditer(r"\w+", often[0])
+                spans = [(often.start() + w.start(), often.start() + w.end()) for w in words]
+                d.scene.used |= dict.fromkeys([often.span(), *spans], node)
     mark_used(d, f, note)
 
 

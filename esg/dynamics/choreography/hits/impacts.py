@@ -6,7 +6,7 @@ import math
 
 from esg.dynamics.choreography.flights import hits_level, slowed, thrown_back
 from esg.dynamics.choreography.hits.demands import KEPT
-from esg.dynamics.choreography.hits.rows import ROW_S, row_after
+from esg.dynamics.choreography.hits.rows import ROUGHER, ROW_S, row_after
 from esg.dynamics.choreography.placing import bring_support, goes_on, hits_on, yaw_met
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import (
@@ -22,6 +22,7 @@ from esg.dynamics.story.kinematics import (
     sliding_distance,
     sliding_travel,
 )
+from esg.dynamics.story.paces import usual_stop
 from esg.dynamics.story.slabs import REACH, are_slabs, down_first
 from esg.dynamics.story.solid import beside_the_middle
 from esg.dynamics.story.stagecraft import (
@@ -33,13 +34,18 @@ from esg.dynamics.story.stagecraft import (
 )
 from esg.dynamics.story.tipping import first_touch, stand_of
 from esg.graph.models import NodeEvent, TimelineNode
-from esg.thresholds import MIN_EVENT_GAP_S
+from esg.thresholds import MIN_EVENT_GAP_S, RECHECK_AFTER_S
 from esg.units import GRAVITY_MPS2
 
 THROWN_BACK = 0.3
 """Share of its speed from which something that hits a heavier body counts as thrown back."""
 APART_S, IN_ROW_S = 0.16, 0.22
 """Least time between two hits of a chain, and between those of a row of three or more."""
+SEEN_TWICE_S = RECHECK_AFTER_S + 0.05
+"""By how much later a driver comes to what stands fast than what it sent there."""
+DULLER, SURE_REACH, STEP_M = 0.95, 0.9, 0.1
+"""Share of its speed after a hit that is reckoned with then, share of the way that it slides on
+which it surely gets there, and by how much a gap is widened at a time."""
 CLEAR_M = 0.03
 """From what was met last to what is met next behind it, at least."""
 DOWN_S, FALLEN, THIN_FALLEN = 0.3, 0.85, 0.7
@@ -262,6 +268,8 @@ def _gap_to_next(
         else:
             gap, rolled = braked(track.speed, _drag(stage, pa), lasts)
         gap = max(gap, ROW_GAP_M if row else BALL_GAP_M)
+    if pb.fixed and stage.tight >= 1.0:
+        gap = _out_of_reach(stage, a, track.speed, gap)
     prescribed = stage.prescribed_time(node)
     if prescribed is not None:
         wait = max(prescribed - track.time, 0.05)
@@ -270,6 +278,40 @@ def _gap_to_next(
         if pa.rolls:
             gap = max(0.05, rolling_travel(track.speed, rubs, wait, track.spin)[0] * slows)
     return gap, rolled
+
+
+def _out_of_reach(stage: Stage, a: str, speed: float, gap: float) -> float:
+    """The gap [m] to what stands fast, widened so that a is not crushed against it.
+
+    Who drove into a brakes (`plan.cast.brakes_after`) and falls behind on the way: it is to come
+    when the hit has been looked at for the second time.
+
+    Args:
+        stage: The stage.
+        a: What was sent on its way.
+        speed: Its speed after that hit [m/s].
+        gap: Free way that it has otherwise [m].
+    """
+    body = stage.prop(a)
+    driver = next((k for k in stage.tracks if stage.met.get(k) == a), None)
+    if driver is None or body.rolls or not stage.prop(driver).wheeled:
+        return gap
+    follows = stage.tracks[driver].speed
+    brakes = usual_stop(stage.doc, stage.member(driver), follows)
+    speed, drag = DULLER * speed, ROUGHER * _drag(stage, body)
+    longest = SURE_REACH * sliding_distance(speed, drag / GRAVITY_MPS2)
+    while gap < longest:
+        lead = _covered_after(follows, brakes, gap) - _covered_after(speed, drag, gap)
+        if lead >= SEEN_TWICE_S:
+            break
+        gap = min(gap + STEP_M, longest)
+    return gap
+
+
+def _covered_after(speed: float, slows: float, way: float) -> float:
+    """When what slows down [m/s^2] has covered a way [m], inf if it stops before [s]."""
+    left = speed**2 - 2.0 * slows * way
+    return (speed - math.sqrt(left)) / slows if left > 0.0 else math.inf
 
 
 def _is_thin(body: Prop) -> bool:
