@@ -94,7 +94,7 @@ def account(
 def _arranged(items: list[CoverageItem], scene: Scene, text: str) -> list[CoverageItem]:
     """The items, of which those that say how a plural stands point to its pattern."""
     out = list(items)
-    for name, members in scene.world.groups.items():
+    for members in scene.world.groups.values():
         entities = [e for i in members if (e := scene.world.entities.get(i)) and e.in_group]
         if len(entities) < 2:
             continue
