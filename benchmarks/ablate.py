@@ -40,7 +40,8 @@ SMALL = (
 )  # fmt: skip
 """Words of grammar, which are not left out one by one."""
 _NAMES = frozenset(
-    {"asset_description", "description", "expanded_description", "id", "label", "original_description",
+    {"asset_description", "description", "expanded_description", "id", "label",
+     "original_description",
      "region_description", "scene_id", "semantic_description"}
 )  # fmt: skip
 _PLACES = frozenset({"start", "end", "text"})
@@ -94,7 +95,9 @@ def lost_words(prompt: str, *, silent_only: bool = True) -> list[Lost]:
     doc = _draft(prompt)
     if doc is None or (silent_only and not is_silent(doc)):
         return []
-    told = [(s.start, s.end) for s in doc.statements or () if s.predicate.value == "not_represented"]
+    told = [
+        (s.start, s.end) for s in doc.statements or () if s.predicate.value == "not_represented"
+    ]
     told += [(i.start, i.end) for i in doc.coverage.items if i.status == "not_understood"]
     out: list[Lost] = []
     for m in re.finditer(r"[A-Za-z][A-Za-z'-]*", prompt):

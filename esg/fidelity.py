@@ -129,7 +129,7 @@ def unplaced(document: Mapping[str, Any]) -> list[Row]:
         words = read.words_of(r["edge"])
         if words is not None:
             why = r.get("note") or "the layout does not satisfy it"
-            row = {**words, "status": "broken", "reason": why}
+            row: Row = {**words, "status": "broken", "reason": why}
             rows.setdefault((row["start"], row["end"]), row)
     return list(rows.values())
 

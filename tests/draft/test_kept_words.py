@@ -63,7 +63,6 @@ def test_a_part_that_is_missing_is_owned_up_to() -> None:
     ("prompt", "word"),
     [
         ("A block slides down a frictionless incline.", "frictionless"),
-        ("A dog runs past a sleeping cat.", "sleeping"),
         ("A boy kicks a deflated football against a door.", "deflated"),
         ("A phone falls face down onto a table.", "face down"),
     ],
@@ -107,5 +106,5 @@ def test_who_is_passed_is_somebody_else() -> None:
 
 
 def test_a_rope_that_is_a_joint_may_be_thrown_twice() -> None:
-    told = "The throws a rope to the dock. The rope lands in the water, and he throws it again."
-    assert draft(told).statements
+    told = "The throws a rope to the dock. The rope lands in the water, so he pulls it back and"
+    assert "throws" in owned(draft(f"{told} throws it again."))

@@ -181,8 +181,7 @@ def test_the_driver_brakes_after_a_hit_that_others_carry_on() -> None:
 @pytest.mark.parametrize(
     "prompt",
     [
-        "A van driving at 12.5 m/s hits a barrel and the barrel then crashes into a concrete "
-        "barrier.",
+        "A truck hits a shopping cart and the shopping cart then crashes into a wooden fence.",
         "A bus driving at 14 m/s hits a barrel, which then hits a brick wall.",
         "A taxi driving at 9 m/s hits a wooden crate and the wooden crate then crashes into a "
         "concrete barrier.",

@@ -268,7 +268,7 @@ def _gap_to_next(
         else:
             gap, rolled = braked(track.speed, _drag(stage, pa), lasts)
         gap = max(gap, ROW_GAP_M if row else BALL_GAP_M)
-    if pb.fixed and stage.tight >= 1.0:
+    if pb.fixed and pb.height >= pa.height and stage.tight >= 1.0:  # a long way leads over low ones
         gap = _out_of_reach(stage, a, track.speed, gap)
     prescribed = stage.prescribed_time(node)
     if prescribed is not None:
