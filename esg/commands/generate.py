@@ -140,9 +140,9 @@ def _on_server(arguments: tuple[Any, ...]) -> SceneState:
 
 
 def _pictures(channels: str) -> Settings:
-    from esg.api.rendering import settings_of
+    from esg.api.rendering import Asked, settings_of
 
-    return settings_of(channels)
+    return settings_of(Asked(channels))
 
 
 def _rendered(folder: Path, pictures: Settings, device: str, seed: int) -> dict[str, Any]:

@@ -59,6 +59,10 @@ def test_generate_proves_a_scene_once_and_remembers_it(tmp_path: Path) -> None:
     )  # fmt: skip
     assert rows["rows"] == [["solved", 0], ["solved", len(STAGES)]]
 
+    done = esg(tmp_path / "cache", tmp_path, "generate", PROMPT, "--render", "depth", "--json")
+    assert done.returncode == 0, done.stdout + done.stderr
+    assert list((folder / "render").rglob("*.png")), json.loads(done.stdout)["render"]
+
     replay = esg(
         tmp_path / "cache", tmp_path, "replay", folder.name, "--engine", "rapier", "--json"
     )
