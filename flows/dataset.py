@@ -32,6 +32,10 @@ MOST_LOST = 10
 """A batch is handed to the cluster again so often; a scene that ends its worker is no reason for it
 (`tasks.dataset.run_job` finds it), so that only machines are counted."""
 
+AHEAD = 1
+"""Batches that are begun beside those that workers make, and wait for one: Prefect takes about a
+second to begin a batch, in which a worker would have nothing to do."""
+
 Runner = Literal["process", "dask", "ray"]
 Done = Callable[[BatchResult], None]
 
@@ -184,7 +188,7 @@ def with_runner(
 
 def _task_runner(runner: Runner, workers: int) -> Any:
     if runner == "process":
-        return ThreadPoolTaskRunner(max_workers=max(1, workers))
+        return ThreadPoolTaskRunner(max_workers=max(1, workers) + AHEAD)
     # For the processes of a cluster that starts on this machine: they share its cores.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     os.environ.setdefault("ESG_THREADS", "1")

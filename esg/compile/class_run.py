@@ -31,7 +31,7 @@ from esg.compile.records import (
     shape_of,
 )
 from esg.engines.breaking.swap import brittle, settle
-from esg.engines.executor import play, touch_order
+from esg.engines.executor import Touch, play, touch_order
 from esg.engines.scene import Body, Rollout, Shape, SimScene
 from esg.engines.worlds import ContactRecorder, Frames, Principal, Values, rest_states, world_values
 from esg.units import quat_rotate, quat_rotated
@@ -407,11 +407,15 @@ class _Driver:
 
     def _report(self, world: Any) -> None:
         notifies = self._run._records
-        # The class logs the first that passes its threshold.
-        for a, b, impulse, depth, point, normal in sorted(world.contacts(True), key=touch_order):
+        heard: list[tuple[int, int, Touch]] = []
+        for touch in world.contacts(True):
+            a, b = touch[:2]
             first, second = self._component(a, b), self._component(b, a)
-            if not (notifies[first].notifies or notifies[second].notifies):
-                continue
+            if notifies[first].notifies or notifies[second].notifies:
+                heard.append((first, second, touch))
+        # The class logs the first that passes its threshold.
+        heard.sort(key=lambda one: touch_order(one[2]))
+        for first, second, (_, _, impulse, depth, point, normal) in heard:
             x, y, z = (float(v) for v in normal)
             facing = (v / frames.CM_PER_M for v in frames.vector_numbers((x, y, z)))
             self._run._check(

@@ -187,7 +187,7 @@ class PhysxWorld:
         self._scene.set_timestep(dt)
         self._dt = dt
         self._within: list[Touch] = []
-        self._seen: dict[bool, list[Touch]] = {}  # of the ground, and not
+        self._seen: list[Touch] | None = None
         self._log: list[Touch] | None = None
         self._away: set[int] = set()
         self._mass = values.mass[w]
@@ -405,23 +405,21 @@ class PhysxWorld:
 
     def _touches(self, ground: bool) -> list[Touch]:
         """What touched in the last part of the step, in `touch_order`; read once a part."""
-        # SAPIEN lists pairs of shapes by where they lie in memory, which tells of the scenes that
-        # this process has played before: of two bodies the strongest contact comes first.
-        for of_ground in (False, True) if ground else (False,):
-            if of_ground not in self._seen:
-                self._seen[of_ground] = [*self._listed(of_ground)]
-        parts = self._seen.values() if ground else (self._seen[False],)
-        return sorted((t for part in parts for t in part), key=touch_order)
+        if self._seen is None:
+            # SAPIEN lists pairs of shapes by where they lie in memory, which tells of the scenes
+            # that this process has played before: of two bodies the strongest contact comes first.
+            self._seen = [*self._listed()]
+            if len(self._seen) > 1:
+                self._seen.sort(key=touch_order)
+        return self._seen if ground else [t for t in self._seen if t[0] >= 0 and t[1] >= 0]
 
     def _step(self) -> None:
         self.system.step()
-        self._seen.clear()
+        self._seen = None
 
-    def _listed(self, of_ground: bool) -> Iterator[Touch]:
+    def _listed(self) -> Iterator[Touch]:
+        index = self._index
         for contact in self.system.get_contacts():
-            a, b = (self._index[c._physx_pointer] for c in contact.bodies)
-            if (a < 0 or b < 0) is not of_ground:
-                continue
             points = contact.points
             if not points:
                 continue
@@ -433,6 +431,7 @@ class PhysxWorld:
                 if impulse > best:
                     best, strongest = impulse, p
             if total > 0.0:
+                a, b = (index[c._physx_pointer] for c in contact.bodies)
                 yield a, b, total, depth, strongest.position, strongest.normal
 
 

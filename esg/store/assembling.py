@@ -221,7 +221,8 @@ def _gather(table: str, files: Sequence[Path], places: Sequence[_Place]) -> pa.T
     pieces = [arrow_schema(table).empty_table()]
     targets: list[int] = []
     for number, rows in sorted(wanted.items()):
-        pieces.append(read_table(files[number]).take(pa.array([r for r, _ in rows], pa.int64())))
+        part = read_table(files[number], known=True)
+        pieces.append(part.take(pa.array([r for r, _ in rows], pa.int64())))
         targets += [target for _, target in rows]
     order = sorted(range(len(targets)), key=targets.__getitem__)
     data = pa.concat_tables(pieces)

@@ -135,6 +135,8 @@ namespace Shim
 		bool bGravitySet = false;
 		bool bFixedStep = false;
 		double FixedStep = 0.0;
+		/** Grows when the host steps: what was read of bodies before holds until then. */
+		uint64_t Moment = 1;
 		/** Owned. */
 		std::vector<UObject*> Pool;
 		std::vector<UPrimitiveComponent*> Bodies;
@@ -689,6 +691,7 @@ public:
 		const double L[3] = {ShimLocation.X, ShimLocation.Y, ShimLocation.Z};
 		const double R[4] = {ShimRotation.X, ShimRotation.Y, ShimRotation.Z, ShimRotation.W};
 		Shim::State().Host->Present(ShimId, ShimThere ? 1 : 0, L, R);
+		ShimPose.Moment = ShimVelocity.Moment = 0;
 	}
 	void SetEnableGravity(bool bEnable) { ShimGravity = bEnable; }
 	void SetMassOverrideInKg(FName, float Mass, bool bOverride)
@@ -751,40 +754,34 @@ public:
 		}
 		const double Values[3] = {Velocity.X, Velocity.Y, Velocity.Z};
 		Shim::State().Host->SetVelocity(ShimId, Values);
+		ShimVelocity.Moment = 0;
 	}
 	void SetPhysicsAngularVelocityInDegrees(FVector Spin, bool bAddToCurrent = false, FName = NAME_None)
 	{
 		ShimRequireLive("SetPhysicsAngularVelocityInDegrees");
 		if (bAddToCurrent)
 		{
-			double Linear[3], Angular[3];
-			Shim::State().Host->GetVelocity(ShimId, Linear, Angular);
-			Spin = Spin + FVector(Angular[0], Angular[1], Angular[2]);
+			Spin = Spin + ShimReadVelocity().Spin;
 		}
 		const double Values[3] = {Spin.X, Spin.Y, Spin.Z};
 		Shim::State().Host->SetSpin(ShimId, Values);
+		ShimVelocity.Moment = 0;
 	}
 	FVector GetPhysicsLinearVelocity(FName = NAME_None) const
 	{
 		ShimRequireLive("GetPhysicsLinearVelocity");
-		double Linear[3], Angular[3];
-		Shim::State().Host->GetVelocity(ShimId, Linear, Angular);
-		return FVector(Linear[0], Linear[1], Linear[2]);
+		return ShimReadVelocity().Linear;
 	}
 	FVector GetPhysicsAngularVelocityInDegrees(FName = NAME_None) const
 	{
 		ShimRequireLive("GetPhysicsAngularVelocityInDegrees");
-		double Linear[3], Angular[3];
-		Shim::State().Host->GetVelocity(ShimId, Linear, Angular);
-		return FVector(Angular[0], Angular[1], Angular[2]);
+		return ShimReadVelocity().Spin;
 	}
 	FVector GetCenterOfMass(FName = NAME_None) const
 	{
 		ShimRequireLive("GetCenterOfMass");
-		double Location[3], Rotation[4];
-		Shim::State().Host->GetPose(ShimId, Location, Rotation);
-		const FQuat Turn(Rotation[0], Rotation[1], Rotation[2], Rotation[3]);
-		return FVector(Location[0], Location[1], Location[2]) + Turn.RotateVector(ShimInstance.ShimFrame.Translation);
+		const FShimPose& Pose = ShimReadPose();
+		return Pose.Location + Pose.Rotation.RotateVector(ShimInstance.ShimFrame.Translation);
 	}
 	void AddImpulse(FVector Impulse, FName, bool bVelChange)
 	{
@@ -796,6 +793,7 @@ public:
 		}
 		const double Values[3] = {Impulse.X, Impulse.Y, Impulse.Z};
 		Shim::State().Host->Impulse(ShimId, Values);
+		ShimVelocity.Moment = 0;
 	}
 	bool ComputePenetration(FMTDResult& Out, const FCollisionShape& Shape, const FVector& Location, const FQuat& Rotation) const
 	{
@@ -815,9 +813,41 @@ public:
 		{
 			return FTransform(ShimRotation, ShimLocation);
 		}
-		double L[3], R[4];
-		Shim::State().Host->GetPose(ShimId, L, R);
-		return FTransform(FQuat(R[0], R[1], R[2], R[3]), FVector(L[0], L[1], L[2]));
+		const FShimPose& Pose = ShimReadPose();
+		return FTransform(Pose.Rotation, Pose.Location);
+	}
+
+	/** What the host has said of a body, and at which moment; 0: nothing that holds. */
+	struct FShimPose
+	{
+		uint64_t Moment = 0;
+		FVector Location;
+		FQuat Rotation;
+	};
+	struct FShimVelocity
+	{
+		uint64_t Moment = 0;
+		FVector Linear, Spin;
+	};
+	const FShimPose& ShimReadPose() const
+	{
+		if (ShimPose.Moment != Shim::State().Moment)
+		{
+			double L[3], R[4];
+			Shim::State().Host->GetPose(ShimId, L, R);
+			ShimPose = {Shim::State().Moment, FVector(L[0], L[1], L[2]), FQuat(R[0], R[1], R[2], R[3])};
+		}
+		return ShimPose;
+	}
+	const FShimVelocity& ShimReadVelocity() const
+	{
+		if (ShimVelocity.Moment != Shim::State().Moment)
+		{
+			double L[3], A[3];
+			Shim::State().Host->GetVelocity(ShimId, L, A);
+			ShimVelocity = {Shim::State().Moment, FVector(L[0], L[1], L[2]), FVector(A[0], A[1], A[2])};
+		}
+		return ShimVelocity;
 	}
 
 	void ShimRequireLive(const char* Function) const
@@ -847,6 +877,8 @@ public:
 	uint32_t ShimBlocks = ~0u;
 	UPhysicalMaterial* ShimMaterial = nullptr;
 	FBodyInstance ShimInstance;
+	mutable FShimPose ShimPose;
+	mutable FShimVelocity ShimVelocity;
 };
 
 class UStaticMeshComponent : public UPrimitiveComponent

@@ -306,7 +306,9 @@ extern "C"
 	int esg_tick(double DeltaTime)
 	{
 		using namespace ShimGlue;
-		return Guard([&] { Actor->Tick(static_cast<float>(DeltaTime)); });
+		const int Failed = Guard([&] { Actor->Tick(static_cast<float>(DeltaTime)); });
+		++Shim::State().Moment;
+		return Failed;
 	}
 
 	/** Impulse and normal act on the first body (Unreal's frame, kg cm/s); depth in cm. */

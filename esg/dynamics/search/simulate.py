@@ -19,6 +19,8 @@ from esg.engines.scene import Rollout, SimScene, Variation
 from esg.graph.models import EdgeEvent
 
 FPS = 60.0
+PLAY_ON_STEPS = 2
+"""How many steps in one are taken to see when all has come to rest, which decides nothing else."""
 
 
 @dataclass(frozen=True)
@@ -127,18 +129,19 @@ class Simulator:
     def play_on(self, theta: NDArray[np.float64], duration: float) -> Rollout:
         """One unperturbed candidate with all its bodies, for longer than events need.
 
-        Nothing is judged: it is no evaluation.
+        Nothing is judged: it is no evaluation, and steps are longer where frames allow it.
 
         Args:
             theta: Shape [n].
             duration: [s].
         """
         batch = batch_programs([self.plan.compile(theta)], self.plan.scene.names)
+        longer = math.gcd(self._every, PLAY_ON_STEPS)
         return self.engine.rollout(
             self.plan.scene,
             replace(batch, duration=duration),
-            dt=self.dt,
-            record_every=self._every,
+            dt=longer * self.dt,
+            record_every=self._every // longer,
             variation=self._variation(theta[None], [NOMINAL]),
         )
 
