@@ -173,3 +173,17 @@ def test_nothing_happens_to_what_is_drawn_as_a_joint() -> None:
     doc = draft("A crate hangs from a crane by a rope. A gull flies against the rope.")
     assert not verify(doc)
     assert "flies" in lost(doc)
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A lamp hanging from the ceiling sways after a basketball hits it.",
+        "A punching bag hanging from the ceiling swings when a robot hits it.",
+        "A chandelier that hangs from the ceiling falls onto a table.",
+    ],
+)
+def test_what_hangs_from_the_ceiling_is_told(prompt: str) -> None:
+    doc = draft(prompt)
+    assert "from the ceiling" not in lost(doc)
+    assert any(s.predicate == "hangs_from" for s in doc.statements)

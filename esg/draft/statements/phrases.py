@@ -226,11 +226,12 @@ def _below_a_slope(a: Account, about: set[str]) -> bool:
 def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame | None) -> bool:
     """Whether something in the document is about both what a phrase names and who it is said of."""
     d, part = a.d, p.mention.part if p.mention is not None else ""
+    by = _carrier(d, others, p, part, f)
     if any(structural(d, i) for i in others):
-        return _answered_by_ground(a, about, others, p)
+        hangs = any(_tells(s, about, others, p.prep, by) for s in a.kept)  # "from the ceiling"
+        return hangs or _answered_by_ground(a, about, others, p)
     if part and part not in _SIDES and part != "surface" and p.prep in _TO_A_PART:
         return _told_of_a_part(a, about, others)
-    by = _carrier(d, others, p, part, f)
     own = {node for g, node in d.times.of_frame if f is not None and g.verb is f.verb}
     return (
         (by.holds and held(d, about, others))
