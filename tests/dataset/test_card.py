@@ -4,6 +4,9 @@ from __future__ import annotations
 
 import json
 from pathlib import Path
+import re
+import subprocess
+import sys
 from typing import Any
 
 from PIL import Image
@@ -12,6 +15,7 @@ import pytest
 from esg.dataset.card import CARD, untimed, write_card
 from esg.dataset.card.facts.failures import cause
 from esg.dataset.card.markdown import cell, table
+from esg.dataset.card.recipes import recipes
 from esg.dataset.card.sheet import TILE_PX
 from esg.dataset.distribution import Distribution
 from esg.dataset.plan import DatasetSpec, RenderSpec
@@ -159,6 +163,23 @@ def test_the_sheet_shows_every_scene_once(card: tuple[Path, dict[str, Any], str]
         # The middle frame of a synthetic clip: a red body on grey.
         red, green, _ = sheet.convert("RGB").resize((3, 1)).getpixel((0, 0))  # type: ignore[misc]
         assert red > green
+
+
+def test_its_code_is_written_as_ours(tmp_path: Path) -> None:
+    """A card that is published in the docs has to pass the same checks as they do."""
+    every = {
+        "clips": {"channels": ("rgb", "depth", "flow", "segmentation")},
+        "layouts": ("webdataset", "lerobot", "movi"),
+    }
+    blocks = re.findall(r"```python\n(.*?)```", "\n".join(recipes(every)), re.S)
+    assert len(blocks) == 6
+    for k, block in enumerate(blocks):
+        (tmp_path / f"block{k}.py").write_text(block)
+    done = subprocess.run(
+        [sys.executable, "-m", "ruff", "format", "--check", "--config", "pyproject.toml", tmp_path],
+        capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stdout + done.stderr
 
 
 def test_cells_stay_in_their_table() -> None:

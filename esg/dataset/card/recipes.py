@@ -12,6 +12,7 @@ from esg.dataset.card.markdown import Lines
 _TABLES = """
 ```python
 from datasets import load_dataset
+
 scenes = load_dataset("PATH", "scenes", split="train")
 moves = load_dataset("PATH", "trajectories", split="train")  # join by scene_key
 ```
@@ -19,13 +20,16 @@ moves = load_dataset("PATH", "trajectories", split="train")  # join by scene_key
 SELECT rule, avg(verified::INTEGER) FROM 'PATH/scenes/*.parquet' GROUP BY rule -- DuckDB
 ```
 ```python
-import polars as pl; pl.scan_parquet("PATH/scenes/*.parquet")
+import polars as pl
+
+pl.scan_parquet("PATH/scenes/*.parquet")
 ```
 """.strip()
 
 _CLIPS = """
 ```python
 import av, numpy as np, pyarrow.parquet as pq
+
 clip = pq.read_table("PATH/clips", filters=[("split", "=", "train")]).slice(0, 1).to_pylist()[0]
 path = {f["channel"]: "PATH/" + f["path"] for f in clip["files"]}
 frames = lambda c: np.stack([f.to_ndarray() for f in av.open(path[c]).decode(video=0)])
@@ -36,12 +40,12 @@ rgb = np.stack([f.to_ndarray(format="rgb24") for f in av.open(path["rgb"]).decod
 _DECODED = {
     "depth": (
         'code, at = frames("depth"), (slice(None), None, None)',
-        "metres = np.exp(np.array(clip['depth_offset'])[at] + "
-        "np.array(clip['depth_scale'])[at] * code) * (code > 0)  # 0: nothing",
+        'logs = np.array(clip["depth_offset"])[at] + np.array(clip["depth_scale"])[at] * code',
+        "metres = np.exp(logs) * (code > 0)  # 0: nothing",
     ),
     "flow": (
         'code = frames("flow").astype(float)  # third plane: 65535 where known',
-        "shift_px = (code[..., :2] - 32768) * np.array(clip['flow_scale'])[:, None, None, None]",
+        'shift_px = (code[..., :2] - 32768) * np.array(clip["flow_scale"])[:, None, None, None]',
     ),
     "segmentation": ('ids = frames("segmentation")  # 0 nothing, 1 ground, else objects[k]["id"]',),
 }
@@ -50,6 +54,7 @@ _LAYOUTS = {
     "webdataset": """
 ```python
 import webdataset as wds
+
 shards = "PATH/layouts/webdataset/train-{000000..000000}.tar"  # as many as there are
 for sample in wds.WebDataset(shards, shardshuffle=False):
     video, facts = sample["rgb.mp4"], sample["json"]  # bytes; .npz has the arrays a frame
@@ -58,6 +63,7 @@ for sample in wds.WebDataset(shards, shardshuffle=False):
     "lerobot": """
 ```python
 from lerobot.datasets.lerobot_dataset import LeRobotDataset
+
 episodes = LeRobotDataset("esg/scenes", root="PATH/layouts/lerobot")  # an episode a clip
 frame = episodes[0]
 ```
@@ -65,6 +71,7 @@ frame = episodes[0]
     "movi": """
 ```python
 import glob, numpy as np
+
 for path in sorted(glob.glob("PATH/layouts/movi/**/*.npz", recursive=True)):
     clip = np.load(path, allow_pickle=False)  # MOVi's fields
 ```
