@@ -187,3 +187,12 @@ def test_what_hangs_from_the_ceiling_is_told(prompt: str) -> None:
     doc = draft(prompt)
     assert "from the ceiling" not in lost(doc)
     assert any(s.predicate == "hangs_from" for s in doc.statements)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "seconds"),
+    [("At 09:15 a ball rolls into a wall.", "555.0"), ("A car hits a cone at 14:30.", "870.0")],
+)
+def test_a_time_of_day_is_no_moment_of_the_scene(prompt: str, seconds: str) -> None:
+    timeline = draft(prompt).timeline_system
+    assert timeline is not None and seconds not in timeline.model_dump_json()

@@ -12,7 +12,7 @@ from esg.graph.models import NodeEvent, Predicate
 
 _EACH = frozenset(
     {"own", "fly", "fall", "roll", "slide", "launch", "drop", "bounce", "coast", "topple"}
-    | {"carry", "pick"}
+    | {"carry", "pick", "brake", "stop", "turn", "swerve", "spin", "reverse", "jump"}
 )
 """Senses of which each of several things needs a motion of its own."""
 _SENT = frozenset({"launch", "drop", "carry", "pick", "phrase"})
@@ -24,6 +24,8 @@ _STATES = frozenset(
 _ALONG = frozenset({"own", "tow", "carry"})
 """Senses of which who does it goes where the object goes."""
 _LIFTED = lex.word_set("picks up")
+_NAMED_BEFORE = frozenset({"it", "him", "them"})
+NO_REFERENT = "nothing that was named before is meant"
 NO_EVENT = "nothing of the kind happens in the scene"
 
 
@@ -47,7 +49,11 @@ def arguments(a: Account) -> Iterator[Gap]:
             if ids and not {*ids} & taking and not structural(d, ids[0]):
                 yield Gap(f.verb.start, f.verb.end, NO_EVENT, tuple(ids))
         m = f.object if f.verb.sense not in ("avoid", "miss") else None
-        if m is None or nodes_of(d, m) or m.pronoun or m.amounts or m.count == 0:
+        if m is None or nodes_of(d, m) or m.amounts or m.count == 0:
+            continue
+        if m.pronoun:
+            if m.pronoun in _NAMED_BEFORE and f.verb.sense in _SENT | _ALONG:
+                yield Gap(m.start, m.end, NO_REFERENT)  # "Smith drives it low"
             continue
         if m.head not in PASSED_OVER and (m.start, m.end) not in d.scene.used:
             yield Gap(m.start, m.end, NOTHING)

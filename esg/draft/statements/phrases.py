@@ -15,7 +15,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import kind_of, structural
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import GROUND, LIMBED
+from esg.draft.discourse.scene import GROUND, LIMBED, Relation
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.courses import measurable
 from esg.draft.events.stated import start_of
@@ -54,6 +54,10 @@ _ENDS = frozenset({"ends_on", "ends_in", "ends_near", "above", "under"})
 _HITS = frozenset({"impact", "contact", "collision", "crash"})
 _TO_PIECES = lex.word_set("to pieces")
 _FEET = frozenset({"bottom", "foot"})
+_OPPOSITE = {
+    "left_of": "right_of", "right_of": "left_of", "in_front_of": "behind",
+    "behind": "in_front_of", "above": "under", "under": "above",
+}  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -107,6 +111,8 @@ def phrases(a: Account) -> Iterator[Gap]:
         if m is None or p.amount is not None or m.amounts or p.prep in _WHY:
             continue
         others = {*nodes_of(a.d, m)}
+        if m.pronoun and "other" in m.adjectives and about and about <= others:
+            yield Gap(max(start_of(p, a.d.text), 0), m.end, "there are no others in the scene")
         about -= others
         if about and not (_answered(a, about, others, p, f) if others else _no_place(a, about, p)):
             missing = f'nothing in the scene stands for "{p.prep}"'
@@ -308,9 +314,17 @@ def _aims(e: TimelineEdge, about: set[str], others: set[str], which: str) -> boo
 def _related(d: Discourse, about: set[str], others: set[str], by: Carriers) -> bool:
     for r in d.scene.relations:
         ends = {r.source, r.target, r.text}
-        if ends & others and ends & about and (not by.relations or r.kind in by.relations):
+        fits = not by.relations or r.kind in by.relations
+        if ends & others and ends & about and fits and not _changed(d, r):
             return True
     return False
+
+
+def _changed(d: Discourse, r: Relation) -> bool:
+    """ "Is left of a vase, then right of it": only where it is first is kept."""
+    first = next(q for q in d.scene.relations if (q.source, q.target) == (r.source, r.target)
+                 and q.kind in (r.kind, _OPPOSITE.get(r.kind)))  # fmt: skip
+    return first.kind != r.kind
 
 
 def _tells(s: Statement, about: set[str], others: set[str], prep: str, by: Carriers) -> bool:

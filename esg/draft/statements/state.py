@@ -398,15 +398,15 @@ def _goal(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     if own and not any(c.to in targets for n in d.timeline.nodes for c in n.constraints):
         when = "throughout" if targets[0] in also else "end"
         book.add(s.row.states, s.start, s.end, object=(mover,), target=tuple(targets), when=when)
-        _starts_there(book, mover, targets[0])
+        _starts_there(book, mover, targets[0], s.row.states)
 
 
-def _starts_there(book: _Book, mover: str, other: str) -> None:
+def _starts_there(book: _Book, mover: str, other: str, says: Predicate) -> None:
     """ "Is on the left of a chair, then ...": where it starts is stated of what gets elsewhere."""
     d = book.d
     for r in d.scene.relations:
         words = _SIDE_WORDS.get(r.kind)
-        if words is None or (r.source, r.target) != (mover, other):
+        if words is None or (r.source, r.target) != (mover, other) or r.kind == says.value:
             continue
         found = words.search(d.text)
         if found is not None:

@@ -11,15 +11,16 @@ from dataclasses import dataclass
 from functools import cache
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import kind_of, movable
+from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.scene import LIMBED
 from esg.draft.events.courses import measurable
 from esg.draft.events.hanging import row_of
 from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import adverbs_of
 from esg.draft.events.told import last_of
-from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
 _NO_PICTURE = lex.word_set("no picture (statements)")
@@ -34,6 +35,7 @@ _STATES = frozenset(
 """Senses that may add nothing to a scene: states, and what other clauses tell."""
 _SETS_IN_MOTION = frozenset({"drop", "launch", "roll", "slide", "knock", "scatter", "pocket"})
 """Senses of which the object moves."""
+_WAYS = frozenset({"along", "across", "through", "up", "down", "around", "past"})
 NOTHING_MOVES = "nothing of the kind happens in the scene"
 
 
@@ -91,7 +93,7 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
     of those who act.
     """
     f = clause.frame
-    doers = f.subject.entities if f.subject is not None else []
+    doers = _doers(f)
     kinds = {kind_of(d, i) for i in (*doers, *clause.movers) if i in d.world.entities}
     for condition in voice.split():
         if condition == "active" and (f.verb.passive or f.reduced or f.object is None):
@@ -117,6 +119,13 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
         if condition.startswith("of:") and condition[3:] not in kinds:
             return False
     return True
+
+
+def _doers(f: Frame) -> list[str]:
+    """Who a clause is said of, and of a passive one who does it ("is caught by a girl")."""
+    by = f.phrase("by") if f.verb.passive else None
+    named = (f.subject, by.mention if by is not None else None)
+    return [i for m in named if m is not None for i in m.entities]
 
 
 def _loose(d: Discourse, clause: Clause) -> bool:
@@ -147,12 +156,54 @@ def _shoved(d: Discourse, clause: Clause) -> bool:
     return any(e is not None and e.params.elevation_deg is None for e in first)
 
 
+def _flung(d: Discourse, clause: Clause) -> bool:
+    """Whether what is moved over something leaves the ground for it."""
+    over = clause.frame.phrase("over", "onto", "across")
+    first = (next((e for e in d.timeline.edges if e.actor == m), None) for m in clause.movers)
+    return over is not None and any(e and e.params.elevation_deg is not None for e in first)
+
+
+def _far(d: Discourse, clause: Clause) -> bool:
+    """Whether a body is moved along a way that who moves it has to go too."""
+    f = clause.frame
+    limbed = any(kind_of(d, i) in LIMBED for i in _doers(f) if i in d.world.entities)
+    return (
+        limbed and (f.object is not None or f.verb.passive) and any(_way(d, p) for p in f.phrases)
+    )
+
+
+def _way(d: Discourse, p: Phrase) -> bool:
+    """ "Up a hill", "across the lawn", "down a street": not across a table."""
+    named = [] if p.mention is None or p.prep not in _WAYS else p.mention.entities
+    bodies = [i for i in named if i in d.world.entities]
+    up = p.prep == "up" and any("incline" in entity_of(d, i).noun.traits for i in bodies)
+    return up or any(structural(d, i) for i in bodies)
+
+
+def _alone(d: Discourse, clause: Clause) -> bool:
+    """ "A boy kicks a ball and the lamp falls over": nothing that is told touches the lamp."""
+    f, about = clause.frame, {*clause.movers}
+    at = next(k for k, c in enumerate(d.scene.clauses) if c is clause)
+    before = d.scene.clauses[at - 1] if at else None
+    if before is None or f.verb.passive or f.relative or f.subordinate or f.subject is None:
+        return False
+    acts = before.frame.verb.sense in _SETS_IN_MOTION | {"hit"}
+    joined = before.frame.sentence == f.sentence and not {*before.movers} & about
+    met = any(about < {*n.participants} for n in d.timeline.nodes)
+    first = not any(about & {*c.movers} for c in d.scene.clauses[:at])
+    return acts and joined and first and f.subject.determiner == "the" and not met
+
+
 _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "loose": lambda d, c: bool(c.movers) and _loose(d, c),
     "bumped": lambda d, c: c.frame.verb.form == "ing" and _bumped(d, c.frame),
     "down": _goes_down,
     "finite": lambda d, c: not (c.frame.verb.passive or c.frame.reduced),
     "shoved": _shoved,
+    "flung": _flung,
+    "far": _far,
+    "alone": _alone,
+    "agentless": lambda d, c: c.frame.verb.passive and c.frame.phrase("by") is None,
     "untied": lambda d, c: not _tied(d, c.frame),
 }
 """Conditions of a row that look at the scene or at the words around the verb."""

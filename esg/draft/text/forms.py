@@ -45,6 +45,13 @@ _MINUTES = (
     r"(?<![\d:.])(?:at\s+)?(?P<big>0?\d):(?P<small>[0-5]\d(?:\.\d+)?)(?![\d:])"
     r"(?!\s*(?:scale|aspect|ratio|am\b|pm\b|a\.m|p\.m|o'clock))"
 )
+_TIME_OF_DAY = (
+    r"(?<![\d:.])(?:(?:at|around|by|since|until)\s+(?:[01]?\d|2[0-3]):[0-5]\d(?![\d:])"
+    r"(?:\s*(?:[ap]\.?m\b\.?|hours|hrs|h\b|o'clock))?"
+    r"|(?:at\s+)?\d{1,2}(?:[:.][0-5]\d)?\s*(?:[ap]m\b|[ap]\.m\.|o'clock))"
+)
+_LONGEST_S = 300.0
+"""Minutes and seconds after this are hours and minutes: no scene lasts that long."""
 _FEET = (
     r"(?<![\w.])(?P<big>\d+)\s*['’′](?!\d{3})\s*(?P<small>(?:\d|1[01])(?:\.\d+)?)"
     r"\s*(?:\"|”|″|''|(?!\w))"
@@ -100,10 +107,15 @@ def _clock(m: re.Match[str]) -> Amount:
     return amount_of(m, "time", low, high, "start")
 
 
-def _minutes(m: re.Match[str]) -> Amount:
-    """An instant as minutes and seconds."""
+def _minutes(m: re.Match[str]) -> Amount | None:
+    """An instant as minutes and seconds; nothing where it is a time of day."""
     at = 60.0 * float(m["big"]) + float(m["small"])
-    return amount_of(m, "time", at, at, "start")
+    return amount_of(m, "time", at, at, "start") if at <= _LONGEST_S else None
+
+
+def _time_of_day(m: re.Match[str]) -> Amount:
+    """ "At 09:15": no event of a scene has it."""
+    return amount_of(m, "other", 0.0, 0.0)
 
 
 def _feet(m: re.Match[str]) -> Amount:
@@ -124,6 +136,7 @@ _FORMS = (
     (re.compile(_SIDES, re.I), _sides),
     (re.compile(_CLOCK, re.I), _clock),
     (re.compile(_MINUTES, re.I), _minutes),
+    (re.compile(_TIME_OF_DAY, re.I), _time_of_day),
     (re.compile(_FEET, re.I), _feet),
     *(_named(*row) for row in _NAMED),
     (re.compile(_PERIOD, re.I), _period),

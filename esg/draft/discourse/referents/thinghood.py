@@ -54,6 +54,10 @@ def _scene(world: World, m: Mention, subject: bool) -> bool:
     return (m.head in _SCENES and m.after_prep in _DURING) or (place and m.after_prep in _WHERE)
 
 
+_LOADED = lex.word_set("load beds")
+"""Words of names of vehicles that carry loads on a bed."""
+
+
 def _with_a_part(world: World, m: Mention, subject: bool) -> bool:
     """ "with one hand", "in its mouth", "wags its tail": a part of who acts."""
     part = m.head in lex.BODY_PARTS or (m.noun is None and no_things().get(m.head) == "body")
@@ -112,6 +116,12 @@ def _its_parts(world: World, m: Mention, subject: bool) -> bool:
     return whose and all_of_them and m.head in _RUN and bool({*wholes} & _HAVE_PARTS)
 
 
+def _load_bed(world: World, m: Mention, subject: bool) -> bool:
+    """ "Three logs in its bed", "the truck bed": where a truck that was named has its load."""
+    wholes = {w for e in world.entities.values() for w in e.noun.name.split()}
+    return m.head == "bed" and m.determiner in ("", "the", "its") and bool(wholes & _LOADED)
+
+
 def _share(world: World, m: Mention, subject: bool) -> bool:
     """ "One half drops": what something was cut into is no thing of its own."""
     return m.noun is None and m.head in _SHARES and not m.part
@@ -146,6 +156,7 @@ _TESTS: tuple[Callable[[World, Mention, bool], bool], ...] = (
     _of_a_machine,
     _unseen,
     _its_parts,
+    _load_bed,
     _share,
     _place_name,
 )

@@ -134,8 +134,8 @@ def _noun_here(c: Chunks, j: int, m: Mention) -> NounMatch | None:
         return None  # "orange sky"
     if noun[3] in lex.PARTS and low_at(c, j + 1) == "of" and _of_a_vehicle(c, j + 2):
         return None  # "the bed of a truck"
-    if m.determiner in ("both", "all") and many_do(c, j, m):
-        return None  # "and both slide into a bale"
+    if m.determiner in ("both", "all", "the") and many_do(c, j, m):
+        return None  # "and both slide into a bale", "the two stick together"
     return noun
 
 

@@ -170,10 +170,23 @@ def waiting_place(c: Chunks, i: int, j: int, m: Mention) -> bool:
 
 
 def many_do(c: Chunks, j: int, m: Mention) -> bool:
-    """ "both fall": what comes after "both" or "all" is plural, or a verb."""
+    """ "both fall", "the other two swerve": after "both" or a number comes a plural, or a verb."""
     low = low_at(c, j)
     many = m.determiner in ("both", "all", "some", "many", "several") and not m.adjectives
-    return many and lex.singular(low)[0] == low and bool(verb_readings(low))
+    counted = not m.vague and (m.count or 1) > 1 and _others_only(m) and _clause_goes_on(c, j + 1)
+    return (many or counted) and lex.singular(low)[0] == low and bool(verb_readings(low))
+
+
+def _others_only(m: Mention) -> bool:
+    """Whether nothing but "other", "first", "last" is said of those counted."""
+    return m.determiner == "the" and {*m.adjectives} <= {"other", "first", "last", "next"}
+
+
+def _clause_goes_on(c: Chunks, k: int) -> bool:
+    """Whether token k may follow a verb without an object."""
+    nxt = token_at(c, k)
+    small = lex.PREPOSITIONS | lex.ADVERBS | {"and", "but", "while", "as", "together"}
+    return nxt is None or nxt.kind == "punct" or nxt.low in small
 
 
 def ends_phrase(c: Chunks, k: int) -> bool:
