@@ -106,6 +106,8 @@ class Moves:
     """What leans on something, so that it tips over when it falls."""
     on_top: dict[str, str] = field(default_factory=dict[str, str])
     """What moves about on something, and on what."""
+    upon: dict[str, str] = field(default_factory=dict[str, str])
+    """What somebody has leapt onto, and is on."""
     still: dict[str, int] = field(default_factory=dict[str, int])
     """What is said not to move, and where the prompt says so."""
     stays: dict[str, int] = field(default_factory=dict[str, int])

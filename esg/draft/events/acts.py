@@ -308,9 +308,17 @@ def add_hit(
             if f.verb.lemma in ("run", "drive", "slam") and kind_of(d, target) in _OPENINGS:
                 enter(d, f, mover, target, time)  # "runs into the gutter"
                 continue
+            _up_there(d, *pair)
             out.append(_hit(d, f, *pair, time))
             time = None
     return out
+
+
+def _up_there(d: Discourse, mover: str, target: str) -> None:
+    """ "Jumps onto a table and pushes a glass": that is on it, too, if nothing else is said."""
+    host = d.moves.upon.get(mover, target)
+    if host != target and target not in d.scene.supported_by and fits_on(d, target, host):
+        place(d, [target], [host], "on")
 
 
 def _who_hits(d: Discourse, f: Frame, mover: str, target: str) -> tuple[str, str] | None:
@@ -366,6 +374,8 @@ def share_support(d: Discourse, f: Frame, mover: str, target: str) -> None:
         host = hosts.get(one)
         if host is None or other in hosts or other in d.scene.inside_of or other == host:
             continue
+        if d.moves.upon.get(other) == host:
+            continue  # it has got there by itself
         if not fits_on(d, other, host) or is_airborne(d, mover) or d.moves.aim.get(mover) == host:
             continue
         # a domino that tips over onto those on a table

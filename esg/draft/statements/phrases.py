@@ -277,7 +277,8 @@ def _carrier(d: Discourse, others: set[str], p: Phrase, part: str, f: Frame | No
     if part in _SIDES:
         by = replace(by, relations=frozenset({_SIDES[part]}))
     open_ = any(kind_of(d, i) in _ENTERED for i in others)
-    if f is not None and f.verb.sense in _OWN and (open_ or p.prep in ("on", "onto")):
+    leapt = f is not None and any(d.moves.upon.get(i) in others for i in about_of(d, f))
+    if not leapt and f is not None and f.verb.sense in _OWN and (open_ or p.prep in ("on", "onto")):
         by = replace(by, events=by.events - {"Collision"})  # "jumps onto a box" is no bump
     return by
 

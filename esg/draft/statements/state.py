@@ -214,6 +214,7 @@ def _motion(book: _Book, clause: Clause) -> None:
         _support(book, clause, p)
         if clause.frame.verb.sense == "land":
             _landed(book, clause, p)
+        _leapt(book, p)
     if clause.frame.verb.sense == "accelerate":
         for mover in clause.movers:
             _gains(book, clause, mover)
@@ -235,6 +236,17 @@ def _landed(book: _Book, clause: Clause, p: Phrase) -> None:
         book.add(Predicate.MOVES, *_span(clause.frame), object=(mover,), direction="down",
                  when=_when(d, clause, mover))  # fmt: skip
         book.add(Predicate.ENDS_ON, *words, object=(mover,), target=tuple(hosts), when="end")
+
+
+def _leapt(book: _Book, p: Phrase) -> None:
+    """ "Jumps onto a table": there it stays, unless more is told of it."""
+    d = book.d
+    for mover, host in d.moves.upon.items():
+        last = next((n for n in reversed(d.timeline.nodes) if mover in n.participants), None)
+        stays = last is not None and host in last.participants
+        if p.mention is not None and stays and host in things(p):
+            words = (start_of(p, d.text), p.mention.end)
+            book.add(Predicate.ENDS_ON, *words, object=(mover,), target=(host,), when="end")
 
 
 def _gains(book: _Book, clause: Clause, mover: str) -> None:

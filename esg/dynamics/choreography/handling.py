@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.choreography.leaps import crouch, landing, leap_to
 from esg.dynamics.choreography.meetings import collision
 from esg.dynamics.choreography.moves import plain
 from esg.dynamics.choreography.placing import join
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.throws import asked_height, is_dropped
 from esg.dynamics.story.kinematics import Frame
-from esg.dynamics.story.stagecraft import Prop, ground_restitution
+from esg.dynamics.story.stagecraft import Prop, ground_restitution, support_of
 from esg.dynamics.story.story import Phase, Story, bounds
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
@@ -85,12 +86,18 @@ def spun(stage: Stage, node: TimelineNode) -> None:
 
 
 def jumped(stage: Stage, node: TimelineNode) -> None:
-    """Jump: up and on so far that its body clears what it jumps over."""
+    """Jump: up and on so far that its body clears what it jumps over, or to where it ends."""
     for actor, phase in stage.incoming(node):
         track, body, count = stage.tracks[actor], stage.prop(actor), node.times or 1
         names = [p for p in (*node.participants[1:], phase.edge.target) if p]
         over = stage.prop(stage.key(names[0])) if names else None
         rise, speed = leap(body, over, phase)
+        goal = landing(stage, actor, phase) if over is None and count == 1 else None
+        if goal is not None:
+            leap_to(stage, actor, phase, node, goal, 0.5 * rise * rise / GRAVITY_MPS2)
+            continue
+        if support_of(stage.doc, stage.member(actor)):
+            crouch(stage, actor, phase)
         duration = 2.0 * rise / GRAVITY_MPS2
         stage.nominal[f"{phase.edge.id}/rise"] = rise
         stage.nominal[f"{phase.edge.id}/speed"] = speed

@@ -38,6 +38,9 @@ REBOUND_S = 0.15
 
 def controlled(stage: Stage, node: TimelineNode) -> None:
     """Trigger: its time is the prescribed one, or that of a short run."""
+    if node.id in stage.time:
+        stage.nominal[f"{node.id}/time"] = stage.time[node.id]
+        return  # planned with what led there
     prescribed = stage.prescribed_time(node)
     arrived: list[float] = []
     for actor, phase in stage.incoming(node):
@@ -85,6 +88,8 @@ def turned(stage: Stage, node: TimelineNode) -> None:
 
 def plain(stage: Stage, node: TimelineNode) -> None:
     """Stop, Topple, Fall, PositionAt: what remains of the actors' motion, nothing to place."""
+    if node.id in stage.time:
+        return  # planned with what led there
     prescribed = stage.prescribed_time(node)
     told = False
     for actor, phase in stage.incoming(node):

@@ -88,34 +88,42 @@ def bounce(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -
 
 
 def jump(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> Detected:
-    """Over when it is down again for the last time."""
+    """Over when it has come down by half of what counts, over something when it is down again."""
     body, count = rec.scene.index(node.participants[0]), node.times or 1
+    over = rec.members(node.participants[1]) if len(node.participants) > 1 else []
     z, v = _height(rec, body), rec.r.linear_velocity[:, :, body, 2].astype(float)
     late = rec.late(earliest)
     needed = JUMP_SHARE * 2.0 * rec.scene.bodies[body].half_extents[2]
     base = np.minimum.accumulate(np.where(late, z, np.inf), axis=1)
     up = late & (z - base > needed) & (v > DOWN_MPS)
-    calm = np.abs(v) < DOWN_MPS
-    still = calm.copy()
-    for k in range(1, max(1, round(DOWN_FOR_S * rec.fps)) + 1):
-        still[:, :-k] &= calm[:, k:]
-    # Where it took off it is down at once, and on what is higher when it has come to rest there.
-    down = late & ((calm & (z - base < 0.5 * needed)) | still)
+    down = late & _down(rec, z - base, v, needed)
     landed, aloft = np.zeros(z.shape, int), np.zeros(rec.n, bool)
+    top = np.full(rec.n, -np.inf)
     for k in range(1, len(rec.t)):
+        top = np.where(up[:, k] & ~aloft, z[:, k], np.maximum(top, z[:, k]))
         aloft |= up[:, k]
-        lands = aloft & down[:, k]
+        # Onto what is higher it comes down by less than it rose, and from what carries it by more.
+        falls = down[:, k] if over or count > 1 else top - z[:, k] > 0.5 * needed
+        lands = aloft & falls
         landed[:, k] = landed[:, k - 1] + lands
         aloft &= ~lands
     risen = np.where(np.isfinite(base), z - base, 0.0).max(axis=1)
     safe = SAFE_JUMP * needed
     add(f"{node.id}/weak", np.maximum(safe - risen, 0.0) / safe)
-    over = rec.members(node.participants[1]) if len(node.participants) > 1 else []
     clears, missed = np.ones(z.shape, bool), np.zeros(rec.n)
     if over:
         clears, missed = _clears(rec, body, over, late)
     time = rec.first((landed >= count) & clears)
     return Detected(time, 1.0 + missed + np.maximum(count - landed[:, -1], 0))
+
+
+def _down(rec: Recording, height: Floats, v: Floats, needed: float) -> Bools:
+    """Whether a body is on its feet: where it took off at once, elsewhere once it rests there."""
+    calm = np.abs(v) < DOWN_MPS
+    still = calm.copy()
+    for k in range(1, max(1, round(DOWN_FOR_S * rec.fps)) + 1):
+        still[:, :-k] &= calm[:, k:]
+    return (calm & (height < 0.5 * needed)) | still
 
 
 def _clears(rec: Recording, body: int, over: list[int], late: Bools) -> tuple[Bools, Floats]:

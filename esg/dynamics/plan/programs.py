@@ -103,7 +103,7 @@ class _Leg:
         phase: The phase.
         v: Values of all variables by name.
         start, end: [s].
-        first, last: Whether it is the actor's first or last one.
+        first, last: Whether it is the actor's first or last one, but for coming down.
         duration: Of the scene [s].
     """
 
@@ -251,7 +251,8 @@ class Composer:
                 course.out = [_until(p, start) for p in course.out]
             if turns_back(self.story, phase, lambda name: self.scene.body(name).static):
                 course.heading += math.pi
-            leg = _Leg(phase, v, start, end, k == 0, k + 1 == len(phases), duration)
+            last = k + 1 == len(phases) or (jumps and all(map(self.cast.coasts, phases[k + 1 :])))
+            leg = _Leg(phase, v, start, end, k == 0, last, duration)
             done = len(course.out)
             if phase.edge.event is EdgeEvent.GUIDE:
                 self._guide(course, leg)
@@ -391,12 +392,15 @@ class Composer:
         edge, count = leg.phase.edge, leg.phase.end.times or 1
         rise, speed = leg.v[f"{edge.id}/rise"], leg.v[f"{edge.id}/speed"]
         velocity = (speed * math.cos(course.heading), speed * math.sin(course.heading), rise)
-        period = 2.0 * rise / GRAVITY_MPS2 + BETWEEN_JUMPS_S
+        turn = self.nominal.get(f"{edge.id}/turn", 0.0)
+        aloft = self.nominal.get(f"{edge.id}/aloft", 2.0 * rise / GRAVITY_MPS2)
+        period = aloft + BETWEEN_JUMPS_S
+        begin = leg.start + self.nominal.get(f"{edge.id}/crouch", 0.0)
         course.out += [
-            SetVelocity(course.actor, leg.start + k * period, velocity, (0.0, 0.0, 0.0))
+            SetVelocity(course.actor, begin + k * period, velocity, (0.0, 0.0, turn / aloft))
             for k in range(count)
         ]
-        course.clock, course.speed = leg.start + count * period, 0.0
+        course.clock, course.speed = begin + count * period, 0.0
         if leg.last and speed > 0.0 and self.scene.body(course.actor).roll_radius == 0.0:
             # On its feet again it runs out from what the landing leaves it; left to friction it
             # would go head over heels.

@@ -256,7 +256,10 @@ class Declarations:
             name = f"{phase.edge.id}/{part}"
             told = self.nominal.get(name, 2.0 if part == "rise" else 0.0)
             fixed = told == 0.0
-            self.add(name, 0.8 * told, 1.4 * told, told, told, 0.04 * told, "m/s", fixed=fixed)
+            # What comes down somewhere else has hardly a choice.
+            ends = f"{phase.edge.id}/aloft" in self.nominal
+            low, high = (0.96, 1.06) if ends else (0.8, 1.4)
+            self.add(name, low * told, high * told, told, told, 0.04 * told, "m/s", fixed=fixed)
 
     def declare_way(self, phase: Phase) -> None:
         """How long something is carried; a Trigger at its end has a time of its own."""

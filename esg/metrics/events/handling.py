@@ -15,6 +15,7 @@ from esg.metrics.joined import Joined, joined, parts_of
 from esg.metrics.replay import Floats, Hit, Replay
 from esg.metrics.support import Bools, carried, lowest_curve, touching
 from esg.thresholds import (
+    AT_REST_MPS,
     BALLISTIC,
     BOUNCE_MPS,
     IMPULSE_WINDOW_S,
@@ -177,6 +178,11 @@ def _held(replay: Replay, body: int) -> Bools:
     return out
 
 
+def _asleep(replay: Replay, body: int) -> Bools:
+    """Frames up to the first motion of a body: what rests from the start is in no engine's log."""
+    return np.logical_and.accumulate(replay.speed[:, body] < AT_REST_MPS)
+
+
 def jumps(replay: Replay, q: Query) -> Iterator[Found]:
     """Leaving what carries it by its own motion and coming down again, as often as asked."""
     begin = max(replay.after(q.since), 1)
@@ -187,7 +193,7 @@ def jumps(replay: Replay, q: Query) -> Iterator[Found]:
         reason = f"{replay.scene.bodies[i].name} never leaves what carries it"
         starts = [c.time for c in replay.motions(i)]
         done = 0
-        for start, stop in runs(~touching(replay, i)):
+        for start, stop in runs(~(touching(replay, i) | _asleep(replay, i))):
             if start < begin:
                 continue
             top = start + int(np.argmax(z[start:stop]))
@@ -197,7 +203,7 @@ def jumps(replay: Replay, q: Query) -> Iterator[Found]:
                 reason = f"rises by {100 * rise:.0f} cm (needs {100 * need:.0f} cm)"
             elif not any(off - JUMP_OWN_S <= t <= off for t in starts):
                 reason = "leaves the ground, but not by its own motion"
-            elif z[top] - z[top : stop + 1].min() < 0.5 * rise:
+            elif z[top] - z[top : stop + 1].min() < 0.5 * need:
                 reason = "does not come down again"
             elif (done := done + 1) == q.event.times:
                 yield Found(off, (i,), measured={"rise_m": rise})

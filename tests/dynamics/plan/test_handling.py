@@ -30,6 +30,7 @@ START = N(id="start", event="SceneStart", timestamp=0)
 MUG = asset("mug", (10, 10, 12), 0.4, "cylinder")
 WALL = asset("wall", (10, 120, 90), 60, movable=False)
 DOG = asset("dog", (90, 30, 60), 25)
+PODIUM = asset("podium", (160, 160, 70), 200, movable=False, surface=True)
 FENCE = asset("fence", (10, 150, 40), 60)
 TOP = asset("top", (10, 10, 12), 0.3, "cylinder")
 
@@ -151,6 +152,29 @@ def jumping(over: bool = True) -> EsgDocument:
     )
 
 
+def leaping(start: str | None, end: str | None) -> EsgDocument:
+    """A dog leaps from the ground or from something, onto something or down to the ground."""
+    names = [n for n in (start, end) if n]
+    met = N(id="met", event="Collision", participants=("dog_1", end or ""), window=(0.1, 4))
+    fell = N(id="met", event="Fall", participants=("dog_1",), window=(0.1, 4))
+    doc = document(
+        "leap",
+        {"dog_1": DOG, **{n: PODIUM for n in names}},
+        {"dog_1": moves("ALONG_FORWARD_ONLY")},
+        [START, N(id="jumped", event="Jump", participants=("dog_1",), window=(0.1, 4)),
+         met if end else fell],
+        [edge("jump", "start", "jumped", "Toward", "dog_1"),
+         edge("coast", "jumped", "met", "Toward", "dog_1", **({"target": end} if end else {}))],
+        on={"dog_1": start} if start else {},
+    )  # fmt: skip
+    if end is None:
+        return lay_out(doc)
+    layout = lay_out(doc).layout_result
+    assert layout is not None
+    x, y, _ = layout.poses[end].position_cm
+    return at(doc, **{end: (x, y, 0.0)})
+
+
 def bouncing(thrown: bool = False) -> EsgDocument:
     up = {"speed": (300, 400), "elevation_deg": 90}
     return lay_out(
@@ -173,6 +197,9 @@ STORIES = {
     "spin": spinning,
     "over": jumping,
     "hop": lambda: jumping(over=False),
+    "onto": lambda: leaping(None, "box_1"),
+    "down": lambda: leaping("box_2", None),
+    "across": lambda: leaping("box_2", "box_1"),
     "bounce": bouncing,
     "up": lambda: bouncing(thrown=True),
 }
@@ -287,6 +314,20 @@ def test_a_jump_has_the_height_and_time_of_its_leap():
     assert (v[lands + 12 :] - v[lands:-12]).max() / 0.05 < 10.0
     np.testing.assert_allclose(dog[-1, 2], dog[0, 2], atol=0.01)  # on its feet
     np.testing.assert_allclose(fence[-1], fence[0], atol=1e-3)
+
+
+def test_a_leap_ends_on_what_it_leads_onto_and_beside_what_it_leads_from():
+    for name, height in (("onto", 0.7), ("across", 0.7), ("down", 0.0)):
+        plan, rollout, times = played(name, "physx")
+        dog = way(rollout, plan, "dog_1")
+        base = 0.0 if name == "onto" else 0.7
+        np.testing.assert_allclose(dog[0, 2], base + 0.3, atol=0.01)
+        np.testing.assert_allclose(dog[-1, 2], height + 0.3, atol=0.01)
+        # It stands before it leaps, and does not graze the edge of what is higher.
+        still = rollout.time < 0.25
+        np.testing.assert_allclose(dog[still], dog[:1].repeat(still.sum(), axis=0), atol=0.01)
+        assert 0.3 < times["jumped"] <= times["met"]
+        assert dog[:, 2].max() > max(base, height) + 0.3 + 0.1
 
 
 def test_a_jump_against_what_it_leads_over_is_none():

@@ -6,8 +6,8 @@ from dataclasses import replace
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import kind_of, mark_used, movable, structural
-from esg.draft.discourse.places import holds, place
+from esg.draft.discourse.core import entity_of, kind_of, mark_used, movable, structural
+from esg.draft.discourse.places import carries, elevated, holds, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED, SPEEDS
@@ -29,6 +29,8 @@ _PUT_ON = ("on", "onto", "on top of", "upon", "atop")
 _PUT_IN = ("in", "into", "inside")
 _ELSEWHERE = frozenset({"in", "off", "on", "out", "down", "aboard", "aside", "away"})
 """Adverbs that lead a leap somewhere else than back to the ground it left."""
+_HOPPED_ON = lex.word_set("hopped on")
+_ONTO = re.compile(r"\b(?:on ?to|upon)\b", re.IGNORECASE)
 _OFTEN = re.compile(r"\b(?:once|twice|thrice|(\w+)\s+times)\b", re.IGNORECASE)
 _DOWN = re.compile(r"(?:\w+\s+){1,4}?(?:back\s+)?down\b", re.IGNORECASE)
 
@@ -164,29 +166,99 @@ def _lay_aside(d: Discourse, body: str, target: str) -> None:
 @sense("jump")
 def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "Jumps over the fence", "hops three times": leaps from the ground and back to it."""
+    springy = [i for i in things(f.phrase(*_PUT_ON)) if entity_of(d, i).noun.name in _HOPPED_ON]
+    springy = [] if _ONTO.search(d.text, f.verb.end) else springy
+    place(d, s, springy[:1], "on")
     over = [i for i in (*things(f.phrase("over", "across")), *o) if i not in s]
     over = [i for i in over if not structural(d, i)][:1]
+    leaps = [a for a in s if kind_of(d, a) in LIMBED and not moved_by_others(d, a)]
+    if leaps and not over and not springy and _jumps_away(d, f, leaps):
+        return
     elsewhere = f.phrase(*_PUT_ON, "to", "off", "into", "in", "from", "out of", "down", "at")
-    leaps = [a for a in s if kind_of(d, a) in LIMBED and a not in d.scene.supported_by]
-    leaps = [a for a in leaps if not moved_by_others(d, a)]
+    leaps = [a for a in leaps if d.scene.supported_by.get(a) in (None, *springy)]
     away = _ELSEWHERE & {*f.adverbs, f.verb.extra.get("particle", "")}
-    if away or (elsewhere is not None and things(elsewhere)) or not leaps:
+    elsewhere = None if springy or elsewhere is None or not things(elsewhere) else elsewhere
+    if away or elsewhere is not None or not leaps:
         read_as(d, "own", f, s, o)
         return
     for actor in leaps:
-        speed = SPEEDS.get(kind_of(d, actor))
-        jump = Motion("jump", None if not over else speed, target=next(iter(over), None))
-        if at_rest(d, actor):
-            d.timeline.move(actor, jump, ForceDirection.ALONG_FORWARD_ONLY)
-        else:
-            d.timeline.trigger(actor, f"{actor} takes off")
-            d.timeline.track(actor).motion = jump
-        node = add_event(d, NodeEvent.JUMP, (actor, *over), f, time_of(d, f))
+        node = _leap(d, f, actor, over)
         so_often(d, f, node)
         d.timeline.track(actor).motion = None
     mark_used(d, f, "jump")
 
 
+def _leap(d: Discourse, f: Frame, actor: str, over: list[str]) -> str:
+    """The Jump of an actor, from where it stands or from a motion of its own."""
+    speed = SPEEDS.get(kind_of(d, actor))
+    jump = Motion("jump", None if not over else speed, target=next(iter(over), None))
+    if at_rest(d, actor):
+        d.timeline.move(actor, jump, ForceDirection.ALONG_FORWARD_ONLY)
+    else:
+        d.timeline.trigger(actor, f"{actor} takes off")
+        d.timeline.track(actor).motion = jump
+    return add_event(d, NodeEvent.JUMP, (actor, *over), f, time_of(d, f))
+
+
+def _jumps_away(d: Discourse, f: Frame, leaps: list[str]) -> bool:
+    """ "Jumps onto the table", "off a box", "from the chair to the shelf"; False for other ways."""
+    said = {p.prep: things(p)[0] for p in f.phrases if things(p)}
+    bottoms = [said[k] for k in ("off", "from") if k in said]
+    bottoms = [i for i in bottoms if elevated(d, i) or carries(d, i, leaps[0])]
+    tops = [said[k] for k in _PUT_ON if k in said and _jumped_onto(d, said[k])]
+    tops += [i for k, i in said.items() if k == "to" and bottoms]
+    pools = [i for k, i in said.items() if k in _PUT_IN and bottoms and enterable(d, i)]
+    others = said.keys() - {*_PUT_ON, *_PUT_IN, "to", "off", "from"}
+    if others & {"out of", "at", "down", "through"} or not (tops or bottoms):
+        return False
+    if said.keys() & {*_PUT_IN} and not pools:
+        return False
+    if any(d.scene.supported_by.get(a) not in (None, *bottoms) for a in leaps):
+        return False
+    if any(a in d.moves.upon or (bottoms and not at_rest(d, a)) for a in leaps):
+        return False
+    for actor in leaps:
+        place(d, [actor], bottoms[:1], "on")
+        _soon(d, [_leap(d, f, actor, [])])
+        track = d.timeline.track(actor)
+        track.motion = Motion("coast")
+        if tops:
+            _soon(d, add_hit(d, f, [actor], tops[:1], None))
+            track.motion, d.moves.upon[actor] = None, tops[0]
+            continue
+        if _is_far_down(d, actor, bottoms[0]):
+            _soon(d, [add_event(d, NodeEvent.FALL, (actor,), f, None)])
+        elif not pools:
+            _soon(d, [d.timeline.trigger(actor, f"{actor} comes down")])
+        if pools:
+            enter(d, f, actor, pools[0], None)
+    mark_used(d, f, "jump")
+    return True
+
+
+def _is_far_down(d: Discourse, actor: str, host: str) -> bool:
+    """Whether who gets down from something falls: by more than half of its height."""
+    mine, other = (entity_of(d, i).noun.dimensions_cm[2] for i in (actor, host))
+    return other > FALLS_SHARE * mine
+
+
+def _soon(d: Discourse, nodes: list[str]) -> None:
+    """A leap takes no longer than a second."""
+    for node in nodes:
+        if (draft := d.timeline.node(node)) is not None and draft.usual is None:
+            draft.usual = LEAP_S
+
+
+def _jumped_onto(d: Discourse, i: str) -> bool:
+    """Whether something stands there whose top somebody can jump onto."""
+    still = i not in d.timeline.tracks and i not in d.scene.supported_by
+    return still and not structural(d, i) and kind_of(d, i) not in (*LIMBED, "water", "region")
+
+
+FALLS_SHARE = 0.6
+"""Height of what somebody jumps off over its own from which on it is a fall."""
+LEAP_S = 0.5
+"""From the top of a leap, or its start, to where it ends, as a rule [s]."""
 PUSHED_DEG = 90.0
 """What is pushed round on its axle turns so far, at least: a turnstile by one arm of four."""
 
