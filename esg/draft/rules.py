@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from esg.draft.audit import owned_up
 from esg.draft.discourse.referents.resolution import new_world
 from esg.draft.document.build import build, is_restricted
 from esg.draft.document.comparisons import compare
@@ -91,7 +92,12 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     timeline = scene.timeline.build(gaps)
     too_long(timeline)
     statements = state(discourse, clauses.frames, elements, tokens)
-    coverage = in_prompt(account(text, elements, clauses.mentions, scene, tokens), text, prompt)
-    statements = stated_in_prompt(statements, text, prompt)
+    read = account(text, elements, clauses.mentions, scene, tokens)
     expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")
-    return build(scene, prompt, seed, timeline, coverage, statements, expanded)
+    placed = stated_in_prompt(statements, text, prompt)
+    doc = build(scene, prompt, seed, timeline, in_prompt(read, text, prompt), placed, expanded)
+    missed = stated_in_prompt(owned_up(text, doc, read, statements), text, prompt)
+    if not missed:
+        return doc
+    said = sorted((*(placed or ()), *missed), key=lambda s: s.start)
+    return doc.model_copy(update={"statements": tuple(said)})
