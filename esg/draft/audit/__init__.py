@@ -9,7 +9,7 @@ from __future__ import annotations
 
 from esg.draft.audit.checks import Case, Finding, audit
 from esg.draft.audit.facts import facts_of
-from esg.draft.audit.parse import Proposition, propositions
+from esg.draft.audit.parse import Proposition, nouns, propositions
 from esg.draft.text.tagging import parsed
 from esg.graph.models import Coverage, EsgDocument, Predicate, Statement
 
@@ -36,7 +36,8 @@ def case_of(
         happens = not (p.negated or p.unreal or p.how == "purpose")
         return seen and happens and not facts.owns_up(p.start, p.end)
 
-    return Case(text, facts, tuple(p for p in propositions(tree) if agreed(p)))
+    told = tuple(p for p in propositions(tree) if agreed(p))
+    return Case(text, facts, told, tuple(nouns(tree)))
 
 
 def owned_up(

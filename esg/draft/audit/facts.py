@@ -81,7 +81,8 @@ def facts_of(doc: EsgDocument, coverage: Coverage, statements: tuple[Statement, 
             if n.event not in _SCAFFOLD:
                 inside = frozenset({n.region.split("/")[0]} if n.region else set[str]())
                 first = frozenset(n.participants[:1])
-                out.append(Fact(n.event.value, first, frozenset(n.participants[1:]) | inside))
+                others = frozenset(c.to for c in n.constraints if c.to) | inside
+                out.append(Fact(n.event.value, first, frozenset(n.participants[1:]) | others))
         for e in sequence.edges:
             kind = "pushed" if e.event is EdgeEvent.INERTIAL_CONNECTOR else "motion"
             whom = frozenset({e.target} if e.target else set[str]())

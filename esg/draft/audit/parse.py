@@ -75,6 +75,51 @@ class Proposition:
         yield from (arg for _, _, arg in self.obliques)
 
 
+@dataclass(frozen=True)
+class Noun:
+    """A noun by what it depends on.
+
+    Args:
+        start, end: The word in the text.
+        role: Its dependency; of coordinated nouns that of the first.
+        prep: The preposition before it, "" if there is none.
+        governors: Places of the words that it depends on: preposition and verb, or noun.
+        unreal: Whether it belongs to what is only wished, tried or possible.
+    """
+
+    start: int
+    end: int
+    role: str
+    prep: str
+    governors: tuple[tuple[int, int], ...]
+    unreal: bool
+
+
+def nouns(doc: Any) -> list[Noun]:
+    """The nouns of a parsed text, in its order.
+
+    Args:
+        doc: A spaCy document with tags and dependencies.
+    """
+    return [_noun(token) for token in doc if _is(token)]
+
+
+def _is(token: Any) -> bool:
+    return token.tag_[:2] == "NN"
+
+
+def _noun(token: Any) -> Noun:
+    top = token
+    while top.dep_ == "conj" and _is(top.head) and top.head is not top:
+        top = top.head
+    above = [top.head, top.head.head] if top.dep_ == "pobj" else [top.head]
+    aux = [c for v in above for c in v.children if c.dep_ in ("aux", "neg")]
+    unreal = any(c.lower_ in _UNREAL_AUX | {"to"} or c.dep_ == "neg" for c in aux)
+    places = tuple((t.idx, t.idx + len(t)) for t in above)
+    prep = top.head.lower_ if top.dep_ == "pobj" else ""
+    return Noun(token.idx, token.idx + len(token), top.dep_, prep, places, unreal)
+
+
 def propositions(doc: Any) -> list[Proposition]:
     """The propositions of a parsed text, in its order.
 
