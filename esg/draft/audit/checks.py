@@ -86,6 +86,7 @@ _OPPOSITES = (
     frozenset({"to", "fro"}),
     frozenset({"left", "right"}),
 )
+_OSCILLATES = frozenset({"Swing", "Bounce", "joint"})
 _STATES = frozenset({"be", "weigh", "have", "measure", "posture"})
 _WHERE = frozenset({"along", "across", "through", "up", "down", "around", "past"})
 _ROPES = lex.word_set("ropes (audit)")
@@ -173,7 +174,7 @@ def _to_and_fro(case: Case) -> Iterator[Finding]:
         small = {word: (start, end) for word, start, end in p.small}
         about = frozenset(n for a in (*p.subjects, *p.objects) for n in _group(case, a))
         kinds = {f.kind for f in case.facts.about(about)}
-        if any(pair <= small.keys() for pair in _OPPOSITES) and not kinds & {"Swing", "Bounce"}:
+        if any(pair <= small.keys() for pair in _OPPOSITES) and not kinds & _OSCILLATES:
             start, end = min(s for s, _ in small.values()), max(e for _, e in small.values())
             if not case.facts.owns_up(start, end):
                 yield Finding(start, end, ONE_WAY, tuple(sorted(about)))
@@ -258,6 +259,8 @@ def _particles(case: Case) -> Iterator[Finding]:
             if shown is None or not about or _accounted(case, start, end):
                 continue
             facts = case.facts.about(about)
+            if any(f.kind == "joint" for f in facts):
+                continue  # what is hinged or hangs has a way of its own
             if not any(f.kind in shown.kinds or f.way in shown.directions for f in facts):
                 yield Finding(start, end, NOTHING, tuple(sorted(about)))
 
@@ -301,12 +304,14 @@ def _acts(case: Case) -> Iterator[Finding]:
 
 
 def _under(case: Case, nodes: frozenset[str]) -> frozenset[str]:
-    """What carries them: who rides goes where that goes."""
-    on = [f for f in case.facts.facts if f.kind in ("SUPPORT_SURFACE", "STORAGE", "joint")]
-    return frozenset(n for f in on if f.who & nodes for n in f.whom)
+    """What carries them, as who rides goes where that goes, and what is jointed to them."""
+    on = [f for f in case.facts.facts if f.kind in ("SUPPORT_SURFACE", "STORAGE")]
+    joined = [f for f in case.facts.facts if f.kind == "joint" and f.all & nodes]
+    carriers = {n for f in on if f.who & nodes for n in f.whom}
+    return frozenset(carriers.union(*(f.all for f in joined)))
 
 
-_HANGERS = frozenset({"pobj", "dobj", "appos", "attr", "compound", "dep", "nmod"})
+_HANGERS = frozenset({"pobj", "dobj", "attr", "compound", "dep", "nmod"})
 """Roles of nouns that say nothing by standing there: who acts may, and what a caption opens with."""
 _WHY = frozenset({"for", "like", "as", "without", "despite"})
 

@@ -81,7 +81,7 @@ class Noun:
 
     Args:
         start, end: The word in the text.
-        role: Its dependency; of coordinated nouns that of the first.
+        role: Its dependency; of coordinated nouns and those that explain another one, that of the first.
         prep: The preposition before it, "" if there is none.
         governors: Places of the words that it depends on: preposition and verb, or noun.
         unreal: Whether it belongs to what is only wished, tried or possible.
@@ -110,7 +110,7 @@ def _is(token: Any) -> bool:
 
 def _noun(token: Any) -> Noun:
     top = token
-    while top.dep_ == "conj" and _is(top.head) and top.head is not top:
+    while top.dep_ in ("conj", "appos") and _is(top.head) and top.head is not top:
         top = top.head
     above = [top.head, top.head.head] if top.dep_ == "pobj" else [top.head]
     aux = [c for v in above for c in v.children if c.dep_ in ("aux", "neg")]
