@@ -26,7 +26,7 @@ from esg.draft.grammar.rewrites.patterns import rewrite
 from esg.draft.grammar.rewrites.shares import count
 from esg.draft.statements import state
 from esg.draft.text.elements import Element
-from esg.draft.text.tagging import pos_tags
+from esg.draft.text.tagging import parsed, pos_tags
 from esg.draft.text.tokens import tokenize
 from esg.draft.text.topics import is_billiards, is_cricket, is_net_sport
 from esg.graph.models import EsgDocument
@@ -96,6 +96,11 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")
     placed = stated_in_prompt(statements, text, prompt)
     doc = build(scene, prompt, seed, timeline, in_prompt(read, text, prompt), placed, expanded)
+    if parsed(text) is None:
+        unaudited = {"config": {**doc.provenance[0].config, "audit": "absent"}}
+        doc = doc.model_copy(
+            update={"provenance": (doc.provenance[0].model_copy(update=unaudited),)}
+        )
     missed = stated_in_prompt(owned_up(text, doc, read, statements), text, prompt)
     if not missed:
         return doc

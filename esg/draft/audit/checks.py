@@ -312,7 +312,7 @@ def _under(case: Case, nodes: frozenset[str]) -> frozenset[str]:
 
 
 _HANGERS = frozenset({"pobj", "dobj", "attr", "compound", "dep", "nmod"})
-"""Roles of nouns that say nothing by standing there: who acts may, and what a caption opens with."""
+"""Roles of nouns that say nothing by standing there; who acts does, and what opens a caption."""
 _WHY = frozenset({"for", "like", "as", "without", "despite"})
 
 
@@ -336,18 +336,23 @@ def _idle(case: Case) -> Iterator[Finding]:
 
 
 @dataclass(frozen=True)
-class _Doubt:
+class Doubt:
+    """A noun of several senses: drawn as what, beside which words it is what else."""
+
     drawn: str
     cues: frozenset[str]
     meant: str
+    example: str
 
 
 @cache
-def _doubts() -> dict[str, _Doubt]:
+def doubts() -> dict[str, Doubt]:
     """Nouns of several senses: what they are drawn as, and what beside them tells another one."""
     with open(lex.DATA / "doubts.csv", encoding="utf-8", newline="") as file:
         return {
-            r["noun"]: _Doubt(r["drawn"], frozenset(r["beside"].split("|")), r["meant"])
+            r["noun"]: Doubt(
+                r["drawn"], frozenset(r["beside"].split("|")), r["meant"], r["example"]
+            )
             for r in csv.DictReader(file, delimiter=";")
         }
 
@@ -359,7 +364,7 @@ def _doubtful(case: Case) -> Iterator[Finding]:
     singulars = {lex.singular(w)[0] for w in words} | {*words}
     for start, end, name in case.facts.spans:
         head = (re.findall(r"[a-z]+", case.text[start:end].lower()) or [""])[-1]
-        doubt = _doubts().get(lex.singular(head)[0])
+        doubt = doubts().get(lex.singular(head)[0])
         asset = doc.asset_requirement[doc.spatial_relation_graph.nodes[name].asset_id]
         if doubt is None or asset.asset_category != doubt.drawn:
             continue
@@ -378,7 +383,7 @@ CHECKS: dict[str, Callable[[Case], Iterable[Finding]]] = {
     "goes along": _goes_along,
     "particles": _particles,
     "acts": _acts,
-    "idle": _idle,
     "doubtful": _doubtful,
+    "idle": _idle,
 }
 """The questions by name; docs/drafting/audit.md has a row for each."""

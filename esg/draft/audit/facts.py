@@ -106,11 +106,7 @@ def facts_of(doc: EsgDocument, coverage: Coverage, statements: tuple[Statement, 
         for s in kept
         if s.predicate not in (Predicate.BEFORE, Predicate.SAME_TIME)
     ]
-    said = [
-        (s.start, s.end)
-        for s in statements
-        if s.predicate is Predicate.NOT_REPRESENTED
-    ]
+    said = [(s.start, s.end) for s in statements if s.predicate is Predicate.NOT_REPRESENTED]
     said += [(i.start, i.end) for i in coverage.items if i.status == "not_understood"]
     held = tuple((s.start, s.end) for s in kept)
     return Facts(doc, tuple(out), spans, tuple(said), held)

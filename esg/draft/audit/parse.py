@@ -81,7 +81,7 @@ class Noun:
 
     Args:
         start, end: The word in the text.
-        role: Its dependency; of coordinated nouns and those that explain another one, that of the first.
+        role: Its dependency; of coordinated and explaining nouns that of the first.
         prep: The preposition before it, "" if there is none.
         governors: Places of the words that it depends on: preposition and verb, or noun.
         unreal: Whether it belongs to what is only wished, tried or possible.
