@@ -13,6 +13,7 @@ _SUBJECTS = frozenset({"nsubj", "nsubjpass", "csubj"})
 _OBJECTS = frozenset({"dobj", "dative", "attr"})
 _RELATIVES = frozenset({"who", "which", "that", "whom"})
 _PLACES = frozenset({"where", "when", "why"})
+_NOBODY = frozenset({"nobody", "nothing", "none", "neither", "noone"})
 _SMALL = frozenset({"prt", "advmod"})
 _UNREAL_AUX = frozenset({"would", "could", "should", "might", "may", "must"})
 _PARTICIPLES = frozenset({"VBG", "VBN"})
@@ -108,6 +109,11 @@ def _is(token: Any) -> bool:
     return token.tag_[:2] == "NN"
 
 
+def _denies(subject: Any) -> bool:
+    """ "Nobody", "no dog"."""
+    return subject.lower_ in _NOBODY or any(c.lower_ in ("no", "neither") for c in subject.children)
+
+
 def _noun(token: Any) -> Noun:
     top = token
     while top.dep_ in ("conj", "appos") and _is(top.head) and top.head is not top:
@@ -115,6 +121,7 @@ def _noun(token: Any) -> Noun:
     above = [top.head, top.head.head] if top.dep_ == "pobj" else [top.head]
     aux = [c for v in above for c in v.children if c.dep_ in ("aux", "neg")]
     unreal = any(c.lower_ in _UNREAL_AUX | {"to"} or c.dep_ == "neg" for c in aux)
+    unreal |= any(_denies(c) for v in above for c in v.children if c.dep_ in _SUBJECTS)
     places = tuple((t.idx, t.idx + len(t)) for t in above)
     prep = top.head.lower_ if top.dep_ == "pobj" else ""
     return Noun(token.idx, token.idx + len(token), top.dep_, prep, places, unreal)
@@ -163,6 +170,7 @@ def _child(p: Proposition, child: Any) -> None:
     if dep in _SUBJECTS:
         p.subjects += _args(child)
         p.passive |= dep == "nsubjpass"
+        p.negated |= _denies(child)
     elif dep in _OBJECTS:
         p.objects += _args(child)
     elif dep == "auxpass":
