@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from functools import partial
 
+from esg.draft.audit import owned_up
 from esg.draft.discourse.referents.resolution import new_world
 from esg.draft.document.build import build, is_restricted
 from esg.draft.document.comparisons import compare
@@ -25,7 +26,7 @@ from esg.draft.grammar.rewrites.patterns import rewrite
 from esg.draft.grammar.rewrites.shares import count
 from esg.draft.statements import state
 from esg.draft.text.elements import Element
-from esg.draft.text.tagging import pos_tags
+from esg.draft.text.tagging import parsed, pos_tags
 from esg.draft.text.tokens import tokenize
 from esg.draft.text.topics import is_billiards, is_cricket, is_net_sport
 from esg.graph.models import EsgDocument
@@ -91,7 +92,17 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     timeline = scene.timeline.build(gaps)
     too_long(timeline)
     statements = state(discourse, clauses.frames, elements, tokens)
-    coverage = in_prompt(account(text, elements, clauses.mentions, scene, tokens), text, prompt)
-    statements = stated_in_prompt(statements, text, prompt)
+    read = account(text, elements, clauses.mentions, scene, tokens)
     expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")
-    return build(scene, prompt, seed, timeline, coverage, statements, expanded)
+    placed = stated_in_prompt(statements, text, prompt)
+    doc = build(scene, prompt, seed, timeline, in_prompt(read, text, prompt), placed, expanded)
+    if parsed(text) is None:
+        unaudited = {"config": {**doc.provenance[0].config, "audit": "absent"}}
+        doc = doc.model_copy(
+            update={"provenance": (doc.provenance[0].model_copy(update=unaudited),)}
+        )
+    missed = stated_in_prompt(owned_up(text, doc, read, statements), text, prompt)
+    if not missed:
+        return doc
+    said = sorted((*(placed or ()), *missed), key=lambda s: s.start)
+    return doc.model_copy(update={"statements": tuple(said)})

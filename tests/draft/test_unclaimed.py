@@ -142,7 +142,7 @@ def test_each_of_several_like_words_is_missed() -> None:
          "beside the rink"),
         ("A bicycle stands in the middle of the road.", "A crate stands in the middle of the room.",
          "in the middle of the room"),
-        ("A skater slides into the boards of the rink.", "A car hits a patch of ice.", "of ice"),
+        ("A skater slides into the wall of the rink.", "A car hits a patch of ice.", "of ice"),
         ("A drone hovers above the ground.", "A lamp stands above the ground.", "above the ground"),
     ],
 )  # fmt: skip

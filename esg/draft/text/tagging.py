@@ -1,4 +1,4 @@
-"""Parts of speech by spaCy, where it is there."""
+"""Parts of speech and dependencies by spaCy, where it is there."""
 
 from __future__ import annotations
 
@@ -58,6 +58,22 @@ def _coarse(word: str, tag: str) -> str:
     return str(model.get_pipe("attribute_ruler")(doc)[0].pos_)
 
 
+@lru_cache(maxsize=2)
+def _tagged(text: str) -> Any:
+    return _spacy_model()(text)
+
+
+def parsed(text: str) -> Any:
+    """The text with its dependencies (a spaCy document); None without a model that parses.
+
+    What the tagger has read of it is used again: the parser's own part is a third of that.
+    """
+    model = _spacy_model()
+    if model is None or "parser" not in model.component_names:
+        return None
+    return model.get_pipe("parser")(_tagged(text))
+
+
 def pos_tags(text: str) -> list[tuple[int, str]]:
     """(character offset, coarse part of speech) per word; empty without a spaCy model."""
     model = _spacy_model()
@@ -66,5 +82,5 @@ def pos_tags(text: str) -> list[tuple[int, str]]:
     told = _told_words()
     return [
         (t.idx, t.pos_ or _coarse(t.lower_ if t.lower_ in told or t.is_space else "x", t.tag_))
-        for t in model(text)
+        for t in _tagged(text)
     ]

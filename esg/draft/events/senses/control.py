@@ -310,9 +310,16 @@ def _stands_after(d: Discourse, stop: str) -> None:
         d.timeline.forget_duration(began)
 
 
+def _captioned(d: Discourse, f: Frame) -> bool:
+    """ "A van parked outside a school": what a caption opens with has no act before it."""
+    new = f.subject is not None and f.subject.determiner not in ("the", "this", "that")
+    first = all(g.verb.start >= f.verb.start for g in d.told)
+    return first and new and f.verb.form == "past" and not (f.adverbs or f.amounts or f.object)
+
+
 @sense("park")
 def read_park(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    stands = f.verb.passive or f.reduced or f.verb.form == "pp" or not s
+    stands = f.verb.passive or f.reduced or f.verb.form == "pp" or not s or _captioned(d, f)
     if stands or kind_of(d, s[0]) not in SELF_POWERED:
         read_be(d, f, s, o)
         return

@@ -1,0 +1,389 @@
+"""What a text says by its parse and a document does not: one plain function a question.
+
+Each is asked of the propositions and of the facts, and says nothing where the parse and the
+drafter disagree about which word is the verb (docs/drafting/audit.md has what each was measured to
+catch and to demote).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+import csv
+from dataclasses import dataclass
+from functools import cache
+import re
+
+from esg.draft import lexicon as lex
+from esg.draft.audit.facts import Facts
+from esg.draft.audit.parse import Arg, Noun, Proposition
+from esg.draft.text.numerals import parse_number
+from esg.draft.verbphrases import verb_readings
+
+MOST = 40
+"""Members that are counted; larger numbers measure something."""
+NOT_ALL = "only some of them do in the scene"
+ONE_OF_EACH = "only one of them is in the scene"
+ONE_WAY = "only one way of it is in the scene"
+IN_PART = "nothing in the scene keeps some of them apart"
+SAME = "it is drawn twice: what was named before is meant"
+LOOSE = "nothing is tied: it stands on it"
+STAYS = "who does it does not go along"
+NO_SUCH = "nothing of the kind happens to it in the scene"
+UNTOLD = "it is drawn, and nothing that the text says of it"
+NOTHING = "nothing in the scene stands for it"
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Words that the document does not account for.
+
+    Args:
+        start, end: Their place in the text.
+        missing: What is missing, for the reader of a report.
+        nodes: What they are about.
+    """
+
+    start: int
+    end: int
+    missing: str
+    nodes: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True)
+class Case:
+    """Both readings of a text.
+
+    Args:
+        text: What was read.
+        facts: What the document says.
+        told: Propositions whose verbs both readings see, and that tell of what happens.
+    """
+
+    text: str
+    facts: Facts
+    told: tuple[Proposition, ...]
+    nouns: tuple[Noun, ...] = ()
+
+
+_HAPPENS = frozenset(
+    {"Collision", "EnterRegion", "Stop", "Topple", "HeadingReached", "Fall", "Reach", "Miss"}
+    | {"PickedUp", "Placed", "Bounce", "Jump", "Spin", "Open", "Close", "Swing", "Break"}
+    | {"motion", "pushed", "moves", "rolls", "slides", "spins", "tumbles", "airborne"}
+    | {"carried_by", "stays_still", "touches", "struck_on", "ends_on", "ends_in", "ends_near"}
+    | {"slower_than", "faster_than", "stays_upright", "at_rest", "never_touches"}
+)
+"""Facts of what happens to a thing, and no mere place."""
+_ACTS = lex.word_set("acts of each (audit)")
+_DONE_TO = frozenset({"launch", "drop", "knock", "topple", "hit"})
+"""Senses whose objects each take part."""
+_CHAINS = frozenset({"row", "pins", "rack", "stack"})
+"""Patterns of which one member passes it on to the next."""
+_ALL = frozenset({"all", "both", "each", "every"})
+_OPPOSITES = (
+    frozenset({"up", "down"}),
+    frozenset({"back", "forth"}),
+    frozenset({"in", "out"}),
+    frozenset({"to", "fro"}),
+    frozenset({"left", "right"}),
+)
+_OSCILLATES = frozenset({"Swing", "Bounce", "joint"})
+_STATES = frozenset({"be", "weigh", "have", "measure", "posture"})
+_WHERE = frozenset({"along", "across", "through", "up", "down", "around", "past"})
+_ROPES = lex.word_set("ropes (audit)")
+_PUSHES = lex.word_set("pushes along (audit)")
+_BORNE = frozenset({"SUPPORT_SURFACE", "Placed", "supported_by", "ends_on"})
+_IN_PART = re.compile(
+    rf"\b(?:{'|'.join(sorted(lex.word_set('in part (audit)'), key=len, reverse=True))})\b",
+    re.IGNORECASE,
+)
+_LETS_GO = re.compile(r"\blet(?:s|ting)? $", re.IGNORECASE)
+_NAMED = re.compile(r"(?P<which>an?|the)\s+(?P<noun>\w[\w -]*)", re.IGNORECASE)
+
+
+def audit(case: Case) -> list[Finding]:
+    """Everything that is found, in the order of the text."""
+    found = {f: None for check in CHECKS.values() for f in check(case)}
+    return sorted(found, key=lambda f: (f.start, f.end))
+
+
+def _senses(p: Proposition) -> set[str]:
+    return {r.sense for r in verb_readings(p.word)}
+
+
+def _group(case: Case, arg: Arg) -> frozenset[str]:
+    """All members of what a noun phrase names, or is of ("two of the ten pins")."""
+    nodes = case.facts.doc.spatial_relation_graph.nodes
+    found = case.facts.named(arg) or next((n for o in arg.of if (n := case.facts.named(o))), "")
+    if not found or nodes[found].is_structural:
+        return frozenset()
+    group = nodes[found].group
+    return frozenset(n for n, x in nodes.items() if n == found or (group and x.group == group))
+
+
+def _number(arg: Arg) -> int:
+    """How many a noun phrase says; 0 if it does not."""
+    for word in (*arg.left, arg.word):
+        if word == "both":
+            return 2
+        told = parse_number(word)
+        if isinstance(told, float | int) and 2 <= told <= MOST and told == int(told):
+            return int(told)
+    return MOST if _ALL & {*arg.left} else 0
+
+
+def _members(case: Case) -> Iterator[Finding]:
+    """ "A car is pushed by two men", "hits two other stones": each of them takes part."""
+    nodes = case.facts.doc.spatial_relation_graph.nodes
+    for p in case.told:
+        senses = _senses(p)
+        if not senses & _ACTS or any(small in _WHERE for small, _, _ in p.small):
+            continue
+        acting = p.agents if p.passive else p.subjects
+        done_to = (p.subjects if p.passive else p.objects) if senses & _DONE_TO else []
+        for a in (*acting, *done_to):
+            group, told = _group(case, a), _number(a)
+            if len(group) < 2 or told < 2 or case.facts.owns_up(a.start, a.end):
+                continue
+            if {nodes[n].group_pattern for n in group} & _CHAINS:
+                continue
+            act = [n for n in group if _happens(case, n)]
+            shown = bool(act) or a in done_to
+            if shown and len(act) < min(told, len(group)):
+                yield Finding(p.start, p.end, NOT_ALL, tuple(sorted(group - {*act})))
+
+
+def _happens(case: Case, node: str) -> bool:
+    return any(f.kind in _HAPPENS for f in case.facts.about(frozenset({node})))
+
+
+def _each(case: Case) -> Iterator[Finding]:
+    """ "Tosses a newspaper onto each porch"."""
+    nodes = case.facts.doc.spatial_relation_graph.nodes
+    for p in case.told:
+        for a in p.args() if not _senses(p) & _STATES else ():
+            name, words = case.facts.named(a), {*a.left} & {"each", "every"}
+            if words and name and nodes[name].group is None:
+                start = case.text.lower().rfind(words.pop(), 0, a.start)
+                if not case.facts.owns_up(start, a.end):
+                    yield Finding(start, a.end, ONE_OF_EACH, (name,))
+
+
+def _to_and_fro(case: Case) -> Iterator[Finding]:
+    """ "Two boys on a seesaw go up and down"."""
+    for p in case.told:
+        small = {word: (start, end) for word, start, end in p.small}
+        about = frozenset(n for a in (*p.subjects, *p.objects) for n in _group(case, a))
+        kinds = {f.kind for f in case.facts.about(about)}
+        if any(pair <= small.keys() for pair in _OPPOSITES) and not kinds & _OSCILLATES:
+            start, end = min(s for s, _ in small.values()), max(e for _, e in small.values())
+            if not case.facts.owns_up(start, end):
+                yield Finding(start, end, ONE_WAY, tuple(sorted(about)))
+
+
+def _in_part(case: Case) -> Iterator[Finding]:
+    """ "All but one roll under the sofa"."""
+    for m in _IN_PART.finditer(case.text):
+        if not case.facts.owns_up(*m.span()):
+            yield Finding(*m.span(), IN_PART)
+
+
+def _twice(case: Case) -> Iterator[Finding]:
+    """ "A board with a pencil on it until the pencil slides off": one pencil."""
+    first: dict[str, list[str]] = {}
+    for start, end, node in sorted(case.facts.spans):
+        m = _NAMED.fullmatch(case.text, start, end)
+        if m is None or case.facts.owns_up(start, end):
+            continue
+        words = m["noun"].lower()
+        if m["which"].lower() != "the":
+            for name in {words, words.split()[-1]}:
+                first.setdefault(name, []).append(node)
+        elif len(before := first.get(words, [])) == 1 and before[0] != node:
+            yield Finding(start, end, SAME, (node, before[0]))
+
+
+def _on_a_rope(case: Case) -> Iterator[Finding]:
+    """ "A dog on a leash": it does not stand on it."""
+    doc = case.facts.doc
+    for f in case.facts.facts:
+        for host in f.whom if f.kind in _BORNE else ():
+            asset = doc.asset_requirement[doc.spatial_relation_graph.nodes[host].asset_id]
+            at = next(((a, b) for a, b, n in case.facts.spans if n == host), None)
+            if asset.asset_category in _ROPES and at and not case.facts.owns_up(*at):
+                yield Finding(*at, LOOSE, tuple(sorted(f.who)))
+
+
+def _goes_along(case: Case) -> Iterator[Finding]:
+    """ "Is pushed along a pier by a nurse": the nurse goes there, too."""
+    for p in case.told:
+        ways = any(prep in _WHERE for prep, _, _ in p.obliques)
+        if not ways or not {r.lemma for r in verb_readings(p.word)} & _PUSHES:
+            continue
+        for a in p.agents if p.passive else p.subjects if p.objects else ():
+            who = _group(case, a)
+            moving = any(f.kind == "motion" and f.who & who for f in case.facts.facts)
+            if who and not moving:
+                yield Finding(p.start, p.end, STAYS, tuple(sorted(who)))
+
+
+@dataclass(frozen=True)
+class _Shown:
+    """Facts that show a small word of a motion, and the words it has to stand with."""
+
+    kinds: frozenset[str]
+    directions: frozenset[str]
+
+
+_PARTICLES = {
+    "down": _Shown(
+        frozenset({"Fall", "Topple", "Placed", "Bounce", "EnterRegion", "ends_on", "ends_in"}),
+        frozenset({"down", "along"}),
+    ),
+    "up": _Shown(frozenset({"PickedUp", "Jump", "Open"}), frozenset({"up", "along"})),
+    "out": _Shown(
+        frozenset({"Fall", "Topple", "EnterRegion", "Miss"}), frozenset({"away_from", "through"})
+    ),
+    "in": _Shown(frozenset({"EnterRegion", "ends_in", "Close"}), frozenset({"through"})),
+}
+_GOING = lex.word_set("goes somewhere (audit)")
+
+
+def _particles(case: Case) -> Iterator[Finding]:
+    """ "Hits the boards and comes back out": of what?"""
+    for p in case.told:
+        if not _senses(p) & _GOING or p.obliques:
+            continue
+        about = frozenset(n for a in (*p.subjects, *p.objects) for n in _group(case, a))
+        for word, start, end in p.small:
+            shown = _PARTICLES.get(word)
+            if shown is None or not about or _accounted(case, start, end):
+                continue
+            facts = case.facts.about(about)
+            if any(f.kind == "joint" for f in facts):
+                continue  # what is hinged or hangs has a way of its own
+            if not any(f.kind in shown.kinds or f.way in shown.directions for f in facts):
+                yield Finding(start, end, NOTHING, tuple(sorted(about)))
+
+
+def _accounted(case: Case, start: int, end: int) -> bool:
+    """Whether a statement has the words, or the draft owns up to them."""
+    held = any(a < end and start < b for a, b in case.facts.held)
+    return held or case.facts.owns_up(start, end)
+
+
+@dataclass(frozen=True)
+class _Needs:
+    kinds: frozenset[str]
+    of: str
+
+
+@cache
+def _needs() -> dict[str, _Needs]:
+    """What shows a verb, by its sense; of whom."""
+    with open(lex.DATA / "audit_acts.csv", encoding="utf-8", newline="") as file:
+        return {
+            r["sense"]: _Needs(frozenset(r["facts"].split("|")), r["of"])
+            for r in csv.DictReader(file, delimiter=";")
+        }
+
+
+def _acts(case: Case) -> Iterator[Finding]:
+    """ "Toppling the last one onto a bell": does it topple?"""
+    for p in case.told:
+        senses = _senses(p)
+        need = _needs().get(next(iter(senses))) if len(senses) == 1 else None
+        preps = any(word in lex.PREPOSITIONS for word, _, _ in p.small)
+        if need is None or (preps and p.objects) or _LETS_GO.search(case.text, 0, p.start):
+            continue
+        who = p.subjects if p.passive else p.objects
+        for a in who if need.of == "object" else p.subjects if not p.objects else ():
+            about = _group(case, a) if not case.facts.owns_up(a.start, a.end) else frozenset[str]()
+            facts = case.facts.about(about | _under(case, about))
+            if about and not any(f.kind in need.kinds for f in facts):
+                yield Finding(p.start, p.end, NO_SUCH, tuple(sorted(about)))
+
+
+def _under(case: Case, nodes: frozenset[str]) -> frozenset[str]:
+    """What carries them, as who rides goes where that goes, and what is jointed to them."""
+    on = [f for f in case.facts.facts if f.kind in ("SUPPORT_SURFACE", "STORAGE")]
+    joined = [f for f in case.facts.facts if f.kind == "joint" and f.all & nodes]
+    carriers = {n for f in on if f.who & nodes for n in f.whom}
+    return frozenset(carriers.union(*(f.all for f in joined)))
+
+
+_HANGERS = frozenset({"pobj", "dobj", "attr", "compound", "dep", "nmod"})
+"""Roles of nouns that say nothing by standing there; who acts does, and what opens a caption."""
+_WHY = frozenset({"for", "like", "as", "without", "despite"})
+
+
+def _idle(case: Case) -> Iterator[Finding]:
+    """ "The bounce of the ball", "waves to a friend": it is drawn, and nothing is told of it."""
+    nodes = case.facts.doc.spatial_relation_graph.nodes
+    first = {n: (a, b) for a, b, n in sorted(case.facts.spans, reverse=True)}
+    for name, (start, end) in first.items():
+        node = nodes[name]
+        alike = {n for n, x in nodes.items() if n == name or (node.group and x.group == node.group)}
+        if not node.mentioned or node.is_structural or case.facts.about(frozenset(alike)):
+            continue
+        heads = [n for n in case.nouns if start <= n.start < end]
+        heads = [n for n in heads if not any(start <= a < end for a, _ in n.governors[:1])]
+        noun = heads[-1] if heads else None
+        if noun is None or noun.role not in _HANGERS or noun.unreal or noun.prep in _WHY:
+            continue
+        words = ((start, end), *noun.governors)
+        if not any(_accounted(case, a, b) for a, b in words):
+            yield Finding(start, end, UNTOLD, (name,))
+
+
+@dataclass(frozen=True)
+class Doubt:
+    """A noun of several senses: drawn as what, beside which words it is what else."""
+
+    drawn: str
+    cues: frozenset[str]
+    meant: str
+    example: str
+
+
+@cache
+def doubts() -> dict[str, Doubt]:
+    """Nouns of several senses: what they are drawn as, and what beside them tells another one."""
+    with open(lex.DATA / "doubts.csv", encoding="utf-8", newline="") as file:
+        return {
+            r["noun"]: Doubt(
+                r["drawn"], frozenset(r["beside"].split("|")), r["meant"], r["example"]
+            )
+            for r in csv.DictReader(file, delimiter=";")
+        }
+
+
+def _doubtful(case: Case) -> Iterator[Finding]:
+    """ "A sheepdog herds ten sheep into a pen", which is none to write with."""
+    doc = case.facts.doc
+    words = {w: None for w in re.findall(r"[a-z]+", case.text.lower())}
+    singulars = {lex.singular(w)[0] for w in words} | {*words}
+    for start, end, name in case.facts.spans:
+        head = (re.findall(r"[a-z]+", case.text[start:end].lower()) or [""])[-1]
+        doubt = doubts().get(lex.singular(head)[0])
+        asset = doc.asset_requirement[doc.spatial_relation_graph.nodes[name].asset_id]
+        if doubt is None or asset.asset_category != doubt.drawn:
+            continue
+        if singulars & doubt.cues and not case.facts.owns_up(start, end):
+            missing = f"a {doubt.drawn.replace('_', ' ')} is drawn, and {doubt.meant} is meant"
+            yield Finding(start, end, missing, (name,))
+
+
+CHECKS: dict[str, Callable[[Case], Iterable[Finding]]] = {
+    "members": _members,
+    "each": _each,
+    "to and fro": _to_and_fro,
+    "in part": _in_part,
+    "twice": _twice,
+    "on a rope": _on_a_rope,
+    "goes along": _goes_along,
+    "particles": _particles,
+    "acts": _acts,
+    "doubtful": _doubtful,
+    "idle": _idle,
+}
+"""The questions by name; docs/drafting/audit.md has a row for each."""

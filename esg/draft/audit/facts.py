@@ -1,0 +1,112 @@
+"""What a document says of its things, fact by fact, and which words of the text name them."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from esg.draft.audit.parse import Arg
+from esg.graph.models import Coverage, EdgeEvent, EsgDocument, NodeEvent, Predicate, Statement
+
+_SCAFFOLD = frozenset({NodeEvent.SCENE_START, NodeEvent.TRIGGER, NodeEvent.POSITION_AT})
+NODES = "/spatial_relation_graph/nodes/"
+
+
+@dataclass(frozen=True)
+class Fact:
+    """One thing that the document says.
+
+    Args:
+        kind: An event, "motion", a relation, "support", "inside", a predicate, "joint".
+        who: What it is said of.
+        whom: The others that take part.
+        way: Of "moves": the direction.
+    """
+
+    kind: str
+    who: frozenset[str]
+    whom: frozenset[str] = frozenset()
+    way: str = ""
+
+    @property
+    def all(self) -> frozenset[str]:
+        """Everything that takes part."""
+        return self.who | self.whom
+
+
+@dataclass(frozen=True)
+class Facts:
+    """All of them, and what they are about."""
+
+    doc: EsgDocument
+    facts: tuple[Fact, ...]
+    spans: tuple[tuple[int, int, str], ...]
+    """Where things are named: start, end, node."""
+    said: tuple[tuple[int, int], ...]
+    """Words that are owned up to."""
+    held: tuple[tuple[int, int], ...]
+    """Words of statements that the document holds."""
+
+    def about(self, nodes: frozenset[str]) -> list[Fact]:
+        """Those in which one of some things takes part."""
+        return [f for f in self.facts if f.all & nodes]
+
+    def owns_up(self, start: int, end: int) -> bool:
+        """Whether some of these words are owned up to."""
+        return any(a < end and start < b for a, b in self.said)
+
+    def named(self, arg: Arg) -> str:
+        """The node that a noun phrase names; empty if it names none."""
+        found = [(b - a, n) for a, b, n in self.spans if a <= arg.start and arg.end <= b]
+        return min(found)[1] if found else ""
+
+
+def facts_of(doc: EsgDocument, coverage: Coverage, statements: tuple[Statement, ...]) -> Facts:
+    """Reads a document.
+
+    Args:
+        doc: A draft.
+        coverage: Its record, with places in the text that is parsed.
+        statements: What it states, with places there, too.
+    """
+    graph = doc.spatial_relation_graph
+    spans = tuple(
+        (i.start, i.end, i.pointer.removeprefix(NODES).split("/")[0])
+        for i in coverage.items
+        if i.pointer.startswith(NODES)
+    )
+    out: list[Fact] = []
+    if doc.timeline_system is not None:
+        sequence = doc.timeline_system.sequence_graph
+        for n in sequence.nodes:
+            if n.event not in _SCAFFOLD:
+                inside = frozenset({n.region.split("/")[0]} if n.region else set[str]())
+                first = frozenset(n.participants[:1])
+                others = frozenset(c.to for c in n.constraints if c.to) | inside
+                out.append(Fact(n.event.value, first, frozenset(n.participants[1:]) | others))
+        for e in sequence.edges:
+            kind = "pushed" if e.event is EdgeEvent.INERTIAL_CONNECTOR else "motion"
+            whom = frozenset({e.target} if e.target else set[str]())
+            out.append(Fact(kind, frozenset({e.actor}), whom))
+    for r in graph.edges.binary_relations:
+        if r.relation_type.value != "face":
+            out.append(Fact(r.relation_type.value, frozenset({r.from_}), frozenset({r.to})))
+    for m in graph.edges.multi_relations:
+        out.append(Fact(m.relation_type.value, frozenset(m.subjects), frozenset(m.targets)))
+    for name, node in graph.nodes.items():
+        region = graph.semantic_regions.get(node.semantic_region or "")
+        if region is not None and not graph.nodes[region.parent_object].is_structural:
+            kind = region.region_type.value
+            out.append(Fact(kind, frozenset({name}), frozenset({region.parent_object})))
+    for j in graph.joints or ():
+        parent = frozenset({j.parent} if j.parent else set[str]())
+        out.append(Fact("joint", frozenset({j.child}), parent))
+    kept = [s for s in statements if s.predicate is not Predicate.NOT_REPRESENTED]
+    out += [
+        Fact(s.predicate.value, frozenset(s.object), frozenset(s.target), s.direction or "")
+        for s in kept
+        if s.predicate not in (Predicate.BEFORE, Predicate.SAME_TIME)
+    ]
+    said = [(s.start, s.end) for s in statements if s.predicate is Predicate.NOT_REPRESENTED]
+    said += [(i.start, i.end) for i in coverage.items if i.status == "not_understood"]
+    held = tuple((s.start, s.end) for s in kept)
+    return Facts(doc, tuple(out), spans, tuple(said), held)
