@@ -200,7 +200,9 @@ def sha256_of(path: Path) -> str:
         return hashlib.file_digest(file, "sha256").hexdigest()
 
 
+_MOST_INTACT = 1024
 _intact: dict[Path, tuple[tuple[int, ...], str]] = {}
+"""Signature and digest of files read last; a batch's compiled classes are new ones every time."""
 
 
 def is_intact(path: Path, digest: str) -> bool:
@@ -216,6 +218,8 @@ def is_intact(path: Path, digest: str) -> bool:
         known = _intact.get(path)
         if known is None or known[0] != signature:
             known = _intact[path] = signature, sha256_of(path)
+            while len(_intact) > _MOST_INTACT:
+                _intact.pop(next(iter(_intact)), None)
     except OSError:
         return False
     return known[1] == digest

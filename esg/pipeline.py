@@ -162,10 +162,14 @@ def artifact_store() -> ArtifactStore:
 def scratch_store(root: Path, *, durable: bool = True) -> Generator[None]:
     """Makes this process use another store for the body: nothing of the usual one is found.
 
+    What is known of its artifacts is forgotten: their folder goes with the batch.
+
     Args:
         root: Folder of the store.
         durable: As of `esg.store.artifacts.ArtifactStore`.
     """
+    from esg.store.artifacts import forget
+
     global _store_root, _durable
     before = _store_root, _durable
     _store_root, _durable = root, durable
@@ -173,6 +177,7 @@ def scratch_store(root: Path, *, durable: bool = True) -> Generator[None]:
         yield
     finally:
         _store_root, _durable = before
+        forget(root)
 
 
 def content_hash(folder: Path) -> str:

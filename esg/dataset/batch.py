@@ -17,6 +17,7 @@ from esg.dataset.job import CROSSCHECK, BatchJob, BatchResult
 from esg.dataset.meshes import BUFFERS
 from esg.dataset.running import SCENE_STAGES, rendered_scenes, run_scenes
 from esg.dataset.writing import write_batch
+from esg.machine.memory import give_back
 from esg.pipeline import scratch_store
 from esg.store.tables import part_files, to_table, write_part
 
@@ -39,6 +40,8 @@ def make_batch(job: BatchJob) -> BatchResult:
     with batch_lock(job.out, job.number):
         done = read_mark(job.out, job.number)
         result = _make(job) if done is None else done
+        if done is None:
+            give_back()
         if job.url:
             _deliver(job, result)
         return result

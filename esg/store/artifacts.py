@@ -12,9 +12,9 @@ processes may write the same key: the first rename wins, the others adopt its re
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from collections.abc import Callable, Mapping
 import contextlib
-from dataclasses import dataclass
 import errno
 import hashlib
 import json
@@ -66,15 +66,27 @@ def artifact_key(
     return f"{stage}-{hashlib.sha256(text.encode()).hexdigest()}"
 
 
-@dataclass(frozen=True)
-class _Seen:
-    """What a verified artifact looked like: size and modification time of every file."""
+_MOST_VERIFIED = 16384
+_verified: OrderedDict[str, bytes] = OrderedDict()
+"""Folders of artifacts that this process has hashed, latest last, with what tells that their files
+are still the same; 300 bytes each. Kept for good they were a third of a worker's growth."""
 
-    signature: tuple[tuple[str, int, int], ...]
+
+def forget(root: Path) -> None:
+    """Drops what is known of the artifacts of a store whose folder goes or has gone.
+
+    Args:
+        root: Of the store.
+    """
+    below = f"{root}{os.sep}"
+    for home in [h for h in list(_verified) if h.startswith(below)]:
+        _verified.pop(home, None)
 
 
-_verified: dict[Path, _Seen] = {}
-"""Artifacts this process has already hashed. Grows by one small entry an artifact."""
+def _remember(home: Path, signature: bytes) -> None:
+    _verified[str(home)] = signature
+    while len(_verified) > _MOST_VERIFIED:
+        _verified.popitem(last=False)
 
 
 class ArtifactStore:
@@ -169,15 +181,14 @@ class ArtifactStore:
             else:
                 if self.durable:
                     sync_folder(home.parent)
-                _verified[home] = _Seen(_signature(home))
+                _remember(home, _folded(_signature(home)))
                 return home / DATA
         raise OSError(errno.EBUSY, "other writers keep replacing this artifact", str(home))
 
     def _intact(self, home: Path) -> bool:
         try:
             signature = _signature(home)
-            seen = _verified.get(home)
-            if seen is not None and seen.signature == signature:
+            if _verified.get(str(home)) == _folded(signature):
                 return True
             mark = json.loads((home / MARK).read_bytes())
             if mark["format"] != FORMAT or mark["sha256"] != _mark_hash(mark):
@@ -190,12 +201,12 @@ class ArtifactStore:
                 return False
         except (OSError, ValueError, KeyError, TypeError):
             return False
-        _verified[home] = _Seen(signature)
+        _remember(home, _folded(signature))
         return True
 
     def _discard(self, home: Path) -> None:
         """Moves a folder out of the way in one step, then deletes it."""
-        _verified.pop(home, None)
+        _verified.pop(str(home), None)
         grave = self.root / "tmp" / f"{home.name}.{uuid.uuid4().hex[:8]}.dead"
         with contextlib.suppress(FileNotFoundError):
             grave.parent.mkdir(parents=True, exist_ok=True)
@@ -235,6 +246,11 @@ def _signature(home: Path) -> tuple[tuple[str, int, int], ...]:
             relative = os.path.relpath(path, home).replace(os.sep, "/")
             out.append((relative, facts.st_size, facts.st_mtime_ns))
     return tuple(sorted(out))
+
+
+def _folded(signature: tuple[tuple[str, int, int], ...]) -> bytes:
+    """What a folder looked like, in few bytes."""
+    return hashlib.blake2b(repr(signature).encode(), digest_size=16).digest()
 
 
 def _mark_hash(mark: Mapping[str, Any]) -> str:

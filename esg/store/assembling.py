@@ -13,6 +13,9 @@ import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+import numpy as np
+from numpy.typing import NDArray
+
 from esg.files import atomic_file
 from esg.store.columns import value_bytes
 from esg.store.tables import (
@@ -125,12 +128,25 @@ def totals(counts: Counts) -> dict[str, int]:
 
 
 @dataclass(frozen=True)
-class _Place:
-    """Where a row is: which part, which row of it, and how large it is [bytes]."""
+class _Places:
+    """Where rows are, in their order.
 
-    file: int
-    row: int
-    size: int
+    Args:
+        file: Which part, shape [n].
+        row: Which row of it, shape [n].
+        size: How large they are [bytes], shape [n].
+    """
+
+    file: NDArray[np.int64]
+    row: NDArray[np.int64]
+    size: NDArray[np.int64]
+
+    def __len__(self) -> int:
+        return len(self.file)
+
+    def some(self, chosen: NDArray[Any] | slice) -> _Places:
+        """Those that are chosen, by a mask, by their places or as a slice."""
+        return _Places(self.file[chosen], self.row[chosen], self.size[chosen])
 
 
 def _scene_splits(parts: Path) -> dict[str, str]:
@@ -142,24 +158,60 @@ def _scene_splits(parts: Path) -> dict[str, str]:
     return out
 
 
-def _in_order(
-    table: str, files: Sequence[Path], splits: Mapping[str, str]
-) -> dict[str, list[_Place]]:
-    """Places of all rows by split, sorted by key, the last part winning where a key repeats."""
-    found: dict[str, dict[tuple[Any, ...], _Place]] = {split: {} for split in SPLITS}
-    for number, path in enumerate(files):
+def _in_order(table: str, files: Sequence[Path], splits: Mapping[str, str]) -> dict[str, _Places]:
+    """Places of all rows by split, sorted by key, the last part winning where a key repeats.
+
+    Arrow sorts texts as Python does; as tuples of Python, eight million keys took five gigabytes.
+    """
+    import pyarrow as pa
+    import pyarrow.compute
+
+    pc: Any = pyarrow.compute  # its functions are made at run time
+    names = tuple(dict.fromkeys((*KEYS[table], "scene_key")))
+    parts: list[pa.Table] = []
+    sizes: list[NDArray[np.int64]] = []
+    for path in files:
         data = read_table(path)
-        sizes = _row_sizes(data)
-        keys = zip(*(data[k].to_pylist() for k in KEYS[table]), strict=True)
-        scenes = data["scene_key"].to_pylist()
-        for row, (key, scene) in enumerate(zip(keys, scenes, strict=True)):
-            split = splits.get(scene)
-            if split is not None:
-                found[split][key] = _Place(number, row, sizes[row])
-    return {split: [rows[key] for key in sorted(rows)] for split, rows in found.items()}
+        sizes.append(_row_sizes(data))
+        parts.append(pa.table({n: _wide(data[n]) for n in names}))
+    counts = [len(s) for s in sizes]
+    places = _Places(
+        np.repeat(np.arange(len(files)), counts),
+        np.concatenate([np.arange(n) for n in counts]),
+        np.concatenate(sizes),
+    )
+    keys = pa.concat_tables(parts)
+    known = pa.array(list(splits), pa.large_string())
+    found = pc.index_in(keys["scene_key"], value_set=known).to_numpy(zero_copy_only=False)
+    codes = np.array([SPLITS.index(s) for s in splits.values()] + [-1])
+    split = codes[np.nan_to_num(found, nan=-1).astype(np.int64)]
+    # Rows come in the order of their places, which the sort leaves among equal keys.
+    order = pc.sort_indices(keys, sort_keys=[(k, "ascending") for k in KEYS[table]]).to_numpy()
+    order = order[_last(keys.select(KEYS[table]), order)]
+    return {s: places.some(order[split[order] == k]) for k, s in enumerate(SPLITS)}
 
 
-def _row_sizes(data: pa.Table) -> list[int]:
+def _wide(column: pa.ChunkedArray) -> pa.ChunkedArray:
+    """A column whose texts may take more than two gigabytes together."""
+    import pyarrow as pa
+
+    return column.cast(pa.large_string()) if pa.types.is_string(column.type) else column
+
+
+def _last(keys: pa.Table, order: NDArray[Any]) -> NDArray[np.bool_]:
+    """Which rows of a sorted table no other follows that has the same key, shape [n]."""
+    import pyarrow.compute
+
+    pc: Any = pyarrow.compute  # its functions are made at run time
+    same = np.ones(max(0, len(order) - 1), bool)
+    for column in keys.columns:
+        values = column.take(order)
+        equal = pc.equal(values.slice(0, len(same)), values.slice(1))
+        same &= pc.fill_null(equal, False).to_numpy()
+    return ~np.append(same, np.zeros(min(1, len(order)), bool))
+
+
+def _row_sizes(data: pa.Table) -> NDArray[np.int64]:
     """Size of every row's values [bytes]: how rows are dealt to parts makes no difference."""
     import pyarrow as pa
     import pyarrow.compute
@@ -180,14 +232,14 @@ def _row_sizes(data: pa.Table) -> list[int]:
             continue
         total = pc.add(total, pc.fill_null(size, 0))
     fixed = 8 * sum(not (pa.types.is_string(t) or pa.types.is_list(t)) for t in data.schema.types)
-    return [size + fixed for size in pc.cast(total, pa.int64()).to_pylist()]
+    return pc.cast(total, pa.int64()).to_numpy() + fixed
 
 
 def _write_split(
     table: str,
     split: str,
     files: Sequence[Path],
-    places: list[_Place],
+    places: _Places,
     out: Path,
     max_bytes: int,
     fixed: int | None,
@@ -196,38 +248,33 @@ def _write_split(
     folder = out / table
     for old in folder.glob(f"{split}-*-of-*.parquet"):
         old.unlink()
-    if not places:
+    if not len(places):
         return
     if fixed is not None:
         count = -(-len(places) // max(1, fixed))
     else:
-        count = max(1, -(-sum(p.size for p in places) // max_bytes))
+        count = max(1, -(-int(places.size.sum()) // max_bytes))
     bounds = [len(places) * i // count for i in range(count + 1)]
     for i in range(count):
         name = PART_PATTERN.format(split=split, index=i, count=count)
-        data = _gather(table, files, places[bounds[i] : bounds[i + 1]])
+        data = _gather(table, files, places.some(slice(*bounds[i : i + 2])))
         if changed is not None:
             data = changed(table, data)
         write_part(data, folder / name)
 
 
-def _gather(table: str, files: Sequence[Path], places: Sequence[_Place]) -> pa.Table:
+def _gather(table: str, files: Sequence[Path], places: _Places) -> pa.Table:
     """The rows at some places, in their order."""
     import pyarrow as pa
 
-    wanted: dict[int, list[tuple[int, int]]] = {}
-    for target, place in enumerate(places):
-        wanted.setdefault(place.file, []).append((place.row, target))
     pieces = [arrow_schema(table).empty_table()]
-    targets: list[int] = []
-    for number, rows in sorted(wanted.items()):
+    by_file = np.argsort(places.file, kind="stable")
+    for number in np.unique(places.file):
         part = read_table(files[number], known=True)
-        pieces.append(part.take(pa.array([r for r, _ in rows], pa.int64())))
-        targets += [target for _, target in rows]
-    order = sorted(range(len(targets)), key=targets.__getitem__)
+        pieces.append(part.take(places.row[places.file == number]))
     data = pa.concat_tables(pieces)
-    if order != list(range(len(order))):
-        data = data.take(pa.array(order, pa.int64()))
+    if (by_file[1:] < by_file[:-1]).any():
+        data = data.take(np.argsort(by_file))
     return data.combine_chunks()
 
 

@@ -56,26 +56,33 @@ def _update(digest: Any, values: pa.Array) -> None:
         for chunk in values.chunks:
             _update(digest, chunk)
         return
-    digest.update(values.is_null().to_numpy(zero_copy_only=False).tobytes())
-    kind = values.type
+    gaps, kind = values.null_count, values.type
+    # Filling gaps where there are none, and reading what is but gaps, took half of the time.
+    empty = gaps == len(values)
+    digest.update(values.is_null().to_numpy(zero_copy_only=False) if gaps else bytes(len(values)))
     if pa.types.is_list(kind):
-        lengths = pc.fill_null(pc.list_value_length(values), -1)
-        digest.update(lengths.to_numpy(zero_copy_only=False).tobytes())
+        lengths = pc.list_value_length(values)
+        digest.update((pc.fill_null(lengths, -1) if gaps else lengths).to_numpy())
         _update(digest, values.flatten())
     elif pa.types.is_struct(kind):
         for field in values.flatten():
             _update(digest, field)
     elif pa.types.is_string(kind) or pa.types.is_binary(kind):
-        lengths = pc.fill_null(pc.binary_length(values), -1)
-        digest.update(lengths.to_numpy(zero_copy_only=False).tobytes())
-        whole = pc.fill_null(values.cast(pa.large_binary()), b"")
+        lengths = pc.binary_length(values)
+        digest.update((pc.fill_null(lengths, -1) if gaps else lengths).to_numpy())
+        if empty:
+            return
+        whole = values.cast(pa.large_binary())
+        whole = pc.fill_null(whole, b"") if gaps else whole
         ends = np.frombuffer(whole.buffers()[1], np.int64)[whole.offset :][: len(whole) + 1]
         digest.update(memoryview(whole.buffers()[2] or b"")[ends[0] : ends[-1]])
+    elif empty:
+        digest.update(bytes(gaps * max(1, kind.bit_width // 8)))
     else:
         plain = values.cast(pa.int64()) if pa.types.is_timestamp(kind) else values
         zero = False if pa.types.is_boolean(kind) else 0
-        filled = pc.fill_null(plain, pa.scalar(zero, plain.type))
-        digest.update(filled.to_numpy(zero_copy_only=False).tobytes())
+        filled = pc.fill_null(plain, pa.scalar(zero, plain.type)) if gaps else plain
+        digest.update(filled.to_numpy(zero_copy_only=False))
 
 
 def seal_footer(path: Path) -> None:

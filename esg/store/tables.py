@@ -321,14 +321,6 @@ def table_of(path: Path) -> str:
     return table
 
 
-def format_of(path: Path) -> int:
-    """Major version of the format of a file that `table_of` knows."""
-    import pyarrow.parquet as pq
-
-    metadata = pq.read_schema(_local(path)).metadata or {}
-    return int(metadata[b"esg.format"].split(b".")[0])
-
-
 def _values(facts: pq.FileMetaData) -> int:
     """Values of all columns together, elements of lists counted."""
     return sum(
@@ -338,10 +330,58 @@ def _values(facts: pq.FileMetaData) -> int:
     )
 
 
+def sound_table(
+    path: Path,
+    table: str,
+    columns: Sequence[str] | None = None,
+    *,
+    known: bool = False,
+    threads: bool = False,
+) -> pa.Table:
+    """Rows of one Parquet file as they lie, once its checksums fit.
+
+    Args:
+        path: The file.
+        table: That it holds, by `table_of`.
+        columns: Only these, which every version of the table has; default all.
+        known: Whether this command has read all of it before: its digest is not computed again.
+        threads: Whether several read it; of a part they would be in each other's way.
+
+    Raises:
+        UserError: If it is damaged, of another format or lacks columns.
+    """
+    import pyarrow.parquet as pq
+
+    wanted = None if columns is None else list(columns)
+    try:
+        with pq.ParquetFile(_local(path), page_checksum_verification=True) as file:
+            data = file.read(columns=wanted, use_threads=threads)
+        digest = (data.schema.metadata or {}).get(DIGEST_KEY)
+        whole = columns is None and not known
+        if whole and digest not in (None, content_digest(data)):
+            raise ValueError("its digest does not fit")
+    except Exception as error:  # whatever the reader meets in a damaged file
+        raise _damaged(path, error) from None
+    if columns is None and missing_columns(table, data.column_names):
+        missing = [c for c in COLUMNS[table] if c not in data.column_names]
+        raise UserError(f"{path} lacks the columns {', '.join(missing)} of table {table!r}")
+    return data
+
+
+def _damaged(path: Path, error: Exception) -> UserError:
+    why = (str(error).splitlines() or [type(error).__name__])[0]
+    return UserError(f"{path} is damaged ({why}); delete it and run again")
+
+
+def format_of(data: pa.Table) -> int:
+    """Major version of the format of rows as they lie in a file."""
+    return int((data.schema.metadata or {})[b"esg.format"].split(b".")[0])
+
+
 def read_table(
     path: Path, columns: Sequence[str] | None = None, *, known: bool = False
 ) -> pa.Table:
-    """Reads and checks one Parquet file of this project.
+    """Reads and checks one Parquet file of this project, and gives its rows the types of today.
 
     Args:
         path: The file.
@@ -352,29 +392,16 @@ def read_table(
         UserError: If it is damaged, of another format or lacks columns.
     """
     import pyarrow as pa
-    import pyarrow.parquet as pq
 
     table = table_of(path)
+    data = sound_table(path, table, columns, known=known, threads=True)
     try:
-        data = pq.read_table(
-            _local(path),
-            columns=None if columns is None else list(columns),
-            page_checksum_verification=True,
-        )
-        digest = (data.schema.metadata or {}).get(DIGEST_KEY)
-        whole = columns is None and not known
-        if whole and digest not in (None, content_digest(data)):
-            raise ValueError("its digest does not fit")
         data = upgraded(table, data, COLUMNS[table])
-    except Exception as error:  # whatever the reader meets in a damaged file
-        why = (str(error).splitlines() or [type(error).__name__])[0]
-        raise UserError(f"{path} is damaged ({why}); delete it and run again") from None
+    except Exception as error:  # texts that are no JSON
+        raise _damaged(path, error) from None
     if columns is not None:
         return data
-    missing = [c for c in COLUMNS[table] if c not in data.column_names]
-    if missing_columns(table, data.column_names):
-        raise UserError(f"{path} lacks the columns {', '.join(missing)} of table {table!r}")
-    for column in missing:
+    for column in (c for c in COLUMNS[table] if c not in data.column_names):
         kind = arrow_schema(table).field(column).type
         data = data.append_column(column, pa.nulls(data.num_rows, kind))
     return data.select(list(COLUMNS[table])).cast(arrow_schema(table))
@@ -414,8 +441,7 @@ def iter_batches(
             with pq.ParquetFile(_local(path), page_checksum_verification=True) as file:
                 yield from file.iter_batches(batch_size=rows, columns=wanted)
         except Exception as error:  # whatever the reader meets in a damaged file
-            why = (str(error).splitlines() or [type(error).__name__])[0]
-            raise UserError(f"{path} is damaged ({why}); delete it and run again") from None
+            raise _damaged(path, error) from None
 
 
 def iter_rows(

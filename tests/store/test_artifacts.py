@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 import errno
 import multiprocessing
 import os
@@ -9,6 +10,7 @@ from pathlib import Path
 
 import pytest
 
+from esg.pipeline import artifact_store, scratch_store
 from esg.store import artifacts as module
 from esg.store.artifacts import MARK, ArtifactStore, artifact_key
 
@@ -118,6 +120,25 @@ def test_a_damaged_artifact_is_noticed_dropped_and_computed_again(store, damage)
     assert not made.parent.exists()
     again = store.create(key(), fill("hello"))
     assert (again / "a.txt").read_text() == "hello"
+
+
+def test_of_a_batchs_store_nothing_is_known_when_it_is_gone(tmp_path):
+    """Ten thousand scenes are eighty thousand artifacts, of which no folder is left."""
+    before = set(module._verified)
+    with scratch_store(tmp_path / "artifacts"):
+        artifact_store().create(key(), fill("hello"))
+        assert set(module._verified) - before
+    assert set(module._verified) == before
+
+
+def test_as_many_artifacts_are_remembered_as_a_large_batch_has(store, monkeypatch):
+    monkeypatch.setattr(module, "_MOST_VERIFIED", 3)
+    monkeypatch.setattr(module, "_verified", OrderedDict())
+    keys = [key(str(k)) for k in range(5)]
+    for k in keys:
+        store.create(k, fill("hello"))
+    assert len(module._verified) == 3
+    assert all(store.find(k) is not None for k in keys)
 
 
 def test_damage_after_the_first_use_is_noticed_by_size_or_time(store):

@@ -23,8 +23,10 @@ from esg.store.tables import (
     ADDED_COLUMNS,
     COLUMNS,
     TABLES,
+    arrow_schema,
     part_files,
     read_table,
+    write_part,
     write_tables,
 )
 from tests.store.samples import STATEMENTS, record, records, run_info
@@ -169,6 +171,53 @@ def test_later_rows_replace_earlier_ones(db, tmp_path):
     ingest(db, [tmp_path / "new"])
     assert one(db, sql) == ("not_converged",)
     assert counts(db)["scenes"] == 6
+
+
+def test_of_a_key_the_last_row_of_the_last_file_stays(tmp_path, monkeypatch):
+    """Within a file, among files, and beside rows that were there, however files are taken."""
+    names = [f"{k:03d}" for k in range(40)]
+
+    def part(number: int, rows: list[tuple[str, str]]) -> Path:
+        path = tmp_path / "parts" / "coverage" / f"{number}.parquet"
+        common = {"run_id": "r", "item_index": 0}
+        found = [{**common, "scene_key": k, "text": text} for k, text in rows]
+        write_part(pa.Table.from_pylist(found, schema=arrow_schema("coverage")), path)
+        return path
+
+    files = [
+        part(0, [(k, "first") for k in names]),
+        part(1, [(names[1], "one"), (names[2], "two"), (names[1], "three")]),
+        part(2, [(names[2], "four"), (names[3], "five")]),
+    ]
+    expected = dict.fromkeys(names, "first") | {names[1]: "three", names[2]: "four"}
+    expected[names[3]] = "five"
+    asked = "SELECT scene_key, text FROM coverage ORDER BY ALL"
+    for size in (10**9, 1):  # all files at once, and one by one
+        monkeypatch.setattr("esg.store.ingesting._PORTION_BYTES", size)
+        db = tmp_path / f"{size}.duckdb"
+        assert ingest(db, files).rows == {"coverage": 40}
+        assert dict(query(db, asked).rows) == expected
+        assert ingest(db, [part(3, [(names[1], "late"), ("new", "late")])]).rows == {"coverage": 2}
+        assert dict(query(db, asked).rows) == expected | {names[1]: "late", "new": "late"}
+        assert ingest(db, files, force=True).rows == {"coverage": 40}
+        assert dict(query(db, asked).rows) == expected | {"new": "late"}
+        (tmp_path / "parts" / "coverage" / "3.parquet").unlink()
+
+
+def test_all_damaged_files_are_named_and_rows_before_them_are_not_kept(tmp_path, parts):
+    db = tmp_path / "esg.duckdb"
+    bad = [parts / "metrics" / "zz.parquet", parts / "timings" / "zz.parquet"]
+    for path in bad:
+        whole = bytearray(next(path.parent.glob("*.parquet")).read_bytes())
+        whole[60] ^= 1  # a page, not the footer
+        path.write_bytes(whole)
+    with pytest.raises(UserError, match="nothing was ingested") as told:
+        ingest(db, [parts])
+    assert all(str(path) in str(told.value) for path in bad)
+    for path in bad:
+        path.unlink()
+    migrate(db)
+    assert not any(counts(db).values())
 
 
 def test_rebuild_gives_the_same_database(db, parts, tmp_path):
@@ -501,7 +550,7 @@ def test_too_little_memory_is_not_called_damage(tmp_path, parts, monkeypatch):
     def fail(*_: object) -> int:
         raise duckdb.OutOfMemoryException("failed to allocate block (bad allocation)")
 
-    monkeypatch.setattr(ingesting, "_upsert", fail)
+    monkeypatch.setattr(ingesting, "_insert", fail)
     with pytest.raises(UserError, match="not enough memory"):
         ingest(tmp_path / "r.duckdb", [parts])
     monkeypatch.undo()

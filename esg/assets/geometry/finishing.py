@@ -16,6 +16,7 @@ import trimesh
 from trimesh.visual import TextureVisuals
 
 from esg.assets.geometry.bevels import bevelled
+from esg.machine.recent import Recent
 
 Floats = NDArray[np.float64]
 Ints = NDArray[np.int64]
@@ -26,9 +27,9 @@ _BEVEL_CREASE_DEG = 57.0
 """On what is bevelled: edges and corners stand at 45 and 55 degrees to its faces, and are shaded
 into them."""
 _ROUND = frozenset({"cylinder", "lathe", "torus"})
-_KEPT = 512
-"""Parts whose surfaces a process keeps, some 20 MB: scenes of a dataset differ in colours and
-share most parts of most things."""
+_KEPT_BYTES = 24 * 2**20
+"""Of surfaces that a process keeps: scenes of a dataset differ in colours and share most parts of
+most things. A part takes 34 kB on average, and some many times as much."""
 _EVEN = 0.02
 """Relative difference up to which two moments are those of a thing that is round about an axis."""
 
@@ -49,7 +50,11 @@ class Surface(NamedTuple):
     uvs: Floats
 
 
-_surfaces: dict[bytes, Surface] = {}
+def _bytes(surface: Surface) -> int:
+    return sum(array.nbytes for array in surface)
+
+
+_surfaces: Recent[bytes, Surface] = Recent(_KEPT_BYTES, _bytes)
 
 
 def finished(
@@ -70,14 +75,13 @@ def finished(
     digest = hashlib.blake2b(repr(how).encode(), digest_size=16)
     for array in (mesh.vertices, mesh.faces):
         digest.update(np.ascontiguousarray(array).data)
-    surface = _surfaces.get(digest.digest())
-    if surface is None:
-        surface = _finished(mesh, tile_cm, grain, smallest_cm)
-        for array in surface:
-            array.setflags(write=False)
-        while len(_surfaces) >= _KEPT:
-            _surfaces.pop(next(iter(_surfaces)), None)
-        _surfaces[digest.digest()] = surface
+    return _surfaces.get(digest.digest(), lambda: _fixed(mesh, tile_cm, grain, smallest_cm))
+
+
+def _fixed(mesh: trimesh.Trimesh, tile_cm: float, grain: bool, smallest_cm: float) -> Surface:
+    surface = _finished(mesh, tile_cm, grain, smallest_cm)
+    for array in surface:
+        array.setflags(write=False)
     return surface
 
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from functools import cache
+from functools import cache, lru_cache
 from importlib import metadata
 from pathlib import Path
 from typing import TYPE_CHECKING, NamedTuple
@@ -101,9 +101,11 @@ def version() -> str:
     return version_of(Path(__file__).parent, np.__version__, metadata.version("scipy"))
 
 
-@cache
+@lru_cache(maxsize=4)
 def drawn(name: str, size: int = FULL) -> Maps:
     """The maps of a texture, drawn in this process; `maps` has them from the cache.
+
+    A few are kept: halves are made of them at once. All sixty were 48 MB.
 
     Args:
         name: One of `recipes()`.

@@ -41,6 +41,7 @@ MAX_GROWTH = 64
 
 _lock = RLock()
 _growth: dict[object, int] = {}
+"""Of structures that needed more room, those found last: one has all vertices of its hulls."""
 _models: OrderedDict[object, NewtonModel] = OrderedDict()
 
 
@@ -129,6 +130,8 @@ def _simulate(
         # Contacts were dropped: simulate again with more room, and remember it.
         growth *= 2
         _growth[structure] = growth
+        while len(_growth) > MAX_MODELS:
+            _growth.pop(next(iter(_growth)), None)
 
 
 class _Play:

@@ -15,6 +15,7 @@ from esg.assets.geometry.finishing import completed, finished, split_normals
 from esg.assets.geometry.mesh import closed_mesh
 from esg.assets.library.catalogue import entries_by_name
 from esg.assets.stage import configure
+from esg.machine.recent import Recent
 from tests.assets.worlds import requirement
 
 
@@ -159,12 +160,11 @@ def test_an_asset_drawn_twice_is_the_same_and_its_arrays_are_nobody_s_to_change(
         np.testing.assert_array_equal(mesh.vertices, again.geometry[name].vertices)
 
 
-def test_the_same_part_is_finished_once_and_a_process_keeps_so_many(
+def test_the_same_part_is_finished_once_and_a_process_keeps_so_much(
     monkeypatch: pytest.MonkeyPatch,
 ) -> None:
     """Its surface depends on all that is asked of it, and nobody may write to it."""
-    monkeypatch.setattr(finishing, "_KEPT", 3)
-    monkeypatch.setattr(finishing, "_surfaces", {})
+    monkeypatch.setattr(finishing, "_surfaces", Recent(10**6, finishing._bytes))
     first = finished(shapes.box((60, 30, 10), (0, 0, 0)), 100.0)
     assert finished(shapes.box((60, 30, 10), (0, 0, 0)), 100.0) is first
     with pytest.raises(ValueError, match="read-only"):
@@ -175,6 +175,7 @@ def test_the_same_part_is_finished_once_and_a_process_keeps_so_many(
         finished(shapes.box((60, 30, 10), (0, 0, 0)), 100.0, smallest_cm=1.0),
     ]
     assert all(len({id(a), id(first)}) == 2 for a in others)
-    assert len(finishing._surfaces) == 3
+    assert len(finishing._surfaces) == 4
+    monkeypatch.setattr(finishing, "_surfaces", Recent(10, finishing._bytes))
     again = finished(shapes.box((60, 30, 10), (0, 0, 0)), 100.0)
     assert again is not first and np.array_equal(again.normals, first.normals)
