@@ -17,7 +17,7 @@ from prefect.tasks import Task, exponential_backoff
 from esg.dataset.batch import close_batch, make_batch
 from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.running import forget_dead, mark_dead, try_scene
-from esg.dataset.shares import draft_share, prove_share, search_batch
+from esg.dataset.shares import draft_share, make_share, prove_share, search_batch
 from esg.outcomes import UserError
 from esg.pipeline import SceneState, may_pass
 from esg.workers import WorkerDied, WorkerPool
@@ -65,7 +65,21 @@ def run_job(job: BatchJob) -> BatchResult:
     searchers = current().searchers
     if searchers is not None and job.searches_together and job.source is None:
         return _in_shares(job, current().pool, searchers)
+    if job.parted and job.source is None and not job.searches_together:
+        return _by_all(job, expendable_pool())
     return _survived(expendable_pool().run, job, make_batch)
+
+
+def _by_all(job: BatchJob, pool: WorkerPool) -> BatchResult:
+    """Makes a batch by shares of scenes, in as many workers as have time."""
+    shares = job.shares()
+
+    def make(share: BatchJob) -> BatchResult:
+        return _survived(pool.run, share, make_share)
+
+    with ThreadPoolExecutor(len(shares)) as threads:
+        results = list(threads.map(make, shares))
+    return pool.run(close_batch, job, results)
 
 
 def _in_shares(job: BatchJob, pool: WorkerPool, searchers: Searchers) -> BatchResult:
@@ -73,11 +87,12 @@ def _in_shares(job: BatchJob, pool: WorkerPool, searchers: Searchers) -> BatchRe
     shares = job.shares()
     with ThreadPoolExecutor(len(shares)) as threads:
 
-        def draft() -> list[SceneState]:
+        def begun(share: BatchJob) -> list[SceneState]:
             # Before all proofs: without a draft the device has nothing to do.
-            urgent = partial(pool.run, urgent=True)
-            drafts = threads.map(lambda share: _survived(urgent, share, draft_share), shares)
-            return list(chain.from_iterable(drafts))
+            return _survived(partial(pool.run, urgent=True), share, draft_share)
+
+        def draft() -> list[SceneState]:
+            return list(chain.from_iterable(threads.map(begun, shares)))
 
         def search(states: list[SceneState]) -> list[SceneState]:
             return _survived(searchers.pool.run, job, search_batch, states)

@@ -63,7 +63,7 @@ def _deliver(job: BatchJob, result: BatchResult) -> None:
 def _make(job: BatchJob) -> BatchResult:
     spent = Meter()
     with spent.on("batch"):
-        result = _only_rendered(job, spent) if job.source is not None else _whole(job, spent)
+        result = _only_rendered(job, spent) if job.source is not None else whole(job, spent)
     return _marked(job, timed(result, spent))
 
 
@@ -128,7 +128,7 @@ def _marked(job: BatchJob, result: BatchResult) -> BatchResult:
     return result
 
 
-def _whole(job: BatchJob, spent: Meter) -> BatchResult:
+def whole(job: BatchJob, spent: Meter) -> BatchResult:
     """All stages of all scenes, with their clips if they are to have any."""
     with batch_store(job):
         return leave(job, run_scenes(job, spent), spent)

@@ -18,8 +18,9 @@ if TYPE_CHECKING:
 
 RENDER = "render"
 """What failures and timings call the pictures of a batch's scenes."""
-SHARE = 32
-"""Scenes that a worker makes at once of a batch that is searched as a whole."""
+SHARE = 16
+"""Scenes that a worker makes at once of a batch that several make: as many classes as share a unit
+of the compiler."""
 CROSSCHECK = "crosscheck"
 """What timings call the checks of a sample of them."""
 
@@ -43,6 +44,7 @@ class BatchJob:
         source: A finished dataset that holds the scenes, which are only rendered; None: they are
             made.
         share: Which of its shares this is (`shares`); None: all of it.
+        parted: Whether several workers make it, each some shares: there is no other work for them.
     """
 
     number: int
@@ -58,6 +60,7 @@ class BatchJob:
     url: str = ""
     source: Path | None = None
     share: int | None = None
+    parted: bool = False
 
     @property
     def searches_together(self) -> bool:
@@ -71,7 +74,7 @@ class BatchJob:
         return name if self.share is None else f"{name}-{self.share:02d}"
 
     def shares(self) -> list[BatchJob]:
-        """The batch in shares of some 32 scenes, as workers beside a search make them."""
+        """The batch in shares of some 16 scenes, where several workers make it."""
         count = -(-len(self.scenes) // SHARE)
         cuts = [len(self.scenes) * k // count for k in range(count + 1)]
         return [

@@ -2,6 +2,9 @@
 
     draft_share, of every share -> search_batch -> prove_share, of every share -> close_batch
 
+At the end of a run on many cores, where there are fewer batches than workers, they make the shares
+of what is left (`make_share`).
+
 Each is a call of its own, in whatever process has time for it. What one has made lies in the
 batch's store under keys of its content, and only the states of the scenes travel: a batch that was
 killed anywhere finds it all again, as one that is made in one piece does.
@@ -12,13 +15,25 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from esg.costs.spent import Meter
-from esg.dataset.batch import leave, timed
+from esg.dataset.batch import leave, timed, whole
 from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.running import SCENE_STAGES, batch_store, run_stages, with_alternatives
 from esg.pipeline import SceneState
 
 _SEARCH = SCENE_STAGES.index("optimize")
 DRAFT, SEARCH, PROOF = SCENE_STAGES[:_SEARCH], ("optimize",), SCENE_STAGES[_SEARCH + 1 :]
+
+
+def make_share(share: BatchJob) -> BatchResult:
+    """All of a share at once, where each scene is searched by itself.
+
+    Raises:
+        OSError: If it cannot be written; finished stages are kept.
+    """
+    spent = Meter()
+    with spent.on("batch"):
+        result = whole(share, spent)
+    return timed(result, spent)
 
 
 def draft_share(share: BatchJob) -> list[SceneState]:

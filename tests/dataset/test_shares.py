@@ -28,6 +28,10 @@ from tests.dataset.test_running import Fleet
 TEXTS = ["a", "b", "still", "c bug", "d wrong", "e", "f half", "g", "h"]
 
 
+def _nothing(*_: object) -> None:
+    return None
+
+
 class Noting(WorkerPool):
     """Runs calls in this process; notes them, and dies of scenes nobody has marked as deadly."""
 
@@ -54,7 +58,7 @@ def quick(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[None]:
     for name in fakes.STAGES:
         monkeypatch.setitem(stages.SPECS, name, stages.SPECS[name])
     monkeypatch.setattr(stages, "conclude", stages.conclude)
-    monkeypatch.setattr(running, "_compile_together", lambda states: None)
+    monkeypatch.setattr(running, "_compile_together", _nothing)
     monkeypatch.setattr(running, "PAUSES_S", (0.0, 0.0))
     monkeypatch.setattr(jobs_module, "SHARE", 2)
     monkeypatch.setenv("ESG_TEST_CALLS", str(tmp_path / "calls"))
@@ -84,6 +88,20 @@ def test_a_batch_in_shares_leaves_what_one_in_one_piece_leaves(
     assert searching.calls == ["search_batch"] * 3
     first = sorted(pool.calls[: pool.calls.index("close_batch")])
     assert first == ["draft_share 0 first", "draft_share 1 first", "prove_share 0", "prove_share 1"]
+
+
+def test_the_last_batches_are_made_by_all_workers_and_stay_the_same(tmp_path: Path) -> None:
+    """Each scene searched by itself, in one piece and in shares."""
+    whole = dataset(tmp_path / "whole", TEXTS)
+    finish(DatasetFolder(whole[0].out), whole[0].spec, {j.number: make_batch(j) for j in whole})
+    jobs = dataset(tmp_path / "shares", TEXTS)
+    pool = Noting()
+    with run_context(pool):
+        results = {j.number: run_job(replace(j, parted=j.number > 0)) for j in jobs}
+    finish(DatasetFolder(jobs[0].out), jobs[0].spec, results)
+    assert sorted(pool.calls[1:4]) == ["close_batch", "make_share 0", "make_share 1"]
+    assert pool.calls[0] == "make_batch"
+    assert below(tmp_path / "shares") == below(tmp_path / "whole")
 
 
 def test_a_scene_that_ends_a_worker_costs_itself_in_whatever_share(

@@ -363,6 +363,8 @@ def make_batches(
     Raises:
         UserError: If a disk does not take them; finished batches are kept.
     """
+    from dataclasses import replace
+
     from esg.commands.console import note_first_use
     from esg.outcomes import UserError
     from esg.progress import StageEvent, listening
@@ -377,6 +379,9 @@ def make_batches(
         count = max(1, min(count, sum(len(j.shares()) for j in jobs)))
     else:
         count = max(1, min(count, len(jobs)))
+        # Workers that have no batch left take shares of the last ones.
+        last = len(jobs) - (count if count > 1 and runner == "process" else 0)
+        jobs = [replace(job, parted=k >= last) for k, job in enumerate(jobs)]
     jobs = [_sharing_cores(job, searchers or count) for job in jobs]
 
     def show(event: StageEvent) -> None:
