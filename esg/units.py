@@ -72,8 +72,16 @@ def quat_rotate(q: ArrayLike, v: ArrayLike) -> NDArray[np.float64]:
     """Rotates vectors [..., 3] by quaternions (x, y, z, w) [..., 4]."""
     q, v = np.asarray(q, float), np.asarray(v, float)
     u, w = q[..., :3], q[..., 3:]
-    t = 2.0 * np.cross(u, v)
-    return v + w * t + np.cross(u, t)
+    t = 2.0 * cross(u, v)
+    return v + w * t + cross(u, t)
+
+
+def cross(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]:
+    """`numpy.cross` of vectors [..., 3], to the last bit: it handles axes longer than it works."""
+    ax, ay, az = a[..., 0], a[..., 1], a[..., 2]
+    bx, by, bz = b[..., 0], b[..., 1], b[..., 2]
+    parts = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
+    return np.array(parts) if a.ndim == b.ndim == 1 else np.stack(parts, axis=-1)
 
 
 def quat_rotated(q: Iterable[float], v: Iterable[float]) -> tuple[float, float, float]:

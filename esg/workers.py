@@ -11,10 +11,10 @@ from collections.abc import Callable, Generator
 from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 import contextlib
+from dataclasses import dataclass
 import multiprocessing
 import os
 from pathlib import Path
-import queue
 import signal
 import threading
 import time
@@ -58,6 +58,8 @@ class WorkerPool:
         processes: Number of processes; 0 runs every call in this process, one at a time.
         recycle_after: Calls after which a process is replaced.
         max_memory_bytes: A process that has grown beyond this after a call is replaced too.
+        bound_bytes: What each may allocate; None: its share of the machine, 0: no bound.
+        niceness: Added to that of this process: others come first.
     """
 
     def __init__(
@@ -65,24 +67,29 @@ class WorkerPool:
         processes: int,
         recycle_after: int = RECYCLE_AFTER,
         max_memory_bytes: int = MAX_MEMORY_BYTES,
+        *,
+        bound_bytes: int | None = None,
+        niceness: int = 0,
     ) -> None:
         self.processes = processes
         self._recycle_after = recycle_after
-        self._slots: queue.SimpleQueue[_Slot] = queue.SimpleQueue()
         # Processes share the cores: one engine thread each, unless there is but one process.
-        bound = memory_bound(processes)
-        self._all = [_Slot(max_memory_bytes, bound, processes > 1) for _ in range(processes)]
+        bound = memory_bound(processes) if bound_bytes is None else bound_bytes
+        how = _Worker(max_memory_bytes, bound, processes > 1, niceness)
+        self._all = [_Slot(how) for _ in range(processes)]
+        self._free = list(self._all)
+        self._change = threading.Condition()
+        self._urgent = 0
         self._local = threading.Lock()
         self._stopped = threading.Event()
-        for slot in self._all:
-            self._slots.put(slot)
 
-    def run(self, function: Callable[..., T], *args: Any) -> T:
+    def run(self, function: Callable[..., T], *args: Any, urgent: bool = False) -> T:
         """Calls `function(*args)` in a free worker and waits for its result.
 
         Args:
             function: A module-level function; exceptions it raises pass through.
             *args: Picklable arguments.
+            urgent: Whether it comes before calls that are not and wait for a worker, too.
 
         Raises:
             WorkerDied: If two processes in a row ended during the call.
@@ -92,12 +99,25 @@ class WorkerPool:
             with self._local:
                 self._go_on()
                 return function(*args)
-        slot = self._slots.get()
+        slot = self._take(urgent)
         try:
             self._go_on()
             return slot.run(function, args, self._recycle_after, self._go_on)
         finally:
-            self._slots.put(slot)
+            with self._change:
+                self._free.append(slot)
+                self._change.notify_all()
+
+    def _take(self, urgent: bool) -> _Slot:
+        """Waits for a free worker."""
+        with self._change:
+            self._urgent += urgent
+            while not self._free or (self._urgent and not urgent):
+                self._change.wait()
+            self._urgent -= urgent
+            slot = self._free.pop(0)
+            self._change.notify_all()  # whoever is not urgent may have waited for this one only
+            return slot
 
     def _go_on(self) -> None:
         if self._stopped.is_set():
@@ -126,13 +146,21 @@ class WorkerPool:
         self.close()
 
 
+@dataclass(frozen=True)
+class _Worker:
+    """What a worker process is told, and when it is replaced."""
+
+    max_memory_bytes: int
+    bound_bytes: int
+    sharing: bool
+    niceness: int
+
+
 class _Slot:
-    def __init__(self, max_memory_bytes: int, bound_bytes: int, sharing: bool) -> None:
-        self._sharing = sharing
-        self._bound = bound_bytes
+    def __init__(self, how: _Worker) -> None:
+        self._how = how
         self._executor: ProcessPoolExecutor | None = None
         self._calls = 0
-        self._max_memory = max_memory_bytes
 
     def submit(self, function: Callable[..., T], args: tuple[Any, ...]) -> Any:
         if self._executor is None:
@@ -145,7 +173,7 @@ class _Slot:
                 1,
                 mp_context=context,
                 initializer=_begin,
-                initargs=(os.getpid(), tell, self._sharing, self._bound),
+                initargs=(os.getpid(), tell, self._how),
             )
             self._calls = 0
             with _with_children():
@@ -163,7 +191,7 @@ class _Slot:
         recycle_after: int,
         go_on: Callable[[], None],
     ) -> T:
-        if self._calls >= recycle_after or self._memory() > self._max_memory:
+        if self._calls >= recycle_after or self._memory() > self._how.max_memory_bytes:
             self.close()
         for _ in range(2):
             processes: tuple[Any, ...] = ()
@@ -177,9 +205,11 @@ class _Slot:
                 go_on()
                 if any(process.exitcode == OUT_OF_TIME for process in processes):
                     raise OutOfTime("it ran longer than its limit (ESG_STAGE_SECONDS)") from None
+        bound = self._how.bound_bytes
+        limit = f"its limit of {bound / 2**30:.3g} GiB (ESG_WORKER_GIB)" if bound else "there is"
         raise WorkerDied(
             f"the worker process ended twice during {function.__name__}; a crash in native code, "
-            f"or more memory than its limit of {self._bound / 2**30:.3g} GiB (ESG_WORKER_GIB)"
+            f"or more memory than {limit}"
         )
 
     def _memory(self) -> int:
@@ -229,9 +259,14 @@ def memory_bound(processes: int) -> int:
     Args:
         processes: Number of workers.
     """
-    if WORKER_GIB.value:
-        return int(WORKER_GIB.value * 2**30)
+    if asked := asked_bound():
+        return asked
     return max(LEAST_MEMORY_BYTES, machine_memory() // max(1, processes))
+
+
+def asked_bound() -> int:
+    """What a worker may allocate if it is set, whatever it does [bytes]; else 0."""
+    return int(WORKER_GIB.value * 2**30)
 
 
 def machine_memory() -> int:
@@ -244,10 +279,13 @@ def machine_memory() -> int:
     return total
 
 
-def _begin(parent: int, tell: Any, sharing: bool, bound_bytes: int) -> None:
-    if sharing:
+def _begin(parent: int, tell: Any, how: _Worker) -> None:
+    if how.sharing:
         os.environ.setdefault("ESG_THREADS", "1")
-    _limit_memory(bound_bytes)
+    if how.niceness and hasattr(os, "nice"):
+        os.nice(how.niceness)
+    if how.bound_bytes:
+        _limit_memory(how.bound_bytes)
     # A terminal's Ctrl-C reaches workers too: the command decides what becomes of them, and lets
     # them leave no temporary folder behind.
     signal.signal(signal.SIGINT, signal.SIG_IGN)

@@ -18,6 +18,7 @@ from esg.dataset.job import BatchJob, BatchResult
 from esg.outcomes import UserError
 from flows import artifacts
 from flows.naming import current_name, run_tags
+from tasks.context import current
 from tasks.dataset import dataset_batch
 
 LOST = frozenset(
@@ -35,6 +36,10 @@ MOST_LOST = 10
 AHEAD = 1
 """Batches that are begun beside those that workers make, and wait for one: Prefect takes about a
 second to begin a batch, in which a worker would have nothing to do."""
+
+IN_SHARES = 5
+"""Batches in hand where searches have processes of their own: one or two are searched, one is
+drafted, and while two more are proved no further one is begun: drafts do not run away."""
 
 Runner = Literal["process", "dask", "ray"]
 Done = Callable[[BatchResult], None]
@@ -188,7 +193,8 @@ def with_runner(
 
 def _task_runner(runner: Runner, workers: int) -> Any:
     if runner == "process":
-        return ThreadPoolTaskRunner(max_workers=max(1, workers) + AHEAD)
+        in_hand = max(1, workers) + AHEAD if current().searchers is None else IN_SHARES
+        return ThreadPoolTaskRunner(max_workers=in_hand)
     # For the processes of a cluster that starts on this machine: they share its cores.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
     os.environ.setdefault("ESG_THREADS", "1")

@@ -7,22 +7,28 @@ import contextlib
 import inspect
 import os
 import signal
+import sys
 import threading
 from typing import Any, TypeVar
 
 from esg.api.warming import load_usd, warm_up
 from esg.limits import stage_limits
 from esg.settings import check_limits
-from esg.workers import WorkerPool
+from esg.workers import WorkerPool, asked_bound
 from flows.embedded import prefect_api
 from flows.naming import run_tags
 from tasks.context import Watcher, run_context
 
 T = TypeVar("T")
 
+BEHIND_SEARCHES = 10
+"""Niceness of workers beside searches: a device waits for plans, and nobody waits for a proof."""
+
 
 @contextlib.contextmanager
-def session(processes: int, watch: Watcher | None = None) -> Generator[Callable[..., Any]]:
+def session(
+    processes: int, watch: Watcher | None = None, searchers: int = 0
+) -> Generator[Callable[..., Any]]:
     """Everything a flow needs, for the body.
 
     The API process, the workers and this process all need seconds to import their libraries; they
@@ -31,6 +37,7 @@ def session(processes: int, watch: Watcher | None = None) -> Generator[Callable[
     Args:
         processes: Worker processes, 0 for none.
         watch: Called after every stage of every scene.
+        searchers: Processes beside them that only search; the others let them have the cores first.
 
     Yields:
         A function that calls a flow once the API answers: `call(flow, *args, **kwargs)`.
@@ -39,11 +46,14 @@ def session(processes: int, watch: Watcher | None = None) -> Generator[Callable[
     check_limits()
     with (
         prefect_api() as api,
-        WorkerPool(processes) as pool,
-        stopping(pool),
-        run_context(pool, watch),
+        WorkerPool(processes, niceness=BEHIND_SEARCHES if searchers else 0) as pool,
+        # Their memory is the device's and what they share with processes that plan beside them.
+        WorkerPool(searchers, max_memory_bytes=sys.maxsize, bound_bytes=asked_bound()) as apart,
+        stopping(pool, apart),
+        run_context(pool, watch, searchers=apart),
     ):
         if processes:
+            apart.warm(warm_up)
             pool.warm(warm_up)
         # Batches import the engines in threads of this process, with workers too.
         load_usd()
@@ -81,11 +91,11 @@ def _tags(flow: Callable[..., Any], args: Any, kwargs: Any) -> list[str]:
 
 
 @contextlib.contextmanager
-def stopping(pool: WorkerPool) -> Generator[None]:
+def stopping(*pools: WorkerPool) -> Generator[None]:
     """Lets Ctrl-C and SIGTERM stop the workers in the body: Prefect would wait for all batches.
 
     Args:
-        pool: Of the workers.
+        pools: Of the workers.
     """
     before = {n: signal.getsignal(n) for n in (signal.SIGINT, signal.SIGTERM)}
     answered = {n: handler for n, handler in before.items() if callable(handler)}
@@ -94,7 +104,8 @@ def stopping(pool: WorkerPool) -> Generator[None]:
         return
 
     def stop(number: int, frame: Any) -> None:
-        pool.stop()
+        for pool in pools:
+            pool.stop()
         answered[signal.Signals(number)](number, frame)
 
     for number in answered:

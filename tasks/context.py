@@ -7,9 +7,18 @@ import contextlib
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+import threading
+from typing import TypeVar
 
 from esg.pipeline import SceneState
 from esg.workers import WorkerPool
+
+_Draft = TypeVar("_Draft")
+_Found = TypeVar("_Found")
+
+READY = 1
+"""Batches that are drafted, or being drafted, and wait for a search: one is enough for a device
+that never waits, and more would only fill the disk."""
 
 Watcher = Callable[[str, SceneState], None]
 """Called with a stage's name and the scene's new state after every stage of every scene."""
@@ -17,6 +26,28 @@ Watcher = Callable[[str, SceneState], None]
 
 def _ignore(stage: str, state: SceneState) -> None:
     return None
+
+
+class Searchers:
+    """Processes that do nothing but search whole batches, beside those that do all else.
+
+    Args:
+        pool: The processes. With two, one plans while the other's launches run.
+    """
+
+    def __init__(self, pool: WorkerPool) -> None:
+        self.pool = pool
+        self._free = threading.BoundedSemaphore(pool.processes)
+        self._ready = threading.BoundedSemaphore(READY)
+
+    def search(self, draft: Callable[[], _Draft], search: Callable[[_Draft], _Found]) -> _Found:
+        """What `search` finds for what `draft` makes; drafts wait until few others are ready."""
+        with contextlib.ExitStack() as ready:
+            ready.enter_context(self._ready)
+            drafted = draft()
+            with self._free:
+                ready.close()
+                return search(drafted)
 
 
 @dataclass(frozen=True)
@@ -27,11 +58,13 @@ class RunContext:
         pool: Where work is done.
         watch: Called after every stage of every scene (esg.progress tells more).
         store: Artifact store of the run; None is the usual one.
+        searchers: Processes that only search; None: searches are done where all else is.
     """
 
     pool: WorkerPool
     watch: Watcher = _ignore
     store: Path | None = None
+    searchers: Searchers | None = None
 
 
 _ALONE = RunContext(WorkerPool(0))
@@ -59,12 +92,16 @@ def _own() -> WorkerPool:
 
 @contextlib.contextmanager
 def run_context(
-    pool: WorkerPool, watch: Watcher | None = None, store: Path | None = None
+    pool: WorkerPool,
+    watch: Watcher | None = None,
+    store: Path | None = None,
+    searchers: WorkerPool | None = None,
 ) -> Generator[RunContext]:
     """Makes a pool and a watcher current for all threads (a context variable would not be)."""
     global _current
     before = _current
-    _current = RunContext(pool, watch or _ignore, store)
+    apart = Searchers(searchers) if searchers is not None and searchers.processes else None
+    _current = RunContext(pool, watch or _ignore, store, apart)
     try:
         yield _current
     finally:

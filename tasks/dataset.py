@@ -2,7 +2,11 @@
 
 from __future__ import annotations
 
-from typing import Any
+from collections.abc import Callable
+from concurrent.futures import ThreadPoolExecutor
+from functools import partial
+from itertools import chain
+from typing import Any, TypeVar
 
 from prefect import task
 from prefect.cache_policies import NO_CACHE
@@ -10,14 +14,16 @@ from prefect.client.schemas.objects import State, TaskRun
 from prefect.states import Completed
 from prefect.tasks import Task, exponential_backoff
 
-from esg.dataset.batch import make_batch
+from esg.dataset.batch import close_batch, make_batch
 from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.running import forget_dead, mark_dead, try_scene
+from esg.dataset.shares import draft_share, make_share, prove_share, search_batch
 from esg.outcomes import UserError
-from esg.pipeline import may_pass
-from esg.workers import WorkerDied
-from tasks.context import expendable_pool
+from esg.pipeline import SceneState, may_pass
+from esg.workers import WorkerDied, WorkerPool
+from tasks.context import Searchers, current, expendable_pool
 
+Result = TypeVar("Result")
 RETRIES = 3
 
 
@@ -51,22 +57,70 @@ def dataset_batch(job: BatchJob) -> Any:
 
 
 def run_job(job: BatchJob) -> BatchResult:
-    """Makes a batch in a worker; scenes that end their worker are found and left out.
+    """Makes a batch in a worker, or in several: scenes that end theirs are found and left out.
 
     Raises:
         UserError: If workers end whatever scene they are given; no scene is blamed then.
     """
-    pool = expendable_pool()
+    searchers = current().searchers
+    if searchers is not None and job.searches_together and job.source is None:
+        return _in_shares(job, current().pool, searchers)
+    if job.parted and job.source is None and not job.searches_together:
+        return _by_all(job, expendable_pool())
+    return _survived(expendable_pool().run, job, make_batch)
+
+
+def _by_all(job: BatchJob, pool: WorkerPool) -> BatchResult:
+    """Makes a batch by shares of scenes, in as many workers as have time."""
+    shares = job.shares()
+
+    def make(share: BatchJob) -> BatchResult:
+        return _survived(pool.run, share, make_share)
+
+    with ThreadPoolExecutor(len(shares)) as threads:
+        results = list(threads.map(make, shares))
+    return pool.run(close_batch, job, results)
+
+
+def _in_shares(job: BatchJob, pool: WorkerPool, searchers: Searchers) -> BatchResult:
+    """Makes a batch whose search is a call of its own, and all around it by shares of scenes."""
+    shares = job.shares()
+    with ThreadPoolExecutor(len(shares)) as threads:
+
+        def begun(share: BatchJob) -> list[SceneState]:
+            # Before all proofs: without a draft the device has nothing to do.
+            return _survived(partial(pool.run, urgent=True), share, draft_share)
+
+        def draft() -> list[SceneState]:
+            return list(chain.from_iterable(threads.map(begun, shares)))
+
+        def search(states: list[SceneState]) -> list[SceneState]:
+            return _survived(searchers.pool.run, job, search_batch, states)
+
+        def prove(share: BatchJob) -> BatchResult:
+            mine = [found[scene.index] for scene in share.scenes]
+            return _survived(pool.run, share, prove_share, mine)
+
+        states = searchers.search(draft, search)
+        found = {scene.index: state for scene, state in zip(job.scenes, states, strict=True)}
+        results = list(threads.map(prove, shares))
+    return pool.run(close_batch, job, results)
+
+
+def _survived(
+    run: Callable[..., Result], job: BatchJob, function: Callable[..., Result], *args: Any
+) -> Result:
+    """Calls `function(job, *args)` in a worker; scenes that end it are found and left out."""
     try:
-        return pool.run(make_batch, job)
+        return run(function, job, *args)
     except WorkerDied:
         for position, scene in enumerate(job.scenes):
             try:
-                pool.run(try_scene, job, position)
+                run(try_scene, job, position)
             except WorkerDied as error:
                 mark_dead(job, scene.index, str(error))
     try:
-        return pool.run(make_batch, job)
+        return run(function, job, *args)
     except WorkerDied as error:
         forget_dead(job)
         raise UserError(

@@ -7,19 +7,20 @@ Its mark is written last; a batch with a mark is never made again.
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
 import shutil
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from esg.costs.spent import Meter
 from esg.dataset.folder import batch_lock, mark_name, read_mark, write_mark
 from esg.dataset.job import CROSSCHECK, BatchJob, BatchResult
 from esg.dataset.meshes import BUFFERS
-from esg.dataset.running import SCENE_STAGES, rendered_scenes, run_scenes
+from esg.dataset.running import SCENE_STAGES, Made, batch_store, rendered_scenes, run_scenes
 from esg.dataset.writing import write_batch
 from esg.machine.memory import give_back
-from esg.pipeline import scratch_store
-from esg.store.tables import part_files, to_table, write_part
+from esg.store.tables import TABLES, part_files, to_table, write_part
 
 if TYPE_CHECKING:
     from esg.dataset.clips.batch import Rendered
@@ -65,26 +66,89 @@ def _deliver(job: BatchJob, result: BatchResult) -> None:
 def _make(job: BatchJob) -> BatchResult:
     spent = Meter()
     with spent.on("batch"):
-        result = _only_rendered(job, spent) if job.source is not None else _whole(job, spent)
-    result = replace(
+        result = _only_rendered(job, spent) if job.source is not None else whole(job, spent)
+    return _marked(job, timed(result, spent))
+
+
+def timed(result: BatchResult, spent: Meter) -> BatchResult:
+    """The result with what it took."""
+    return replace(
         result,
         seconds={k: round(v, 4) for k, v in spent.seconds.items()},
         core_seconds={k: round(v, 4) for k, v in spent.core_seconds.items()},
     )
+
+
+def close_batch(job: BatchJob, shares: Sequence[BatchResult]) -> BatchResult:
+    """Marks a batch that was made in shares, all of which are there.
+
+    Args:
+        job: The batch.
+        shares: What came of them, in order.
+
+    Raises:
+        OSError: If the mark cannot be written.
+    """
+    with batch_lock(job.out, job.number):
+        result = _marked(job, merged(job.number, shares))
+        if job.url:
+            _deliver(job, result)
+        return result
+
+
+def merged(number: int, shares: Sequence[BatchResult]) -> BatchResult:
+    """The result of a batch that consists of these."""
+
+    def total(parts: Iterable[Mapping[str, Any]]) -> dict[str, Any]:
+        out: Counter[str] = Counter()
+        for part in parts:
+            out.update(part)
+        return dict(out)
+
+    return BatchResult(
+        number=number,
+        scenes=sum(s.scenes for s in shares),
+        verified=sum(s.verified for s in shares),
+        outcomes=total(s.outcomes for s in shares),
+        failures=[row for s in shares for row in s.failures],
+        crashes={k: v for s in shares for k, v in s.crashes.items()},
+        seconds={k: round(v, 4) for k, v in total(s.seconds for s in shares).items()},
+        core_seconds={k: round(v, 4) for k, v in total(s.core_seconds for s in shares).items()},
+        files={k: v for s in shares for k, v in s.files.items()},
+    )
+
+
+def _marked(job: BatchJob, result: BatchResult) -> BatchResult:
+    """Says that a batch is done and removes what nobody needs any more."""
+    # An attempt that was killed may have made it in shares, or not in shares.
+    names = (job.name, *(share.name for share in job.shares()))
+    for part in (f"parts/{table}/{name}.parquet" for table in TABLES for name in names):
+        if part not in result.files:
+            (job.out / part).unlink(missing_ok=True)
     write_mark(job.out, result)
     if not job.keep_work:
         shutil.rmtree(job.work, ignore_errors=True)
     return result
 
 
-def _whole(job: BatchJob, spent: Meter) -> BatchResult:
+def whole(job: BatchJob, spent: Meter) -> BatchResult:
     """All stages of all scenes, with their clips if they are to have any."""
+    with batch_store(job):
+        return leave(job, run_scenes(job, spent), spent)
+
+
+def leave(job: BatchJob, made: Made, spent: Meter) -> BatchResult:
+    """Writes what a batch or a share of one leaves, with its clips if it is to have any.
+
+    Args:
+        job: The batch.
+        made: Its scenes, whose results are in the current store.
+        spent: What all that takes is added, and what the logs of the scenes tell.
+    """
     for stage in SCENE_STAGES:
         spent.add(stage, 0.0, 0.0)
-    with scratch_store(job.work / "artifacts", durable=False):
-        made = run_scenes(job, spent)
-        rendered = rendered_scenes(job, made.states, spent)
-        result = write_batch(job, made, rendered, spent)
+    rendered = rendered_scenes(job, made.states, spent)
+    result = write_batch(job, made, rendered, spent)
     for state in made.states:
         for entry in state.log:
             seconds = float(entry["seconds"])

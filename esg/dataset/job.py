@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 import hashlib
+from itertools import pairwise
 import json
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -17,6 +18,9 @@ if TYPE_CHECKING:
 
 RENDER = "render"
 """What failures and timings call the pictures of a batch's scenes."""
+SHARE = 16
+"""Scenes that a worker makes at once of a batch that several make: as many classes as share a unit
+of the compiler."""
 CROSSCHECK = "crosscheck"
 """What timings call the checks of a sample of them."""
 
@@ -39,6 +43,8 @@ class BatchJob:
         url: Where finished batches go (esg.dataset.remote); empty: they stay in `out`.
         source: A finished dataset that holds the scenes, which are only rendered; None: they are
             made.
+        share: Which of its shares this is (`shares`); None: all of it.
+        parted: Whether several workers make it, each some shares: there is no other work for them.
     """
 
     number: int
@@ -53,6 +59,8 @@ class BatchJob:
     together: bool | None = None
     url: str = ""
     source: Path | None = None
+    share: int | None = None
+    parted: bool = False
 
     @property
     def searches_together(self) -> bool:
@@ -61,8 +69,18 @@ class BatchJob:
 
     @property
     def name(self) -> str:
-        """File name of its parts and its mark."""
-        return batch_name(self.number)
+        """File name of its parts, and of a whole batch's mark."""
+        name = batch_name(self.number)
+        return name if self.share is None else f"{name}-{self.share:02d}"
+
+    def shares(self) -> list[BatchJob]:
+        """The batch in shares of some 16 scenes, where several workers make it."""
+        count = -(-len(self.scenes) // SHARE)
+        cuts = [len(self.scenes) * k // count for k in range(count + 1)]
+        return [
+            replace(self, scenes=self.scenes[a:b], share=k)
+            for k, (a, b) in enumerate(pairwise(cuts))
+        ]
 
 
 @dataclass(frozen=True)

@@ -25,8 +25,8 @@ from esg.store.records import prompt_family, split_of
 PLAN_FORMAT = 1
 MAX_SCENES = 10_000_000
 MAX_BATCH = 32
-MAX_GPU_BATCH = 128
-"""On a GPU the scenes of a batch share its launches."""
+MAX_GPU_BATCH = 1024
+"""On a GPU the scenes of a batch share its launches, which take hardly longer for more of them."""
 MAX_PROMPT_CHARS = 8000
 
 Share = Literal["all", "failed", "sample", "none"]
@@ -154,7 +154,7 @@ class DatasetSpec(BaseModel):
         if self.batch:
             return self.batch
         if self.device != "cpu":
-            return max(4, min(MAX_GPU_BATCH, 2 * (self.n // 32)))
+            return max(4, min(MAX_GPU_BATCH, 2 * (self.n // 8)))
         return max(4, min(MAX_BATCH, 2 * (self.n // 64)))
 
     @property

@@ -16,7 +16,7 @@ import threading
 import time
 from typing import TYPE_CHECKING
 
-from esg.costs.spent import Meter
+from esg.costs.spent import Meter, core_time
 from esg.dataset.job import RENDER
 from esg.dataset.whatifs.amounts import ENGINES
 from esg.files import unwritable
@@ -75,16 +75,26 @@ def run_scenes(job: BatchJob, spent: Meter) -> Made:
         spent: What it takes to compile the classes, which no scene's log says, is added.
     """
     states = [SceneState(s.request) for s in job.scenes]
-    dead = dead_scenes(job)
-    for i, scene in enumerate(job.scenes):
-        stage, reason = dead.get(scene.index, (RENDER, ""))
-        if stage not in AFTER:
-            states[i] = crashed(states[i], RuntimeError(reason), stage)
-    for stage in SCENE_STAGES:
+    return with_alternatives(job, run_stages(job, states, SCENE_STAGES, spent))
+
+
+def run_stages(
+    job: BatchJob, states: Sequence[SceneState], stages: Sequence[str], spent: Meter
+) -> list[SceneState]:
+    """Some stages of all scenes, one stage after the other.
+
+    Args:
+        job: The batch.
+        states: Of its scenes, which have come to the first of these stages.
+        stages: Of `SCENE_STAGES`, in order.
+        spent: As of `run_scenes`.
+    """
+    states = _without_dead(job, states)
+    for stage in stages:
         if len(job.scenes) == 1:
             job.work.mkdir(parents=True, exist_ok=True)
             (job.work / _REACHED).write_text(stage)
-        shares: dict[int, float] = {}
+        shares: dict[int, tuple[float, float]] = {}
         if stage == "optimize" and job.searches_together:
             shares = _search_together(job, states)
         if stage == "replay":
@@ -93,7 +103,22 @@ def run_scenes(job: BatchJob, spent: Meter) -> Made:
         for i, scene in enumerate(job.scenes):
             states[i] = _stage(job, stage, states[i], scene.index)
             if i in shares:
-                states[i] = _computed(states[i], shares[i])
+                states[i] = _computed(states[i], *shares[i])
+    return states
+
+
+def _without_dead(job: BatchJob, states: Sequence[SceneState]) -> list[SceneState]:
+    """The states, those ended of scenes that end their worker, as if they had not begun."""
+    dead, out = dead_scenes(job), list(states)
+    for i, scene in enumerate(job.scenes):
+        stage, reason = dead.get(scene.index, (RENDER, ""))
+        if stage not in AFTER:
+            out[i] = crashed(SceneState(scene.request), RuntimeError(reason), stage)
+    return out
+
+
+def with_alternatives(job: BatchJob, states: Sequence[SceneState]) -> Made:
+    """Scenes that have come through all stages, with the replays that the dataset asks for."""
     others = _replay_alternatives(job, states)
     return Made([_timed(s, o.seconds) for s, o in zip(states, others, strict=True)], others)
 
@@ -146,7 +171,7 @@ def _stage(job: BatchJob, stage: str, state: SceneState, index: int) -> SceneSta
         return crashed(state, error, stage)
 
 
-def _search_together(job: BatchJob, states: Sequence[SceneState]) -> dict[int, float]:
+def _search_together(job: BatchJob, states: Sequence[SceneState]) -> dict[int, tuple[float, float]]:
     """Searches all scenes of the batch in shared launches; their stages then find the results.
 
     All scenes or none: what a launch finds may depend, in the last digits, on who shares it, and a
@@ -154,7 +179,8 @@ def _search_together(job: BatchJob, states: Sequence[SceneState]) -> dict[int, f
     left to its own stage, which says why.
 
     Returns:
-        Seconds of every scene that was searched, by position: its share of the launches.
+        Seconds and processor seconds of every scene that was searched, by position: its share of
+        the launches.
     """
     from esg.dynamics.fleet import STRATEGIES
     from esg.stages import load_doc, write_doc
@@ -171,14 +197,14 @@ def _search_together(job: BatchJob, states: Sequence[SceneState]) -> dict[int, f
     store = artifact_store()
     if all(store.find(key) is not None for key in keys.values()):
         return {}
-    start = time.perf_counter()
+    start, core_start = time.perf_counter(), core_time()
     with place_in("optimize"), _limited(job, "optimize", None, len(docs)):
         found = _search_many(job, list(docs.values()), [states[i].request.seed for i in docs])
-    share = (time.perf_counter() - start) / len(docs)
+    seconds, core_seconds = time.perf_counter() - start, core_time() - core_start
     done = {i: doc for i, doc in zip(docs, found, strict=True) if doc is not None}
     for i, doc in done.items():
         store.create(keys[i], partial(write_doc, doc))
-    return dict.fromkeys(done, share)
+    return dict.fromkeys(done, (seconds / len(docs), core_seconds / len(docs)))
 
 
 def _search_many(
@@ -209,9 +235,10 @@ def _search_many(
         ]
 
 
-def _computed(state: SceneState, seconds: float) -> SceneState:
+def _computed(state: SceneState, seconds: float, core_seconds: float) -> SceneState:
     """The state with a log that says that its last stage was computed, and how long it took."""
-    entry = {**state.log[-1], "cached": False, "seconds": round(seconds, 4)}
+    told = {"seconds": round(seconds, 4), "core_seconds": round(core_seconds, 4)}
+    entry = {**state.log[-1], "cached": False, **told}
     return replace(state, log=(*state.log[:-1], entry))
 
 
@@ -229,6 +256,11 @@ def _compile_together(states: Sequence[SceneState]) -> None:
             compile_many(folders, jobs=1)
 
 
+def batch_store(job: BatchJob) -> contextlib.AbstractContextManager[None]:
+    """Where the stages of a batch, and of all its shares, keep their results."""
+    return scratch_store(job.work / "artifacts", durable=False)
+
+
 # Scenes that end their worker: found one by one, remembered, left out.
 
 
@@ -236,7 +268,7 @@ def try_scene(job: BatchJob, position: int) -> None:
     """Runs one scene of a batch alone; if it ends the process, it is the one (`mark_dead`)."""
     (job.work / _REACHED).unlink(missing_ok=True)
     alone = replace(job, scenes=(job.scenes[position],))
-    with scratch_store(job.work / "artifacts", durable=False):
+    with batch_store(job):
         states = [] if job.source else run_scenes(alone, Meter()).states
         rendered_scenes(alone, states, Meter())
 

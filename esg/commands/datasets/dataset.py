@@ -363,15 +363,26 @@ def make_batches(
     Raises:
         UserError: If a disk does not take them; finished batches are kept.
     """
+    from dataclasses import replace
+
     from esg.commands.console import note_first_use
     from esg.outcomes import UserError
     from esg.progress import StageEvent, listening
-    from esg.workers import default_processes
+    from esg.workers import default_processes, usable_cores
     from flows.session import session
 
-    count = default_processes(sum(len(j.scenes) for j in jobs)) if workers is None else workers
-    count = max(1, min(count, len(jobs)))
-    jobs = [_sharing_cores(job, count) for job in jobs]
+    scenes = sum(len(j.scenes) for j in jobs)
+    count = default_processes(scenes) if workers is None else workers
+    searchers = _searchers(jobs[0]) if runner == "process" else 0
+    if searchers:
+        count = usable_cores() if workers is None else workers
+        count = max(1, min(count, sum(len(j.shares()) for j in jobs)))
+    else:
+        count = max(1, min(count, len(jobs)))
+        # Workers that have no batch left take shares of the last ones.
+        last = len(jobs) - (count if count > 1 and runner == "process" else 0)
+        jobs = [replace(job, parted=k >= last) for k, job in enumerate(jobs)]
+    jobs = [_sharing_cores(job, searchers or count) for job in jobs]
 
     def show(event: StageEvent) -> None:
         if event.status == "finished":
@@ -381,7 +392,7 @@ def make_batches(
         bar.step(f"batch {result.number}", result.scenes)
 
     note_first_use()
-    with listening(show), session(count if runner == "process" else 0) as call:
+    with listening(show), session(count if runner == "process" else 0, None, searchers) as call:
         from flows.dataset import with_runner
 
         try:
@@ -392,6 +403,18 @@ def make_batches(
                 "kept, run the same command with --resume to go on",
                 exit_code=1,
             ) from None
+
+
+def _searchers(job: BatchJob) -> int:
+    """Processes that only search; none where every scene is searched by itself, or none is.
+
+    Two share a GPU: while one plans, the other's launches run.
+    """
+    from esg.limits import stage_limits
+
+    if not _sharing_cores(job, 1).searches_together or job.source is not None:
+        return 0
+    return stage_limits().get("optimize", 1 if job.spec.device == "cpu" else 2)
 
 
 def _sharing_cores(job: BatchJob, workers: int) -> BatchJob:

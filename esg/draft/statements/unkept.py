@@ -215,7 +215,7 @@ def _leads_to_an_event(d: Discourse, clause: Clause, kind: str = "") -> bool:
     own = d.scene.used.get((clause.frame.verb.start, clause.frame.verb.end))
     leapt = d.timeline.node(own or "")
     if about & d.moves.upon.keys() and leapt is not None and leapt.event is not NodeEvent.JUMP:
-        about = set()  # a second leap, from up there, leads to another event
+        about = set[str]()  # a second leap, from up there, leads to another event
     told = [n.event for n in d.timeline.nodes if about & {*n.participants} or n.id == own]
     return any(measurable(event) and kind in ("", event.value) for event in told)
 
