@@ -336,7 +336,9 @@ class JointForces:
             easy[n : n + 3, n : n + 3] = body.inverse * _ONE
             easy[n + 3 : n + 6, n + 3 : n + 6] = body.inverse_inertia
             v, w = body.velocity[:3], body.velocity[3:]
-            energy += 0.5 * float(v @ v / body.inverse + w @ np.linalg.solve(body.inverse_inertia, w))
+            energy += 0.5 * float(
+                v @ v / body.inverse + w @ np.linalg.solve(body.inverse_inertia, w)
+            )
         rows, way = [], []
         for h in held:
             child, parent = h.ends

@@ -29,6 +29,7 @@ from esg.outcomes import UserError
 from esg.units import quat_from_euler_deg
 from tests.engines.lab import DT, ball, box
 
+
 @pytest.mark.parametrize(
     "case", [c for c in cases.cases() if "newton" not in c.beyond], ids=lambda c: c.name
 )
