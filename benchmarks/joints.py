@@ -1,7 +1,7 @@
 """Every engine's joints against motions with a closed form: `python -m benchmarks.joints`.
 
 Each case is one experiment in a scene of its own. The command prints the table of
-docs/engines/joints.md and fails if an engine misses a limit.
+docs/results/joints.md and fails if an engine misses a limit.
 """
 
 from __future__ import annotations

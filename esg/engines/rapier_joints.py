@@ -30,8 +30,8 @@ PARTS = 16
 """Into which Rapier takes a step in scenes with joints (its solver iterations). What is left of the
 loss is given back by `Turning`; of what joints hold up, more parts creep less."""
 ROUNDS = 16
-"""Of its solver within a part: an arm of 1 m that friction holds creeps by 1.5 degrees in 3 s with 1
-and by 0.03 with 16."""
+"""Of its solver within a part: an arm of 1 m that friction holds creeps by 1.5 degrees in 3 s with
+1 and by 0.03 with 16."""
 SLOW_RADPS = 0.3
 """What turns no faster loses too little to be counted: 1e-4 of its energy in 10 s."""
 EVERY = 4
@@ -97,9 +97,9 @@ class RapierJoints:
 class Turning:
     """Gives what turns about the world the energy that the parts of a step take away.
 
-    With J the rows of velocities that the joints lock, taken where a body with velocity v is after a
-    part, J v is what the joints take from it there, and J v (J M^-1 J^T)^-1 J v / 2 the energy that
-    goes with it. What is joined to nothing that stays where it is keeps its momentum instead.
+    With J the rows of velocities that the joints lock, taken where bodies of velocity v are after
+    a part, J v is what the joints take from them there, and J v (J M^-1 J^T)^-1 J v / 2 the energy
+    that goes with it. What is joined to nothing that stays where it is keeps its momentum.
 
     Args:
         scene: Its joints.
