@@ -1,7 +1,4 @@
-"""What rolls on wheels that turn on hinges: wagons, skateboards, carts, and their wheels.
-
-Castors swivel, which a hinge would not: those in front of a cart are balls that slide.
-"""
+"""What rolls on wheels that turn on hinges: wagons, skateboards, and their wheels."""
 
 from __future__ import annotations
 
@@ -9,8 +6,7 @@ import math
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import shade
-from esg.assets.builders.traffic.small import draw_cart
-from esg.assets.builders.traffic.wheels import draw_skateboard, draw_trolley
+from esg.assets.builders.traffic.wheels import draw_skateboard
 from esg.assets.geometry.sketch import CHROME, DARK, RUBBER, STEEL, Color, Sketch
 from esg.graph.models import ProxyKind
 
@@ -50,28 +46,9 @@ def skateboard_deck(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.mount(f"axle {n}", (x, y, 3.0), _ACROSS)
 
 
-@builder("cart_deck")
-def cart_deck(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Flat cart on two castors, without its rear wheels, drawn at 102 x 60 x 95."""
-    draw_cart(s, c, rear_wheels=False)
-    s.proxy_slab((-50, -47), (-28, 28), (17, 95), 0.15)
-    for n, y in enumerate((22.0, -22.0), start=1):
-        s.proxy(ProxyKind.SPHERE, (6.0,) * 3, (38.0, y, 6.0), 0.6)
-        s.mount(f"axle {n}", (-38.0, y, 6.0), _ACROSS)
-
-
-@builder("trolley_basket")
-def trolley_basket(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Wire trolley on two castors, without its rear wheels, drawn at 95 x 58 x 102."""
-    draw_trolley(s, c, rear_wheels=False)
-    for n, side in enumerate((1.0, -1.0), start=1):
-        s.proxy(ProxyKind.SPHERE, (6.0,) * 3, (36.0, 14.0 * side, 6.0), 0.6)
-        s.mount(f"axle {n}", (-38.0, 26.0 * side, 6.0), _ACROSS)
-
-
-@builder("small_wheel", "free")
-def small_wheel(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Wheel of a skateboard or cart, as high as wide as told; a ball touches the ground for it."""
+@builder("skateboard_wheel", "free")
+def skateboard_wheel(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Wheel of a skateboard, of any size; a ball touches the ground for it."""
     radius, half = 0.5 * H, 0.5 * W
     s.rod(radius, (0, 0.1 * W - half, radius), (0, half - 0.1 * W, radius), RUBBER, sections=32)
     s.rod(0.8 * radius, (0, 0.02 * W - half, radius), (0, half - 0.02 * W, radius), c, sections=28)

@@ -128,28 +128,16 @@ def _toy_wheel(s: Sketch, at: tuple[float, float, float], name: str) -> None:
 @builder("cart")
 def cart(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Flat handcart (dolly), drawn at 100 x 60 x 95."""
-    draw_cart(s, c, rear_wheels=True)
-    s.proxy_slab((-44, -32), (-24, 24), (0, 12), 0.6)
-    s.proxy_slab((32, 44), (-24, 24), (0, 12), 0.6)
-    s.proxy_slab((-50, -47), (-28, 28), (17, 95), 0.15)
-
-
-def draw_cart(s: Sketch, c: Color, *, rear_wheels: bool) -> None:
-    """The same on four castors, or on two in front and axles that wheels can turn on behind.
-
-    What of it is solid besides its deck is its builders' to say.
-    """
     for x, row in ((-38, "rear"), (38, "front")):
         for y, side in ((-22, "right"), (22, "left")):
             at = (float(x), float(y), 6.0)
             tread = [(1.6, -1.8), (5.2, -1.9), (6, -1.2), (6, 1.2), (5.2, 1.9), (1.6, 1.8)]
-            if rear_wheels or x > 0:
-                s.add(
-                    lambda at=at, tread=tread: forms.turned(tread, at, 28, "y"),
-                    RUBBER,
-                    name=f"castor_{row}_{side}",
-                )
-                s.wheel(at, 6)
+            s.add(
+                lambda at=at, tread=tread: forms.turned(tread, at, 28, "y"),
+                RUBBER,
+                name=f"castor_{row}_{side}",
+            )
+            s.wheel(at, 6)
             s.add(lambda at=at: _bracket(at), STEEL, name=f"bracket_{row}_{side}")
     s.add(
         lambda: forms.cushion(
@@ -183,6 +171,9 @@ def draw_cart(s: Sketch, c: Color, *, rear_wheels: bool) -> None:
     )
     s.add(lambda: forms.tube([(-50, -14, 93.7), (-50, 14, 93.7)], 1.9, 14), RUBBER, name="grip")
     s.proxy_slab((-50, 50), (-30, 30), (12, 17))
+    s.proxy_slab((-44, -32), (-24, 24), (0, 12), 0.6)
+    s.proxy_slab((32, 44), (-24, 24), (0, 12), 0.6)
+    s.proxy_slab((-50, -47), (-28, 28), (17, 95), 0.15)
     s.surface("deck", 17, (46, 28))
 
 

@@ -168,22 +168,16 @@ def _wires() -> Any:
 @builder("shopping_cart")
 def shopping_cart(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Wire trolley with an open basket, drawn at 95 x 58 x 102."""
-    draw_trolley(s, c, rear_wheels=True)
-
-
-def draw_trolley(s: Sketch, c: Color, *, rear_wheels: bool) -> None:
-    """The same on four castors, or on two in front and axles that wheels can turn on behind."""
     for x, w, row in ((36, 14, "front"), (-38, 26, "rear")):
         for y, side in ((-w, "right"), (w, "left")):
             at = (x, y, 6.0)
             tread = [(1.2, -1.4), (5.2, -1.5), (6, -0.9), (6, 0.9), (5.2, 1.5), (1.2, 1.4)]
-            if rear_wheels or x > 0:
-                s.add(
-                    lambda at=at, tread=tread: forms.turned(tread, at, 26, "y"),
-                    RUBBER,
-                    name=f"castor_{row}_{side}",
-                )
-                s.wheel(at, 6)
+            s.add(
+                lambda at=at, tread=tread: forms.turned(tread, at, 26, "y"),
+                RUBBER,
+                name=f"castor_{row}_{side}",
+            )
+            s.wheel(at, 6)
             s.add(lambda at=at: _fork(at), STEEL, name=f"castor_fork_{row}_{side}")
     for y, side in ((-1, "right"), (1, "left")):
         rail = [
@@ -224,7 +218,7 @@ def draw_trolley(s: Sketch, c: Color, *, rear_wheels: bool) -> None:
     )
     z0, z1 = 42.0, 84.0
     s.walls((-42, 46), (-26, 26), (z0 - 1, z1), 2.0, 1.0)
-    s.proxy_slab((-46, 44), (-28, 28), (0 if rear_wheels else 12, 18), 1.4)
+    s.proxy_slab((-46, 44), (-28, 28), (0, 18), 1.4)
     s.proxy_slab((-40, 38), (-6, 6), (18, z0 - 1), 0.3)
     s.proxy_slab((-48, -44), (-28, 28), (96, 102), 0.5)
     s.surface("basket floor", z0 + 1, (30, 17))
