@@ -237,7 +237,7 @@ class JointRules:
 
     def before_step(self, world: Bodies) -> dict[int, tuple[float, float]]:
         """Acts on the bodies; returns speed and greatest force of every drive by joint."""
-        gone = self._loads.gone if self._loads else ()
+        gone = self.gone
         self._given = self._forces.act(self.dt, world, gone)
         if self._loads:
             self._loads.before(world)
@@ -252,6 +252,11 @@ class JointRules:
         if motor is not None and motor.position is not None:
             position = self._forces.position(k, world)
         return drive_of(joint, motor, position, self.dt)
+
+    @property
+    def gone(self) -> set[int]:
+        """Joints that have broken."""
+        return self._loads.gone if self._loads else set()
 
     def after_step(self, world: Bodies, touches: Iterable[Touch]) -> list[int]:
         """Joints that have broken in the step; `touches` are the ground's as well."""
@@ -306,6 +311,48 @@ class JointForces:
         held = self._held[joint]
         child, parent = (self._placed(world, i) for i in held.ends)
         return held.position(child, parent)
+
+    def bent(self, joints: Iterable[int], world: Bodies, part: float) -> tuple[float, float]:
+        """What joints take from bodies that went straight on for a while, and what these have.
+
+        Args:
+            joints: Numbers of those that hold a group of bodies together.
+            world: The bodies.
+            part: How long [s].
+
+        Returns:
+            The energy of the velocity that is in the way of the joints then, and of all [J].
+        """
+        held = [self._held[k] for k in joints]
+        names = sorted({i for h in held for i in h.ends})
+        now = {i: self._placed(world, i) for i in names}
+        then = {i: _moved(b, self._masses.inverse_inertia[i], part) for i, b in now.items()}
+        column = {i: 6 * n for n, i in enumerate(i for i in names if i not in self._still)}
+        velocity, easy = np.zeros(6 * len(column)), np.zeros((6 * len(column), 6 * len(column)))
+        energy = 0.0
+        for i, n in column.items():
+            body = then[i]
+            velocity[n : n + 6] = body.velocity
+            easy[n : n + 3, n : n + 3] = body.inverse * _ONE
+            easy[n + 3 : n + 6, n + 3 : n + 6] = body.inverse_inertia
+            v, w = body.velocity[:3], body.velocity[3:]
+            energy += 0.5 * float(
+                v @ v / body.inverse + w @ np.linalg.solve(body.inverse_inertia, w)
+            )
+        rows, way = [], []
+        for h in held:
+            child, parent = h.ends
+            locked = _locked(h, then[child], then[parent])
+            own = np.zeros((len(locked), 6 * len(column)))
+            for body, part_of in ((parent, locked[:, :6]), (child, locked[:, 6:])):
+                if body in column:
+                    own[:, column[body] : column[body] + 6] = part_of
+            rows.append(own)
+            both = np.concatenate([now[parent].velocity, now[child].velocity])
+            way.append((locked - _locked(h, now[child], now[parent])) @ both)
+        lock, miss = np.concatenate(rows), np.concatenate(way)
+        taken = np.linalg.lstsq(lock @ easy @ lock.T, miss, rcond=1e-9)[0]
+        return 0.5 * float(taken @ miss), energy
 
     def _draw(self, held: _Held, dt: float, world: Bodies) -> float:
         """Stiffness and damping of a joint; returns a spring's impulse [N s]."""
@@ -498,6 +545,27 @@ def _drawn(held: _Held, child: Placed, parent: Placed, drift: Floats) -> Rows:
         shifts = _shifts(frame, to_child, child.at + to_child - parent.at)
         return shifts[:1], np.concatenate([shifts[1:], _turns(_ONE)]), position
     return _turns(frame[:1]), np.concatenate([drift, _turns(frame[1:])]), position
+
+
+def _locked(held: _Held, child: Placed, parent: Placed) -> Floats:
+    """Velocities of parent and child that a joint which the engine holds locks, shape [L, 12]."""
+    drift = _shifts(_ONE, child.axes @ held.child_anchor, parent.axes @ held.parent_anchor)
+    if held.joint.kind == "fixed":
+        return np.concatenate([drift, _turns(_ONE)])
+    return _drawn(held, child, parent, drift)[1]
+
+
+def _moved(body: Placed, inverse_inertia: Floats, part: float) -> Placed:
+    """The body once it went straight on, its velocity as it was."""
+    if body.inverse == 0.0:
+        return body
+    axes = body.axes + part * _cross(body.velocity[3:]) @ body.axes
+    return replace(
+        body,
+        at=body.at + part * body.velocity[:3],
+        axes=axes,
+        inverse_inertia=axes @ inverse_inertia @ axes.T,
+    )
 
 
 def _pull(

@@ -98,6 +98,8 @@ def join_parts(scene: Scene) -> list[str]:
             _lower(scene, row, e, part)
             part.implied = not part.mentioned
             for places in (scene.supported_by, scene.inside_of, scene.marked):
+                if places.get(part.id) == e.id:
+                    del places[part.id]  # "a drawer of a cabinet" is its part, not full of it
                 if places.get(e.id) == part.id:
                     del places[e.id]  # "a pendulum on a stand" hangs there
                 elif e.id in places:

@@ -26,6 +26,9 @@ from esg.units import GRAVITY_MPS2, quat_rotate, yaw_from_quat
 
 AT_END = 0.85
 """Where on its half length a seesaw is landed on."""
+NEAR_HINGE = 0.3
+"""Where on its half length, from its middle to its hinge, a lid that stands open is landed on: what
+is round meets its outer face then and not its rim."""
 
 
 @dataclass(frozen=True)
@@ -105,7 +108,8 @@ def suspension(doc: EsgDocument, name: str) -> Suspension | None:
 def landing_place(doc: EsgDocument, name: str) -> tuple[float, float] | None:
     """Where something comes down on what a joint holds; None on what none does.
 
-    Of what starts tipped about a level axis (a seesaw) that is its raised end.
+    Of what starts tipped about a level axis (a seesaw) that is its raised end; of a lid that stands
+    open, but not as far as upright, its outer face, a push at which shuts it.
 
     Args:
         doc: With asset configurations.
@@ -121,11 +125,15 @@ def landing_place(doc: EsgDocument, name: str) -> tuple[float, float] | None:
     asset = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
     length, _, height = asset.dimensions_cm
     mount = mount_of(asset, joint.child_mount)
-    tips = joint.kind == "hinge" and mount is not None and abs(mount.axis[1]) > 0.9
-    tips = tips and (joint.lower or 0.0) < 0.0 < (joint.upper or 0.0)
-    if not tips or suspension(doc, name) is not None:
+    level = joint.kind == "hinge" and mount is not None and abs(mount.axis[1]) > 0.9
+    tips = level and (joint.lower or 0.0) < 0.0 < (joint.upper or 0.0)
+    leans = level and joint.lower == 0.0 and 0.0 < joint.position < 90.0
+    if not leans and (not tips or suspension(doc, name) is not None):
         return 0.0, float(frame.position[2] + height) / 100.0
-    out = -math.copysign(AT_END * 0.5 * length, joint.position) if joint.position else 0.0
+    if leans and mount is not None:
+        out = math.copysign(NEAR_HINGE * 0.5 * length, mount.position_cm[0])
+    else:
+        out = -math.copysign(AT_END * 0.5 * length, joint.position) if joint.position else 0.0
     end = frame.position + quat_rotate(frame.quaternion, np.array([out, 0.0, height]))
     return float(end[0] - frame.position[0]) / 100.0, float(end[2]) / 100.0
 

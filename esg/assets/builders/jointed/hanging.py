@@ -95,7 +95,7 @@ def cradle_frame(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
             s.rod(0.6, (x * 16, y * 8, 2), (x * 16, y * 8, 29.4), c, solid=1)
         s.rod(0.6, (-16.6, y * 8, 29.4), (16.6, y * 8, 29.4), c, solid=1)
     for k in range(5):
-        s.mount(f"pivot {k + 1}", (5.3 * (k - 2), 0.0, 29.0), _ACROSS)
+        s.mount(f"pivot {k + 1}", (5.4 * (k - 2), 0.0, 29.0), _ACROSS)
 
 
 @builder("swing_seat")
