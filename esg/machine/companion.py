@@ -42,9 +42,10 @@ class _Companion:
     spent_s: float = 0.0
 
     def load_next(self) -> None:
-        """Loads one of the things that are to be loaded here."""
-        with contextlib.suppress(Exception):  # told by who needs it
-            self.meanwhile.pop(0)()
+        """Loads the next of the things that are to be loaded here, if any are left."""
+        if self.meanwhile:
+            with contextlib.suppress(Exception):  # told by who needs it
+                self.meanwhile.pop(0)()
 
     def ask(self, work: Work) -> int:
         """Hands work over; the number under which its answer is known."""
@@ -126,6 +127,7 @@ def handed(work: Callable[[], T]) -> Generator[Callable[[], T] | None]:
         return
 
     def result() -> T:
+        found.load_next()
         while found.meanwhile and not found.pipe.poll():
             found.load_next()
         try:
