@@ -271,9 +271,9 @@ def _beside_compiler(state: SceneState) -> None:
 
 
 def _compile_class(state: SceneState) -> None:
-    from esg.compile.build import ClassFiles, compile_class
+    from esg.compile.replay import compile_ours
 
-    compile_class(ClassFiles.read(state.artifact("compile")))
+    compile_ours(state.artifact("compile"), partial(load_doc, state))
 
 
 def _draw_assets(state: SceneState) -> None:
