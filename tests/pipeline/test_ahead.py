@@ -41,4 +41,3 @@ def test_one_scene_has_the_bytes_of_a_batch(
             found.append(_files(state, "replay") | _files(state, "record"))
     assert drawn == [REQUEST.prompt]
     assert found[0] == found[1]
-
