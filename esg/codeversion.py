@@ -60,7 +60,15 @@ SOURCES: dict[str, tuple[str, ...]] = {
         "metrics",
         "layout/problem/hints.py",
     ),
-    "replay": ("compile", "engines", "dynamics", "assets", "metrics", "layout/problem/hints.py"),
+    "replay": (
+        "machine",
+        "compile",
+        "engines",
+        "dynamics",
+        "assets",
+        "metrics",
+        "layout/problem/hints.py",
+    ),
     "judge": ("metrics", "engines", "dynamics", "draft/document/coverage.py"),
     "dress": ("dressing", "engines", "assets/looks.py"),
     "record": (

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
+from concurrent.futures import ThreadPoolExecutor
 import contextlib
 from dataclasses import dataclass
 from functools import partial
@@ -239,6 +240,7 @@ def _replay(state: SceneState, folder: Path) -> None:
     if proof == "class":
         from esg.compile import replay_class
 
+        _beside_compiler(state)
         replay = replay_class(
             state.artifact("compile"), dt=1.0 / REPLAY_RATE_HZ, document=partial(load_doc, state)
         )
@@ -248,6 +250,38 @@ def _replay(state: SceneState, folder: Path) -> None:
     save_rollout(rollout, folder / ROLLOUT)
     facts = {"engine": rollout.engine, "dt_s": rollout.dt, "proof": proof, "log": log}
     _write_json(facts, folder / "replay.json")
+
+
+def _beside_compiler(state: SceneState) -> None:
+    """Has the class compiled and does here meanwhile what need not wait for its replay.
+
+    Where one scene is made by itself; a batch keeps all cores busy without.
+    """
+    from esg.machine.beside import may_fork
+    from esg.machine.companion import handed, load_rest
+
+    if not may_fork():
+        return
+    drawn = partial(_draw_assets, state)
+    with ThreadPoolExecutor(1) as pool, handed(drawn):
+        pool.submit(_compile_class, state)  # what it has to complain of the replay tells
+        with contextlib.suppress(Exception):  # told by the stage that needs it
+            drawn()
+        load_rest()
+
+
+def _compile_class(state: SceneState) -> None:
+    from esg.compile.replay import compile_ours
+
+    compile_ours(state.artifact("compile"), partial(load_doc, state))
+
+
+def _draw_assets(state: SceneState) -> None:
+    """Draws what the record will ask for into this process's memory: assets and their textures."""
+    from esg.assets.geometry.mesh import meshes_of
+
+    for _ in meshes_of(load_doc(state)):
+        pass
 
 
 def _replay_program(state: SceneState) -> Rollout:

@@ -12,6 +12,7 @@ PICTURES = (
     "sapien", "pxr.Sdf", "pxr.Usd", "pxr.UsdGeom", "pxr.UsdPhysics", "pxr.UsdShade",
     "esg.compile.export", "esg.view.preview", "esg.view.setting",
 )  # fmt: skip
+RECORDS = ("duckdb", "pyarrow.parquet", "esg.store")
 """Libraries and modules, in the order in which a scene comes to need them."""
 DRAWN, TRACED = "esg.view.scan.kernels", "esg.view.tracer.kernels"
 """Kernels of films and of sheets, whose source is hashed before they are taken from the cache."""
@@ -42,8 +43,15 @@ def load_pictures() -> None:
     _kernels(TRACED)
 
 
+def load_records() -> None:
+    """Loads what the row of a run needs."""
+    _load(RECORDS)
+
+
 AHEAD: tuple[Callable[[], None], ...] = (load_search, load_film)
 """What a companion loads: before the search, and after it."""
+MEANWHILE: tuple[Callable[[], None], ...] = (load_pictures, load_records)
+"""What the command itself loads while others work."""
 
 
 def _load(modules: tuple[str, ...]) -> None:

@@ -11,7 +11,7 @@ import contextlib
 from functools import partial
 from pathlib import Path
 
-from esg.alone.ahead import AHEAD, cold, load_pictures
+from esg.alone.ahead import AHEAD, MEANWHILE, cold
 from esg.files import unwritable
 from esg.limits import StageTimeout, limited, place_in
 from esg.machine.beside import forking
@@ -79,7 +79,7 @@ def alongside(request: SceneRequest) -> Generator[None]:
     with contextlib.ExitStack() as held:
         held.enter_context(forking())
         if searches and cold() and not accompanied():
-            held.enter_context(companion(AHEAD, (load_pictures,)))
+            held.enter_context(companion(AHEAD, MEANWHILE))
         yield
 
 

@@ -129,6 +129,18 @@ def replay_class(
     return ClassReplay(played.rollout, played.log, library.seconds, played.scene)
 
 
+def compile_ours(folder: Path, document: EsgDocument | Callable[[], EsgDocument]) -> None:
+    """Compiles the class of a scene folder, if it is ours, so that its replay finds it compiled.
+
+    Args:
+        folder: Scene folder with `unreal/` in it.
+        document: As of `replay_class`, which raises what this does.
+    """
+    files, text = _read(folder)
+    if standing_of(files, text, document)[0] is not Standing.FOREIGN:
+        build.compile_class(files)
+
+
 def standing_in(folder: Path) -> tuple[str, str]:
     """Whose the class of a scene folder is, and for a foreign one why; empty without a class."""
     if not (folder / "unreal").is_dir():

@@ -32,7 +32,7 @@ _POLL_S = 0.1
 
 @dataclass
 class _Companion:
-    """The process, the pipe to it, and what is loaded here while it works for the first time."""
+    """The process, the pipe to it, and what is loaded here while there is nothing else to do."""
 
     pid: int
     pipe: Connection
@@ -40,6 +40,12 @@ class _Companion:
     answers: list[tuple[bool, Any]] = field(default_factory=list)
     asked: int = 0
     spent_s: float = 0.0
+
+    def load_next(self) -> None:
+        """Loads the next of the things that are to be loaded here, if any are left."""
+        if self.meanwhile:
+            with contextlib.suppress(Exception):  # told by who needs it
+                self.meanwhile.pop(0)()
 
     def ask(self, work: Work) -> int:
         """Hands work over; the number under which its answer is known."""
@@ -67,7 +73,7 @@ def companion(idle: Sequence[Work], meanwhile: Sequence[Work] = ()) -> Generator
     Args:
         idle: What it loads: the first before anything is handed to it, the next one after the first
             work, and so on. What fails there is left to who needs it.
-        meanwhile: What is loaded here while it works for the first time.
+        meanwhile: What is loaded here, one after the other, while there is nothing to do but wait.
     """
     if not may_fork():
         yield
@@ -121,9 +127,9 @@ def handed(work: Callable[[], T]) -> Generator[Callable[[], T] | None]:
         return
 
     def result() -> T:
-        while found.meanwhile:
-            with contextlib.suppress(Exception):  # told by who needs it
-                found.meanwhile.pop(0)()
+        found.load_next()
+        while found.meanwhile and not found.pipe.poll():
+            found.load_next()
         try:
             done, value = found.answer(number)
         except (EOFError, OSError):
@@ -131,6 +137,13 @@ def handed(work: Callable[[], T]) -> Generator[Callable[[], T] | None]:
         return value if done else work()
 
     yield result
+
+
+def load_rest() -> None:
+    """Loads what is left to be loaded here: for who waits for something else."""
+    found = _current.get()
+    while found is not None and found.meanwhile:
+        found.load_next()
 
 
 def accompanied() -> bool:

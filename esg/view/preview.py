@@ -87,11 +87,9 @@ def preview(
         frame = frame_at(rollout, moment.time)
         shots.append(Shot(frame, camera_of_moment(scene, rollout, moment, view, finder)))
     seen = seen_from(scenery, [shot.camera for shot in shots], scene, rollout)
-    renderers = [
-        Renderer(seen.parts, seen.n_bodies, *PANEL_PX, seen.surroundings) for _ in range(_threads())
-    ]
-    for renderer in renderers:
-        renderer.light(view[0])
+    renderer = Renderer(seen.parts, seen.n_bodies, *PANEL_PX, seen.surroundings)
+    renderer.light(view[0])
+    renderers = [renderer, *(renderer.twin() for _ in range(1, _threads()))]
     images = [
         draw_ropes(image, shot.camera, ropes_at(scene, rollout, shot.frame))
         for shot, image in zip(

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+import copy
 import math
 from typing import Any
 
@@ -47,6 +48,12 @@ class Renderer:
             surroundings=surroundings,
             seed=seed,
         )
+
+    def twin(self) -> Renderer:
+        """A renderer of the same scene that draws beside this one, in poses of its own."""
+        other = copy.copy(self)
+        other._world = self._world.twin()
+        return other
 
     def light(self, azimuth: float) -> None:
         """Puts the sun of a plain sky behind the viewer's right shoulder, to light what one sees.

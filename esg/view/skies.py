@@ -73,12 +73,26 @@ def sky_map(sky: Sky, seed: int = 0, size: tuple[int, int] = SKY_PX) -> Floats:
         seed: Of the clouds.
         size: Columns and rows.
     """
-    air = AIRS[sky.kind]
+    air, d = AIRS[sky.kind], _directions(size)
+    horizon, zenith = np.array(sky.horizon), np.array(sky.zenith)
+    height = d[..., 2:]
+    out = horizon + (zenith - horizon) * height**0.5
+    if air.cover:
+        out = _clouded(out, d, sky, air, _clouds(seed, size))
+    toward = np.clip(d @ np.array(sky.sun), -1, 1)[..., None]
+    angle = np.arccos(toward)
+    out = out + air.glow * np.array(sky.sun_rgb) * (np.exp(-angle / 0.12) + 0.3 * np.exp(-angle))
+    return out.astype(np.float32)
+
+
+@lru_cache(maxsize=2)
+def _directions(size: tuple[int, int]) -> Any:
+    """Unit vectors to the pixels of a picture of the sky, shape [rows, columns, 3]."""
     columns, rows = size
     azimuth = ((np.arange(columns) + 0.5) / columns - 0.5) * 2 * math.pi
     rise = (np.arange(rows) + 0.5) / rows * math.pi / 2
     horizontal = np.cos(rise)[:, None]
-    d = np.stack(
+    return np.stack(
         [
             horizontal * np.cos(azimuth),
             horizontal * np.sin(azimuth),
@@ -86,15 +100,6 @@ def sky_map(sky: Sky, seed: int = 0, size: tuple[int, int] = SKY_PX) -> Floats:
         ],
         axis=-1,
     )
-    horizon, zenith = np.array(sky.horizon), np.array(sky.zenith)
-    height = d[..., 2:]
-    out = horizon + (zenith - horizon) * height**0.5
-    if air.cover:
-        out = _clouded(out, d, sky, air, seed)
-    toward = np.clip(d @ np.array(sky.sun), -1, 1)[..., None]
-    angle = np.arccos(toward)
-    out = out + air.glow * np.array(sky.sun_rgb) * (np.exp(-angle / 0.12) + 0.3 * np.exp(-angle))
-    return out.astype(np.float32)
 
 
 def sky_at(sky: Floats, directions: NDArray[Any]) -> NDArray[np.float64]:
@@ -139,16 +144,25 @@ def lighting_map(sky: Sky, seed: int, below: NDArray[Any]) -> Floats:
     )
 
 
-def _clouded(out: Any, d: Any, sky: Sky, air: Air, seed: int) -> Any:
-    """Clouds on a plane high above, thinning toward the horizon."""
-    noise = _noise(512, np.random.default_rng([seed, 7]))
+@lru_cache(maxsize=2)
+def _clouds(seed: int, size: tuple[int, int]) -> tuple[Any, Any]:
+    """Noise, and its values where pixels of the sky see a plane high above, shape [rows, columns].
+
+    They are the same for all skies of a seed.
+    """
+    noise, d = _noise(512, np.random.default_rng([seed, 7])), _directions(size)
     plane = 90.0 * d[..., :2] / (d[..., 2:] + 0.12)
     x, y = (plane[..., k] % 512 for k in (0, 1))
     x0, y0 = x.astype(int), y.astype(int)
     fx, fy = x - x0, y - y0
     x1, y1 = (x0 + 1) % 512, (y0 + 1) % 512
     value = (noise[y0, x0] * (1 - fx) + noise[y0, x1] * fx) * (1 - fy)
-    value = value + (noise[y1, x0] * (1 - fx) + noise[y1, x1] * fx) * fy
+    return noise, value + (noise[y1, x0] * (1 - fx) + noise[y1, x1] * fx) * fy
+
+
+def _clouded(out: Any, d: Any, sky: Sky, air: Air, clouds: tuple[Any, Any]) -> Any:
+    """Clouds on a plane high above, thinning toward the horizon."""
+    noise, value = clouds
     edge = np.quantile(noise, 1 - air.cover)
     thick = np.clip((value - edge) / 0.22, 0, 1)[..., None]
     thick = thick * np.clip(d[..., 2:] / 0.25, 0, 1) ** 0.7 * (0.9 if air.cover < 0.8 else 0.75)

@@ -7,6 +7,7 @@ one scene: the frames of a scene, or many scenes, fill a batch equally well.
 from __future__ import annotations
 
 from collections.abc import Sequence
+import copy
 from dataclasses import dataclass
 import math
 from typing import Any
@@ -90,6 +91,12 @@ class WorldRenderer:
         self._mover = np.array([*range(len(self.movers)), *rest], np.int32)
         if sun is not None:
             self.light(sun)
+
+    def twin(self) -> WorldRenderer:
+        """A renderer of the same scene that draws beside this one, in poses of its own."""
+        other = copy.copy(self)
+        other._stage, other._images, other._held = self._stage.twin(), {}, {}
+        return other
 
     @property
     def movers(self) -> Movers:

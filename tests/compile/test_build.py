@@ -48,6 +48,14 @@ def test_one_bad_class_does_not_fail_its_neighbours(tmp_path: Path) -> None:
     assert "Stop" in str(error) and str(folders[2]) in str(error)
 
 
+def test_a_linker_that_fails_is_no_fault_of_a_class(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(build, "_linker", lambda: ("-fuse-ld=bfd", "-Wl,--no-such-option"))
+    library = compile_class(read_classes([written(tmp_path / "a", *ball_scene("linked", 0.41))])[0])
+    assert library.path.is_file() and library.seconds > 0
+
+
 def test_a_folder_without_a_class_does_not_fail_its_neighbours(tmp_path: Path) -> None:
     good = written(tmp_path / "good", *ball_scene("good", 0.7))
     (tmp_path / "empty").mkdir()

@@ -15,7 +15,7 @@ from esg.alone import guarded
 from esg.limits import StageTimeout, limited
 from esg.machine import beside as module
 from esg.machine.beside import forking
-from esg.machine.companion import companion, done_elsewhere, handed, spent_s
+from esg.machine.companion import companion, done_elsewhere, handed, load_rest, spent_s
 from esg.pipeline import SceneRequest, SceneState
 
 
@@ -93,6 +93,20 @@ def test_this_process_loads_its_own_while_it_waits_first(tmp_path: Path) -> None
         assert not list(tmp_path.iterdir())
 
 
+def test_this_process_loads_the_rest_when_it_has_nothing_to_do(tmp_path: Path) -> None:
+    """More than one thing is loaded in one wait only as long as there is no answer."""
+    own = [partial(_loaded, tmp_path, name) for name in ("first", "second", "third")]
+    with forking(), companion((), own):
+        with handed(_who) as result:
+            assert result is not None
+            time.sleep(0.5)  # the answer is there
+            result()
+        assert _what_is_loaded(tmp_path) == ["first"]
+        load_rest()
+        assert _what_is_loaded(tmp_path) == ["first", "second", "third"]
+    load_rest()  # nor does anything go wrong without a companion
+
+
 @pytest.mark.parametrize("work", [_dies, _fails])
 def test_what_it_does_not_do_is_done_here(work: object) -> None:
     with forking(), companion(()):
@@ -133,7 +147,7 @@ def test_only_what_is_cold_and_searches_here_has_one(monkeypatch: pytest.MonkeyP
 
     monkeypatch.setattr(guarded, "run_stage", run)
     monkeypatch.setattr(guarded, "AHEAD", ())
-    monkeypatch.setattr(guarded, "load_pictures", lambda: None)
+    monkeypatch.setattr(guarded, "MEANWHILE", ())
     monkeypatch.delitem(sys.modules, "newton", raising=False)
     assert others(SceneRequest("a ball"))
     assert not others(SceneRequest("a ball", device="cuda:0"))

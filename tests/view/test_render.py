@@ -50,6 +50,20 @@ def test_bodies_follow_their_poses(renderer: Renderer) -> None:
     assert dominant(image[y1, x1]) == 0
 
 
+def test_a_twin_draws_the_same_scene_in_poses_of_its_own(renderer: Renderer) -> None:
+    camera = Camera((0.0, -8.0, 0.0), (0.0, 0.0, 0.0))
+    upright = np.tile([0.0, 0.0, 0.0, 1.0], (2, 1))
+    places = [np.array([[-x, 0, 0], [x, 0, 0]]) for x in (1.5, -1.5)]
+    other = renderer.twin()
+    for first, second in ((renderer, other), (other, renderer)):
+        first.pose(places[0], upright)
+        second.pose(places[1], upright)
+        images = [first.color(camera), second.color(camera)]
+        assert not np.array_equal(*images)
+        first.pose(places[1], upright)
+        assert np.array_equal(first.color(camera), images[1])
+
+
 def test_visible_counts_what_is_not_hidden(renderer: Renderer) -> None:
     camera = Camera((0.0, -8.0, 0.0), (0.0, 0.0, 0.0))
     upright = np.tile([0.0, 0.0, 0.0, 1.0], (2, 1))

@@ -63,6 +63,8 @@ _BEVELLED = 0.03
 
 _KEPT = 48
 """Assets whose geometry a process keeps: those of two large scenes."""
+_KEPT_FILES = 12
+"""Assets whose files a process keeps: those of one scene, drawn before its record asks for them."""
 _FOREIGN_TILE_CM = 100.0
 """Edge of one tile of the coordinates that an imported mesh without any is given."""
 
@@ -76,17 +78,21 @@ def build_mesh(config: AssetConfiguration, appearance: Appearance = USUAL) -> tr
     Raises:
         UserError: If the configuration names an asset that no library on this machine holds.
     """
+    entry = parametric_entry(config)
+    if entry is None:
+        return _completed(load_imported(config))
+    return _drawn(entry, config.dimensions_cm, config.color_rgb, config.rolls, appearance)
+
+
+def _drawn(
+    entry: Entry, dimensions_cm: Vec3, color: Color, rolls: bool, appearance: Appearance
+) -> trimesh.Scene:
     import trimesh
     from trimesh.visual import TextureVisuals
     from trimesh.visual.material import PBRMaterial
 
-    entry = parametric_entry(config)
-    if entry is None:
-        return _completed(load_imported(config))
     scene = trimesh.Scene()
-    models, wheels = _models(
-        entry, config.dimensions_cm, config.color_rgb, config.rolls, appearance
-    )
+    models, wheels = _models(entry, dimensions_cm, color, rolls, appearance)
     for wheel in wheels:
         scene.graph.update(frame_to=wheel.name, matrix=_moved(wheel.axle_cm))
     for model in models:
@@ -212,6 +218,9 @@ def _sketch(
 
 def glb_bytes(config: AssetConfiguration, appearance: Appearance = USUAL) -> bytes:
     """The asset as binary glTF (metres, Y up); the same configuration gives the same bytes."""
+    entry = parametric_entry(config)
+    if entry is not None:
+        return _drawn_glb(entry, config.dimensions_cm, config.color_rgb, config.rolls, appearance)
     scene = build_mesh(config, appearance)
     if all("look" in geometry.metadata for geometry in scene.geometry.values()):
         return asset_glb(scene)
@@ -220,6 +229,13 @@ def glb_bytes(config: AssetConfiguration, appearance: Appearance = USUAL) -> byt
     if not isinstance(data, bytes):
         raise UserError(f"{config.asset_name}: the mesh could not be exported as GLB", exit_code=1)
     return data
+
+
+@lru_cache(maxsize=_KEPT_FILES)
+def _drawn_glb(
+    entry: Entry, dimensions_cm: Vec3, color: Color, rolls: bool, appearance: Appearance
+) -> bytes:
+    return asset_glb(_drawn(entry, dimensions_cm, color, rolls, appearance))
 
 
 def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:

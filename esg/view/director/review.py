@@ -79,16 +79,27 @@ class Viewfinder:
         self._angles = scene_angles(action.scene, action.rollout)
         self._drawn = shown(action.scene, action.rollout)
         self._dressed: tuple[Take, frozenset[str]] | None = None
+        self._poses: dict[int, NDArray[np.float32]] = {}
         self.frame = -1
 
     def pose(self, time: float) -> None:
         """Puts all bodies where they are at a time [s]."""
         frame = self.action.frame(time)
         if frame != self.frame:
-            rollout = self._drawn
-            p = np.nan_to_num(rollout.position[0, frame])
-            self.scan.pose(p, rollout.quaternion[0, frame], self._angles[frame])
+            if frame not in self._poses:
+                self.expect([time])
+            self.scan.place(self._poses[frame])
             self.frame = frame
+
+    def expect(self, times: Sequence[float]) -> None:
+        """Works out poses at many times [s] at once, which is quicker than one by one."""
+        frames = sorted({self.action.frame(t) for t in times} - self._poses.keys())
+        if not frames:
+            return
+        rollout = self._drawn
+        p = np.nan_to_num(rollout.position[0, frames])
+        found = self.scan.poses(p, rollout.quaternion[0, frames], self._angles[frames])
+        self._poses.update(zip(frames, found, strict=True))
 
     def dress(self, take: Take) -> int:
         """Leaves out what stands between a take's cameras and who acts, as in a dollhouse.

@@ -120,6 +120,7 @@ def write_scene_film(
 def frames_of(finder: Viewfinder, shots: Sequence[Shot]) -> Iterator[NDArray[np.uint8]]:
     """The finished pictures of all shots, one after the other."""
     scan, action = finder.scan, finder.action
+    finder.expect([float(t) for shot in shots for t in shot.cut.time_s])
     for shot in shots:
         take = shot.take
         finder.dress(take)

@@ -137,9 +137,28 @@ class Scan:
             quaternion: (x, y, z, w), shape [B, 4].
             angles: Of the scene's wheels [rad], shape [W].
         """
+        self.place(self.poses(position, quaternion, angles))
+
+    def poses(
+        self, position: NDArray[Any], quaternion: NDArray[Any], angles: NDArray[Any] | None = None
+    ) -> NDArray[np.float32]:
+        """Poses of all that moves, for `place`, at any number of instants at once.
+
+        Args:
+            position: Body origins [m], shape [..., B, 3].
+            quaternion: (x, y, z, w), shape [..., B, 4].
+            angles: Of the scene's wheels [rad], shape [..., W].
+
+        Returns:
+            The world's and theirs, shape [..., 1 + M, 7].
+        """
+        moved = np.concatenate(self._movers.poses(position, quaternion, angles), axis=-1)
+        world = np.broadcast_to((0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 1.0), (*moved.shape[:-2], 1, 7))
+        return np.concatenate([world, moved], axis=-2).astype(np.float32)
+
+    def place(self, poses: NDArray[np.float32]) -> None:
+        """Moves everything to poses of one instant, as of `poses`."""
         wp = self._wp
-        moved = np.concatenate(self._movers.poses(position, quaternion, angles), axis=1)
-        poses = np.concatenate([[[0, 0, 0, 0, 0, 0, 1]], moved]).astype(np.float32)
         poses = wp.array(poses, dtype=wp.transform, device="cpu")
         start = self._rest if self._placed else 0
         self._launch(

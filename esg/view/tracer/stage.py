@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterable, Sequence
+import copy
 from dataclasses import dataclass
 from typing import Any
 
@@ -121,11 +122,19 @@ class Stage:
         made, looks = bundles(parts, self.movers)
         self.scene = kernels.Scene()
         self._keep: list[Any] = []
-        self._bvh: Any = None
         ground = surroundings.ground if surroundings else None
         self._materials([*looks, *([ground] if ground else [])], ground)
         self._meshes(made)
         self._lamps(surroundings.sky if surroundings else Sky(), ground, seed)
+
+    def twin(self) -> Stage:
+        """The same scene for poses of its own; meshes, materials and sky are shared."""
+        other = copy.copy(self)
+        other.scene = self._kernels.Scene()
+        for name in self._kernels.Scene.vars:
+            setattr(other.scene, name, getattr(self.scene, name))
+        other._unposed(self.scene.instances)
+        return other
 
     @property
     def tools(self) -> tuple[Any, Any, Any]:
@@ -206,9 +215,15 @@ class Stage:
         high = np.array([b.vertices.max(axis=0) for b in own] * worlds, np.float32)
         self._low = self._array(low.reshape(-1, 3), wp.vec3)
         self._high = self._array(high.reshape(-1, 3), wp.vec3)
+        self._unposed(count)
+
+    def _unposed(self, count: int) -> None:
+        """Room for the poses and boxes of so many instances."""
+        wp, scene = self._wp, self.scene
         scene.pose = wp.zeros(count, dtype=wp.transform, device=self.device)
         self._lower = wp.zeros(count, dtype=wp.vec3, device=self.device)
         self._upper = wp.zeros(count, dtype=wp.vec3, device=self.device)
+        self._bvh, scene.bvh = None, 0
 
     def _lamps(self, sky: Sky, ground: Look | None, seed: int) -> None:
         wp, scene, air = self._wp, self.scene, AIRS[sky.kind]
