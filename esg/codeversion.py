@@ -44,6 +44,7 @@ SOURCES: dict[str, tuple[str, ...]] = {
     "optimize": (
         *_SIMULATION,
         "machine/kept.py",
+        "machine/recent.py",
         "layout",
         "assets",
         "metrics/__init__.py",

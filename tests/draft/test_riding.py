@@ -36,9 +36,9 @@ def test_a_rider_is_on_what_he_rides_and_held_there(prompt: str, rider: str, mou
     doc = clean(prompt)
     assert support_of(doc, rider) == mount
     joints = doc.spatial_relation_graph.joints
-    # A skateboard's wheels have hinges of their own.
-    (joint,) = [j for j in joints or () if j.kind == "fixed"]
-    assert (joint.child, joint.parent) == (rider, mount)
+    assert joints is not None and len(joints) == 1
+    joint = joints[0]
+    assert (joint.kind, joint.child, joint.parent) == ("fixed", rider, mount)
     assert (joint.child_mount, joint.parent_mount) == (FOOT, SEAT)
     assert joint.break_impulse
     assert all(

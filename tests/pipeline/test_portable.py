@@ -27,7 +27,7 @@ LINUX_ONLY = (
 GUARDED = {
     "esg/commands/stopping.py": {"os.set_blocking"},
     "esg/leftovers.py": {"os.getuid"},
-    "esg/workers.py": {"os.sched_getaffinity", "os.sysconf", "resource"},
+    "esg/workers.py": {"os.nice", "os.sched_getaffinity", "os.sysconf", "resource"},
 }
 """Names that a file asks for before it uses them."""
 

@@ -29,7 +29,6 @@ SAME = "it is drawn twice: what was named before is meant"
 LOOSE = "nothing is tied: it stands on it"
 STAYS = "who does it does not go along"
 NO_SUCH = "nothing of the kind happens to it in the scene"
-UNTOLD = "it is drawn, and nothing that the text says of it"
 NOTHING = "nothing in the scene stands for it"
 
 
@@ -311,30 +310,6 @@ def _under(case: Case, nodes: frozenset[str]) -> frozenset[str]:
     return frozenset(carriers.union(*(f.all for f in joined)))
 
 
-_HANGERS = frozenset({"pobj", "dobj", "attr", "compound", "dep", "nmod"})
-"""Roles of nouns that say nothing by standing there; who acts does, and what opens a caption."""
-_WHY = frozenset({"for", "like", "as", "without", "despite"})
-
-
-def _idle(case: Case) -> Iterator[Finding]:
-    """ "The bounce of the ball", "waves to a friend": it is drawn, and nothing is told of it."""
-    nodes = case.facts.doc.spatial_relation_graph.nodes
-    first = {n: (a, b) for a, b, n in sorted(case.facts.spans, reverse=True)}
-    for name, (start, end) in first.items():
-        node = nodes[name]
-        alike = {n for n, x in nodes.items() if n == name or (node.group and x.group == node.group)}
-        if not node.mentioned or node.is_structural or case.facts.about(frozenset(alike)):
-            continue
-        heads = [n for n in case.nouns if start <= n.start < end]
-        heads = [n for n in heads if not any(start <= a < end for a, _ in n.governors[:1])]
-        noun = heads[-1] if heads else None
-        if noun is None or noun.role not in _HANGERS or noun.unreal or noun.prep in _WHY:
-            continue
-        words = ((start, end), *noun.governors)
-        if not any(_accounted(case, a, b) for a, b in words):
-            yield Finding(start, end, UNTOLD, (name,))
-
-
 @dataclass(frozen=True)
 class Doubt:
     """A noun of several senses: drawn as what, beside which words it is what else."""
@@ -384,6 +359,5 @@ CHECKS: dict[str, Callable[[Case], Iterable[Finding]]] = {
     "particles": _particles,
     "acts": _acts,
     "doubtful": _doubtful,
-    "idle": _idle,
 }
 """The questions by name; docs/drafting/audit.md has a row for each."""

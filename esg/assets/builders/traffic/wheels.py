@@ -60,11 +60,6 @@ def _bearing(at: tuple[float, float, float]) -> Any:
 @builder("skateboard")
 def skateboard(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Skateboard, drawn at 80 x 20 x 12."""
-    draw_skateboard(s, c, wheels=True)
-
-
-def draw_skateboard(s: Sketch, c: Color, *, wheels: bool) -> None:
-    """The same on its wheels, or with axles that wheels can turn on."""
 
     def board(low: float, high: float, inset: float) -> Any:
         """The deck between two heights above its underside, nose and tail turned up."""
@@ -86,7 +81,7 @@ def draw_skateboard(s: Sketch, c: Color, *, wheels: bool) -> None:
     s.add(lambda: board(-0.1, 0.12, 0.4), shade(c, 0.72), of="rubber_floor", name="grip_tape")
     for x, row in ((-21, "rear"), (21, "front")):
         s.add(lambda x=x: _truck(x), STEEL, of="aluminium", name=f"truck_{row}")
-        for y, side in ((-9.4, "right"), (5.8, "left")) if wheels else ():
+        for y, side in ((-9.4, "right"), (5.8, "left")):
             at = (x, y + 1.8, 3.0)
             tread = [(1.0, -1.6), (2.6, -1.8), (3, -1.2), (3, 1.2), (2.6, 1.8), (1.0, 1.6)]
             s.add(
@@ -99,8 +94,7 @@ def draw_skateboard(s: Sketch, c: Color, *, wheels: bool) -> None:
             s.wheel(at, 3, parts=2)
     s.proxy_slab((-40, 40), (-10, 10), (7, 10))
     for x in (-21, 21):
-        half, low = (9.4, 0) if wheels else (4.4, 2)
-        s.proxy_slab((x - 3, x + 3), (-half, half), (low, 7))
+        s.proxy_slab((x - 3, x + 3), (-9.4, 9.4), (0, 7))
     s.surface("deck", 10, (28, 9))
 
 
