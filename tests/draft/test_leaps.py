@@ -86,7 +86,11 @@ def test_what_is_met_up_there_stands_there(prompt, thing, on):
 
 @pytest.mark.parametrize(
     "prompt",
-    ["A dog jumps onto a sofa and then jumps off it.", "A dolphin leaps out of the water."],
+    [
+        "A dog jumps onto a sofa and then jumps off it.",
+        "A rabbit hops onto a stump and then hops off.",
+        "A dolphin leaps out of the water.",
+    ],
 )
 def test_other_leaps_are_owned_up_to(prompt):
     lost = [

@@ -213,9 +213,11 @@ def _leads_to_an_event(d: Discourse, clause: Clause, kind: str = "") -> bool:
     """Whether an event that one could see, of a kind, is told of what a clause moves."""
     about = {*clause.movers}
     own = d.scene.used.get((clause.frame.verb.start, clause.frame.verb.end))
-    leapt = d.timeline.node(own or "")
-    if about & d.moves.upon.keys() and leapt is not None and leapt.event is not NodeEvent.JUMP:
-        about = set[str]()  # a second leap, from up there, leads to another event
+    leapt = own == "jump" or any(
+        n.id == own and n.event is NodeEvent.JUMP for n in d.timeline.nodes
+    )
+    if about & d.moves.upon.keys() and not leapt:
+        about = set[str]()  # a second leap, from up there, leads to something else
     told = [n.event for n in d.timeline.nodes if about & {*n.participants} or n.id == own]
     return any(measurable(event) and kind in ("", event.value) for event in told)
 

@@ -27,6 +27,8 @@ LANDS_M = 0.08
 """How far behind the edge of what it jumps onto a jumper's back comes down."""
 STEEPER_M = 0.15
 """How much higher it leaps, and so the slower, onto what is not longer than itself."""
+ASIDE_M = 0.15
+"""Gap between two that come down on the same thing."""
 BEFORE_IT_M = 0.3
 """How far before its support a jumper's back comes down where nothing says on what."""
 
@@ -127,7 +129,7 @@ def leap_to(
         stage.time[goal.down.id] = begin + rising + 0.6 * (aloft - rising)
     if goal.met is not None:
         stage.time[goal.met.id] = begin + aloft
-    _put(stage, actor, goal.on, deck, near)
+    _put(stage, actor, goal.on, deck, near, body.half_length + body.half_width - depth)
     if anchored:
         stage.edge_run = run
         stage.airborne[actor] = Flight(speed, low + rise)
@@ -217,8 +219,19 @@ def _way(
     return near, near + inset
 
 
-def _put(stage: Stage, actor: str, on: str | None, deck: _Deck | None, near: float) -> None:
-    """Gives the jumper a start, and what it comes down on its place before it."""
+def _put(
+    stage: Stage, actor: str, on: str | None, deck: _Deck | None, near: float, half_width: float
+) -> None:
+    """Gives the jumper a start, and what it comes down on its place before it.
+
+    Args:
+        stage: What is placed so far.
+        actor: Who jumps.
+        on: The key of what it comes down on.
+        deck: Its surface.
+        near: From the start to the edge of that [m].
+        half_width: Half of the jumper across the leap when it comes down [m].
+    """
     track = stage.tracks[actor]
     if on is None or deck is None:
         frame = stage.frames.setdefault(actor, Frame() if not stage.places else stage.free_frame())
@@ -229,7 +242,13 @@ def _put(stage: Stage, actor: str, on: str | None, deck: _Deck | None, near: flo
     if on in stage.places and actor not in stage.frames:
         bx, by, yaw = stage.places[on]
         heading = (yaw or 0.0) + math.pi
-        end = (bx - middle * math.cos(heading), by - middle * math.sin(heading))
+        # Beside who jumps there, too.
+        others = stage.landed.get(on, 0)
+        aside = (2 * (others % 2) - 1) * ((others + 1) // 2) * (2.0 * half_width + ASIDE_M)
+        end = (
+            bx - middle * math.cos(heading) - aside * math.sin(heading),
+            by - middle * math.sin(heading) + aside * math.cos(heading),
+        )
         stage.frames[actor] = frame_mapping((track.x, track.y), track.heading, end, heading)
     frame = stage.frames.setdefault(actor, Frame() if not stage.places else stage.free_frame())
     heading = track.heading + frame.angle
@@ -237,5 +256,6 @@ def _put(stage: Stage, actor: str, on: str | None, deck: _Deck | None, near: flo
     if on not in stage.places:
         x, y = x + middle * math.cos(heading), y + middle * math.sin(heading)
         stage.places[on] = (x, y, heading + math.pi)
+    stage.landed[on] = stage.landed.get(on, 0) + 1
     x, y = frame.apply(0.0, 0.0)
     stage.places[actor] = (x, y, frame.angle)

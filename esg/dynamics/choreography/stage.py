@@ -96,6 +96,7 @@ class Stage:
         struck: Speed that a hit gave to what goes on under its own power [m/s].
         met: What each actor met last.
         overtaken: Who was overtaken, by whom, when [s] and where on that one's way [m].
+        landed: How many have leapt onto something.
         lifted: An actor without a place of its own that starts on the anchor beside its target.
         edge_run: Distance [m] from the lead's start to the anchor's edge, None if it does not
             matter.
@@ -135,6 +136,7 @@ class Stage:
             self.tracks, key=lambda a: list(story.nodes).index(story.phases[a][0].start.id)
         )
         self.lead = actors[0]
+        self.landed: dict[str, int] = {}
         self.lifted: str | None = None
         self.anchor = None if self.story.flies(self.lead) else support_of(doc, self.lead)
         if self.anchor is None and not self.story.flies(self.lead):
