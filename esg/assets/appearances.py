@@ -22,7 +22,7 @@ from esg.assets.library.catalogue import Entry, normalize, parse_hex
 from esg.assets.looks import Color
 from esg.assets.materials import MATERIALS
 from esg.graph.casting import effective
-from esg.graph.models import AssetRequirement, CoverageItem, EsgDocument, Predicate
+from esg.graph.models import AssetRequirement, CoverageItem, EsgDocument, NodeEvent, Predicate
 from esg.lexicon.places import surfaces
 
 _DATA = Path(__file__).parent / "data"
@@ -243,9 +243,20 @@ def _poses(doc: EsgDocument) -> dict[str, str]:
     for name in sorted(people):
         region = regions.get(nodes[name].semantic_region or "")
         below = None if region is None else kinds.get(region.parent_object)
-        if below in _postures().on:
-            found[name] = _postures().on[below]
+        posture = _postures().on.get(below or "")
+        if posture == "sit" and name in _leaping(doc):
+            found[name] = done.get(name, "run")  # who jumps off a bench does not sit on it
+        elif posture is not None:
+            found[name] = posture
     return found
+
+
+def _leaping(doc: EsgDocument) -> set[str]:
+    """Who leaps."""
+    if doc.timeline_system is None:
+        return set()
+    nodes = doc.timeline_system.sequence_graph.nodes
+    return {n.participants[0] for n in nodes if n.event is NodeEvent.JUMP}
 
 
 def _ridden(doc: EsgDocument, mounts: set[str], people: set[str]) -> dict[str, str]:

@@ -29,6 +29,8 @@ def looks(prompt: str, seed: int = 0) -> dict[str, Appearance]:
         ("A worker pushes a cart.", "worker_1", "push"),
         ("A man carries a box to the table.", "man_1", "bear"),
         ("A woman sits on a bench.", "woman_1", "sit"),
+        ("A boy hops off a bench.", "boy_1", "run"),
+        ("A kid jumps on a bed three times.", "kid_1", "run"),
         ("Three people walk across the road.", "person_3", "walk"),
         ("A man stands next to a car.", "man_1", ""),
         ("A man rides a bicycle.", "man_1", "ride"),
