@@ -150,7 +150,7 @@ def _particles(a: Account) -> Iterator[Gap]:
         told = (n for n in a.d.timeline.nodes if n.event in events)
         if not shown and not any(about & {*n.participants} for n in told) and _enclosed(a, about):
             at = f.verb.start + words[-1].start()
-            yield Gap(at, at + len(last), NOTHING, tuple(about))
+            yield Gap(at, at + len(last), NOTHING, tuple(sorted(about)))
 
 
 def _enclosed(a: Account, about: set[str]) -> bool:
