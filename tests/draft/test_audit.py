@@ -22,6 +22,7 @@ _CASES = {
         ("The curling stone hits two other stones and comes to a stop.", "hits"),
         ("Wheels spinning, a car stuck in the mud is pushed out by two men.", "pushed"),
         ("A red bowling ball rolls down the lane and knocks over all ten pins.", "all ten pins"),
+        ("A bowling ball hits the head pin, and all the pins fall.", "all the pins"),
         ("The ball knocks down all the pins.", "all the pins"),
         ("A skater slides into ten bowling pins and all of the pins topple.", "all of the pins"),
     ),

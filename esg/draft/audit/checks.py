@@ -204,14 +204,23 @@ def _vanishing(case: Case) -> Iterator[Finding]:
 
 
 def _all_of(case: Case) -> Iterator[Finding]:
-    """ "Knocks over all ten pins": what is told of one is told of each."""
-    nodes = case.facts.doc.spatial_relation_graph.nodes
+    """ "Knocks over all ten pins", "the head pin, and all the pins": what one does, each does."""
+    doc = case.facts.doc
+    kinds = {
+        n: doc.asset_requirement[x.asset_id].asset_category
+        for n, x in doc.spatial_relation_graph.nodes.items()
+    }
+    grouped = {
+        kinds[n]
+        for n, x in doc.spatial_relation_graph.nodes.items()
+        if x.group_pattern in _NO_CHAINS
+    }
     for start, end, name in case.facts.spans:
-        before, group = _ALL_OF.search(case.text, 0, start), nodes[name].group
+        before = _ALL_OF.search(case.text, 0, start)
         all_of = before or {"all", "both"} & {*case.text[start:end].lower().split()[:1]}
-        if not all_of or group is None or nodes[name].group_pattern not in _NO_CHAINS:
+        if not all_of or kinds[name] not in grouped:
             continue
-        members = {n for n, x in nodes.items() if x.group == group}
+        members = {n for n, kind in kinds.items() if kind == kinds[name]}
         down = {n for n in members for f in case.facts.facts if f.kind in _DOWN and n in f.who}
         start = before.start() if before else start
         if down and down != members and not case.facts.owns_up(start, end):
