@@ -21,6 +21,10 @@ _CASES = {
         ("A snooker ball hits two red balls, and one of them rolls into the side pocket.", "hits"),
         ("The curling stone hits two other stones and comes to a stop.", "hits"),
         ("Wheels spinning, a car stuck in the mud is pushed out by two men.", "pushed"),
+        ("A red bowling ball rolls down the lane and knocks over all ten pins.", "all ten pins"),
+        ("A bowling ball hits the head pin, and all the pins fall.", "all the pins"),
+        ("The ball knocks down all the pins.", "all the pins"),
+        ("A skater slides into ten bowling pins and all of the pins topple.", "all of the pins"),
     ),
     checks.ONE_OF_EACH: (
         ("A postman cycles past a row of houses and tosses a newspaper onto each porch.", "each"),
@@ -66,6 +70,10 @@ _CASES = {
         ("A crowded escalator carries shoppers up.", "up"),
         ("The bus pulls out and hits a cyclist.", "out"),
         ("When the gate opens, four greyhounds run out.", "out"),
+        ("A gymnast swings from a bar, lets go and lands on a mat on both feet.", "lets go"),
+        ("A man pushes a wheelbarrow, the man lets go, and the wheelbarrow topples.", "lets go"),
+        ("Mia put her ball at the top of the slide and let go. It rolled down.", "and let go"),
+        ("The train came in, stopped, waited a while and left.", "waited a while"),
     ),
     checks.NO_SUCH: (
         ("A crate of 20 kg is dragged 5 m across a rough floor by a horizontal rope.", "dragged"),

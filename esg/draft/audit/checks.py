@@ -77,6 +77,8 @@ _DONE_TO = frozenset({"launch", "drop", "knock", "topple", "hit"})
 """Senses whose objects each take part."""
 _CHAINS = frozenset({"row", "pins", "rack", "stack"})
 """Patterns of which one member passes it on to the next."""
+_NO_CHAINS = frozenset({"pins", "rack", "stack"})
+"""Those that do not do so surely: one pin that falls is no strike."""
 _ALL = frozenset({"all", "both", "each", "every"})
 _OPPOSITES = (
     frozenset({"up", "down"}),
@@ -95,6 +97,13 @@ _IN_PART = re.compile(
     rf"\b(?:{'|'.join(sorted(lex.word_set('in part (audit)'), key=len, reverse=True))})\b",
     re.IGNORECASE,
 )
+_LOST = re.compile(
+    rf"\b(?:{'|'.join(sorted(lex.word_set('lost phrases (audit)'), key=len, reverse=True))})\b"
+    r"(?! of\b)",
+    re.IGNORECASE,
+)
+_ALL_OF = re.compile(r"\b(?:all|both)\s+(?:of\s+)?(?:the\s+|these\s+|those\s+)?$", re.IGNORECASE)
+_DOWN = frozenset({"Topple", "Fall"})
 _LETS_GO = re.compile(r"\blet(?:s|ting)? $", re.IGNORECASE)
 _NAMED = re.compile(r"(?P<which>an?|the)\s+(?P<noun>\w[\w -]*)", re.IGNORECASE)
 
@@ -184,6 +193,37 @@ def _in_part(case: Case) -> Iterator[Finding]:
     for m in _IN_PART.finditer(case.text):
         if not case.facts.owns_up(*m.span()):
             yield Finding(*m.span(), IN_PART)
+
+
+def _vanishing(case: Case) -> Iterator[Finding]:
+    """ "He lets go, and it rolls back", "stops, waits a while and leaves"."""
+    for m in _LOST.finditer(case.text):
+        if not _accounted(case, *m.span()):
+            yield Finding(*m.span(), NOTHING)
+
+
+def _all_of(case: Case) -> Iterator[Finding]:
+    """ "Knocks over all ten pins", "the head pin, and all the pins": what one does, each does."""
+    doc = case.facts.doc
+    kinds = {
+        n: doc.asset_requirement[x.asset_id].asset_category
+        for n, x in doc.spatial_relation_graph.nodes.items()
+    }
+    grouped = {
+        kinds[n]
+        for n, x in doc.spatial_relation_graph.nodes.items()
+        if x.group_pattern in _NO_CHAINS
+    }
+    for start, end, name in case.facts.spans:
+        before = _ALL_OF.search(case.text, 0, start)
+        all_of = before or {"all", "both"} & {*case.text[start:end].lower().split()[:1]}
+        if not all_of or kinds[name] not in grouped:
+            continue
+        members = {n for n, kind in kinds.items() if kind == kinds[name]}
+        down = {n for n in members for f in case.facts.facts if f.kind in _DOWN and n in f.who}
+        start = before.start() if before else start
+        if down and down != members and not case.facts.owns_up(start, end):
+            yield Finding(start, end, NOT_ALL, tuple(sorted(members - down)))
 
 
 def _twice(case: Case) -> Iterator[Finding]:
@@ -353,6 +393,8 @@ CHECKS: dict[str, Callable[[Case], Iterable[Finding]]] = {
     "each": _each,
     "to and fro": _to_and_fro,
     "in part": _in_part,
+    "vanishing": _vanishing,
+    "all of": _all_of,
     "twice": _twice,
     "on a rope": _on_a_rope,
     "goes along": _goes_along,

@@ -74,6 +74,8 @@ class Scene:
     """Ropes and chains that joints of the scene stand for."""
     breaking: dict[str, Breakable] = field(default_factory=dict[str, Breakable])
     """What is told to break."""
+    compared: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
+    """Comparisons that set a mass, a size or a speed, by their place in the text."""
     used: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])
     """Spans that became something: (start, end) -> pointer or note."""
     ignored: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Container, Sequence
+from collections.abc import Container, Iterator, Sequence
 import math
 import re
 
@@ -29,6 +29,39 @@ _SIDES = {
 _SPEED = frozenset({"fast", "quickly", "quick", "faster", "quicker", "slower", "speed"})
 
 
+_EQUAL = re.compile(
+    r"\b(?:of|with|at)\s+(?:the\s+)?(?:same|equal)\s+"
+    r"(?:size|mass|weight|diameter|height|length|width|speed)\b(?!\s+of\s+\S*\d)",
+    re.IGNORECASE,
+)
+_MORE = re.compile(
+    rf"\b(?:{'|'.join(sorted(lex.word_set('size comparisons (unclaimed)')))})\b"
+    r"(?!\s+than\s+(?:about\s+)?\S*\d)",
+    re.IGNORECASE,
+)
+_NUMBER = re.compile(r"\s+(?:about\s+|roughly\s+)?\S*\d")
+_NO_MORE = re.compile(r"\b(?:no|not|any|a|an|the|one|its|his|her)\s+$", re.IGNORECASE)
+
+
+def not_compared(text: str, mentions: list[Mention], scene: Scene) -> Iterator[tuple[int, int]]:
+    """Where a text compares or equals what nothing in the scene does ("bounces much higher").
+
+    What stands in a noun phrase tells things apart ("the larger box"); what is one of several that
+    are alike has their size and mass ("two balls of the same size").
+    """
+    drawn = [(m.start, m.end) for m in mentions if scene.world.resolved.get(id(m))]
+    alike = [m.end for m in mentions if len(scene.world.resolved.get(id(m), [])) > 1]
+    for words in (_COMPARISON, _EQUAL, _MORE):
+        for m in words.finditer(text):
+            noun = words is _COMPARISON and m["noun"] is not None
+            if noun or _NO_MORE.search(text, 0, m.start()) or _NUMBER.match(text, m.end()):
+                continue
+            told = any(a < m.end() and m.start() < b for a, b in (*drawn, *scene.compared))
+            same = words is _EQUAL and any(0 <= m.start() - end <= 1 for end in alike)
+            if not told and not same:
+                yield m.span()
+
+
 def compare(text: str, mentions: list[Mention], scene: Scene) -> None:
     """Applies every comparison between two objects of the scene.
 
@@ -49,8 +82,12 @@ def compare(text: str, mentions: list[Mention], scene: Scene) -> None:
             continue
         ratio = _ratio(match["ratio"]) if match["ratio"] else None
         if word in _SPEED:
-            _set_speed(left, right, ratio, match, scene)
+            if _set_speed(left, right, ratio, match, scene):
+                scene.compared.append(match.span())
             continue
+        free = not (left.mass_prescribed if word in _MASS else left.dimensions_prescribed)
+        if free or only:
+            scene.compared.append(match.span())
         factor = ratio or (2.0 if match["more"] else 1.0)
         required = requirement(right)
         if word in _MASS and not left.mass_prescribed:
@@ -91,10 +128,10 @@ def _only_compared(told: Mention, e: Entity, scene: Scene) -> bool:
 
 def _set_speed(
     left: Entity, right: Entity, ratio: float | None, match: re.Match[str], scene: Scene
-) -> None:
+) -> bool:
     known = scene.timeline.stated_speed(right.id)
     if known is None or scene.timeline.stated_speed(left.id) is not None:
-        return
+        return False
     low, high = known if isinstance(known, tuple) else (known, known)
     exact = ratio is not None or not (match["more"] or match["less"])
     if exact:
@@ -104,6 +141,7 @@ def _set_speed(
     else:
         low, high = 0.4 * low, 0.95 * low
     scene.timeline.set_speed(left.id, low if low == high else (low, high), prescribed=exact)
+    return True
 
 
 def _ratio(word: str) -> float:

@@ -30,6 +30,13 @@ _OFF_ROAD = frozenset({"bicycle", "tricycle", "unicycle", "scooter", "kick scoot
 """Vehicles that need no road where the prompt says on what else they go."""
 _TOYS = frozenset({"tricycle", "unicycle", "snowmobile"})
 """Vehicles that go on no road."""
+_ON_RAILS = lex.word_set("on rails (context)")
+_OFF_THE_ROAD = re.compile(
+    rf"\b(?:in|inside|across|through|along|around)\s+(?:an?|the|its|his|her)\s+(?:[\w-]+\s+){{0,3}}?"
+    rf"(?:{'|'.join(sorted(lex.word_set('no road (context)'), key=len, reverse=True))})\b",
+    re.IGNORECASE,
+)
+"""Places in which no road is where they are said to be gone in."""
 _LOOSE = frozenset(word for row in grounds().values() for word in row.lies_as)
 """Grounds that no road leads over where they are named themselves."""
 CROSSING_DEG = 60.0
@@ -57,7 +64,7 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     _kick_from_the_ground(scene)
     _lay_slope(scene, prompt, reasons)
     if not restricted:
-        _add_context(scene, reasons)
+        _add_context(scene, prompt, reasons)
     reasons += join_parts(scene)
     tie_tows(scene)
     return reasons
@@ -164,7 +171,13 @@ def _lay_slope(scene: Scene, prompt: str, reasons: list[str]) -> None:
         supports[movers[0]] = slope
 
 
-def _add_context(scene: Scene, reasons: list[str]) -> None:
+def _no_road(scene: Scene, prompt: str) -> bool:
+    """ "A train brakes", "in a warehouse, a forklift ...": they go on no road."""
+    vehicles = [e for e in scene.world.entities.values() if e.noun.kind == "vehicle"]
+    return all(e.noun.name in _ON_RAILS for e in vehicles) or bool(_OFF_THE_ROAD.search(prompt))
+
+
+def _add_context(scene: Scene, prompt: str, reasons: list[str]) -> None:
     """What such scenes take place on: a bowling lane, a road, a crossing."""
     entities, timeline = scene.world.entities, scene.timeline
     pins = any(e.noun.kind == "pin" and e.noun.name != "chess piece" for e in entities.values())
@@ -179,6 +192,8 @@ def _add_context(scene: Scene, reasons: list[str]) -> None:
         return  # "rides a bicycle through the park"
     if ground is not None and ground.mentioned and ground.head in _LOOSE:
         return  # "drives across the sand"
+    if _no_road(scene, prompt):
+        return
     dynamic = bool(timeline.nodes) or any(t.motion for t in timeline.tracks.values())
     paved = _find(scene, "road", "parking lot") is not None
     if dynamic and not paved and not any(is_driven(scene, i) for i in entities):

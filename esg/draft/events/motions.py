@@ -360,11 +360,18 @@ def _moves_on(d: Discourse, f: Frame, actor: str, mode: str | None, aim: str | N
         if not track.closed and aim is not None:
             now.target = aim
         return
-    goes_on = now is not None and f.verb.extra.get("continue")
+    goes_on = now is not None and f.verb.extra.get("continue") and not _just_hit(d, actor)
     # "brakes, skids for 2 s": sliding on locked wheels is how it brakes
     skids = now is not None and f.verb.sense == "slide" and now.mode == "brake"
     if not goes_on and not skids:
         start_motion(d, f, [actor], mode, aim)
+
+
+def _just_hit(d: Discourse, actor: str) -> bool:
+    """ "Hits a cone and keeps going": what drives, and whose motion ended at what it hit."""
+    told = [n for n in d.timeline.nodes if actor in n.participants]
+    hit = bool(told) and told[-1].event is NodeEvent.COLLISION and told[-1].participants[0] == actor
+    return hit and kind_of(d, actor) in SELF_POWERED
 
 
 def _comes_off(d: Discourse, f: Frame, actors: list[str], fresh: list[str]) -> None:

@@ -14,6 +14,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, movable, structural
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.slopes import ASLANT
+from esg.draft.document.comparisons import not_compared
 from esg.draft.events.stated import NAMED_BY
 from esg.draft.statements.account import NOTHING, PASSED_OVER, Account, Gap, nodes_of, turns
 from esg.draft.statements.adverbs import adverbs
@@ -57,6 +58,13 @@ def _qualities(a: Account) -> Iterator[Gap]:
             aslant = t.low in ASLANT and "incline" not in noun.traits
             if t.low in _QUALITIES or (going and t.low not in noun.name and not shown) or aslant:
                 yield Gap(t.start, t.end, NOTHING, tuple(ids))
+
+
+def _comparisons(a: Account) -> Iterator[Gap]:
+    """ "Of the same size", "bounces much higher", "twice as heavy as": what nothing sees to."""
+    for start, end in not_compared(a.d.text, a.d.mentions, a.d.scene):
+        if not any(s.start < end and start < s.end for s in a.kept):
+            yield Gap(start, end, NOTHING)
 
 
 def _in_order(d: Discourse, who: str) -> bool:
@@ -142,7 +150,7 @@ def _particles(a: Account) -> Iterator[Gap]:
         told = (n for n in a.d.timeline.nodes if n.event in events)
         if not shown and not any(about & {*n.participants} for n in told) and _enclosed(a, about):
             at = f.verb.start + words[-1].start()
-            yield Gap(at, at + len(last), NOTHING, tuple(about))
+            yield Gap(at, at + len(last), NOTHING, tuple(sorted(about)))
 
 
 def _enclosed(a: Account, about: set[str]) -> bool:
@@ -165,4 +173,5 @@ _FINDERS: tuple[Callable[[Account], Iterator[Gap]], ...] = (
     _particles,
     _qualities,
     _left_out,
+    _comparisons,
 )

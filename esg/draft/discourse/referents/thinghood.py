@@ -77,9 +77,10 @@ def _formation(world: World, m: Mention, subject: bool) -> bool:
 
 
 def _who_films(world: World, m: Mention, subject: bool) -> bool:
-    """ "shot with a static camera", "towards the camera", "out of the frame"."""
+    """ "shot with a static camera", "towards the camera", "static camera", "out of the frame"."""
     if m.head == "camera":
-        return m.after_prep in _FILMING
+        bare = not (m.determiner or m.plural or m.count or m.letters or m.possessor)
+        return m.after_prep in _FILMING or bare
     if m.head == "screen" and not (m.part or m.after_prep in _ACROSS):
         return False
     return m.head in _PICTURE and m.determiner in _THE_PICTURE and not m.adjectives
