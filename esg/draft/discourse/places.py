@@ -68,6 +68,11 @@ def place(
             if t in d.scene.supported_by or _rests_on(d, other, t):
                 continue
             d.scene.supported_by[t] = other
+            d.scene.relations = [  # "a cart with a box in it"
+                r
+                for r in d.scene.relations
+                if (r.source, r.target, r.kind) != (t, other, "near")
+            ]
             if kind == "inside_of":
                 d.scene.inside_of[t] = other
         text = others[1] if kind == "between" else ""

@@ -53,6 +53,7 @@ _SWINGING = {
     ("carry", "lift"): "let_go",
     ("carry", "raise"): "let_go",
     ("tow", "pull"): "let_go",
+    ("topple", "pull"): "let_go",  # "is pulled up"
 }
 
 
