@@ -69,9 +69,7 @@ def place(
                 continue
             d.scene.supported_by[t] = other
             d.scene.relations = [  # "a cart with a box in it"
-                r
-                for r in d.scene.relations
-                if (r.source, r.target, r.kind) != (t, other, "near")
+                r for r in d.scene.relations if (r.source, r.target, r.kind) != (t, other, "near")
             ]
             if kind == "inside_of":
                 d.scene.inside_of[t] = other

@@ -106,7 +106,7 @@ def next_of(world: World, things: list[Entity], avoid: list[str]) -> list[str]:
 def beside(world: World, ids: list[str]) -> list[str]:
     """ "Hits its neighbor": the next of the row that a thing is one of, else the one before."""
     node = ids[-1] if ids else ""
-    row = next((r for r in world.groups.values() if node in r), [])
+    row = next((r for r in world.groups.values() if node in r), list[str]())
     k = row.index(node) if row else 0
     return row[k + 1 : k + 2] or row[max(k - 1, 0) : k]
 
