@@ -104,3 +104,34 @@ def test_every_row_has_figures_and_a_source() -> None:
     for row in set(breakables().values()):
         assert row.source
         assert row.pieces == 0 or (row.pieces >= 3 and row.at_mps > 0.0), row.nouns
+
+
+@pytest.mark.parametrize(
+    ("prompt", "broken"),
+    [
+        ("A golf ball flies into the window of a shed and the glass shatters.", "window_1"),
+        ("A stone hits the window and shatters the glass.", "window_1"),
+        ("A hammer falls on a mirror and the glass cracks in two.", "mirror_1"),
+        ("A rock falls on a glass table. The glass breaks.", "table_1"),
+    ],
+)
+def test_the_glass_is_that_of_what_was_hit(prompt: str, broken: str) -> None:
+    """Break what is of glass, and draw no drinking glass beside it."""
+    doc = draft(prompt)
+    assert ("Break", broken) in told(doc)
+    assert not [name for name in doc.spatial_relation_graph.nodes if name.startswith("glass")]
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A glass stands beside a window. A ball hits the glass.",
+        "A ball rolls past a window and knocks the glass of water off a table.",
+    ],
+)
+def test_a_drinking_glass_is_none_of_a_window(prompt: str) -> None:
+    assert "glass_1" in doc_nodes(prompt)
+
+
+def doc_nodes(prompt: str) -> set[str]:
+    return {*draft(prompt).spatial_relation_graph.nodes}

@@ -198,3 +198,22 @@ def test_what_is_on_a_thing_is_no_place_to_land_on(prompt: str, load: str, host:
     nodes = doc.timeline_system.sequence_graph.nodes
     assert not any(load in n.participants for n in nodes)
     assert told_of(doc).stands_on[load] == host
+
+
+@pytest.mark.parametrize(
+    ("prompt", "load", "host"),
+    [
+        ("A skateboard with a helmet lying on it rolls into the curb.", "helmet_1", "skateboard_1"),
+        ("A cart with a box sitting on it rolls into a wall.", "box_1", "cart_1"),
+        ("A wagon with a crate standing on it is hit by a car.", "crate_1", "wagon_1"),
+        ("A shelf with a vase on it topples.", "vase_1", "shelf_1"),
+        ("A wheelbarrow with a pot in it rolls into a wall.", "pot_1", "wheelbarrow_1"),
+        ("A cart with a 40 kg crate in it hits a wall.", "crate_1", "cart_1"),
+    ],
+)
+def test_what_a_thing_has_on_it_is_on_it(prompt: str, load: str, host: str) -> None:
+    """Lay it there, whatever verb says how, and ask for no place near it besides."""
+    doc = draft(prompt)
+    assert told_of(doc).stands_on[load] == host
+    edges = doc.spatial_relation_graph.model_dump_json()
+    assert '"near"' not in edges and '"NEAR"' not in edges

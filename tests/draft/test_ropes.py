@@ -173,6 +173,9 @@ def test_what_swings_or_turns_is_low_enough_for_what_it_meets(
         ("A man walks through a turnstile and turns it.", 90.0),
         ("A cart rolls into a turnstile, and the turnstile rotates a half turn.", 180.0),
         ("The merry-go-round makes two full turns.", 720.0),
+        ("The turntable makes one full turn.", 360.0),
+        ("A windmill makes half a turn.", 180.0),
+        ("A merry-go-round makes one complete turn.", 360.0),
     ],
 )
 def test_what_turns_on_an_axle_turns_so_far(prompt: str, degrees: float) -> None:
@@ -191,3 +194,30 @@ def test_a_drawer_of_a_dresser_slides_out_into_what_stands_before_it() -> None:
     assert doc.timeline_system is not None
     drawn = [e.event.value for e in doc.timeline_system.sequence_graph.edges]
     assert drawn == ["Drive", "Drive"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "link"),
+    [
+        ("A tractor pulls a hay trailer. The hitch comes loose.", "hitch"),
+        ("A truck tows a caravan. The coupling breaks and the caravan rolls on.", "coupling"),
+        ("A jeep pulls a trailer up a hill. The hitch detaches.", "hitch"),
+    ],
+)
+def test_a_hitch_that_gives_way_is_the_joint(prompt: str, link: str) -> None:
+    """Break the joint, which ties alone hold then: a limit of its angle may not break."""
+    doc = draft(prompt)
+    assert not [n for n in doc.spatial_relation_graph.nodes if n.startswith(link)]
+    joints = doc.spatial_relation_graph.joints or ()
+    assert len(joints) == 1
+    joint = joints[0]
+    assert joint.break_impulse is not None and joint.kind == "hinge"
+    assert joint.lower is None and joint.upper is None
+
+
+@pytest.mark.parametrize("drawn", ["pulled up", "pulled back", "raised"])
+def test_what_hangs_is_drawn_back_however_it_is_pulled(drawn: str) -> None:
+    doc = draft(f"The first ball of a Newton's cradle is {drawn} and released.")
+    assert doc.timeline_system is not None
+    kinds = {n.event.value for n in doc.timeline_system.sequence_graph.nodes}
+    assert "Topple" not in kinds

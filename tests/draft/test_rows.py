@@ -51,3 +51,26 @@ def test_each_member_knocks_over_the_next_from_the_first_on() -> None:
 def test_the_rest_is_no_object() -> None:
     _, things = told("A ball knocks down two pins and misses the rest.")
     assert not any("rest" in name for name in things)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "met"),
+    [
+        ("The first ball of a Newton's cradle hits its neighbour.", "ball_2"),
+        (
+            "Five dominoes stand in a row. The first domino topples and knocks over its neighbor.",
+            "domino_2",
+        ),
+        ("Three carts stand in a line. The last cart rolls into its neighbour.", "cart_2"),
+    ],
+)
+def test_a_neighbour_is_the_next_of_its_row(prompt: str, met: str) -> None:
+    doc = draft(prompt)
+    assert doc.timeline_system is not None
+    hits = [n for n in doc.timeline_system.sequence_graph.nodes if n.event.value == "Collision"]
+    assert met in hits[0].participants
+    assert not [n for n in doc.spatial_relation_graph.nodes if "neighbo" in n]
+
+
+def test_the_neighbour_of_a_person_is_another_one() -> None:
+    assert "neighbor_1" in draft("A man bumps into his neighbor.").spatial_relation_graph.nodes

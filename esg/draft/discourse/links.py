@@ -168,13 +168,14 @@ def let_loose(d: Discourse, f: Frame) -> list[str]:
     tows, m = d.scene.tows, f.subject
     if m is None or f.verb.negated:
         return []
-    if snapped(d, f):
+    after = d.text[f.verb.end :].lower().split()[:1]
+    freed = f.verb.lemma in _COMING and _FREE & {*f.adverbs, *(w.strip(".,;") for w in after)}
+    freed = freed or f.verb.lemma in _DETACHING
+    if snapped(d, f) or (freed and any(is_link(d.scene, i) for i in m.entities)):
         by_it = [node for node, tow in tows.items() if tow.link in m.entities]
         only = [*tows] if len(tows) == 1 and not d.scene.hung else []
         return by_it or only
-    after = d.text[f.verb.end :].lower().split()[:1]
-    freed = f.verb.lemma in _COMING and _FREE & {*f.adverbs, *(w.strip(".,;") for w in after)}
-    return [i for i in m.entities if i in tows] if freed or f.verb.lemma in _DETACHING else []
+    return [i for i in m.entities if i in tows] if freed else []
 
 
 def _hangs(d: Discourse, node: str) -> bool:

@@ -68,6 +68,9 @@ def place(
             if t in d.scene.supported_by or _rests_on(d, other, t):
                 continue
             d.scene.supported_by[t] = other
+            d.scene.relations = [  # "a cart with a box in it"
+                r for r in d.scene.relations if (r.source, r.target, r.kind) != (t, other, "near")
+            ]
             if kind == "inside_of":
                 d.scene.inside_of[t] = other
         text = others[1] if kind == "between" else ""
@@ -90,8 +93,8 @@ def _at_part(d: Discourse, kind: str, word: str, other: str) -> str:
 def _holding(d: Discourse, kind: str, thing: str, other: str) -> str:
     """ "In" what holds nothing is on it or near it, and nothing stays on a ball."""
     if kind == "inside_of" and not holds(d, other):
-        aboard = kind_of(d, other) in _OPEN and kind_of(d, thing) in LIMBED
-        if aboard:
+        loaded = kind_of(d, thing) in LIMBED or (movable(d, thing) and carries(d, other, thing))
+        if kind_of(d, other) in _OPEN and loaded:
             return "on"  # "in a boat", "in a cart"
         kind = "on" if "support" in entity_of(d, other).noun.traits else "near"
     return "near" if kind == "on" and kind_of(d, other) in ("ball", "billiard") else kind

@@ -8,6 +8,8 @@ from esg.draft.discourse.scene import Scene
 from esg.graph.joints import FRONT, HITCH_CM, REAR, hitch_cm
 from esg.graph.models import Joint
 
+_STIFF = frozenset({"coupler", "coupling", "drawbar", "hitch", "towbar"})
+"""Of the links those that are no rope."""
 ROPE_CM = (20.0, 400.0)
 """Length of a rope: tow ropes for cars are sold at 4 m, what is smaller has one of its length."""
 SNAPS_MPS2 = 0.8
@@ -33,7 +35,10 @@ def tie_tows(scene: Scene) -> None:
         for places in (scene.supported_by, scene.marked):
             if places.get(node) == tow.by:
                 del places[node]
-        rope = bool(tow.link) or not _couples(drawn, draws)
+        stiff = tow.link in entities and entities[tow.link].head in _STIFF
+        rope = (bool(tow.link) and not stiff) or not _couples(drawn, draws)
+        loosed = node in scene.loosed
+        turns = None if rope or loosed else HITCH_DEG  # what may break is held by ties alone
         low, high = ROPE_CM
         joint = Joint(
             id=f"{node}_{'rope' if rope else 'hitch'}",
@@ -42,9 +47,9 @@ def tie_tows(scene: Scene) -> None:
             child_mount=FRONT,
             parent=tow.by,
             parent_mount=REAR,
-            lower=None if rope else -HITCH_DEG,
-            upper=min(max(dimensions_of(draws)[0], low), high) if rope else HITCH_DEG,
-            break_impulse=_gives_way(drawn) if node in scene.loosed else None,
+            lower=None if turns is None else -turns,
+            upper=min(max(dimensions_of(draws)[0], low), high) if rope else turns,
+            break_impulse=_gives_way(drawn) if loosed else None,
         )
         scene.joints.append(joint)
     for link in scene.links:

@@ -53,6 +53,7 @@ _SWINGING = {
     ("carry", "lift"): "let_go",
     ("carry", "raise"): "let_go",
     ("tow", "pull"): "let_go",
+    ("topple", "pull"): "let_go",  # "is pulled up"
 }
 
 
@@ -135,6 +136,7 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     if hinged and (opens or "result" in f.verb.extra):
         return "open"
     turns = f.object is not None and _TURNS.match(f.object.head) is not None
+    turns = turns or _TURNS.match(d.text[f.verb.end :].lstrip()) is not None  # "one full turn"
     if (f.verb.lemma in _TURNING or (turns and f.verb.lemma in _MAKING)) and turning(d, bodies):
         return "spin"
     if (f.verb.sense, f.verb.lemma) in _TIPPING and tipping(d, bodies[:1]):

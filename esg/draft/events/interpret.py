@@ -24,7 +24,7 @@ from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.jointed import loosen
 from esg.draft.discourse.links import drop_link, held_by, is_link, let_loose, snapped, take_links
-from esg.draft.discourse.places import place
+from esg.draft.discourse.places import RELATION_PREPS, place
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, refer_all
 from esg.draft.discourse.referents.parts import has_counted_parts
@@ -137,7 +137,7 @@ def interpret(
         if m is not None and has_counted_parts(m):
             ids_of(d, m)  # "the first ball of a Newton's cradle": there before its parts
     refer_all(d, frames)
-    _on_what_has_it(frames, attachments)
+    _on_what_has_it(d, frames, attachments)
     linked = take_links(d)
     loosen(d.scene, d.text)
     dodge(frames, d.text)
@@ -168,14 +168,30 @@ def interpret(
     return d.scene
 
 
-def _on_what_has_it(frames: list[Frame], attachments: list[tuple[Mention, Phrase]]) -> None:
-    """ "Drops a tray with a cup on it": on the tray, and no place that the clause tells."""
+def _on_what_has_it(
+    d: Discourse, frames: list[Frame], attachments: list[tuple[Mention, Phrase]]
+) -> None:
+    """ "Drops a tray with a cup on it": on the tray, and no place that the clause tells.
+
+    "A cart with a box lying on it rolls" tells the same with a participle.
+    """
     owners = {id(p.mention): m for m, p in attachments if p.prep == "with"}
+    for m, p in attachments:
+        y = p.mention if p.prep == "with" else None
+        for f in frames if y is not None else []:
+            near = y is not None and d.text[y.end : f.verb.start].strip() == ""
+            if not (near and f.verb.form == "ing" and f.verb.start > m.end):
+                continue
+            its = [q.mention for q in f.phrases if q.prep in RELATION_PREPS and q.mention]
+            its = [q for q in its if q.pronoun in ("it", "them")]
+            for q in its:
+                q.entities = d.world.resolved[id(q)] = [*m.entities]
+            f.subject = y if its else f.subject
     for m, p in attachments:
         owner = owners.get(id(m))
         if owner is None or p.mention is None or p.mention.pronoun not in ("it", "them"):
             continue
-        p.mention.entities = [*owner.entities]
+        p.mention.entities = d.world.resolved[id(p.mention)] = [*owner.entities]
         for f in frames:
             f.phrases[:] = [q for q in f.phrases if q.mention is not p.mention]
 

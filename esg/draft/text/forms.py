@@ -22,7 +22,7 @@ _NAMED: tuple[tuple[Dimension, str, dict[str, tuple[float, float]], str], ...] =
     }, r"[\s-](?:height|level)"),
     ("length", r"(?:an\s+)?", {"arm's": (70.0, 70.0)}, r"[\s-]length"),
     ("angle", r"(?:a\s+)?", {"right": (90.0, 90.0)}, r"[\s-]angles?"),
-    ("angle", r"(?:an?\s+)?", {
+    ("angle", r"(?:(?:an?|one)\s+)?", {
         "quarter": (90.0, 90.0), "half": (180.0, 180.0), "three-quarter": (270.0, 270.0),
         "three quarters": (270.0, 270.0), "full": (360.0, 360.0), "complete": (360.0, 360.0),
     }, r"(?:\s+of)?(?:\s+an?)?[\s-]+turn"),

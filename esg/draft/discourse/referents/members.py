@@ -103,6 +103,14 @@ def next_of(world: World, things: list[Entity], avoid: list[str]) -> list[str]:
     return (later or [e.id for e in things if e.id not in avoid])[:1]
 
 
+def beside(world: World, ids: list[str]) -> list[str]:
+    """ "Hits its neighbor": the next of the row that a thing is one of, else the one before."""
+    node = ids[-1] if ids else ""
+    row = next((r for r in world.groups.values() if node in r), list[str]())
+    k = row.index(node) if row else 0
+    return row[k + 1 : k + 2] or row[max(k - 1, 0) : k]
+
+
 def picked(world: World, m: Mention, ids: list[str]) -> list[str]:
     """ "the first of two barrels": one member, named by its place."""
     things = [world.entities[i] for i in ids]

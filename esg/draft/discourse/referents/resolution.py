@@ -7,6 +7,7 @@ from esg.draft.discourse.referents.entities import OTHER, Entity
 from esg.draft.discourse.referents.matching import matches, same_kind, unlike
 from esg.draft.discourse.referents.members import (
     at_place,
+    beside,
     member_of,
     name_by,
     next_of,
@@ -26,7 +27,7 @@ from esg.draft.discourse.referents.registry import (
     note_referents,
 )
 from esg.draft.discourse.referents.thinghood import names_nothing
-from esg.draft.discourse.referents.wholes import whole_of
+from esg.draft.discourse.referents.wholes import made_of, whole_of
 from esg.draft.text.elements import ONE_OF_THESE, Mention
 
 _STACKS = lex.word_set("stacks (resolution)")
@@ -36,6 +37,7 @@ _ONE = ("a", "an", "one", "any")
 _KNOWN = frozenset({*_THE, "these", "those", "its", "his", "her", "their"}) | frozenset(
     {"both", "all", "each", "every"}
 )
+_NEIGHBOURS = frozenset({"neighbor", "neighbour"})
 _DRIVEN = ("vehicle", "flyer", "cart", "watercraft")
 
 
@@ -84,6 +86,10 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
         return whole
     if whole := whole_of(world, m, subject, avoid):
         return whole
+    if m.head in _NEIGHBOURS and m.determiner == "its" and (mate := beside(world, avoid)):
+        return mate
+    if of_glass := made_of(world, m):
+        return of_glass
     if names_nothing(world, m, subject):
         m.attribute = True
         return []

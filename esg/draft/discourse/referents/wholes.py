@@ -13,6 +13,7 @@ _TURNED_BY = frozenset({"arm", "bar", "wing", "panel", "leaf", "edge", "rim"})
 _LINKS = lex.word_set("links")
 _BODYWORK = lex.word_set("bodywork")
 _OWN = lex.OWN_PARTS | lex.word_set("cabs")
+_HOLDING = ("in", "into", "inside", "from", "out of", "off", "with", "on", "onto")
 _PRONOUNS = {"his": "he", "her": "she", "its": "it", "their": "they"}
 _HAVE = (
     (lex.BODY_PARTS, {"person", "animal", "robot", "tool", "seat", "furniture", "table"}),
@@ -48,6 +49,20 @@ def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     ids = pronoun(world, Mention(m.start, m.end, pronoun=word), subject, avoid)
     person = all(world.entities[i].noun.kind == "person" for i in ids)
     return list(avoid) if ids and person and word == "it" else ids
+
+
+def made_of(world: World, m: Mention) -> list[str]:
+    """ "Hits the window and the glass shatters": what is of glass, if no glass was named.
+
+    Nothing is poured into it, and it is no glass of something.
+    """
+    told = m.head == "glass" and m.determiner in ("the", "its") and not m.plural
+    if not told or m.adjectives or m.after_prep in _HOLDING or m.possessor is not None:
+        return []
+    things = [*world.entities.values()]
+    if " of " in m.text or any(e.head.split()[-1] == m.head for e in things):
+        return []
+    return [e.id for e in things if m.head in (e.noun.material, *e.adjectives)][-1:]
 
 
 def _part_of_a_joint(head: str, owner: Mention) -> bool:
