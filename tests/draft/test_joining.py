@@ -247,9 +247,3 @@ def test_what_a_drawer_is_part_of_is_not_in_it() -> None:
     doc = draft("A drawer of a cabinet slides open and pushes a ball off a chair.")
     nodes = doc.spatial_relation_graph.nodes
     assert nodes["cabinet_1"].semantic_region == nodes["drawer_1"].semantic_region
-
-
-def test_a_rider_stands_on_a_board_that_stands_on_wheels() -> None:
-    told = joints(draft("A boy rides a skateboard into a bench."))
-    assert [j.kind for j in told].count("hinge") == 4
-    assert {j.parent for j in told} == {"skateboard_1"}
