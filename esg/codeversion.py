@@ -26,6 +26,7 @@ COMMON = (
     "__init__.py",
 )
 _SIMULATION = ("engines", "dynamics")
+_PROOF = ("compile", *_SIMULATION, "assets", "metrics", "layout/problem/hints.py")
 
 SOURCES: dict[str, tuple[str, ...]] = {
     "draft": ("draft",),
@@ -53,23 +54,8 @@ SOURCES: dict[str, tuple[str, ...]] = {
         "metrics/plausibility",
         "metrics/replay.py",
     ),
-    "compile": (
-        "compile",
-        "engines",
-        "dynamics",
-        "assets",
-        "metrics",
-        "layout/problem/hints.py",
-    ),
-    "replay": (
-        "machine",
-        "compile",
-        "engines",
-        "dynamics",
-        "assets",
-        "metrics",
-        "layout/problem/hints.py",
-    ),
+    "compile": _PROOF,
+    "replay": ("machine", *_PROOF),
     "judge": ("metrics", "engines", "dynamics", "draft/document/coverage.py"),
     "dress": ("dressing", "engines", "assets/looks.py"),
     "record": (

@@ -239,12 +239,12 @@ def _poses(doc: EsgDocument) -> dict[str, str]:
     # A dog that catches a ball walks or runs, or it stands.
     done = {n: pose for n, pose in done.items() if n in people or pose in GAITS}
     found = ridden | going | done | _loaded(doc, people)
-    regions = doc.spatial_relation_graph.semantic_regions
+    regions, leaping = doc.spatial_relation_graph.semantic_regions, _leaping(doc)
     for name in sorted(people):
         region = regions.get(nodes[name].semantic_region or "")
         below = None if region is None else kinds.get(region.parent_object)
         posture = _postures().on.get(below or "")
-        if posture == "sit" and name in _leaping(doc):
+        if posture == "sit" and name in leaping:
             found[name] = done.get(name, "run")  # who jumps off a bench does not sit on it
         elif posture is not None:
             found[name] = posture

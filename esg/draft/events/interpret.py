@@ -176,11 +176,11 @@ def _on_what_has_it(
     "A cart with a box lying on it rolls" tells the same with a participle.
     """
     owners = {id(p.mention): m for m, p in attachments if p.prep == "with"}
-    for m, p in attachments:
-        y = p.mention if p.prep == "with" else None
-        for f in frames if y is not None else []:
-            near = y is not None and d.text[y.end : f.verb.start].strip() == ""
-            if not (near and f.verb.form == "ing" and f.verb.start > m.end):
+    withs = [(m, p.mention) for m, p in attachments if p.prep == "with" and p.mention is not None]
+    for m, y in withs:
+        for f in frames:
+            follows = f.verb.start > m.end and not d.text[y.end : f.verb.start].strip()
+            if f.verb.form != "ing" or not follows:
                 continue
             its = [q.mention for q in f.phrases if q.prep in RELATION_PREPS and q.mention]
             its = [q for q in its if q.pronoun in ("it", "them")]

@@ -213,9 +213,8 @@ def _leads_to_an_event(d: Discourse, clause: Clause, kind: str = "") -> bool:
     """Whether an event that one could see, of a kind, is told of what a clause moves."""
     about = {*clause.movers}
     own = d.scene.used.get((clause.frame.verb.start, clause.frame.verb.end))
-    leapt = own == "jump" or any(
-        n.id == own and n.event is NodeEvent.JUMP for n in d.timeline.nodes
-    )
+    node = d.timeline.node(own or "")
+    leapt = own == "jump" or (node is not None and node.event is NodeEvent.JUMP)
     if about & d.moves.upon.keys() and not leapt:
         about = set[str]()  # a second leap, from up there, leads to something else
     told = [n.event for n in d.timeline.nodes if about & {*n.participants} or n.id == own]

@@ -233,13 +233,8 @@ def _put(
         half_width: Half of the jumper across the leap when it comes down [m].
     """
     track = stage.tracks[actor]
-    if on is None or deck is None:
-        frame = stage.frames.setdefault(actor, Frame() if not stage.places else stage.free_frame())
-        x, y = frame.apply(0.0, 0.0)
-        stage.places[actor] = (x, y, frame.angle)
-        return
-    middle = near + deck.half_depth + deck.behind
-    if on in stage.places and actor not in stage.frames:
+    middle = near + (deck.half_depth + deck.behind if deck is not None else 0.0)
+    if on is not None and on in stage.places and actor not in stage.frames:
         bx, by, yaw = stage.places[on]
         heading = (yaw or 0.0) + math.pi
         # Beside who jumps there, too.
@@ -251,11 +246,11 @@ def _put(
         )
         stage.frames[actor] = frame_mapping((track.x, track.y), track.heading, end, heading)
     frame = stage.frames.setdefault(actor, Frame() if not stage.places else stage.free_frame())
-    heading = track.heading + frame.angle
-    x, y = frame.apply(track.x, track.y)
-    if on not in stage.places:
+    if on is not None:
+        heading = track.heading + frame.angle
+        x, y = frame.apply(track.x, track.y)
         x, y = x + middle * math.cos(heading), y + middle * math.sin(heading)
-        stage.places[on] = (x, y, heading + math.pi)
-    stage.landed[on] = stage.landed.get(on, 0) + 1
+        stage.places.setdefault(on, (x, y, heading + math.pi))
+        stage.landed[on] = stage.landed.get(on, 0) + 1
     x, y = frame.apply(0.0, 0.0)
     stage.places[actor] = (x, y, frame.angle)

@@ -177,8 +177,7 @@ def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     elsewhere = f.phrase(*_PUT_ON, "to", "off", "into", "in", "from", "out of", "down", "at")
     leaps = [a for a in leaps if d.scene.supported_by.get(a) in (None, *springy)]
     away = _ELSEWHERE & {*f.adverbs, f.verb.extra.get("particle", "")}
-    elsewhere = None if springy or elsewhere is None or not things(elsewhere) else elsewhere
-    if away or elsewhere is not None or not leaps:
+    if away or (things(elsewhere) and not springy) or not leaps:
         read_as(d, "own", f, s, o)
         return
     for actor in leaps:
