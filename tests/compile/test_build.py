@@ -138,7 +138,14 @@ def test_a_damaged_library_is_compiled_again(
 
 
 @pytest.mark.parametrize(
-    "name", ["runtime.o", "EsgScene.o", "EsgScene.cpp", "Common.h.gch", "UEShim.h"]
+    "name",
+    [
+        "runtime.o",
+        pytest.param("EsgScene.o", marks=pytest.mark.slow),
+        pytest.param("EsgScene.cpp", marks=pytest.mark.slow),
+        "Common.h.gch",
+        pytest.param("UEShim.h", marks=pytest.mark.slow),
+    ],
 )
 def test_a_damaged_shim_is_compiled_again(tmp_path: Path, fresh: Path, name: str) -> None:
     """A class compiled after it runs; the damage is not blamed on the class."""
