@@ -305,12 +305,15 @@ _READ = {
 
 
 def _judge(state: SceneState, folder: Path) -> None:
-    from esg.metrics import expectations_from_timeline
+    from esg.engines.rollout_file import load_rollout
+    from esg.metrics import expectations_from_timeline, judge
+    from esg.metrics.plausibility import assess, told_of
 
     doc = load_doc(state)
+    played = *load_scene(state), load_rollout(state.artifact("replay") / ROLLOUT)
     expected, from_suite = load_suite_scene(state.request, doc)
-    verdict = _verdict(state, expected)
-    own = _verdict(state, expectations_from_timeline(doc)) if from_suite else verdict
+    verdict = judge(*played, expected)
+    own = judge(*played, expectations_from_timeline(doc)) if from_suite else verdict
     said = doc.model_dump(mode="json", include=_READ)
     statements = statement_rows(said, [s.model_dump(mode="json") for s in own.statements])
     lost = [*unplaced(said), *shortfalls(said, statements)]
@@ -324,31 +327,13 @@ def _judge(state: SceneState, folder: Path) -> None:
         "judged_against": "suite" if from_suite else "timeline",
         "verified": own.verified,
         "verdict": verdict.to_json(),
-        "plausibility": _plausibility(state, doc),
+        "plausibility": assess(*played, told_of(doc)).to_json(),
     }
     if from_suite:
         metrics["own_timeline"] = own.to_json()
     # The prompt's own statements, whatever a suite asks for; without any nothing is written.
     metrics |= {k: v for k, v in (("statements", statements), ("not_kept", lost)) if v}
     _write_json(metrics, folder / "metrics.json")
-
-
-def _verdict(state: SceneState, expected: SuiteScene) -> SceneVerdict:
-    from esg.engines.rollout_file import load_rollout
-    from esg.metrics import judge
-
-    scene, program = load_scene(state)
-    rollout = load_rollout(state.artifact("replay") / ROLLOUT)
-    return judge(scene, program, rollout, expected)
-
-
-def _plausibility(state: SceneState, doc: EsgDocument) -> dict[str, Any]:
-    from esg.engines.rollout_file import load_rollout
-    from esg.metrics.plausibility import assess, told_of
-
-    scene, program = load_scene(state)
-    rollout = load_rollout(state.artifact("replay") / ROLLOUT)
-    return assess(scene, program, rollout, told_of(doc)).to_json()
 
 
 def _outcome(doc: EsgDocument, own: SceneVerdict, lost: Sequence[Row] = ()) -> tuple[Outcome, str]:

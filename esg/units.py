@@ -86,8 +86,8 @@ def cross(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]
 
 def quat_rotated(q: Iterable[float], v: Iterable[float]) -> tuple[float, float, float]:
     """`quat_rotate` of one vector [3] by one quaternion [4], to the last bit, without arrays."""
-    x, y, z, w = (float(n) for n in q)
-    a, b, c = (float(n) for n in v)
+    x, y, z, w = map(float, q)
+    a, b, c = map(float, v)
     tx, ty, tz = 2.0 * (y * c - z * b), 2.0 * (z * a - x * c), 2.0 * (x * b - y * a)
     return (
         a + w * tx + (y * tz - z * ty),

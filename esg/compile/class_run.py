@@ -84,9 +84,11 @@ class ClassRun:
         self._records: list[BodyRecord] = []
         self._shapes: dict[int, tuple[Shape, ...]] = {}
         self._offset: dict[int, np.ndarray] = {}
+        self._followed: dict[int, list[float]] = {}
         self._body_of: dict[int, int] = {}
         self._component_of: dict[int, int] = {}
         self._plane: dict[bool, int] = {}
+        self._pairs: dict[tuple[int, int], tuple[int, int] | None] = {}
         self._joint_of: dict[int, int] = {}
         self._gone: dict[int, tuple[float, Any]] = {}
         self._now = 0.0
@@ -138,14 +140,14 @@ class ClassRun:
     def _origin_pose(
         self, component: int
     ) -> tuple[tuple[float, float, float], tuple[float, float, float, float]]:
-        (x, y, z), quaternion = self._world.pose(self._body_of[component])
-        a, b, c = quat_rotated(quaternion, self._offset[component])
-        return (float(x) + a, float(y) + b, float(z) + c), quaternion
+        x, y, z, i, j, k, w = self._world.placed(self._body_of[component])
+        a, b, c = quat_rotated((i, j, k, w), self._followed[component])
+        return (x + a, y + b, z + c), (i, j, k, w)
 
     def _get_velocity(self, component: int, linear: Any, angular: Any) -> None:
-        velocity, spin = self._world.velocities(self._body_of[component])
-        linear[0], linear[1], linear[2] = frames.vector_numbers(velocity)
-        angular[0], angular[1], angular[2] = frames.angular_numbers(spin)
+        motion = self._world.motion(self._body_of[component])
+        linear[0], linear[1], linear[2] = frames.vector_numbers(motion[:3])
+        angular[0], angular[1], angular[2] = frames.angular_numbers(motion[3:])
 
     def _set_velocity(self, component: int, linear: Any) -> None:
         v = frames.vector_from_unreal(linear[0:3])
@@ -244,6 +246,8 @@ class ClassRun:
                 self._world = physx_engine.PhysxWorld(
                     self.scene, values, 0, grid.dt, self._mass_frames()
                 )
+                if not ground:
+                    self._world.leave_out(self._silent())
                 return self._simulate(engine, values, grid, ground)
         import rapier3d
 
@@ -331,6 +335,7 @@ class ClassRun:
         # Only moving bodies state a centre of mass; the others keep the point their poses follow.
         followed = record.center_of_mass if moves(record) else entry["center_of_mass_cm"]
         self._offset[i] = -frames.vector_from_unreal(followed[0:3])
+        self._followed[i] = self._offset[i].tolist()
         return body_of(record, entry["body"], self._shapes.get(i, ()), self._offset[i])
 
     def _simulate(self, engine: str, values: Values, grid: Frames, ground: bool) -> Rollout:
@@ -356,6 +361,23 @@ class ClassRun:
             valid=np.array([valid]),
             extra={"proof": "class", "log": list(self.log)},
         )
+
+    def heard_by(self, a: int, b: int) -> tuple[int, int] | None:
+        """Components of two bodies that touch, -1 the ground; None if neither is told of hits."""
+        if (a, b) not in self._pairs:
+            pair = self._component(a, b), self._component(b, a)
+            told = any(self._records[one].notifies for one in pair)
+            self._pairs[a, b] = pair if told else None
+        return self._pairs[a, b]
+
+    def _silent(self) -> list[int]:
+        """Bodies of which nobody is told that they touch the ground."""
+        return [body for body in self._body_of.values() if self.heard_by(body, -1) is None]
+
+    def _component(self, body: int, other: int) -> int:
+        if body >= 0:
+            return self._component_of[body]
+        return self._plane[self.scene.bodies[other].wheeled]
 
     def _fill_in(self, states: tuple[Any, Any, Any, Any], grid: Frames) -> None:
         """Writes where fragments are that have not come in yet, and what is broken."""
@@ -406,33 +428,27 @@ class _Driver:
                 _, _, self._states[2][0, 0, i], self._states[3][0, 0, i] = world.read(i)
 
     def _report(self, world: Any) -> None:
-        notifies = self._run._records
-        heard: list[tuple[int, int, Touch]] = []
+        heard: list[tuple[tuple[int, int], Touch]] = []
         for touch in world.contacts(True):
-            a, b = touch[:2]
-            first, second = self._component(a, b), self._component(b, a)
-            if notifies[first].notifies or notifies[second].notifies:
-                heard.append((first, second, touch))
+            pair = self._run.heard_by(touch[0], touch[1])
+            if pair is not None:
+                heard.append((pair, touch))
         # The class logs the first that passes its threshold.
-        heard.sort(key=lambda one: touch_order(one[2]))
-        for first, second, (_, _, impulse, depth, point, normal) in heard:
-            x, y, z = (float(v) for v in normal)
-            facing = (v / frames.CM_PER_M for v in frames.vector_numbers((x, y, z)))
+        if len(heard) > 1:
+            heard.sort(key=lambda one: touch_order(one[1]))
+        for (first, second), (_, _, impulse, depth, point, normal) in heard:
+            x, y, z = map(float, normal)
+            a, b, c = frames.vector_numbers((x, y, z))
             self._run._check(
                 self._hit(
                     first,
                     second,
                     _Three(*frames.vector_numbers((x * impulse, y * impulse, z * impulse))),
-                    _Three(*frames.vector_numbers(point)),
-                    _Three(*facing),
+                    _Three(*frames.vector_numbers([*map(float, point)])),
+                    _Three(a / frames.CM_PER_M, b / frames.CM_PER_M, c / frames.CM_PER_M),
                     depth * frames.CM_PER_M,
                 )
             )
-
-    def _component(self, body: int, other: int) -> int:
-        if body >= 0:
-            return self._run._component_of[body]
-        return self._run._plane[self._run.scene.bodies[other].wheeled]
 
 
 def _fill(pointer: Any, values: Any) -> None:

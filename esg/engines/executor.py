@@ -58,8 +58,9 @@ Touch = tuple[int, int, float, float, Any, Any]
 
 def touch_order(touch: Touch) -> tuple[float, ...]:
     """Bodies, then the strongest contact, then its place: nothing that memory decides."""
-    a, b, impulse, depth, point, _ = touch
-    return (min(a, b), max(a, b), -impulse, depth, *(float(v) for v in point))
+    a, b, impulse, depth, (x, y, z), _ = touch
+    place = (float(x), float(y), float(z))
+    return (a, b, -impulse, depth, *place) if a < b else (b, a, -impulse, depth, *place)
 
 
 class World(BodyAccess, Protocol):
@@ -71,6 +72,14 @@ class World(BodyAccess, Protocol):
     def step(self) -> None: ...
     def states(self) -> dict[int, tuple[Any, Any, Any, Any]]:
         """Pose and velocities of bodies that are not there: fragments, what has broken."""
+        ...
+
+    def placed(self, body: int) -> tuple[float, ...]:
+        """Position [m] and quaternion (x, y, z, w), seven numbers."""
+        ...
+
+    def motion(self, body: int) -> tuple[float, ...]:
+        """Linear [m/s] and angular velocity [rad/s], six numbers."""
         ...
 
     def contacts(self, ground: bool) -> Iterator[Touch]:
@@ -215,6 +224,7 @@ def play(
     """
     w = recorder.world
     touched: list[tuple[int, int]] = []
+    tape = _Tape(world)
     for step in range(frames.n_steps):
         program.before_step(step * frames.dt, frames.dt, touched, world)
         world.step()
@@ -223,29 +233,56 @@ def play(
             recorder.add(step, a, b, impulse, depth, point, normal)
             touched.append((min(a, b), max(a, b)))
         frame, rest = divmod(step + 1, frames.record_every)
-        if rest == 0 and not _record(world, states, w, frame):
+        if rest == 0 and not tape.add(frame):
+            tape.write(states, w)
             for array in states:
                 array[w, frame:] = array[w, frame - 1]
             recorder.drop_from(frame)
             return False
+    tape.write(states, w)
     return True
 
 
-def _record(world: World, states: tuple[Any, Any, Any, Any], w: int, frame: int) -> bool:
-    position, quaternion, linear, angular = states
-    there = ((i, world.read(i)) for i in world.moving)
-    for i, (p, q, v, omega) in (*there, *world.states().items()):
-        position[w, frame, i] = p
-        quaternion[w, frame, i] = q
-        linear[w, frame, i] = v
-        angular[w, frame, i] = omega
-        speed2 = float(v[0]) ** 2 + float(v[1]) ** 2 + float(v[2]) ** 2
-        # The comparison is also false for NaN.
-        if not (speed2 <= MAX_SPEED_MPS**2 and math.isfinite(sum(map(float, p)))):
-            return False
-        if not math.isfinite(sum(map(float, omega)) + sum(map(float, q))):
-            return False
-    return True
+class _Tape:
+    """Poses and velocities of a world's bodies, frame after frame, until they are written at once.
+
+    Numpy takes as long to store three numbers as an engine to step a body.
+
+    Args:
+        world: The world.
+    """
+
+    def __init__(self, world: World) -> None:
+        self._world = world
+        self._at: list[int] = []
+        self._rows: list[float] = []
+
+    def add(self, frame: int) -> bool:
+        """Takes the bodies as they are; whether all are finite and slower than they may be."""
+        world = self._world
+        there = [(i, world.placed(i) + world.motion(i)) for i in world.moving]
+        for i, state in world.states().items():
+            there.append((i, tuple(float(v) for part in state for v in part)))
+        for i, row in there:
+            self._at += (frame, i)
+            self._rows += row
+            if not _sound(row):
+                return False
+        return True
+
+    def write(self, states: tuple[Any, Any, Any, Any], w: int) -> None:
+        """Writes the rows into the arrays of a rollout."""
+        rows = np.array(self._rows, float).reshape(-1, 13)
+        frame, body = np.array(self._at, np.intp).reshape(-1, 2).T
+        for array, part in zip(states, np.split(rows, (3, 7, 10), axis=1), strict=True):
+            array[w, frame, body] = part
+
+
+def _sound(row: tuple[float, ...]) -> bool:
+    """Whether the 13 numbers of a body are finite, and it is no faster than it may be."""
+    _, _, _, _, _, _, _, x, y, z, _, _, _ = row
+    # The comparison is also false for NaN.
+    return x * x + y * y + z * z <= MAX_SPEED_MPS**2 and math.isfinite(sum(row))
 
 
 def _fire(kind: Action, row: list[float], body: int, world: BodyAccess) -> None:

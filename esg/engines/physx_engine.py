@@ -6,7 +6,7 @@ worlds and repeats are bit-identical. Damping is PhysX's own, which is v *= max(
 
 from __future__ import annotations
 
-from collections.abc import Generator, Iterator
+from collections.abc import Collection, Generator, Iterator
 from contextlib import contextmanager
 from dataclasses import replace
 import math
@@ -188,6 +188,9 @@ class PhysxWorld:
         self._dt = dt
         self._within: list[Touch] = []
         self._seen: list[Touch] | None = None
+        self._poses: dict[int, tuple[float, ...]] = {}
+        self._moves: dict[int, tuple[float, ...]] = {}
+        self._unheard: frozenset[int] = frozenset()
         self._log: list[Touch] | None = None
         self._away: set[int] = set()
         self._mass = values.mass[w]
@@ -273,6 +276,7 @@ class PhysxWorld:
                 # Pairs that were filtered out are looked at again for what comes in anew.
                 self.bodies[i].disable()
                 self.bodies[i].enable()
+                self._forget()
                 del self._treads[i]
 
     def _add(self, component: Any, name: str, pose: Any) -> None:
@@ -307,6 +311,7 @@ class PhysxWorld:
     def set_linear(self, body: int, velocity: Vec) -> None:
         if body in self._away:
             return
+        self._moves.pop(body, None)
         self.bodies[body].linear_velocity = velocity
 
     def set_flight(self, body: int, velocity: Vec, pull: float) -> None:
@@ -315,6 +320,7 @@ class PhysxWorld:
     def set_angular(self, body: int, velocity: Vec) -> None:
         if body in self._away:
             return
+        self._moves.pop(body, None)
         self.bodies[body].angular_velocity = velocity
 
     def mass(self, body: int) -> float:
@@ -341,7 +347,7 @@ class PhysxWorld:
         if self._treads:
             self._lay_down()
         bodies = [self.bodies[i] for i in self.moving]
-        velocities = [b.linear_velocity.tolist() for b in bodies]
+        velocities = [self.motion(i)[:3] for i in self.moving]
         fixed = [c for corners in self._fixed.values() for c in corners]
         n = parts(velocities, lambda k: _filled(bodies[k]), fixed, self._dt)
         self._within, self._log = [], None
@@ -364,6 +370,7 @@ class PhysxWorld:
             self._breaks.after_step(self._log)
 
     def retire(self, body: int) -> None:
+        self._forget()
         self._away.add(body)
         self.bodies[body].disable()
         self._fixed.pop(body, None)
@@ -371,6 +378,7 @@ class PhysxWorld:
             self.moving.remove(body)
 
     def release(self, body: int, at: Any, turn: Any, linear: Any, angular: Any) -> None:
+        self._forget()
         component = self.bodies[body]
         component.entity.set_pose(to_pose(at, turn))
         component.enable()
@@ -382,18 +390,43 @@ class PhysxWorld:
         return self._breaks.states() if self._breaks else {}
 
     def read(self, body: int) -> tuple[Any, Any, Any, Any]:
-        return *self.pose(body), *self.velocities(body)
-
-    def pose(self, body: int) -> tuple[Any, Any]:
-        """Position [m] and quaternion (x, y, z, w)."""
-        pose = self.bodies[body].entity.pose
-        w, x, y, z = pose.q.tolist()
-        return pose.p, (x, y, z, w)
-
-    def velocities(self, body: int) -> tuple[Any, Any]:
-        """Linear [m/s] and angular velocity [rad/s]."""
         component = self.bodies[body]
-        return component.linear_velocity, component.angular_velocity
+        pose = component.entity.pose
+        w, x, y, z = pose.q.tolist()
+        return pose.p, (x, y, z, w), component.linear_velocity, component.angular_velocity
+
+    def placed(self, body: int) -> tuple[float, ...]:
+        """As `World.placed`; kept until the next step."""
+        found = self._poses.get(body)
+        if found is None:
+            pose = self.bodies[body].entity.pose
+            w, x, y, z = pose.q.tolist()
+            found = self._poses[body] = (*pose.p.tolist(), x, y, z, w)
+        return found
+
+    def motion(self, body: int) -> tuple[float, ...]:
+        """As `World.motion`; kept until it changes."""
+        found = self._moves.get(body)
+        if found is None:
+            component = self.bodies[body]
+            linear, angular = component.linear_velocity, component.angular_velocity
+            found = self._moves[body] = (*linear.tolist(), *angular.tolist())
+        return found
+
+    def _forget(self) -> None:
+        self._poses.clear()
+        self._moves.clear()
+
+    def leave_out(self, bodies: Collection[int]) -> None:
+        """Has contacts of some bodies with the ground left out of all contacts.
+
+        They are the most there are, and to read them takes longer than to step.
+
+        Args:
+            bodies: Those for which nobody asks. Joints, and what may break, want them all.
+        """
+        if not (self.joints or self._breaks):
+            self._unheard = frozenset(bodies)
 
     def contacts(self, ground: bool) -> Iterator[Touch]:
         # What breaks takes its contacts along.
@@ -416,22 +449,26 @@ class PhysxWorld:
     def _step(self) -> None:
         self.system.step()
         self._seen = None
+        self._forget()
 
     def _listed(self) -> Iterator[Touch]:
-        index = self._index
+        index, unheard = self._index, self._unheard
         for contact in self.system.get_contacts():
+            first, second = contact.bodies
+            a, b = index[first._physx_pointer], index[second._physx_pointer]
+            if (a < 0 and b in unheard) or (b < 0 and a in unheard):
+                continue
             points = contact.points
             if not points:
                 continue
             total, depth, best, strongest = 0.0, 0.0, -1.0, points[0]
             for p in points:
-                impulse = float(np.dot(p.impulse, p.normal))
+                impulse = float(p.impulse.dot(p.normal))
                 total += impulse
                 depth = max(depth, -float(p.separation))
                 if impulse > best:
                     best, strongest = impulse, p
             if total > 0.0:
-                a, b = (index[c._physx_pointer] for c in contact.bodies)
                 yield a, b, total, depth, strongest.position, strongest.normal
 
 

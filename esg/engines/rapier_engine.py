@@ -242,17 +242,16 @@ class RapierWorld:
         return self._breaks.states() if self._breaks else {}
 
     def read(self, body: int) -> tuple[Any, Any, Any, Any]:
-        return *self.pose(body), *self.velocities(body)
-
-    def pose(self, body: int) -> tuple[Any, Any]:
-        """Position [m] and quaternion (x, y, z, w)."""
         b = self._body(body)
-        return tuple(b.translation), b.rotation.quaternion
+        return tuple(b.translation), b.rotation.quaternion, tuple(b.linvel), tuple(b.angvel)
 
-    def velocities(self, body: int) -> tuple[Any, Any]:
-        """Linear [m/s] and angular velocity [rad/s]."""
+    def placed(self, body: int) -> tuple[float, ...]:
         b = self._body(body)
-        return tuple(b.linvel), tuple(b.angvel)
+        return *map(float, b.translation), *map(float, b.rotation.quaternion)
+
+    def motion(self, body: int) -> tuple[float, ...]:
+        b = self._body(body)
+        return *map(float, b.linvel), *map(float, b.angvel)
 
     def contacts(self, ground: bool) -> Iterator[Touch]:
         # What breaks takes its contacts along.

@@ -7,6 +7,7 @@ they count tiles, and grain runs along the part's length.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 import hashlib
 from typing import Any, NamedTuple
 
@@ -16,6 +17,7 @@ import trimesh
 from trimesh.visual import TextureVisuals
 
 from esg.assets.geometry.bevels import bevelled
+from esg.assets.geometry.closures import Key, key_of
 from esg.machine.recent import Recent
 
 Floats = NDArray[np.float64]
@@ -30,6 +32,8 @@ _ROUND = frozenset({"cylinder", "lathe", "torus"})
 _KEPT_BYTES = 24 * 2**20
 """Of surfaces that a process keeps: scenes of a dataset differ in colours and share most parts of
 most things. A part takes 34 kB on average, and some many times as much."""
+_KEPT_OUTLINES = 8192
+"""Of parts, a few hundred bytes each."""
 _EVEN = 0.02
 """Relative difference up to which two moments are those of a thing that is round about an axis."""
 
@@ -57,13 +61,55 @@ def _bytes(surface: Surface) -> int:
 _surfaces: Recent[bytes, Surface] = Recent(_KEPT_BYTES, _bytes)
 
 
-def finished(
-    mesh: trimesh.Trimesh, tile_cm: float, *, grain: bool = False, smallest_cm: float = np.inf
-) -> Surface:
-    """A mesh with normals and texture coordinates.
+class Outline(NamedTuple):
+    """What is known of a part without drawing it again.
 
     Args:
-        mesh: Any, in its asset's frame.
+        extent_cm: The longest along an axis.
+        digest: Of its vertices, faces and shape.
+    """
+
+    extent_cm: float
+    digest: bytes
+
+
+_outlines: Recent[Key, Outline] = Recent(_KEPT_OUTLINES, lambda _: 1)
+
+
+class Drawing:
+    """A part that is drawn once, or not at all where its surface is kept.
+
+    Args:
+        make: Draws it, in its asset's frame.
+    """
+
+    def __init__(self, make: Callable[[], trimesh.Trimesh]) -> None:
+        self._make = make
+        self._mesh: trimesh.Trimesh | None = None
+        key = key_of(make)
+        self.outline = self._outlined() if key is None else _outlines.get(key, self._outlined)
+
+    def _outlined(self) -> Outline:
+        mesh = self.mesh()
+        digest = hashlib.blake2b(repr(mesh.metadata.get("shape")).encode(), digest_size=16)
+        for array in (mesh.vertices, mesh.faces):
+            digest.update(np.ascontiguousarray(array).data)
+        return Outline(float(np.ptp(mesh.vertices, axis=0).max()), digest.digest())
+
+    def mesh(self) -> trimesh.Trimesh:
+        """The mesh."""
+        if self._mesh is None:
+            self._mesh = self._make()
+        return self._mesh
+
+
+def finished(
+    drawing: Drawing, tile_cm: float, *, grain: bool = False, smallest_cm: float = np.inf
+) -> Surface:
+    """A part with normals and texture coordinates.
+
+    Args:
+        drawing: Of the part.
         tile_cm: Edge of one tile of its texture.
         grain: Whether the texture's u runs along the part's length.
         smallest_cm: Parts that are longer are bevelled.
@@ -71,11 +117,9 @@ def finished(
     Returns:
         Arrays that cannot be written to: the same part gives the same ones.
     """
-    how = (mesh.metadata.get("shape"), float(tile_cm), bool(grain), float(smallest_cm))
-    digest = hashlib.blake2b(repr(how).encode(), digest_size=16)
-    for array in (mesh.vertices, mesh.faces):
-        digest.update(np.ascontiguousarray(array).data)
-    return _surfaces.get(digest.digest(), lambda: _fixed(mesh, tile_cm, grain, smallest_cm))
+    how = (float(tile_cm), bool(grain), float(smallest_cm))
+    key = drawing.outline.digest + repr(how).encode()
+    return _surfaces.get(key, lambda: _fixed(drawing.mesh(), tile_cm, grain, smallest_cm))
 
 
 def _fixed(mesh: trimesh.Trimesh, tile_cm: float, grain: bool, smallest_cm: float) -> Surface:

@@ -20,7 +20,7 @@ from esg.assets.appearance import USUAL, Appearance
 from esg.assets.appearances import appearances, first_of_asset
 from esg.assets.colors import color_word
 from esg.assets.configuration import node_mesh_path, parametric_entry
-from esg.assets.geometry.finishing import Surface, completed, finished, joined
+from esg.assets.geometry.finishing import Drawing, Surface, completed, finished, joined
 from esg.assets.geometry.rolling import drawn_size, is_rolling_form, rolling
 from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
 from esg.assets.geometry.sketch import Sketch
@@ -156,14 +156,13 @@ def _models(
     """
     sketch = _sketch(entry, dimensions_cm, color, rolls, appearance)
     wheels = wheels_of(sketch) or ()
-    meshes = [part.mesh() for part in sketch.parts]
-    extents = [np.ptp(mesh.vertices, axis=0).max() for mesh in meshes]
-    smallest = _BEVELLED * float(max(extents, default=0.0))
+    drawings = [Drawing(part.mesh) for part in sketch.parts]
+    smallest = _BEVELLED * max((d.outline.extent_cm for d in drawings), default=0.0)
     groups: dict[tuple[Look, Color, int | None], tuple[list[str], list[Surface]]] = {}
-    for part, mesh in zip(sketch.parts, meshes, strict=True):
+    for part, drawing in zip(sketch.parts, drawings, strict=True):
         look = look_of(part.material, part.color, roughness=part.roughness, alpha=part.alpha)
         surface = finished(
-            mesh, 100.0 * look.tile_m, grain=has_grain(look.texture), smallest_cm=smallest
+            drawing, 100.0 * look.tile_m, grain=has_grain(look.texture), smallest_cm=smallest
         )
         if part.axle is not None:
             surface = surface._replace(vertices=surface.vertices - wheels[part.axle].axle_cm)

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.gltf.surfaces import Picture, Surface
+from esg.machine.recent import Recent
 from esg.strangers.gltf import BIN, JSON, MAGIC, read_glb
 
 Floats = NDArray[np.float64]
@@ -26,6 +27,9 @@ _VERTICES, _INDICES = 34962, 34963
 _SAMPLER = {"magFilter": 9729, "minFilter": 9987, "wrapS": 10497, "wrapT": 10497}
 """Linear, with mipmaps, repeated."""
 _MIME = {"png": "image/png", "jpg": "image/jpeg"}
+_KEPT_BYTES = 6 * 2**20
+"""Of tangents that a process keeps: scenes of a dataset share most of their surfaces."""
+_kept: Recent[bytes, NDArray[np.float32]] = Recent(_KEPT_BYTES, lambda array: array.nbytes)
 MOVED = 1e-6
 """Smallest change [m, or of a quaternion] that counts as motion."""
 
@@ -222,7 +226,7 @@ class Document:
                 attributes["TEXCOORD_0"] = self.values(flipped, use=_VERTICES)
             bumpy = "normalTexture" in self.data["materials"][material]
             if bumpy and normals is not None and uvs is not None:
-                tangents = _tangents(vertices, faces, normals, uvs)
+                tangents = _kept_tangents(vertices, faces, normals, uvs)
                 attributes["TANGENT"] = self.values(tangents, use=_VERTICES)
             kind = _SHORT if len(vertices) < 65535 else _INT
             indices = self.values(np.ravel(faces), kind, use=_INDICES)
@@ -296,6 +300,19 @@ def _units(values: Any) -> NDArray[Any]:
     single = np.asarray(values).astype(np.float32)
     length = np.linalg.norm(single, axis=-1, keepdims=True)
     return single / np.where(length > 0.0, length, 1.0)
+
+
+def _kept_tangents(
+    vertices: Floats, faces: NDArray[np.int64], normals: Floats, uvs: Floats
+) -> NDArray[np.float32]:
+    """`_tangents` as they are stored; those of what is asked for again are kept."""
+    digest = hashlib.blake2b(digest_size=16)
+    for array in (vertices, faces, normals, uvs):
+        digest.update(f"{array.shape} {array.dtype}".encode())
+        digest.update(np.ascontiguousarray(array).data)
+    return _kept.get(
+        digest.digest(), lambda: _tangents(vertices, faces, normals, uvs).astype(np.float32)
+    )
 
 
 def _tangents(vertices: Floats, faces: NDArray[np.int64], normals: Floats, uvs: Floats) -> Floats:

@@ -56,9 +56,9 @@ def skinned(mesh: trimesh.Trimesh, tile: float) -> Surface:
         mesh: The piece.
         tile: Edge of one tile, in the unit of its vertices.
     """
-    from esg.assets.geometry.finishing import finished
+    from esg.assets.geometry.finishing import Drawing, finished
 
-    return finished(mesh, tile)
+    return finished(Drawing(lambda: mesh), tile)
 
 
 def _area(vertices: Floats, faces: NDArray[np.int64]) -> float:

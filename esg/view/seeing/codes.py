@@ -35,12 +35,17 @@ def depth_codes(depth: Floats) -> tuple[Codes, np.float32, np.float32]:
     if not hit.any():
         return np.zeros(depth.shape, np.uint16), np.float32(0), np.float32(0)
     log = np.log(np.where(hit, depth, 1.0).astype(np.float64))
-    low, high = log[hit].min(), log[hit].max()
+    low, high = log.min(where=hit, initial=np.inf), log.max(where=hit, initial=-np.inf)
     # The last step leaves room for the rounding of the scale itself.
     scale = np.float32(max(high - low, 1e-6) / (MOST - 2))
     offset = np.float32(low - float(scale))
-    codes = np.clip(np.rint((log - float(offset)) / float(scale)), 1, MOST)
-    return np.where(hit, codes, 0).astype(np.uint16), offset, scale
+    log -= float(offset)
+    log /= float(scale)
+    np.rint(log, out=log)
+    np.clip(log, 1, MOST, out=log)
+    out = log.astype(np.uint16)
+    out[~hit] = 0
+    return out, offset, scale
 
 
 def depth_metres(codes: Codes, offset: float, scale: float) -> NDArray[np.float32]:
@@ -49,30 +54,37 @@ def depth_metres(codes: Codes, offset: float, scale: float) -> NDArray[np.float3
     return np.where(codes > 0, metres, 0.0).astype(np.float32)
 
 
-def shift_codes(shift: Floats, known: NDArray[np.bool_]) -> tuple[Codes, np.float32]:
+def shift_codes(shift: Floats) -> tuple[Codes, np.float32]:
     """Shifts of one picture, in steps of 1/32767 of the longest.
 
     Args:
-        shift: Of every pixel to where its surface is in another picture [px], shape [H, L, 2].
-        known: Where it is known, shape [H, L].
+        shift: Of every pixel to where its surface is in another picture [px], NaN where unknown,
+            shape [H, L, 2].
 
     Returns:
         Codes (u, v, 65535 where known), shape [H, L, 3], and the scale [px]: (u, v) is
         (codes - 32768) * scale.
     """
-    shift = shift.astype(np.float32, copy=False)
-    size = np.maximum(np.abs(shift[..., 0]), np.abs(shift[..., 1]))
-    told = known & (size <= FARTHEST_SHIFT * max(known.shape))
+    ways = [np.ascontiguousarray(shift[..., k], np.float32) for k in range(2)]
+    size = np.maximum(np.abs(ways[0]), np.abs(ways[1]))
+    told = size <= FARTHEST_SHIFT * max(size.shape)  # no NaN is
     longest = float(size.max(where=told, initial=0.0))
     scale = np.float32(longest / SHIFT_MOST) if longest > 0 else np.float32(1.0)
-    codes = shift / scale
-    np.rint(codes, out=codes)
-    np.clip(codes, -SHIFT_MOST, SHIFT_MOST, out=codes)
-    codes += SHIFT_ZERO
-    out = np.full((*known.shape, 3), MOST, np.uint16)
-    out[..., :2] = codes
-    out[~told] = 0
-    return out, scale
+    out, unknown = _planes(told.shape), ~told
+    for k, way in enumerate(ways):
+        way = way / scale
+        np.rint(way, out=way)
+        np.clip(way, -SHIFT_MOST, SHIFT_MOST, out=way)
+        way += SHIFT_ZERO
+        way[unknown] = 0
+        out[k] = way
+    np.multiply(told, np.uint16(MOST), out=out[2])
+    return np.moveaxis(out, 0, -1), scale
+
+
+def _planes(shape: tuple[int, ...]) -> Codes:
+    """Room for the three colours of a picture, one after the other as encoders take them."""
+    return np.zeros((3, *shape), np.uint16)
 
 
 def shift_pixels(codes: Codes, scale: float) -> tuple[NDArray[np.float32], NDArray[np.bool_]]:
@@ -106,9 +118,11 @@ def place_codes(share: Floats, known: NDArray[np.bool_]) -> Codes:
         share: Of the way from the lower to the upper bound of the body, shape [H, L, 3].
         known: Where there is a body, shape [H, L].
     """
-    out = np.zeros(share.shape, np.uint16)
-    out[known] = 1 + np.rint(np.clip(share[known], 0.0, 1.0) * (MOST - 1))
-    return out
+    at, out = np.flatnonzero(known), _planes(known.shape)
+    rows = share.reshape(-1, 3)[at]
+    for k, plane in enumerate(out):
+        plane.reshape(-1)[at] = 1 + np.rint(np.clip(rows[:, k], 0.0, 1.0) * (MOST - 1))
+    return np.moveaxis(out, 0, -1)
 
 
 def place_shares(codes: Codes) -> NDArray[np.float32]:

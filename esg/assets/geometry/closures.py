@@ -1,0 +1,70 @@
+"""What a closure that draws a part depends on, so that an equal one need not draw it again."""
+
+from __future__ import annotations
+
+from dataclasses import fields, is_dataclass
+from enum import Enum
+import hashlib
+from types import BuiltinFunctionType, CodeType, FunctionType, ModuleType
+from typing import Any
+
+import numpy as np
+
+Key = tuple[tuple[CodeType, ...], bytes]
+
+_PLAIN = (bool, int, float, str, bytes, type(None), np.floating, np.integer)
+
+
+class _Opaque(Exception):
+    """A value of which nobody can tell whether it is equal to another."""
+
+
+def key_of(make: Any) -> Key | None:
+    """Equal for functions that draw the same: of equal code, with equal values enclosed.
+
+    Args:
+        make: Takes nothing, and depends on nothing that changes but what it encloses.
+
+    Returns:
+        None for what encloses a value that cannot be compared: it has to be called.
+    """
+    codes: list[CodeType] = []
+    told: list[str] = []
+    try:
+        _tell(make, codes, told)
+    except (_Opaque, ValueError, RecursionError):  # an empty cell, a circle
+        return None
+    text = "\0".join(told).encode("utf-8", "surrogatepass")
+    return tuple(codes), hashlib.blake2b(text, digest_size=16).digest()
+
+
+def _tell(value: Any, codes: list[CodeType], told: list[str]) -> None:
+    """Adds what tells a value from others: codes of functions, and texts of all else."""
+    kind = type(value)
+    if isinstance(value, _PLAIN) and not isinstance(value, Enum):
+        told.append(f"{kind.__name__} {value!r}")
+        return
+    if isinstance(value, FunctionType):
+        codes.append(value.__code__)
+        told.append(f"function {value.__module__}")
+        cells = [cell.cell_contents for cell in value.__closure__ or ()]
+        inside = [*cells, value.__defaults__, value.__kwdefaults__]
+    elif isinstance(value, (BuiltinFunctionType, type, ModuleType, np.ufunc)):
+        told.append(f"named {getattr(value, '__module__', '')} {value!r}")
+        return
+    elif isinstance(value, (tuple, list)):
+        inside = [*value, getattr(value, "__dict__", None)]
+    elif kind is dict:
+        inside = [part for item in value.items() for part in item]
+    elif kind is np.ndarray and value.dtype != object:
+        told.append(f"array {value.dtype} {value.shape} {value.tobytes().hex()}")
+        return
+    elif isinstance(value, Enum):
+        inside = [value.value]
+    elif is_dataclass(value) and kind.__dataclass_params__.frozen:  # type: ignore[attr-defined]
+        inside = [getattr(value, field.name) for field in fields(value)]
+    else:
+        raise _Opaque
+    told.append(f"{kind.__module__}.{kind.__qualname__} {len(inside)}")
+    for part in inside:
+        _tell(part, codes, told)
