@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Sequence
 import contextlib
 import os
 from pathlib import Path
@@ -104,7 +104,7 @@ def _run(connection: socket.socket, arguments: Sequence[str]) -> int | None:
     if wire.hear(connection)[0] != wire.TAKEN:
         return None
     connection.settimeout(None)
-    with _passed_on(connection) as passed:
+    with passed_on(lambda number: connection.send(wire.SIGNALS[number])) as passed:
         try:
             word, value = wire.hear(connection)
         except wire.WireError:
@@ -136,8 +136,11 @@ def _request(arguments: Sequence[str]) -> wire.Request:
 
 
 @contextlib.contextmanager
-def _passed_on(connection: socket.socket) -> Generator[list[int]]:
-    """Passes SIGINT and SIGTERM on while the body waits; the worker's process answers them.
+def passed_on(send: Callable[[int], object]) -> Generator[list[int]]:
+    """Passes SIGINT and SIGTERM on while the body waits; the process that does the work answers.
+
+    Args:
+        send: Sends a signal there.
 
     Yields:
         The signals that were passed on.
@@ -147,7 +150,7 @@ def _passed_on(connection: socket.socket) -> Generator[list[int]]:
     def forward(number: int, frame: FrameType | None) -> None:
         passed.append(number)
         with contextlib.suppress(OSError):
-            connection.send(wire.SIGNALS[number])
+            send(number)
 
     before = {n: signal.getsignal(n) for n in wire.SIGNALS}
     for number, handler in before.items():

@@ -1,0 +1,65 @@
+"""A command that answers first without a warm worker: the work is done by a process of its own."""
+
+from __future__ import annotations
+
+import atexit
+from collections.abc import Callable, Sequence
+import ctypes
+import os
+import signal
+import sys
+from typing import NoReturn
+
+from esg.machine.answering import can_go_on, conclude
+from esg.up.client import passed_on
+from esg.up.place import OFF
+
+NO_WAIT = "--no-wait"
+_PDEATHSIG = 1
+
+
+def apart(main: Callable[[], None], arguments: Sequence[str]) -> int | None:
+    """Does a command that asks for it in a process of its own session, which may outlive this one.
+
+    It is forked off before anything is loaded. Until it has answered it ends with this process.
+
+    Args:
+        main: The command line: runs `sys.argv` and raises SystemExit.
+        arguments: Of the process, without its name.
+
+    Returns:
+        The exit code; None if the command is to be done here.
+    """
+    wanted = list(arguments[:1]) == ["generate"] and NO_WAIT in arguments
+    if not wanted or can_go_on() or sys.platform != "linux":
+        return None
+    reading, writing = os.pipe()
+    owner = os.getpid()
+    sys.stdout.flush()
+    sys.stderr.flush()
+    pid = os.fork()
+    if pid == 0:
+        os.close(reading)
+        _become(main, writing, owner)
+    os.close(writing)
+    with passed_on(lambda number: os.kill(pid, number)):
+        told = os.read(reading, 64)  # or its end, without an answer
+    if told:
+        return int(told)
+    code = os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
+    return code if code >= 0 else 128 - code
+
+
+def _become(main: Callable[[], None], answer: int, owner: int) -> NoReturn:
+    """In the fork: does the command, and never returns."""
+    try:
+        ctypes.CDLL(None).prctl(_PDEATHSIG, signal.SIGKILL)
+        if os.getppid() != owner:
+            os._exit(1)
+        os.setsid()
+        os.environ[OFF] = "0"  # a worker has been asked
+        atexit._clear()  # what the process that waits does at its end
+
+        conclude(main, lambda code: os.write(answer, b"%d" % code))
+    finally:
+        os._exit(1)
