@@ -21,8 +21,8 @@ from esg.scenereading import REMEDY
 from esg.strangers.folders import file_in
 from esg.strangers.sums import FINISHING, SUMS
 
-WAIT_S = 120.0
-"""So long somebody waits for the pictures of a folder: forty times what they take on idle cores."""
+WAIT_S = 300.0
+"""So long somebody waits for the pictures of a folder: a hundred times what they take on idle cores."""
 _POLL_S = 0.05
 _MOST_BYTES = 65536
 

@@ -32,6 +32,7 @@ class _Answering:
     """Whether this process can answer before it ends, and what it then goes on with."""
 
     possible: bool = False
+    inherited: frozenset[int] = frozenset()
     left: list[Callable[[], object]] = field(default_factory=list)
 
 
@@ -52,16 +53,21 @@ def afterwards(work: Callable[[], object]) -> None:
     _here.left.append(work)
 
 
-def conclude(main: Callable[[], None], tell: Callable[[int], object]) -> NoReturn:
+def conclude(
+    main: Callable[[], None],
+    tell: Callable[[int], object],
+    inherited: frozenset[int] = frozenset(),
+) -> NoReturn:
     """Runs a command, and ends this process with its exit code once nothing is left to be done.
 
     Args:
         main: The command line: runs `sys.argv` and raises SystemExit.
         tell: Answers the caller; called if something is left for afterwards.
+        inherited: Descriptors of the caller's beside its streams; locks, for example.
     """
     code = 1
     try:
-        _here.possible = True
+        _here.possible, _here.inherited = True, inherited
         try:
             main()
         except SystemExit as error:
@@ -81,7 +87,10 @@ def conclude(main: Callable[[], None], tell: Callable[[int], object]) -> NoRetur
 
 
 def let_go() -> None:
-    """Lets go of the caller's streams: who reads them to their end does not wait for this one."""
+    """Lets go of the caller's streams and locks: who waits for their end does not wait for this."""
+    for number in _here.inherited:
+        with contextlib.suppress(OSError):
+            os.close(number)
     nowhere = os.open(os.devnull, os.O_RDWR)
     held = {0, 1, 2}
     for stream in (sys.stdin, sys.stdout, sys.stderr):
@@ -93,15 +102,6 @@ def let_go() -> None:
         os.close(nowhere)
 
 
-def lower() -> None:
-    """Lets what is waited for go first on a busy core."""
-    with contextlib.suppress(OSError):
-        os.nice(LESS)
-    # Where each session is a group of its own to the scheduler, only the group's niceness counts.
-    with contextlib.suppress(OSError):
-        Path("/proc/self/autogroup").write_text(str(LESS))
-
-
 def lowly(work: Callable[[], T], owner: int) -> T:
     """Does work at low priority, if that is done in another process.
 
@@ -110,7 +110,7 @@ def lowly(work: Callable[[], T], owner: int) -> T:
         owner: The process that goes on meanwhile.
     """
     if os.getpid() != owner:
-        lower()
+        _lower()
     return work()
 
 
@@ -120,7 +120,15 @@ def _to_the_background() -> None:
     for number in (signal.SIGINT, signal.SIGHUP):
         signal.signal(number, signal.SIG_IGN)
     let_go()
-    lower()
+    _lower()
+    # Where each session is a group of its own to the scheduler, the group's niceness counts.
+    with contextlib.suppress(OSError):
+        Path("/proc/self/autogroup").write_text(str(LESS))
+
+
+def _lower() -> None:
+    with contextlib.suppress(OSError):
+        os.nice(LESS)
 
 
 def _flush() -> None:

@@ -11,8 +11,9 @@ import sys
 from typing import NoReturn
 
 from esg.machine.answering import can_go_on, conclude
-from esg.up.client import passed_on
+from esg.up.client import await_data, passed_on
 from esg.up.place import OFF
+from esg.up.wire import SIGNALS
 
 NO_WAIT = "--no-wait"
 _PDEATHSIG = 1
@@ -33,16 +34,21 @@ def apart(main: Callable[[], None], arguments: Sequence[str]) -> int | None:
     wanted = list(arguments[:1]) == ["generate"] and NO_WAIT in arguments
     if not wanted or can_go_on() or sys.platform != "linux":
         return None
+    inherited = frozenset(int(n) for n in os.listdir("/proc/self/fd") if int(n) > 2)
     reading, writing = os.pipe()
     owner = os.getpid()
     sys.stdout.flush()
     sys.stderr.flush()
+    blocked = signal.pthread_sigmask(signal.SIG_BLOCK, SIGNALS)
     pid = os.fork()
     if pid == 0:
+        signal.pthread_sigmask(signal.SIG_SETMASK, blocked)
         os.close(reading)
-        _become(main, writing, owner)
+        _become(main, writing, owner, inherited)
     os.close(writing)
     with passed_on(lambda number: os.kill(pid, number)):
+        signal.pthread_sigmask(signal.SIG_SETMASK, blocked)
+        await_data(reading)
         told = os.read(reading, 64)  # or its end, without an answer
     if told:
         return int(told)
@@ -50,7 +56,9 @@ def apart(main: Callable[[], None], arguments: Sequence[str]) -> int | None:
     return code if code >= 0 else 128 - code
 
 
-def _become(main: Callable[[], None], answer: int, owner: int) -> NoReturn:
+def _become(
+    main: Callable[[], None], answer: int, owner: int, inherited: frozenset[int]
+) -> NoReturn:
     """In the fork: does the command, and never returns."""
     try:
         ctypes.CDLL(None).prctl(_PDEATHSIG, signal.SIGKILL)
@@ -60,6 +68,6 @@ def _become(main: Callable[[], None], answer: int, owner: int) -> NoReturn:
         os.environ[OFF] = "0"  # a worker has been asked
         atexit._clear()  # what the process that waits does at its end
 
-        conclude(main, lambda code: os.write(answer, b"%d" % code))
+        conclude(main, lambda code: os.write(answer, b"%d" % code), inherited - {answer})
     finally:
         os._exit(1)

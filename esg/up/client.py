@@ -6,6 +6,7 @@ from collections.abc import Callable, Generator, Sequence
 import contextlib
 import os
 from pathlib import Path
+import select
 import signal
 import socket
 import stat
@@ -18,6 +19,7 @@ from esg.up.place import COMMANDS, OFF, private, socket_path, stamp
 
 CONNECT_S = 5.0
 """A worker that says nothing for so long is left alone [s]."""
+_POLL_S = 0.2
 
 
 def delegated(arguments: Sequence[str]) -> int | None:
@@ -105,6 +107,7 @@ def _run(connection: socket.socket, arguments: Sequence[str]) -> int | None:
         return None
     connection.settimeout(None)
     with passed_on(lambda number: connection.send(wire.SIGNALS[number])) as passed:
+        await_data(connection.fileno())
         try:
             word, value = wire.hear(connection)
         except wire.WireError:
@@ -133,6 +136,18 @@ def _request(arguments: Sequence[str]) -> wire.Request:
         tuple((kind, *resource.getrlimit(kind)) for kind in sorted(set(kinds))),
         tuple(n for n in wire.SIGNALS if signal.getsignal(n) == signal.SIG_IGN),
     )
+
+
+def await_data(handle: int) -> None:
+    """Waits until something can be read, or its end.
+
+    Python answers a signal only once it runs: one that comes just before a wait would wait as long.
+
+    Args:
+        handle: Descriptor.
+    """
+    while not select.select([handle], [], [], _POLL_S)[0]:
+        pass
 
 
 @contextlib.contextmanager
