@@ -122,8 +122,9 @@ def _to_the_background() -> None:
     let_go()
     _lower()
     # Where each session is a group of its own to the scheduler, the group's niceness counts.
-    with contextlib.suppress(OSError):
-        Path("/proc/self/autogroup").write_text(str(LESS))
+    if os.getsid(0) == os.getpid():
+        with contextlib.suppress(OSError):
+            Path("/proc/self/autogroup").write_text(str(LESS))
 
 
 def _lower() -> None:
