@@ -22,7 +22,7 @@ from esg.strangers.folders import file_in
 from esg.strangers.sums import FINISHING, SUMS
 
 WAIT_S = 300.0
-"""So long somebody waits for the pictures of a folder: a hundred times what they take on idle cores."""
+"""So long somebody waits for pictures: a hundred times what they take on idle cores."""
 _POLL_S = 0.05
 _MOST_BYTES = 65536
 
