@@ -443,8 +443,14 @@ def recording(
         # Exports read a scene folder: lend them the manifest, which belongs to another stage.
         manifest = folder / "manifest.json"
         manifest.write_bytes((state.artifact("compile") / manifest.name).read_bytes())
-        export(folder, "usd", rollout=played, setting=setting)
-        export(folder, "glb", rollout=played, setting=setting)
+
+        def usd() -> None:
+            export(folder, "usd", rollout=played, setting=setting)
+
+        # The film is drawn meanwhile; it makes way for the dearest export if nobody waits for it.
+        with beside(usd) if later else contextlib.nullcontext(usd) as written:
+            export(folder, "glb", rollout=played, setting=setting)
+            written()
         manifest.unlink()
         write_mcap(folder / "rollout.mcap", scene, program, rollout, verdict, doc)
         note = f"{metrics['outcome']}  |  replayed in {rollout.engine} at {1 / rollout.dt:.0f} Hz"

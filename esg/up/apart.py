@@ -66,6 +66,7 @@ def _become(
             os._exit(1)
         os.setsid()
         os.environ[OFF] = "0"  # a worker has been asked
+        os.environ.setdefault("PXR_WORK_THREAD_LIMIT", "1")  # USD's threads do not survive forks
         atexit._clear()  # what the process that waits does at its end
 
         conclude(main, lambda code: os.write(answer, b"%d" % code), inherited - {answer})

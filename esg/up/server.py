@@ -127,17 +127,14 @@ def warm() -> None:
     """Loads what scenes need and runs sample scenes, whose results are thrown away."""
     from esg.api.warming import warm_up
     from esg.pipeline import SceneRequest, run_scene, scratch_store
+    from esg.runs import record_run
 
     warm_up()
     with contextlib.suppress(Exception), tempfile.TemporaryDirectory(prefix="esg-up-") as folder:
         for prompt in SAMPLES:
             with scratch_store(Path(folder), durable=False):
-                run_scene(SceneRequest(prompt))
-    with contextlib.suppress(ImportError):
-        import duckdb
-        import pyarrow.parquet
-
-        assert duckdb and pyarrow.parquet
+                state = run_scene(SceneRequest(prompt))
+                record_run([state], "generate", database=Path(folder) / "esg.duckdb")
     gc.collect()
     gc.freeze()  # what is loaded stays: no search for garbage in a fork need touch, and copy, it
 
