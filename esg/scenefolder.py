@@ -93,7 +93,7 @@ def publish_unfinished(rest: Unfinished, out: Path) -> Owed:
         _fill(rest.state, work, rest.folder)
         sums = digests(work)
         announce(work, PICTURES)
-        handle = os.open(work, os.O_RDONLY | os.O_DIRECTORY)
+        handle = os.open(work, os.O_RDONLY)
     return Owed(out / folder_name(rest.state), handle, sums)
 
 

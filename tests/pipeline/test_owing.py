@@ -10,6 +10,7 @@ import os
 from pathlib import Path
 import shutil
 import sys
+from typing import Any
 
 import pytest
 
@@ -17,7 +18,8 @@ from esg import stages
 from esg.alone import finishing, guarded
 from esg.alone.finishing import finish, may_follow
 from esg.limits import taken
-from esg.outcomes import Outcome
+from esg.machine import answering
+from esg.outcomes import Outcome, UserError
 from esg.pipeline import (
     STAGES,
     SceneRequest,
@@ -320,3 +322,77 @@ def test_stages_before_the_record_are_those_of_any_run(
     assert rest is not None
     assert seen == list(STAGES[:-1])
     rest.drop()
+
+
+def generated(state: SceneState, out: Path, monkeypatch: pytest.MonkeyPatch, **options: Any) -> int:
+    """`esg generate` of a scene whose record comes next; its exit code."""
+    from esg.commands import generate as command
+
+    def recalled(request: SceneRequest) -> None:
+        return None
+
+    def recorded(states: list[SceneState], kind: str) -> str:
+        return kind
+
+    monkeypatch.setattr(command, "_recalled", recalled)
+    monkeypatch.setattr("esg.runs.record_run", recorded)
+    monkeypatch.setattr(guarded, "run_stage",
+                        lambda stage, before: run_stage(stage, state))  # fmt: skip
+    return command.generate("A ball.", out=out, strategy="none", **options)
+
+
+def test_generate_answers_first_where_it_may(
+    state: SceneState, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    out = tmp_path / "out"
+    monkeypatch.setattr(answering._here, "possible", True)
+    monkeypatch.setattr(answering._here, "left", [])
+    assert generated(state, out, monkeypatch, json=True) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["finishing"] == ["preview.mp4", "preview.png"]
+    assert not (Path(told["folder"]) / SUMS).exists()
+    (work,) = answering._here.left
+    work()
+    assert differences(Path(told["folder"])) == Differences()
+
+
+def test_generate_says_how_to_wait(
+    state: SceneState, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str],
+) -> None:  # fmt: skip
+    monkeypatch.setattr(answering._here, "possible", True)
+    monkeypatch.setattr(answering._here, "left", [])
+    assert generated(state, tmp_path / "out", monkeypatch) == 0
+    assert "preview.mp4 and preview.png follow (--wait waits" in capsys.readouterr().out
+    (work,) = answering._here.left
+    work()
+
+
+@pytest.mark.parametrize(("possible", "wait"), [(False, None), (False, False), (True, True)])
+def test_generate_ends_with_the_whole_folder(
+    state: SceneState, tmp_path: Path, monkeypatch: pytest.MonkeyPatch,
+    capsys: pytest.CaptureFixture[str], possible: bool, wait: bool | None,
+) -> None:  # fmt: skip
+    """Without somebody who draws later, whatever is asked for; and where that is asked for."""
+    monkeypatch.setattr(answering._here, "possible", possible)
+    monkeypatch.setattr(answering._here, "left", [])
+    assert generated(state, tmp_path / "out", monkeypatch, json=True, wait=wait) == 0
+    told = json.loads(capsys.readouterr().out)
+    assert told["finishing"] == []
+    assert differences(Path(told["folder"])) == Differences()
+    assert not answering._here.left
+
+
+def test_a_folder_that_cannot_be_written_leaves_nothing_to_be_done(
+    state: SceneState, tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    monkeypatch.setattr(answering._here, "possible", True)
+    monkeypatch.setattr(answering._here, "left", [])
+    mine = tmp_path / "out" / "a_scene"
+    mine.mkdir(parents=True)
+    (mine / "thesis.txt").touch()
+    with pytest.raises(UserError, match="not a scene folder"):
+        generated(state, tmp_path / "out", monkeypatch)
+    assert not answering._here.left
+    assert not list((artifact_store().root / "tmp").iterdir())
