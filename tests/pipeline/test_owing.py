@@ -19,6 +19,7 @@ from esg.alone import finishing, guarded
 from esg.alone.finishing import finish, may_follow
 from esg.limits import taken
 from esg.machine import answering
+from esg.machine.beside import forking
 from esg.outcomes import Outcome, UserError
 from esg.pipeline import (
     STAGES,
@@ -396,3 +397,25 @@ def test_a_folder_that_cannot_be_written_leaves_nothing_to_be_done(
         generated(state, tmp_path / "out", monkeypatch)
     assert not answering._here.left
     assert not list((artifact_store().root / "tmp").iterdir())
+
+
+def test_a_real_scene_has_the_same_bytes_either_way(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Exports, film and sheet, drawn in one go or in two with forks beside."""
+    monkeypatch.setattr("esg.machine.beside.usable_cores", lambda: 2)
+    state = SceneState(SceneRequest("A ball hits a box.", strategy="none"))
+    with scratch_store(tmp_path / "one", durable=False):
+        for stage in STAGES[:-1]:
+            state = run_stage(stage, state)
+        shutil.copytree(tmp_path / "one", tmp_path / "two")
+        whole = tree(publish(run_stage("record", state), tmp_path / "whole"))
+    with scratch_store(tmp_path / "two", durable=False), forking():
+        _, rest = begin_record(state)
+        assert rest is not None
+        owed = publish_unfinished(rest, tmp_path / "out")
+        done(rest, owed)
+    ours = tree(owed.folder)
+    assert {"preview.mp4", "preview.png", "scene.usda", "scene.glb"} <= set(ours)
+    assert set(ours) == set(whole)
+    assert {n for n in ours if ours[n] != whole[n]} <= {SUMS, "log.jsonl"}
