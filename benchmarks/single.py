@@ -1,11 +1,12 @@
 """What one scene costs from a command line, here and in another checkout.
 
-    python -m benchmarks.single [--against CHECKOUT] [--up] [--runs 3] [--prompt TEXT]…
+    python -m benchmarks.single [--against CHECKOUT] [--up] [--no-wait] [--runs 3] [--prompt TEXT]…
 
-Seconds elapsed and core-seconds of `esg generate`, one prompt and one seed after the other, with
-every seed new: a cold process on warm caches (one run of each checkout is thrown away, which warms
-them), or with a worker that `esg up` started. The checkouts take turns. Files of the folders that
-they made of one seed are compared byte by byte, but for sums and times.
+Seconds elapsed of `esg generate` until it answers and until the scene folder is complete, and
+core-seconds of all of it, one prompt and one seed after the other, with every seed new: a cold
+process on warm caches (one run of each checkout is thrown away, which warms them), with `--no-wait`
+where a checkout has that, or with a worker that `esg up` started. The checkouts take turns. Files
+of the folders that they made of one seed are compared byte by byte, but for sums and times.
 """
 
 from __future__ import annotations
@@ -13,6 +14,7 @@ from __future__ import annotations
 import argparse
 from collections.abc import Generator, Sequence
 import contextlib
+import ctypes
 from dataclasses import dataclass
 import json
 import os
@@ -33,7 +35,11 @@ PROMPTS = {
 }
 NOT_COMPARED = frozenset({"SHA256SUMS", "log.jsonl"})
 """Files that hold times, or sums of those that do."""
+FINISHING = ".finishing"
+"""The mark of a folder that is not complete yet."""
+WAIT_S = 600.0
 _TICKS = os.sysconf("SC_CLK_TCK")
+_SUBREAPER = 36
 
 
 @dataclass(frozen=True)
@@ -41,13 +47,15 @@ class Cost:
     """Of one command.
 
     Args:
-        seconds: From its start to its end [s].
-        core_seconds: Of the processor, for it, its processes and a worker's [s].
+        seconds: From its start to its end, which is its answer [s].
+        whole_s: From its start until the folder is complete [s].
+        core_seconds: Of the processor, for all of it: its processes and a worker's [s].
         folder: Of the scene.
         stages: Seconds of each stage [s].
     """
 
     seconds: float
+    whole_s: float
     core_seconds: float
     folder: Path
     stages: dict[str, float]
@@ -63,6 +71,7 @@ class Checkout:
 
     def __init__(self, root: Path, work: Path) -> None:
         self.root, self.work, self.worker = root, work, 0
+        self.options: tuple[str, ...] = ()
         self._environment = os.environ | {
             "PYTHONPATH": str(root),
             "ESG_DB": str(work / "esg.duckdb"),
@@ -94,14 +103,24 @@ class Checkout:
         finally:
             self.esg("up", "--stop")
 
+    def answers_first(self) -> None:
+        """Has cold commands answer first, if this checkout can."""
+        if "--no-wait" in self.esg("generate", "--help"):
+            self.options = ("--no-wait",)
+
     def made(self, prompt: str, seed: int) -> Cost:
         """Makes a scene and tells what that cost."""
         cores, start = self._spent(), time.perf_counter()
-        out = self.esg("generate", prompt, "--seed", str(seed), "--json", "--out", "scenes")
+        out = self.esg(
+            "generate", prompt, "--seed", str(seed), "--json", "--out", "scenes", *self.options
+        )
         seconds = time.perf_counter() - start
         told = json.loads(out)
+        folder = self.work / told["folder"]
+        finished(folder)
+        whole_s = time.perf_counter() - start if told.get("finishing") else seconds
         stages = {row["stage"]: float(row["seconds"]) for row in told["stages"]}
-        return Cost(seconds, self._spent() - cores, self.work / told["folder"], stages)
+        return Cost(seconds, whole_s, self._spent() - cores, folder, stages)
 
     def _spent(self) -> float:
         """Processor time of all that has ended of this process's and the worker's children [s]."""
@@ -112,6 +131,25 @@ class Checkout:
             told = Path(f"/proc/{self.worker}/stat").read_text().rpartition(")")[2].split()
             spent += sum(int(v) for v in told[11:15]) / _TICKS
         return spent
+
+
+def finished(folder: Path) -> None:
+    """Waits until a scene folder is complete and who completed it has ended.
+
+    Raises:
+        TimeoutError: If that never happens.
+    """
+    deadline = time.monotonic() + WAIT_S
+    with contextlib.suppress(FileNotFoundError):
+        pid = int(json.loads((folder / FINISHING).read_bytes())["pid"])
+        while Path(f"/proc/{pid}").exists():
+            with contextlib.suppress(ChildProcessError):  # a worker's
+                os.waitpid(pid, os.WNOHANG)
+            if time.monotonic() > deadline:
+                raise TimeoutError(f"{folder} is not complete after {WAIT_S:g} s")
+            time.sleep(0.01)
+        if not (folder / "SHA256SUMS").exists():
+            raise TimeoutError(f"{folder} was never completed")
 
 
 def other_files(a: Path, b: Path) -> list[str]:
@@ -151,9 +189,13 @@ def measured(
 
 def line(name: str, costs: Sequence[Cost]) -> str:
     """Minimum and median of a checkout's runs."""
-    columns = [[c.seconds for c in costs], [c.core_seconds for c in costs]]
+    columns = [
+        [c.seconds for c in costs],
+        [c.whole_s for c in costs],
+        [c.core_seconds for c in costs],
+    ]
     told = [f"{min(v):6.2f} {statistics.median(v):6.2f}" for v in columns]
-    return f"{name:>24}  {told[0]}  {told[1]}"
+    return f"{name:>24}  {'  '.join(told)}"
 
 
 def stages_line(costs: Sequence[Cost]) -> str:
@@ -171,13 +213,18 @@ def report(args: Any, work: Path) -> int:
     for number, tree in enumerate(trees):
         (work / str(number)).mkdir()
         checkouts.append(Checkout(tree, work / str(number)))
+        if args.no_wait:
+            checkouts[-1].answers_first()
     prompts = {p: p for p in args.prompt} or PROMPTS
     differs = False
     with contextlib.ExitStack() as held:
         if args.up:
             for checkout in checkouts:
                 held.enter_context(checkout.warm())
-        print(f"{'':>24}  seconds         core-seconds\n{'':>24}  least median    least median")
+        print(
+            f"{'':>24}  seconds        until complete  core-seconds\n"
+            f"{'':>24}   least median   least median   least median"
+        )
         for name, prompt in prompts.items():
             # Seeds of their own, so that nothing of the scene is found in the store.
             seeds = [secrets.randbelow(10**6) for _ in range(args.runs + 1)]
@@ -200,9 +247,12 @@ def main() -> int:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--against", type=Path, help="a checkout of another commit")
     parser.add_argument("--up", action="store_true", help="with a worker of `esg up`")
+    parser.add_argument("--no-wait", action="store_true", help="cold commands answer first")
     parser.add_argument("--runs", type=int, default=3)
     parser.add_argument("--prompt", action="append", default=[], help="in place of the usual two")
     args = parser.parse_args()
+    # What goes on after a command's answer becomes a child of this process: its time counts.
+    ctypes.CDLL(None).prctl(_SUBREAPER, 1)
     with tempfile.TemporaryDirectory(prefix="esg-single-") as work:
         return report(args, Path(work))
 

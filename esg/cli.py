@@ -81,7 +81,12 @@ def main() -> None:
 
     gc.set_threshold(GC_THRESHOLD, 20, 20)
     try:
-        if (code := delegated(sys.argv[1:])) is not None:
+        code = delegated(sys.argv[1:])
+        if code is None:
+            from esg.up.apart import apart
+
+            code = apart(main, sys.argv[1:])
+        if code is not None:
             sys.exit(code)
     except KeyboardInterrupt:
         sys.exit(128 + signal.SIGINT)

@@ -74,22 +74,36 @@ def place_in(stage: str, *, where: str = "", most: int | None = None) -> Generat
     if limit is None:
         yield
         return
+    with contextlib.ExitStack() as held:
+        while not taken(f"{stage}{where}", limit, held):
+            time.sleep(_WAIT_S)
+        yield
+
+
+def taken(name: str, limit: int, held: contextlib.ExitStack) -> bool:
+    """Takes one of a number of places on this machine, if one is free.
+
+    Args:
+        name: Of the places.
+        limit: How many there are.
+        held: Gives the place back.
+
+    Returns:
+        Whether one was free.
+    """
     from filelock import FileLock, Timeout
 
     folder = cache_dir() / "limits"
     folder.mkdir(parents=True, exist_ok=True)
-    while True:
-        for k in range(limit):
-            place = FileLock(folder / f"{stage}{where}-{k}.lock", timeout=0)
-            try:
-                place.acquire()
-            except Timeout:
-                continue
-            with contextlib.ExitStack() as held:
-                held.callback(place.release)
-                yield
-            return
-        time.sleep(_WAIT_S)
+    for k in range(limit):
+        place = FileLock(folder / f"{name}-{k}.lock", timeout=0)
+        try:
+            place.acquire()
+        except Timeout:
+            continue
+        held.callback(place.release)
+        return True
+    return False
 
 
 @contextlib.contextmanager

@@ -214,48 +214,152 @@ def run_stage(stage: str, state: SceneState) -> SceneState:
         OSError: One that may pass (see `may_pass`): try the stage again; or the remedy for a disk
             that cannot be written: no fault of the scene, which therefore does not end.
     """
-    from esg.files import explained, unwritable
     from esg.stages import SPECS, conclude
 
     if state.ended or stage in state.artifacts:
         return state
-    start, core_start = time.perf_counter(), core_time() + spent_s()
-    entry: dict[str, Any] = {"stage": stage, "cached": False}
-    emit(StageEvent(state.request.name or state.request.prompt, stage, "started",
-                    state.request.seed))  # fmt: skip
+    this = _begun(stage, state)
     try:
-        key = stage_key(stage, state)
-        store = artifact_store()
-        entry["key"] = key
-        entry["cached"] = store.find(key) is not None
-        if not entry["cached"]:
-            _quiet_libraries(stage)
-            store.create(key, lambda folder: SPECS[stage].run(state, folder))
+        key = this.look_up(state)
+        if not this.entry["cached"]:
+            artifact_store().create(key, lambda folder: SPECS[stage].run(state, folder))
         state = replace(state, artifacts={**state.artifacts, stage: key})
         outcome, reason = conclude(stage, state)
         if outcome is not None:
             state = replace(state, outcome=outcome, reason=reason)
-    except UserError as error:
-        entry["error"] = scrub_all(str(error))
-        state = replace(
-            state, outcome=Outcome.INVALID_DRAFT, reason=entry["error"], user_error=True
-        )
     except Exception as error:
+        state = this.failed(state, error)
+    return this.ended(state)
+
+
+@dataclass
+class _Attempt:
+    """A stage that is being run: its line of the log, and when it began."""
+
+    entry: dict[str, Any]
+    start: float
+    core_start: float
+
+    def look_up(self, state: SceneState) -> str:
+        """The key of the stage's result; notes it, and whether the result is in the store."""
+        stage = self.entry["stage"]
+        key = self.entry["key"] = stage_key(stage, state)
+        self.entry["cached"] = artifact_store().find(key) is not None
+        if not self.entry["cached"]:
+            _quiet_libraries(stage)
+        return key
+
+    def failed(self, state: SceneState, error: Exception) -> SceneState:
+        """The state after an error; raises one that ends no scene."""
+        from esg.files import explained, unwritable
+
+        if isinstance(error, UserError):
+            reason = self.entry["error"] = scrub_all(str(error))
+            return replace(state, outcome=Outcome.INVALID_DRAFT, reason=reason, user_error=True)
         if may_pass(error):
-            raise
+            raise error
         if unwritable(error):
             assert isinstance(error, OSError)
             raise explained(error, Path(error.filename or cache_dir())) from error
         state = crashed(state, error)
-        entry["error"] = state.reason
-        entry["traceback"] = scrub_all(traceback.format_exc())
-    entry["seconds"] = round(time.perf_counter() - start, 4)
-    entry["core_seconds"] = round(core_time() + spent_s() - core_start, 4)
-    if state.outcome is not None:
-        entry["outcome"] = state.outcome.value
-    state = replace(state, log=(*state.log, entry))
-    emit(finished_event(state))
-    return state
+        self.entry["error"] = state.reason
+        self.entry["traceback"] = scrub_all("".join(traceback.format_exception(error)))
+        return state
+
+    def ended(self, state: SceneState) -> SceneState:
+        """The state with the stage's line in its log; whoever listens is told."""
+        self.entry["seconds"] = round(time.perf_counter() - self.start, 4)
+        self.entry["core_seconds"] = round(core_time() + spent_s() - self.core_start, 4)
+        if state.outcome is not None:
+            self.entry["outcome"] = state.outcome.value
+        state = replace(state, log=(*state.log, dict(self.entry)))
+        emit(finished_event(state))
+        return state
+
+
+def _begun(stage: str, state: SceneState) -> _Attempt:
+    emit(StageEvent(state.request.name or state.request.prompt, stage, "started",
+                    state.request.seed))  # fmt: skip
+    entry: dict[str, Any] = {"stage": stage, "cached": False}
+    return _Attempt(entry, time.perf_counter(), core_time() + spent_s())
+
+
+@dataclass
+class Unfinished:
+    """A record that lacks its pictures.
+
+    Args:
+        state: The scene with all of its log but what the pictures take; the key of its record is
+            there, the artifact is not.
+        folder: What there is of the record, beside pictures that are being drawn.
+    """
+
+    state: SceneState
+    folder: Path
+    _draw: Callable[[], object]
+    _held: contextlib.ExitStack
+
+    def finish(self) -> SceneState:
+        """Draws the pictures and stores the record.
+
+        Returns:
+            The final state; only times in its log differ from that of `run_stage`.
+
+        Raises:
+            Exception: Whatever keeps them from being drawn; nothing is stored then.
+        """
+        start, core_start = time.perf_counter(), core_time() + spent_s()
+        with self._held:
+            self._draw()
+        *before, entry = self.state.log
+        took = {
+            "seconds": time.perf_counter() - start,
+            "core_seconds": core_time() + spent_s() - core_start,
+        }
+        entry = entry | {name: round(entry[name] + value, 4) for name, value in took.items()}
+        return replace(self.state, log=(*before, entry))
+
+    def drop(self) -> None:
+        """Draws no pictures and leaves nothing of the record."""
+        error = RuntimeError("dropped")
+        with contextlib.suppress(RuntimeError):
+            self._held.__exit__(RuntimeError, error, None)
+
+
+def begin_record(state: SceneState) -> tuple[SceneState, Unfinished | None]:
+    """Runs the last stage but for its pictures, which are left to be drawn.
+
+    Args:
+        state: A scene that is dressed, or has ended.
+
+    Returns:
+        The state after the stage, and what is left of it; None if nothing is: the record was in
+        the store, or the scene has ended.
+
+    Raises:
+        OSError: As of `run_stage`.
+    """
+    from esg.stages import recording
+
+    stage = STAGES[-1]
+    if state.ended or stage in state.artifacts:
+        return state, None
+    this = _begun(stage, state)
+    rest = None
+    try:
+        with contextlib.ExitStack() as held:
+            key = this.look_up(state)
+            if not this.entry["cached"]:
+                folder = held.enter_context(artifact_store().making(key))
+                draw = held.enter_context(recording(state, folder, later=True))
+                rest = Unfinished(state, folder, draw, held.pop_all())
+        state = replace(state, artifacts={**state.artifacts, stage: key})
+    except Exception as error:
+        state = this.failed(state, error)
+    state = this.ended(state)
+    if rest is not None:
+        rest.state = state
+    return state, rest
 
 
 def finished_event(state: SceneState) -> StageEvent:

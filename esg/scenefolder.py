@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Generator, Mapping
 import contextlib
+from dataclasses import dataclass
 import errno
+import hashlib
 import json
 import os
 from pathlib import Path
@@ -11,14 +14,27 @@ import shutil
 import tempfile
 import time
 
-from esg.files import explained, make_folder, refused, safe_name, sync_folder, sync_tree
+from esg.files import (
+    atomic_file,
+    explained,
+    make_folder,
+    refused,
+    safe_name,
+    sha256_of,
+    sync_folder,
+    sync_tree,
+)
 from esg.outcomes import UserError
-from esg.pipeline import STAGES, SceneState
-from esg.stages import DOCUMENT, ROLLOUT
-from esg.strangers.sums import seal
+from esg.pipeline import STAGES, SceneState, Unfinished
+from esg.stages import DOCUMENT, PICTURES, ROLLOUT
+from esg.strangers.sums import FINISHING, digests, seal, write_sums
+from esg.unfinished import announce, settled
 
 _DOCUMENT_STAGES = ("draft", "resolve", "cast", "layout", "optimize", "dress")
-_MARKS = ("prompt.txt", "log.jsonl")
+LOG = "log.jsonl"
+_DRAWN = tuple({name.partition(".")[0] + "." for name in PICTURES})
+"""Beginnings of the names of pictures, unfinished ones included."""
+_MARKS = ("prompt.txt", LOG)
 """Files that tell a scene folder from a folder of the user's."""
 _ATTEMPTS = 20
 """Of putting a folder into place while others do the same."""
@@ -37,11 +53,87 @@ def publish(state: SceneState, out: Path) -> Path:
     Raises:
         UserError: If `out` cannot be written, or a folder of that name is no scene folder.
     """
+    with _placed(state, out) as work:
+        _fill(state, work)
+        seal(work)
+    return out / folder_name(state)
+
+
+@dataclass(frozen=True)
+class Owed:
+    """A scene folder in its place that lacks its pictures.
+
+    Args:
+        folder: Its path when it was written.
+        handle: Descriptor of the folder, which follows it wherever it is moved.
+        sums: SHA-256 of what was written, by file.
+    """
+
+    folder: Path
+    handle: int
+    sums: Mapping[str, str]
+
+    @property
+    def here(self) -> Path:
+        """The folder wherever it is now; in one that is gone nothing can be written."""
+        return Path(f"/proc/self/fd/{self.handle}")
+
+
+def publish_unfinished(rest: Unfinished, out: Path) -> Owed:
+    """Writes the folder of a scene but for its pictures, with a mark (esg.unfinished).
+
+    Args:
+        rest: Of the scene's record.
+        out: As of `publish`.
+
+    Raises:
+        UserError: As `publish`.
+    """
+    with _placed(rest.state, out) as work:
+        _fill(rest.state, work, rest.folder)
+        sums = digests(work)
+        announce(work, PICTURES)
+        handle = os.open(work, os.O_RDONLY)
+    return Owed(out / folder_name(rest.state), handle, sums)
+
+
+def complete(owed: Owed, state: SceneState) -> None:
+    """Adds pictures and the finished log to a folder, each whole; then its list, the mark goes.
+
+    Args:
+        owed: The folder.
+        state: The scene, its record in the store.
+
+    Raises:
+        OSError: If the folder is gone, or cannot be written.
+    """
+    record, sums = state.artifact(STAGES[-1]), dict(owed.sums)
+    for name in PICTURES:
+        if (record / name).is_file():
+            with atomic_file(owed.here / name) as file:
+                file.write((record / name).read_bytes())
+            sums[name] = sha256_of(owed.here / name)
+    log = _log(state)
+    with atomic_file(owed.here / LOG) as file:
+        file.write(log)
+    sums[LOG] = hashlib.sha256(log).hexdigest()
+    write_sums(owed.here, sums)
+    (owed.here / FINISHING).unlink(missing_ok=True)
+
+
+@contextlib.contextmanager
+def _placed(state: SceneState, out: Path) -> Generator[Path]:
+    """A folder aside for the body to fill, which is then put into the place of the scene's.
+
+    Raises:
+        UserError: As `publish`.
+    """
     target = out / folder_name(state)
     if _is_anothers(target):
         raise UserError(
             f"{target} exists and is not a scene folder; move it or choose another --out"
         )
+    settled(target)  # nobody writes any more into what is to be replaced
     try:
         make_folder(out)
         work = Path(tempfile.mkdtemp(prefix=f".{target.name}.", suffix=".tmp", dir=out))
@@ -49,15 +141,13 @@ def publish(state: SceneState, out: Path) -> Path:
         raise UserError(f"cannot write to --out {out}: {explained(error, out).strerror}") from None
     try:
         with refused(target):
-            _fill(state, work)
-            seal(work)
+            yield work
             work.chmod(0o755)
             sync_tree(work)
             _replace(work, target)
     except BaseException:
         shutil.rmtree(work, ignore_errors=True)
         raise
-    return target
 
 
 def _replace(work: Path, target: Path) -> None:
@@ -107,7 +197,14 @@ def folder_name(state: SceneState) -> str:
     return safe_name(name) or "scene"
 
 
-def _fill(state: SceneState, folder: Path) -> None:
+def _fill(state: SceneState, folder: Path, record: Path | None = None) -> None:
+    """Writes a scene as far as it came.
+
+    Args:
+        state: The scene.
+        folder: Empty.
+        record: What there is of its record, if that lacks its pictures.
+    """
     (folder / "prompt.txt").write_text(state.request.prompt + "\n", encoding="utf-8")
     stages = folder / "stages"
     stages.mkdir()
@@ -122,25 +219,30 @@ def _fill(state: SceneState, folder: Path) -> None:
         if violations.stat().st_size > 3:
             shutil.copyfile(violations, folder / "violations.json")
     for stage in ("compile", "judge", "record"):
-        if stage in state.artifacts:
+        if stage == "record" and record is not None:
+            _copy(record, folder, pictures=False)
+        elif stage in state.artifacts:
             _copy(state.artifact(stage), folder)
     if "replay" in state.artifacts:
         number = STAGES.index("replay") + 1
         shutil.copyfile(state.artifact("replay") / "replay.json", stages / f"{number}-replay.json")
         shutil.copyfile(state.artifact("replay") / ROLLOUT, folder / ROLLOUT)
-    with (folder / "log.jsonl").open("w", encoding="utf-8") as log:
-        for entry in state.log:
-            log.write(json.dumps(entry, ensure_ascii=False) + "\n")
-        end = {"outcome": state.outcome.value if state.outcome else None, "reason": state.reason}
-        log.write(json.dumps(end, ensure_ascii=False) + "\n")
+    (folder / LOG).write_bytes(_log(state))
 
 
-def _copy(source: Path, folder: Path) -> None:
+def _log(state: SceneState) -> bytes:
+    """Lines of `log.jsonl`: one a stage, and how the scene ended."""
+    end = {"outcome": state.outcome.value if state.outcome else None, "reason": state.reason}
+    lines = [json.dumps(entry, ensure_ascii=False) for entry in (*state.log, end)]
+    return "".join(f"{line}\n" for line in lines).encode()
+
+
+def _copy(source: Path, folder: Path, *, pictures: bool = True) -> None:
     for path in sorted(source.rglob("*")):
         relative = path.relative_to(source)
         if path.is_dir():
             (folder / relative).mkdir(exist_ok=True, parents=True)
-        else:
+        elif pictures or not path.name.startswith(_DRAWN):
             (folder / relative).parent.mkdir(exist_ok=True, parents=True)
             shutil.copyfile(path, folder / relative)
 

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Generator, Sequence
 from concurrent.futures import ThreadPoolExecutor
 import contextlib
 from dataclasses import dataclass
 from functools import partial
 import json
+import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -22,6 +23,8 @@ if TYPE_CHECKING:
 
 DOCUMENT = "esg.json"
 ROLLOUT = "rollout.npz"
+PICTURES = ("preview.mp4", "preview.png")
+"""Of a record, what takes most of its time and no proof needs: film and contact sheet."""
 REPLAY_RATE_HZ = 240
 LEFT_OUT = {"resolve": ("generation",), "layout": ("global", "initial")}
 """What an ablation leaves out of a stage (`SceneRequest.without`)."""
@@ -375,9 +378,29 @@ def _dress(state: SceneState, folder: Path) -> None:
 
 
 def _record(state: SceneState, folder: Path) -> None:
+    with recording(state, folder) as draw:
+        draw()
+
+
+@contextlib.contextmanager
+def recording(
+    state: SceneState, folder: Path, *, later: bool = False
+) -> Generator[Callable[[], object]]:
+    """Writes what is cheap of a record: meshes, exports, the log of the replay.
+
+    Args:
+        state: A scene that is dressed.
+        folder: Receives the files.
+        later: Whether nobody waits for the pictures (`PICTURES`): what draws them beside the body
+            has low priority.
+
+    Yields:
+        A function that draws what is left of the pictures; to be called in the body.
+    """
     from esg.assets import write_meshes
     from esg.compile.export import export, thinned
     from esg.engines.rollout_file import load_rollout
+    from esg.machine.answering import lowly
     from esg.machine.beside import beside
     from esg.machine.companion import handed
     from esg.store.mcap_log import write_mcap
@@ -394,6 +417,8 @@ def _record(state: SceneState, folder: Path) -> None:
         shown = _read_verdict(metrics["own_timeline"])  # a suite that asks for nothing
     played = thinned(rollout)
     filming = partial(film, scene, rollout, shown, doc, folder)
+    if later:
+        filming = partial(lowly, filming, os.getpid())
     with (
         handed(filming) as there,
         beside(filming) if there is None else contextlib.nullcontext(there) as filmed,
@@ -403,12 +428,18 @@ def _record(state: SceneState, folder: Path) -> None:
         # Exports read a scene folder: lend them the manifest, which belongs to another stage.
         manifest = folder / "manifest.json"
         manifest.write_bytes((state.artifact("compile") / manifest.name).read_bytes())
-        export(folder, "usd", rollout=played, setting=setting)
-        export(folder, "glb", rollout=played, setting=setting)
+
+        def usd() -> None:
+            export(folder, "usd", rollout=played, setting=setting)
+
+        # The film is drawn meanwhile; it makes way for the dearest export if nobody waits for it.
+        with beside(usd) if later else contextlib.nullcontext(usd) as written:
+            export(folder, "glb", rollout=played, setting=setting)
+            written()
         manifest.unlink()
         write_mcap(folder / "rollout.mcap", scene, program, rollout, verdict, doc)
         note = f"{metrics['outcome']}  |  replayed in {rollout.engine} at {1 / rollout.dt:.0f} Hz"
-        preview(scene, rollout, shown, doc, folder, note=note, lost=filmed)
+        yield partial(preview, scene, rollout, shown, doc, folder, note=note, lost=filmed)
 
 
 def write_doc(doc: EsgDocument, folder: Path) -> None:

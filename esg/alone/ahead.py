@@ -12,7 +12,7 @@ PICTURES = (
     "sapien", "pxr.Sdf", "pxr.Usd", "pxr.UsdGeom", "pxr.UsdPhysics", "pxr.UsdShade",
     "esg.compile.export", "esg.view.preview", "esg.view.setting",
 )  # fmt: skip
-RECORDS = ("duckdb", "pyarrow.parquet", "esg.store")
+RECORDS = ("duckdb", "pyarrow.parquet", "esg.store", "pandas")  # which pyarrow asks for at tables
 """Libraries and modules, in the order in which a scene comes to need them."""
 DRAWN, TRACED = "esg.view.scan.kernels", "esg.view.tracer.kernels"
 """Kernels of films and of sheets, whose source is hashed before they are taken from the cache."""

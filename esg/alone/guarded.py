@@ -6,7 +6,7 @@ single one more than its search.
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Sequence
 import contextlib
 from functools import partial
 from pathlib import Path
@@ -20,6 +20,8 @@ from esg.pipeline import (
     STAGES,
     SceneRequest,
     SceneState,
+    Unfinished,
+    begin_record,
     crashed,
     retried,
     run_stage,
@@ -41,12 +43,26 @@ def guarded_stage(stage: str, state: SceneState, store: Path | None = None) -> S
     Raises:
         OSError: As `run_stage`.
     """
-    with place_in(stage), scratch_store(store) if store else contextlib.nullcontext():
+    with scratch_store(store) if store else contextlib.nullcontext():
         try:
-            with limited(stage):
+            with bounded(stage):
                 return run_stage(stage, state)
         except StageTimeout as error:
             return crashed(state, TimeoutError(str(error)), stage)
+
+
+@contextlib.contextmanager
+def bounded(stage: str) -> Generator[None]:
+    """A place in a stage among other scenes, and its time, for the body.
+
+    Args:
+        stage: One of `esg.pipeline.STAGES`.
+
+    Raises:
+        StageTimeout: In the body, once it takes too long.
+    """
+    with place_in(stage), limited(stage):
+        yield
 
 
 def run_guarded(request: SceneRequest, pauses: Sequence[float] = PAUSES_S) -> SceneState:
@@ -64,6 +80,44 @@ def run_guarded(request: SceneRequest, pauses: Sequence[float] = PAUSES_S) -> Sc
         for stage in STAGES:
             state = _tried(stage, state, pauses)
     return state
+
+
+def begin_guarded(
+    request: SceneRequest,
+    later: Callable[[SceneState], bool],
+    pauses: Sequence[float] = PAUSES_S,
+) -> tuple[SceneState, Unfinished | None]:
+    """All stages of one scene but for the pictures of its record, where these may follow.
+
+    Args:
+        request: What to make.
+        later: Whether they may, asked when all but the record is there.
+        pauses: Before each further try of a stage [s].
+
+    Returns:
+        The scene, and what is left of its record; None if nothing is.
+
+    Raises:
+        OSError: As `run_guarded`.
+    """
+    state = SceneState(request)
+    for stage in STAGES[:-1]:
+        state = _tried(stage, state, pauses)
+    if not later(state):
+        return _tried(STAGES[-1], state, pauses), None
+    rests: list[Unfinished] = []
+
+    def begin() -> SceneState:
+        try:
+            with bounded(STAGES[-1]):
+                begun, rest = begin_record(state)
+        except StageTimeout as error:
+            return crashed(state, TimeoutError(str(error)), STAGES[-1])
+        rests.extend([rest] if rest else [])
+        return begun
+
+    begun = _ended(STAGES[-1], state, begin, pauses)
+    return begun, rests[0] if rests else None
 
 
 @contextlib.contextmanager
@@ -84,8 +138,15 @@ def alongside(request: SceneRequest) -> Generator[None]:
 
 
 def _tried(stage: str, state: SceneState, pauses: Sequence[float]) -> SceneState:
+    return _ended(stage, state, partial(guarded_stage, stage, state), pauses)
+
+
+def _ended(
+    stage: str, state: SceneState, run: Callable[[], SceneState], pauses: Sequence[float]
+) -> SceneState:
+    """What running a stage gives, or the scene as one that crashed there."""
     try:
-        return retried(partial(guarded_stage, stage, state), pauses)
+        return retried(run, pauses)
     except OSError as error:
         if unwritable(error):
             raise

@@ -191,15 +191,25 @@ def check_device(device: str) -> str:
     return f"cuda:{number or 0}"
 
 
-def find_scene(scene: str) -> Path:
+def find_scene(scene: str, *, whole: bool = True) -> Path:
     """A scene folder by path or by id below ./runs, whatever is in which may be opened.
+
+    Args:
+        scene: Folder or id.
+        whole: Whether pictures that are still being drawn into it are waited for; a note on stderr
+            tells that they do not come.
 
     Raises:
         UserError: If there is none, the id names several, or something in it may not be opened.
     """
+    from esg.notices import warn
     from esg.strangers.folders import admitted
+    from esg.unfinished import settled
 
-    return admitted(_scene_at(scene))
+    found = admitted(_scene_at(scene))
+    if whole:
+        warn(filter(None, [settled(found)]))
+    return found
 
 
 def _scene_at(scene: str) -> Path:

@@ -61,8 +61,9 @@ def folder_facts(folder: Path) -> dict[str, Any]:
     from esg.files import sha256_of
     from esg.strangers.folders import oddity
     from esg.strangers.sums import SUMS, differences
+    from esg.unfinished import settled
 
-    wrong = oddity(folder)
+    wrong = oddity(folder) or settled(folder)
     found = None if wrong else differences(folder)
     standing, why = ("", "") if wrong else standing_in(folder)
     listed = found is not None

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+import contextlib
+from functools import partial
 from pathlib import Path
 import re
 from typing import TYPE_CHECKING, Annotated, Any, Literal
@@ -11,7 +14,7 @@ from cyclopts import Parameter
 from esg.commands.drafting import RULES, Drafting
 
 if TYPE_CHECKING:
-    from esg.pipeline import SceneRequest, SceneState
+    from esg.pipeline import SceneRequest, SceneState, Unfinished
     from esg.view.seeing.wanted import Settings
 
 Strategy = Literal["batched", "hybrid", "fd", "ad", "none"]
@@ -32,10 +35,14 @@ def generate(
     collision: Collision = "exact",
     traffic: Literal["right", "left"] = "right",
     render: str = "",
+    wait: bool | None = None,
     strict: Annotated[bool, Parameter(negative="")] = False,
     json: Annotated[bool, Parameter(negative="")] = False,
 ) -> int:
     """Generate one scene and prove it by replaying what was emitted.
+
+    With a warm worker (esg up) or --no-wait, the outcome is told as soon as it is proven: film and
+    contact sheet follow in the scene folder, which is complete once it has its SHA256SUMS.
 
     Args:
         prompt: English description of the scene.
@@ -49,6 +56,8 @@ def generate(
         traffic: Side of the road that vehicles keep to.
         render: Ground-truth channels to render into the scene folder at 256x256 and 24 frames a
             second, with commas, or all; esg render has further options.
+        wait: Whether the command ends with the whole folder written, pictures included; default so
+            without a warm worker. With --render it always does.
         strict: Count a scene as failed that is partial (not all is shown) or not plausible.
         json: Print one JSON document with outcome, metrics and paths.
     """
@@ -57,9 +66,11 @@ def generate(
     from esg.commands.drafting import from_answers, tell_waiting
     from esg.commands.live import live
     from esg.failures import report_failures
+    from esg.machine.answering import afterwards
     from esg.outcomes import UserError
     from esg.runs import exit_code, record_run
-    from esg.scenefolder import check_writable, publish
+    from esg.scenefolder import check_writable, publish, publish_unfinished
+    from esg.stages import PICTURES
 
     prompt, _, device, seed, pictures, *_ = checked(
         lambda: clean_prompt(prompt),
@@ -73,17 +84,24 @@ def generate(
     found = drafting.gathered([prompt], [seed])
     if found is not None and found.waiting:
         return tell_waiting(found, json)
-    with from_answers(found), live(1) as bar:
-        who = drafting.drafter
-        state = _state(([prompt], seed, who, strategy, device, close_loop, collision, traffic))
-        if state.user_error:
-            raise UserError(state.reason)
-        bar.show("writing")
-        folder = publish(state, out)
-        report_failures([state], [folder], out, adding=True, strict=strict)
-        bar.show("ingesting")
-        recorded = record_run([state], "generate") is not None
-    summary = summarize(state, folder)
+    arguments = ([prompt], seed, drafting.drafter, strategy, device, close_loop, collision, traffic)
+    with contextlib.ExitStack() as held:
+        with from_answers(found), live(1) as bar:
+            waits = bool(wait) or pictures is not None or device != "cpu"
+            state, rest = _state(arguments, None if waits else out, held)
+            if state.user_error:
+                raise UserError(state.reason)
+            bar.show("writing")
+            owed = None if rest is None else publish_unfinished(rest, out)
+            folder = publish(state, out) if owed is None else owed.folder
+            report_failures([state], [folder], out, adding=True, strict=strict)
+            bar.show("ingesting")
+            recorded = record_run([state], "generate") is not None
+        if rest is not None and owed is not None:
+            from esg.alone.finishing import finish
+
+            afterwards(partial(finish, rest, owed, held.pop_all()))
+    summary = summarize(state, folder, PICTURES if rest is not None else ())
     if pictures is not None and summary["metrics"] is not None:
         summary["render"] = _rendered(folder, pictures, device, seed)
     if json:
@@ -93,11 +111,18 @@ def generate(
     return exit_code([state], recorded, strict=strict)
 
 
-def _state(arguments: tuple[Any, ...]) -> SceneState:
-    """The final state of the scene, as of `flows.generate`.
+def _state(
+    arguments: tuple[Any, ...], follow: Path | None, held: contextlib.ExitStack
+) -> tuple[SceneState, Unfinished | None]:
+    """The final state of the scene, as of `flows.generate`, and what is left of its record.
 
     It is made on the user's Prefect server if there is one, else without a scheduler. One that is
     already in the store is found there.
+
+    Args:
+        arguments: As of `generate_requests`.
+        follow: Folder that receives the scene's, if its pictures may follow.
+        held: What the record needs until it is finished.
     """
     import os
 
@@ -105,18 +130,24 @@ def _state(arguments: tuple[Any, ...]) -> SceneState:
 
     request = generate_requests(*arguments)[0]
     if os.environ.get("PREFECT_API_URL"):
-        return _recalled(request) or _on_server(arguments)
-    from esg.alone.guarded import alongside, run_guarded
+        return _recalled(request) or _on_server(arguments), None
+    from esg.alone.finishing import may_follow
+    from esg.alone.guarded import alongside, begin_guarded, run_guarded
     from esg.limits import stage_limits
     from esg.settings import check_limits
 
-    with alongside(request):
-        state = _recalled(request)
-        if state is not None:
-            return state
-        stage_limits()  # a mistake in them is told before anything starts
-        check_limits()
-        return run_guarded(request)
+    held.enter_context(alongside(request))
+    state = _recalled(request)
+    if state is not None:
+        return state, None
+    stage_limits()  # a mistake in them is told before anything starts
+    check_limits()
+    if follow is None:
+        return run_guarded(request), None
+    state, rest = begin_guarded(request, lambda state: may_follow(state, follow, held))
+    if rest is not None:
+        held.callback(rest.drop)
+    return state, rest
 
 
 def _recalled(request: SceneRequest) -> SceneState | None:
@@ -153,8 +184,14 @@ def _rendered(folder: Path, pictures: Settings, device: str, seed: int) -> dict[
     return run(folder, folder / "render", replace(pictures, device=device, seed=seed))
 
 
-def summarize(state: SceneState, folder: Path) -> dict[str, Any]:
-    """What `--json` prints about one scene."""
+def summarize(state: SceneState, folder: Path, finishing: Sequence[str] = ()) -> dict[str, Any]:
+    """What `--json` prints about one scene.
+
+    Args:
+        state: The scene.
+        folder: Its folder.
+        finishing: Files that follow there.
+    """
     import json
 
     from esg.fidelity import lost_in, stand_ins, statement_rows
@@ -194,6 +231,7 @@ def summarize(state: SceneState, folder: Path) -> dict[str, Any]:
             {k: e[k] for k in ("stage", "cached", "seconds", "error") if k in e} for e in state.log
         ],
         "seconds": round(state.seconds, 3),
+        "finishing": list(finishing),
     }
 
 
@@ -270,4 +308,7 @@ def describe(summary: dict[str, Any]) -> str:
     if ran:
         lines.append(f"  seconds: {', '.join(ran)}")
     lines.append(f"  {summary['cached_stages']} of {len(STAGES)} stages from cache")
+    if summary["finishing"]:
+        follow = " and ".join(summary["finishing"])
+        lines.append(f"  {follow} follow (--wait waits for them)")
     return "\n".join(lines)

@@ -59,7 +59,7 @@ def replay(
         step, loaded, folder = checked(
             lambda: step_of(hz, dt),
             lambda: None if suite is None else load_suite(suite),
-            lambda: stack.enter_context(open_scene(scene)),
+            lambda: stack.enter_context(open_scene(scene, whole=False)),
         )
         doc = document_of(folder)
         expected, against = expectation(folder, doc, loaded)

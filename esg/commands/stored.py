@@ -11,7 +11,7 @@ _KEY_FILE = ".scene_key"
 
 
 @contextlib.contextmanager
-def open_scene(scene: str, *, meshes: bool = False) -> Generator[Path]:
+def open_scene(scene: str, *, meshes: bool = False, whole: bool = True) -> Generator[Path]:
     """Folder of a scene.
 
     A scene of the database is compiled again from its stored document, into a folder that is gone
@@ -21,6 +21,7 @@ def open_scene(scene: str, *, meshes: bool = False) -> Generator[Path]:
         scene: Scene folder, id of one below ./runs, or scene key (`RUN/SUITE/SCENE/SEED`) or scene
             id in the run database.
         meshes: Whether a scene of the database gets its mesh files too.
+        whole: As of `find_scene`.
 
     Raises:
         UserError: If there is no such scene, the id names several, or it was never solved.
@@ -33,7 +34,7 @@ def open_scene(scene: str, *, meshes: bool = False) -> Generator[Path]:
     from esg.strangers.sums import altered
 
     try:
-        folder = find_scene(scene)
+        folder = find_scene(scene, whole=whole)
     except UserError as error:
         row = None if Path(scene).exists() or "ambiguous" in str(error) else stored_row(scene)
         if row is None:

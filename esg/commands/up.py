@@ -133,8 +133,9 @@ def _line(worker: dict[str, Any], stopped: bool) -> str:
     if stopped:
         return f"stopped the worker (process {worker['pid']}) after {worker['served']} commands"
     code = "" if worker["current"] else "; the code has changed since: start another"
+    drawing = f"{n} drawing pictures, " if (n := worker.get("finishing")) else ""
     return (
         f"a worker runs (process {worker['pid']}): {worker['served']} commands, "
-        f"{worker['running']} running, ends after {worker['ends_after_s'] / 60:g} min without one"
-        f"{code}"
+        f"{worker['running']} running, {drawing}"
+        f"ends after {worker['ends_after_s'] / 60:g} min without one{code}"
     )

@@ -36,7 +36,7 @@ def view(
     from esg.report.serve import serve
 
     folder, names, *_ = checked(
-        lambda: find_scene(scene),
+        lambda: find_scene(scene, whole=False),  # the page's run waits for it
         lambda: engine_names(engines),
         lambda: in_range("--port", port, 0, 65535),
         lambda: None if seconds is None else in_range("--seconds", seconds, 0.001, 1e7),

@@ -18,6 +18,7 @@ import signal
 import sys
 from typing import TypeVar
 
+from esg.machine.answering import can_go_on, let_go
 from esg.workers import usable_cores
 
 T = TypeVar("T")
@@ -100,6 +101,8 @@ def _in_fork(work: Callable[[], object], out: int, owner: int) -> None:
     try:
         gc.disable()  # it would touch, and so copy, all that there is
         end_with(owner)
+        if can_go_on():
+            let_go()
         data = memoryview(json.dumps(work()).encode())
         while data:
             data = data[os.write(out, data) :]

@@ -18,6 +18,7 @@ import sys
 import time
 from typing import TYPE_CHECKING, Any, TypeVar
 
+from esg.machine.answering import can_go_on, let_go
 from esg.machine.beside import end_with, may_fork
 
 if TYPE_CHECKING:
@@ -161,6 +162,8 @@ def _serve(pipe: Connection, idle: Sequence[Work], owner: int) -> None:
     """In the fork: loads, does what it is handed, and ends with the command."""
     try:
         end_with(owner)
+        if can_go_on():
+            let_go()
         left = list(idle)
         while True:
             if left:

@@ -23,6 +23,7 @@ from esg.scenereading import (
 )
 from esg.strangers.folders import file_in, lies_in, oddity
 from esg.strangers.sums import altered
+from esg.unfinished import all_settled
 
 RUN_FILE = "run.json"
 """The results document that a benchmark leaves beside its scene folders."""
@@ -155,7 +156,8 @@ class Run:
 def load_run(folder: Path, *, against: Path | None = None, database: Path | None = None) -> Run:
     """Reads a folder of scene folders, or one scene folder.
 
-    A damaged file is no reason to show nothing of the others: it is told in `problems`.
+    A damaged file is no reason to show nothing of the others: it is told in `problems`. Pictures
+    that are still being drawn are waited for.
 
     Args:
         folder: Output folder of a benchmark or of `esg generate`, or a scene folder.
@@ -170,8 +172,8 @@ def load_run(folder: Path, *, against: Path | None = None, database: Path | None
     paths = [folder] if is_scene_folder(folder) else find_scenes(folder)
     if not paths:
         raise UserError(f"{folder} holds no scene folders; give the --out of a bench or generate")
+    problems = all_settled(paths)
     scenes = tuple(read_scene(path) for path in paths)
-    problems: list[str] = []
     document: dict[str, Any] = {}
     if (folder / RUN_FILE).exists() and file_in(folder, RUN_FILE) is None:
         problems.append(str(damaged(folder / RUN_FILE, "no file of this folder")))

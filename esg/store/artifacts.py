@@ -13,7 +13,7 @@ processes may write the same key: the first rename wins, the others adopt its re
 from __future__ import annotations
 
 from collections import OrderedDict
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Generator, Mapping
 import contextlib
 import errno
 import hashlib
@@ -129,15 +129,29 @@ class ArtifactStore:
             The folder with the result.
 
         Raises:
+            OSError: As of `making`.
+        """
+        with self.making(key) as folder:
+            fill(folder)
+        return self._home(key) / DATA
+
+    @contextlib.contextmanager
+    def making(self, key: str) -> Generator[Path]:
+        """An empty folder for the body to fill, which is stored when the body ends.
+
+        Args:
+            key: The artifact's key. If another process stores it meanwhile, that result stays.
+
+        Raises:
             OSError: With the remedy in its text if the disk is full, read-only or forbidden.
         """
         home = self._home(key)
         work = self.root / "tmp" / f"{key}.{os.getpid()}-{uuid.uuid4().hex[:8]}"
         try:
             (work / DATA).mkdir(parents=True)
-            fill(work / DATA)
+            yield work / DATA
             self._seal(key, work)
-            return self._install(key, work, home)
+            self._install(key, work, home)
         except OSError as error:
             inside = error.filename is None or str(error.filename).startswith(str(self.root))
             raise explained(error, self.root) if inside else error from error
@@ -164,7 +178,7 @@ class ArtifactStore:
         if self.durable:
             sync_tree(work)
 
-    def _install(self, key: str, work: Path, home: Path) -> Path:
+    def _install(self, key: str, work: Path, home: Path) -> None:
         home.parent.mkdir(parents=True, exist_ok=True)
         for _ in range(8):
             try:
@@ -172,9 +186,8 @@ class ArtifactStore:
             except OSError as error:
                 if error.errno not in (errno.EEXIST, errno.ENOTEMPTY):
                     raise
-                found = self.find(key)
-                if found is not None:
-                    return found
+                if self.find(key) is not None:
+                    return
                 # Half a folder without its mark: not an artifact, whoever left it.
                 if home.exists():
                     self._discard(home)
@@ -182,7 +195,7 @@ class ArtifactStore:
                 if self.durable:
                     sync_folder(home.parent)
                 _remember(home, _folded(_signature(home)))
-                return home / DATA
+                return
         raise OSError(errno.EBUSY, "other writers keep replacing this artifact", str(home))
 
     def _intact(self, home: Path) -> bool:

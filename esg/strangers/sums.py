@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 import os
 from pathlib import Path
@@ -12,6 +12,8 @@ from esg.files import atomic_file, sha256_of
 from esg.strangers.folders import file_in
 
 SUMS = "SHA256SUMS"
+FINISHING = ".finishing"
+"""The mark of a folder that is still being written (esg.unfinished): no file of the scene."""
 _LINE = re.compile(r"([0-9a-f]{64})  (\S.*)")
 _MOST_BYTES = 4 * 2**20
 
@@ -52,7 +54,7 @@ def seal(folder: Path, only: Iterable[Path] | None = None) -> None:
             list gets none.
     """
     if only is None:
-        known = {name: sha256_of(folder / name) for name in _files(folder)}
+        known = digests(folder)
     else:
         known, wrong = _listed(folder)
         if wrong or not known:
@@ -61,6 +63,21 @@ def seal(folder: Path, only: Iterable[Path] | None = None) -> None:
         if all(known.get(name) == digest for name, digest in fresh.items()):
             return
         known |= fresh
+    write_sums(folder, known)
+
+
+def digests(folder: Path) -> dict[str, str]:
+    """SHA-256 of every file below a folder, by its path in it."""
+    return {name: sha256_of(folder / name) for name in _files(folder)}
+
+
+def write_sums(folder: Path, known: Mapping[str, str]) -> None:
+    """Writes a list, complete or not at all.
+
+    Args:
+        folder: The folder.
+        known: SHA-256 by file.
+    """
     lines = [f"{digest}  {name}\n" for name, digest in sorted(known.items())]
     with atomic_file(folder / SUMS) as file:
         file.write("".join(lines).encode())
@@ -109,12 +126,12 @@ def _listed(folder: Path) -> tuple[dict[str, str], str]:
 
 
 def _files(folder: Path) -> list[str]:
-    """Every file below a folder but the list, hidden ones included."""
+    """Every file below a folder but the list and the mark, hidden ones included."""
     found: list[str] = []
     for here, _, names in os.walk(folder):
         for name in names:
             path = Path(here, name)
             relative = path.relative_to(folder).as_posix()
-            if path.is_file() and relative != SUMS:
+            if path.is_file() and relative not in (SUMS, FINISHING):
                 found.append(relative)
     return sorted(found)

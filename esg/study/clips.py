@@ -7,9 +7,11 @@ from dataclasses import dataclass
 import hashlib
 from pathlib import Path
 
+from esg.notices import warn
 from esg.outcomes import UserError
 from esg.scenefolder import is_scene_folder
 from esg.strangers.folders import file_in
+from esg.unfinished import all_settled
 
 FILM = "preview.mp4"
 MOST_FILM_BYTES = 32 * 2**20
@@ -93,7 +95,9 @@ def find_clips(run: Path, variants: Sequence[str], scenes: int, seed: int) -> li
 def _films(folder: Path) -> dict[str, Path]:
     """Films of the scenes in a folder, by the name of the scene's folder."""
     out: dict[str, Path] = {}
-    for scene in sorted(folder.iterdir()):
+    scenes = sorted(folder.iterdir())
+    warn(all_settled(scenes))
+    for scene in scenes:
         film = file_in(folder, f"{scene.name}/{FILM}") if is_scene_folder(scene) else None
         if film is not None and film.stat().st_size <= MOST_FILM_BYTES:
             out[scene.name] = film

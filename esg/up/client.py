@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Generator, Sequence
+from collections.abc import Callable, Generator, Sequence
 import contextlib
 import os
 from pathlib import Path
+import select
 import signal
 import socket
 import stat
@@ -18,6 +19,7 @@ from esg.up.place import COMMANDS, OFF, private, socket_path, stamp
 
 CONNECT_S = 5.0
 """A worker that says nothing for so long is left alone [s]."""
+_POLL_S = 0.2
 
 
 def delegated(arguments: Sequence[str]) -> int | None:
@@ -104,7 +106,8 @@ def _run(connection: socket.socket, arguments: Sequence[str]) -> int | None:
     if wire.hear(connection)[0] != wire.TAKEN:
         return None
     connection.settimeout(None)
-    with _passed_on(connection) as passed:
+    with passed_on(lambda number: connection.send(wire.SIGNALS[number])) as passed:
+        await_data(connection.fileno())
         try:
             word, value = wire.hear(connection)
         except wire.WireError:
@@ -135,9 +138,24 @@ def _request(arguments: Sequence[str]) -> wire.Request:
     )
 
 
+def await_data(handle: int) -> None:
+    """Waits until something can be read, or its end.
+
+    Python answers a signal only once it runs: one that comes just before a wait would wait as long.
+
+    Args:
+        handle: Descriptor.
+    """
+    while not select.select([handle], [], [], _POLL_S)[0]:
+        pass
+
+
 @contextlib.contextmanager
-def _passed_on(connection: socket.socket) -> Generator[list[int]]:
-    """Passes SIGINT and SIGTERM on while the body waits; the worker's process answers them.
+def passed_on(send: Callable[[int], object]) -> Generator[list[int]]:
+    """Passes SIGINT and SIGTERM on while the body waits; the process that does the work answers.
+
+    Args:
+        send: Sends a signal there.
 
     Yields:
         The signals that were passed on.
@@ -147,7 +165,7 @@ def _passed_on(connection: socket.socket) -> Generator[list[int]]:
     def forward(number: int, frame: FrameType | None) -> None:
         passed.append(number)
         with contextlib.suppress(OSError):
-            connection.send(wire.SIGNALS[number])
+            send(number)
 
     before = {n: signal.getsignal(n) for n in wire.SIGNALS}
     for number, handler in before.items():

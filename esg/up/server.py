@@ -7,7 +7,6 @@ with the caller's folder, streams, environment, limits and signals, and ends wit
 
 from __future__ import annotations
 
-import atexit
 from collections.abc import Callable
 import contextlib
 import ctypes
@@ -22,11 +21,12 @@ import signal
 import socket
 import sys
 import tempfile
-import threading
 import time
+from typing import NoReturn
 
 from filelock import FileLock, Timeout
 
+from esg.machine.answering import conclude
 from esg.up import wire
 from esg.up.place import OFF, make_private, stamp
 
@@ -51,11 +51,15 @@ class Run:
     Args:
         pid: Of its process, which leads its own group.
         connection: To its caller.
+        answer: Pipe on which it tells its exit code, if it goes on after it.
+        answered: Whether it has: its caller is gone, and it finishes what it left.
         kill_at: When it is killed, if its caller is gone (monotonic) [s].
     """
 
     pid: int
     connection: socket.socket
+    answer: int
+    answered: bool = False
     kill_at: float | None = None
 
 
@@ -123,17 +127,14 @@ def warm() -> None:
     """Loads what scenes need and runs sample scenes, whose results are thrown away."""
     from esg.api.warming import warm_up
     from esg.pipeline import SceneRequest, run_scene, scratch_store
+    from esg.runs import record_run
 
     warm_up()
     with contextlib.suppress(Exception), tempfile.TemporaryDirectory(prefix="esg-up-") as folder:
         for prompt in SAMPLES:
             with scratch_store(Path(folder), durable=False):
-                run_scene(SceneRequest(prompt))
-    with contextlib.suppress(ImportError):
-        import duckdb
-        import pyarrow.parquet
-
-        assert duckdb and pyarrow.parquet
+                state = run_scene(SceneRequest(prompt))
+                record_run([state], "generate", database=Path(folder) / "esg.duckdb")
     gc.collect()
     gc.freeze()  # what is loaded stays: no search for garbage in a fork need touch, and copy, it
 
@@ -156,8 +157,11 @@ def _loop(worker: Worker) -> None:
                 elif key.fileobj == reading:
                     with contextlib.suppress(BlockingIOError):
                         os.read(reading, 4096)
-                else:
-                    _listen(worker.runs.get(key.data), waiting)
+                elif (run := worker.runs.get(key.data)) is not None:
+                    if key.fileobj == run.answer:
+                        _relay(worker, run, waiting)
+                    else:
+                        _listen(run, waiting)
             _reap(worker, waiting)
             _kill_late(worker)
             if not worker.runs and time.monotonic() - worker.last >= worker.idle_s:
@@ -184,7 +188,8 @@ def _shut(worker: Worker) -> None:
 def _close(worker: Worker) -> None:
     _shut(worker)
     for run in worker.runs.values():
-        _signal(run, signal.SIGTERM)
+        if not run.answered:
+            _signal(run, signal.SIGTERM)
 
 
 def _accept(worker: Worker, waiting: selectors.BaseSelector) -> None:
@@ -218,12 +223,17 @@ def _accept(worker: Worker, waiting: selectors.BaseSelector) -> None:
     worker.served += 1
     sys.stdout.flush()
     sys.stderr.flush()
+    reading, writing = os.pipe()
+    os.set_blocking(reading, False)
     pid = os.fork()
     if pid == 0:
-        _become(worker, waiting, connection, request, handles)
+        os.close(reading)
+        _become(worker, waiting, connection, request, handles, writing)
+    os.close(writing)
     wire.close_all(handles)
-    worker.runs[pid] = Run(pid, connection)
+    worker.runs[pid] = Run(pid, connection, reading)
     waiting.register(connection, selectors.EVENT_READ, pid)
+    waiting.register(reading, selectors.EVENT_READ, pid)
 
 
 def _answer(worker: Worker, kind: str, connection: socket.socket) -> None:
@@ -234,7 +244,8 @@ def _answer(worker: Worker, kind: str, connection: socket.socket) -> None:
             "up_s": round(now - worker.started, 1),
             "idle_s": 0.0 if worker.runs else round(now - worker.last, 1),
             "ends_after_s": worker.idle_s,
-            "running": len(worker.runs),
+            "running": sum(not run.answered for run in worker.runs.values()),
+            "finishing": sum(run.answered for run in worker.runs.values()),
             "served": worker.served,
             "current": worker.stamp == stamp(),
         }
@@ -243,9 +254,26 @@ def _answer(worker: Worker, kind: str, connection: socket.socket) -> None:
         wire.tell(connection, "status", json.dumps(facts))
 
 
-def _listen(run: Run | None, waiting: selectors.BaseSelector) -> None:
+def _relay(worker: Worker, run: Run, waiting: selectors.BaseSelector) -> None:
+    """Tells a caller what its command has answered, which goes on without it."""
+    told = b""
+    with contextlib.suppress(BlockingIOError):
+        told = os.read(run.answer, 64)
+    with contextlib.suppress(KeyError):
+        waiting.unregister(run.answer)
+    if not told:
+        return
+    if run.kill_at is None:
+        waiting.unregister(run.connection)
+    run.answered, run.kill_at = True, None
+    worker.last = time.monotonic()
+    wire.tell(run.connection, wire.ENDED, told.decode())
+    run.connection.close()
+
+
+def _listen(run: Run, waiting: selectors.BaseSelector) -> None:
     """What a caller says while its command runs: signals, or by hanging up that it is gone."""
-    if run is None:
+    if run.answered:
         return
     try:
         heard = run.connection.recv(64)
@@ -277,12 +305,16 @@ def _reap(worker: Worker, waiting: selectors.BaseSelector) -> None:
         run = worker.runs.pop(pid, None)
         if run is None:
             continue
+        _relay(worker, run, waiting)  # it may have answered just before it ended
+        os.close(run.answer)
+        worker.last = time.monotonic()
+        if run.answered:
+            continue
         if run.kill_at is None:
             waiting.unregister(run.connection)
         code = os.waitstatus_to_exitcode(status)
         wire.tell(run.connection, *((wire.ENDED, str(code)) if code >= 0 else (wire.LOST,)))
         run.connection.close()
-        worker.last = time.monotonic()
 
 
 def _kill_late(worker: Worker) -> None:
@@ -298,9 +330,9 @@ def _become(
     connection: socket.socket,
     request: wire.Request,
     handles: list[int],
-) -> None:
+    answer: int,
+) -> NoReturn:
     """In the fork: becomes the caller's command, and never returns."""
-    code = 1
     try:
         signal.set_wakeup_fd(-1)
         signal.signal(signal.SIGCHLD, signal.SIG_DFL)
@@ -317,18 +349,11 @@ def _become(
         connection.close()
         for run in worker.runs.values():
             run.connection.close()
+            os.close(run.answer)
         _dress(request, handles)
-        try:
-            worker.main()
-        except SystemExit as error:
-            code = error.code if isinstance(error.code, int) else int(error.code is not None)
-        threading._shutdown()  # pyright: ignore[reportAttributeAccessIssue]  # as Python's own end does
-        atexit._run_exitfuncs()
-        for stream in (sys.stdout, sys.stderr):
-            with contextlib.suppress(OSError, ValueError):
-                stream.flush()
+        conclude(worker.main, lambda code: os.write(answer, b"%d" % code))
     finally:
-        os._exit(code)
+        os._exit(1)
 
 
 def _dress(request: wire.Request, handles: list[int]) -> None:

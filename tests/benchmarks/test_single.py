@@ -23,6 +23,20 @@ print(json.dumps({"folder": str(folder), "stages": [{"stage": "record", "seconds
 sys.exit(CODE)
 """
 
+_LATER = """
+import os
+(folder / ".finishing").write_text(json.dumps({"pid": os.getpid()}))
+pid = os.fork()
+if pid == 0:
+    for number in range(3): os.close(number)
+    (folder / ".finishing").write_text(json.dumps({"pid": os.getpid()}))
+    time.sleep(0.5)
+    (folder / "SHA256SUMS").write_text("")
+    (folder / ".finishing").unlink()
+    os._exit(0)
+while str(pid) not in (folder / ".finishing").read_text(): time.sleep(0.01)
+"""
+
 
 def _checkout(root: Path, burnt: float, text: str = "", code: int = 0) -> Checkout:
     head = f"BURNT = {burnt}\nTEXT = {text!r}\nCODE = {code}\n"
@@ -58,5 +72,22 @@ def test_a_command_that_fails_ends_the_measurement(tmp_path: Path) -> None:
 
 
 def test_a_line_has_minimum_and_median() -> None:
-    costs = [Cost(s, 2 * s, Path(), {}) for s in (3.0, 1.0, 2.0)]
-    assert line("here", costs).split() == ["here", "1.00", "2.00", "2.00", "4.00"]
+    costs = [Cost(s, 3 * s, 2 * s, Path(), {}) for s in (3.0, 1.0, 2.0)]
+    assert line("here", costs).split() == ["here", "1.00", "2.00", "3.00", "6.00", "2.00", "4.00"]
+
+
+def test_a_folder_is_waited_for_until_it_is_complete(tmp_path: Path) -> None:
+    """Time to the answer and until the folder is complete are two, what it takes counts."""
+    ours = _checkout(tmp_path / "a", 0.0)
+    cli = tmp_path / "a" / "tree" / "esg" / "cli.py"
+    cli.write_text(cli.read_text().replace("print(json", _LATER + "print(json").replace(
+        '"folder": str(folder)', '"folder": str(folder), "finishing": ["preview.png"]'))  # fmt: skip
+    cost = ours.made("A ball.", 5)
+    assert (cost.folder / "SHA256SUMS").exists()
+    assert cost.whole_s - cost.seconds > 0.1
+
+
+def test_a_folder_that_is_never_completed_is_told(tmp_path: Path) -> None:
+    (tmp_path / ".finishing").write_text('{"pid": 4194305}')  # larger than any
+    with pytest.raises(TimeoutError, match="never completed"):
+        single.finished(tmp_path)

@@ -21,7 +21,8 @@ NAMES = {
     "socket": {"AF_UNIX", "SO_PEERCRED"},
 }  # fmt: skip
 LINUX_ONLY = (
-    "esg/up/", "esg/compile/trust/", "esg/machine/beside.py", "esg/machine/companion.py",
+    "esg/up/", "esg/compile/trust/", "esg/machine/answering.py", "esg/machine/beside.py",
+    "esg/machine/companion.py",
 )  # fmt: skip
 """Warm workers, locks on classes, forks: each asks for the system first and does without it."""
 GUARDED = {

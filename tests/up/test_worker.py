@@ -14,10 +14,11 @@ import subprocess
 import sys
 import tempfile
 import time
+from typing import Any
 
 import pytest
 
-from esg.up import client, place
+from esg.up import client, place, server
 
 ROOT = Path(__file__).parents[2]
 ASK = (
@@ -232,6 +233,67 @@ def test_to_stop_lets_what_runs_finish(
     caller.send_signal(signal.SIGINT)
     assert caller.wait(timeout=60) == 130
     assert worker.wait(timeout=60) == 0
+
+
+def answered(mark: Path) -> int:
+    """The process of a command that has answered and goes on until its mark is taken away."""
+    done = ask("answer", str(mark))
+    assert (done.returncode, done.stdout) == (3, "answered\n")
+    return int(mark.read_text())
+
+
+def facts(mark: Path) -> dict[str, Any]:
+    """What a process that was let finish says of itself."""
+    mark.unlink()
+    told = mark.with_suffix(".facts")
+    until(lambda: told.exists() and bool(told.read_text()))
+    return json.loads(told.read_text())
+
+
+def test_a_command_that_has_answered_goes_on_as_nobodys(start: Start, tmp_path: Path) -> None:
+    """Its caller has the exit code and the end of its output, and the next command is served."""
+    start()
+    mark = tmp_path / "goes on"
+    process = answered(mark)
+    assert not gone(process)
+    told = json.loads(client.asked("status") or "{}")
+    assert (told["running"], told["finishing"]) == (0, 1)
+    assert ask("fail").returncode == 3
+    found = facts(mark)
+    assert found["nice"] >= min(os.nice(0) + 10, 19)
+    assert found["streams"] == ["/dev/null"] * 3
+    until(lambda: gone(process))
+    until(lambda: json.loads(client.asked("status") or "{}")["finishing"] == 0)
+
+
+def test_to_stop_waits_for_what_goes_on(start: Start, tmp_path: Path) -> None:
+    worker = start()
+    mark = tmp_path / "goes on"
+    answered(mark)
+    assert json.loads(client.asked("stop") or "{}")["finishing"] == 1
+    assert ask("fail").returncode == 99
+    assert worker.poll() is None
+    assert facts(mark)
+    assert worker.wait(timeout=60) == 0
+
+
+def test_a_worker_is_not_idle_while_something_goes_on(tmp_path: Path) -> None:
+    with socket.socket() as one, socket.socket() as two:
+        worker = server.Worker(one, tmp_path, lambda: None, 0.0, "")
+        assert server._patience(worker) is not None
+        worker.runs[1] = server.Run(1, two, -1, answered=True)
+        assert server._patience(worker) is None
+
+
+def test_what_goes_on_survives_a_killed_worker(start: Start, tmp_path: Path) -> None:
+    worker = start()
+    mark = tmp_path / "goes on"
+    process = answered(mark)
+    worker.kill()
+    worker.wait()
+    assert not gone(process)
+    assert facts(mark)
+    until(lambda: gone(process))
 
 
 def test_a_second_worker_yields_to_the_first(start: Start, environment: dict[str, str]) -> None:
