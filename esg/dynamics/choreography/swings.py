@@ -7,6 +7,7 @@ import math
 from esg.dynamics.choreography.moves import plain
 from esg.dynamics.choreography.placing import join
 from esg.dynamics.choreography.stage import Encounter, Stage
+from esg.dynamics.choreography.sweeps import OPENS_S
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.story import bounds
 from esg.dynamics.story.suspension import Suspension, joint_of, suspension
@@ -21,8 +22,6 @@ RISES_BY = 0.1
 """Share of the height of what it meets by which it may have risen by then."""
 DROPS_S = 0.5
 """What comes down from where it hangs takes so long, about."""
-OPENS_S = 1.5
-"""How long something is opened or closed, where nobody says."""
 
 
 def swings_in(stage: Stage, e: Encounter) -> bool:
