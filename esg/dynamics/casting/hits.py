@@ -10,7 +10,7 @@ from esg.graph.models import EdgeEvent, EsgDocument, TimelineNode
 
 FALLS_TOO = 0.5
 """Share of a stated speed that counts where something thrown falls as well."""
-DRIVEN_MPS = 1.5
+DRIVEN_MPS = 2.5
 """Speed with which what is driven along a joint meets something: a door, a drawer."""
 USUAL_CARRIED_MPS = 3.0
 """Speed with which something that was struck arrives at the next thing, where it is open."""

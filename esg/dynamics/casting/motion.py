@@ -53,6 +53,9 @@ FELT_NS = 0.2
 """Impulse of a hit that surely counts (over 0.1 N s)."""
 LARGEST, LARGER = 4.0, 2.5
 """Most that a ramp and that a small body is enlarged."""
+TRIPS_AT = 1.25
+"""Friction over which a sliding body falls over its far edge, over that edge's way from its centre
+of mass per height of that: what a leaf or a drawer has sent off."""
 BOTTOM_HEAVY = 0.35
 """Share of its height below which a body's centre of mass is low."""
 LOW_HIT = 0.62
@@ -338,6 +341,8 @@ def fit_steady(doc: EsgDocument, story: Story) -> Configs:
         base, height = min(target.length, target.width), target.height
         needed = 1.2 * base / max(height, 1e-3)
         stand = stand_of(target)
+        if mover.lift > 0.0:
+            needed = max(needed, TRIPS_AT * stand.far / stand.height)
         if stand.height < BOTTOM_HEAVY * height and stand.far > GRIPPY * stand.height:
             # Nothing trips a traffic cone, and grip would press it down under what rolls into it.
             continue

@@ -11,13 +11,15 @@ from esg.dynamics.story.driving import OPENS_RAD, Leaf, goal_of, leaf_of
 from esg.dynamics.story.kinematics import Frame, half_along
 from esg.dynamics.story.stagecraft import fall_speed
 from esg.dynamics.story.story import Phase
-from esg.dynamics.story.tipping import topple_speed
+from esg.dynamics.story.tipping import topple_speed, topples_by_push
 from esg.graph.models import EdgeEvent, NodeEvent
 
 OPENS_S = 1.5
 """How long something is opened or closed, where nobody says."""
 FASTEST_MPS = 3.0
 """A slammed door, where it meets something (EN 1154 has closers stay below 0.5 m/s)."""
+HARDER = 2.0
+"""Over the speed at which what slides trips in the closed form: it first bounces off the leaf."""
 SHARES = (0.6, 0.5, 0.7, 0.4, 0.8, 0.3, 0.9)
 """Shares of its way at which a leaf may meet something, the best one first."""
 AT_REACH = (0.7, 0.85, 0.5)
@@ -62,23 +64,28 @@ def sweep_in(stage: Stage, e: Encounter) -> None:
     stage.places[b] = (bx, by, heading + frame.angle + turned)
     bring_support(stage, b, bx, by, heading + frame.angle)
 
-    rate = min(max(OPENS_RAD / OPENS_S, _needed(stage, e) / arm), FASTEST_MPS / arm)
+    rate = min(max(OPENS_RAD / OPENS_S, needed_speed(stage, e) / arm), FASTEST_MPS / arm)
     track, before = stage.tracks[a], _before(stage, e)
     turns = [(p, _goal(stage, leaf, p) - _start(stage, leaf, p)) for p in before]
     for phase, turn in (*turns, (e.phase, way)):
         stage.nominal[f"{phase.edge.id}/duration"] = max(abs(turn), LEAST_WAY_RAD) / rate
     track.time = (sum(abs(turn) for _, turn in turns) + share * abs(way)) / rate
-    for phase, _ in turns:
-        stage.time[phase.end.id] = min(stage.time.get(phase.end.id, track.time), track.time)
+    clock = 0.0
+    for phase, turn in turns:
+        clock += abs(turn) / rate
+        stage.time[phase.end.id] = clock
     track.x, track.y, track.heading, track.speed = cx, cy, heading, rate * arm
 
 
-def _needed(stage: Stage, e: Encounter) -> float:
-    """Least speed of a at b for what is told of that [m/s]."""
+def needed_speed(stage: Stage, e: Encounter) -> float:
+    """Least speed of a at b for what is told of that [m/s].
+
+    What is pushed over needs none: it is pushed on.
+    """
     pa, pb, met = stage.prop(e.a), stage.prop(e.b), stage.member(e.b)
     needed = max(felt_speed(pa, pb), demanded(stage, e.node, e.a, e.b))
-    if stage.story.topples(met):
-        needed = max(needed, topple_speed(pa, pb, flies=False))
+    if stage.story.topples(met) and not topples_by_push(pa, pb):
+        needed = max(needed, HARDER * topple_speed(pa, pb, flies=False))
     return max(needed, fall_speed(pa, pb)) if stage.story.falls(met) else needed
 
 
