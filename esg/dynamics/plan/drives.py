@@ -20,6 +20,8 @@ LIFTS_BY = 4.0
 """What raises it can hold so many times its weight where that pulls the most."""
 PLACES = 13
 """Places along the way of a hinge at which its weight is looked at."""
+RAMP_STEPS = 12
+"""Steps in which a hinge that carries something gets up to speed."""
 STAYS = 1e-6
 """What is there already is not driven on [rad or m]."""
 SETTLED_S = 0.5
@@ -45,7 +47,13 @@ def reach_of(joint: Joint) -> Reach:
 
 
 def driven(
-    scene: SimScene, joint: Joint, start: float, here: float, goal: float, lasts: float
+    scene: SimScene,
+    joint: Joint,
+    start: float,
+    here: float,
+    goal: float,
+    lasts: float,
+    ramp: float = 0.0,
 ) -> tuple[Primitive, ...]:
     """What moves a joint's child from one position to another.
 
@@ -58,6 +66,7 @@ def driven(
         start: [s].
         here, goal: Positions of the joint [rad or m].
         lasts: How long it takes [s].
+        ramp: How long a hinge takes to get up to speed, before that [s].
     """
     if abs(goal - here) < STAYS:
         return ()
@@ -71,7 +80,14 @@ def driven(
             lifts = DriveJoint(joint.name, start, rate, goal, most)
             rest = DriveJoint(joint.name, start + lasts + SETTLED_S)
             return (lifts, rest) if abs(pull[-1]) < joint.friction else (lifts,)
-        return (HoldSpin(body.name, start, start + lasts, (goal - here) / lasts, _vec(axis)),)
+        rate, step = (goal - here) / lasts, ramp / RAMP_STEPS
+        gains = tuple(
+            HoldSpin(body.name, start + k * step, start + (k + 1) * step, rate * k / RAMP_STEPS,
+                     _vec(axis))
+            for k in range(1, RAMP_STEPS)
+        )  # fmt: skip
+        begin = start + ramp
+        return (*(gains if ramp else ()), HoldSpin(body.name, begin, begin + lasts, rate, _vec(axis)))
     first = np.asarray(body.position, float) + (here - start_position(scene, joint)) * axis
     rest = (0.0, 0.0, 0.0)
     points = (_vec(first), _vec(first + (goal - here) * axis))

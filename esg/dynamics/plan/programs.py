@@ -381,8 +381,9 @@ class Composer:
         if leg.phase.end.event is NodeEvent.SPIN and leg.last:
             # It is turned on and on.
             goal, lasts = here + (goal - here) * HELD_ON_S / lasts, HELD_ON_S
-        moved = driven(self.scene, joint, leg.start, here, goal, lasts)
-        lasts = lasts if moved else 0.0
+        ramp = self.nominal.get(f"{edge.id}/ramp", 0.0)
+        moved = driven(self.scene, joint, leg.start, here, goal, lasts, ramp)
+        lasts = lasts + ramp if moved else 0.0
         course.out += moved
         course.clock, course.opening = leg.start + lasts, goal
         if leg.phase.end.event is NodeEvent.CLOSE:
