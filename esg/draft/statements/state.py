@@ -355,6 +355,8 @@ def _plainly(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 def _flown(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     """ "Flies", and "floats" of what stays in the air."""
     d = book.d
+    if any(j.child == mover and j.kind != "rope" for j in d.scene.joints):
+        return  # "the last ball of the cradle flies out": its string holds it
     if clause.frame.verb.sense == "fly" or mover in d.moves.flying or flies_itself(d, mover):
         _plainly(book, clause, s, mover)
 
