@@ -43,6 +43,8 @@ SMOOTH = 0.15
 SLICK = 0.02
 GRIPPY = 1.0
 """Friction of rubber feet."""
+SURELY_BREAKS, NOT_YET = 1.35, 0.7
+"""Shares of what something bears with which it surely breaks, and surely does not."""
 SLIDE_S = 0.14
 """How long what was pushed on has to slide before it meets the next thing."""
 KEEPS, PASSES_ON = 0.7, 0.9
@@ -139,7 +141,7 @@ def fit_sloped(doc: EsgDocument, story: Story) -> Configs:
                     out[key] = doc.asset_configurations[key].model_copy(
                         update={"friction": max(SLICK, rest or 0.0)}
                     )
-        meant = arrival_speed(node, actor)
+        meant = arrival_speed(node, actor) or _breaks_at(doc, story, node, actor, slope)
         if meant is None or not _open(doc, ramp, size=True):
             continue
         factor = _size_for(slope, ride, body, meant)
@@ -147,6 +149,25 @@ def fit_sloped(doc: EsgDocument, story: Story) -> Configs:
             made = resized(doc, keys[1], doc.asset_configurations[keys[1]], factor)
             out[keys[1]] = made.model_copy(update={"friction": configs[keys[1]].friction})
     return out
+
+
+def _breaks_at(
+    doc: EsgDocument, story: Story, node: TimelineNode, actor: str, slope: Slope
+) -> float | None:
+    """Speed [m/s] at which a wall breaks what the slope's foot does not; None for what stays whole.
+
+    At the foot the ground stops v sin a of it, at the wall all of v; both throw it back.
+    """
+    breaking = doc.spatial_relation_graph.nodes[actor].breaking
+    walls = [p for p in node.participants if p != actor]
+    breaks = any(n.event is NodeEvent.BREAK and actor in n.participants
+                 for n in story.after(node.id))  # fmt: skip
+    if breaking is None or not walls or not breaks or node.event is not NodeEvent.COLLISION:
+        return None
+    gain = 1.0 + 0.5 * (prop(doc, actor).restitution + prop(doc, walls[0]).restitution)
+    least = SURELY_BREAKS * breaking.speed / 100.0 / gain
+    most = NOT_YET * breaking.speed / 100.0 / gain / math.sin(math.atan(slope.steepness))
+    return min(1.15 * least, math.sqrt(least * most))
 
 
 def _size_for(slope: Slope, ride: Ride, body: Prop, meant: float) -> float:

@@ -53,9 +53,7 @@ def _past(stage: Stage, e: Encounter, hangs: Suspension) -> float:
 
     Nothing where it would come too high by then: a small pendulum that meets dominoes.
     """
-    node = stage.doc.spatial_relation_graph.nodes.get(e.b)
-    if node is None:  # a group
-        return 0.0
+    node = stage.doc.spatial_relation_graph.nodes[stage.member(e.b)]
     past = max(math.sqrt(2.0 * hangs.length * RISES_M), PASSED_S * hangs.speed)
     rises = past * past / (2.0 * hangs.length)
     height = stage.doc.asset_configurations[node.asset_id].dimensions_cm[2] / 100.0
