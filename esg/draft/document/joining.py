@@ -163,7 +163,9 @@ def _lower(scene: Scene, row: Articulation, e: Entity, part: Entity) -> None:
     if at is not None and hung:
         over = at - min(hung)  # a log on ropes swings against a bell
     sweeps = row.opened is not None and (row.lower or 0.0) < 0.0  # a boom, over what it is to meet
-    swings = (row.drawn is not None or row.turns or sweeps) and row.carries == "with" and row.becomes
+    swings = (
+        (row.drawn is not None or row.turns or sweeps) and row.carries == "with" and row.becomes
+    )
     if swings and part.dimensions_cm is not None and over > 0.0:
         part.dimensions_prescribed = True
         pivot = row.above_cm + (0.0 if row.turns or sweeps else e.noun.dimensions_cm[2])

@@ -77,7 +77,7 @@ def openable(d: Discourse, bodies: list[str]) -> list[str]:
 
 
 def turned_instead(d: Discourse, f: Frame, subject: list[str]) -> list[str]:
-    """ "A coconut falls on the lid and it slams shut": of those named last, what opens and shuts."""
+    """ "A coconut falls on the lid and it slams shut": what can of those named last."""
     m = f.subject
     pronoun = m is not None and m.pronoun in ("it", "that", "this", "which")
     so = f.verb.extra.get("result") in _OPENING or f.verb.lemma in SHUTTING

@@ -10,7 +10,7 @@ from esg.dynamics.story.story import Story, bounds, hits
 from esg.graph.models import EsgDocument, NodeEvent
 
 SURELY = 1.35
-"""A blow is that much harder than what is to break bears: the search asks for 1.25 times as much."""
+"""A blow is so much harder than what is to break bears; the search asks for 1.25 times that."""
 ARRIVES = 0.95
 """Share of a stated speed with which something gets there."""
 

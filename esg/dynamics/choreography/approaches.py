@@ -14,8 +14,8 @@ from esg.dynamics.choreography.hits.demands import (
     felt_speed,
     passed_on,
     sends_sliding,
-    timed_push,
     thrown_off_speed,
+    timed_push,
 )
 from esg.dynamics.choreography.hits.impacts import returns
 from esg.dynamics.choreography.hits.rows import row_after

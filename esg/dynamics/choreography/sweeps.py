@@ -46,7 +46,7 @@ def sweep_in(stage: Stage, e: Encounter) -> None:
     a, b, leaf = e.a, e.b, leaf_of(stage.doc, stage.member(e.a))
     assert leaf is not None and e.phase is not None
     here, way = _way(stage, e, leaf)
-    pa, pb = stage.prop(a), stage.prop(b)
+    pb = stage.prop(b)
     turned = yaw_met(stage, e.node, a, b, 0.0, stage.stated_turn(e.node, b, a))
     half = half_along(pb.length, pb.width, turned)
     met = _met(stage, a)

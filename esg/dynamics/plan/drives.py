@@ -80,14 +80,10 @@ def driven(
             lifts = DriveJoint(joint.name, start, rate, goal, most)
             rest = DriveJoint(joint.name, start + lasts + SETTLED_S)
             return (lifts, rest) if abs(pull[-1]) < joint.friction else (lifts,)
-        rate, step = (goal - here) / lasts, ramp / RAMP_STEPS
-        gains = tuple(
-            HoldSpin(body.name, start + k * step, start + (k + 1) * step, rate * k / RAMP_STEPS,
-                     _vec(axis))
-            for k in range(1, RAMP_STEPS)
-        )  # fmt: skip
-        begin = start + ramp
-        return (*(gains if ramp else ()), HoldSpin(body.name, begin, begin + lasts, rate, _vec(axis)))
+        rate, step, about = (goal - here) / lasts, ramp / RAMP_STEPS, _vec(axis)
+        spins = [(start + k * step, step, rate * k / RAMP_STEPS) for k in range(1, RAMP_STEPS)]
+        spins = [*(spins if ramp else ()), (start + ramp, lasts, rate)]
+        return tuple(HoldSpin(body.name, t, t + long, r, about) for t, long, r in spins)
     first = np.asarray(body.position, float) + (here - start_position(scene, joint)) * axis
     rest = (0.0, 0.0, 0.0)
     points = (_vec(first), _vec(first + (goal - here) * axis))
