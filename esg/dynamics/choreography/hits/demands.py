@@ -24,7 +24,7 @@ FELT_SPARE = 1.2
 RUN_ON_M, RUN_ON_S = 0.2, 0.28
 """Way on which something struck surely gets to what stands ahead of it, and time it slides at
 least: two hits closer than a tenth of a second are one."""
-SLIPS_M, THROWN_OFF = 0.1, 1.2
+SLIPS_M, THROWN_OFF = 0.1, 1.4
 """What lies on something that is stopped slides so far beyond its middle, and at so many times the
 speed that takes it there."""
 BACK_KEPT, LEAST_BACK = 0.9, 0.2
