@@ -204,7 +204,8 @@ def joints_sheet(path: Path, *, columns: int = 8, size: int = 120) -> int:
                     for v, faces, color in _merged(child)
                 ]
             unit = "cm" if row.kind == "slider" else "deg"
-            named.append((f"{row.nouns[0]} {position:g} {unit}", seen))
+            told = f" {position:g} {unit}"
+            named.append((row.nouns[0][: size // 6 - len(told)] + told, seen))
     _sheet(named, path, columns, size)
     return len(rows)
 

@@ -31,6 +31,36 @@ def lost(doc: EsgDocument) -> list[str]:
         ("An open door slams shut.", [("Close", "door_1")], {"door_1": "Drive"}),
         ("The drawer slides open.", [("Open", "drawer_1")], {"drawer_1": "Drive"}),
         (
+            "A door swings open and knocks over a vase.",
+            [("Open", "door_1"), ("Collision", "door_1", "vase_1"), ("Topple", "vase_1")],
+            {"door_1": "Drive", "vase_1": "InertialConnector"},
+        ),
+        (
+            "The gate swings shut and hits the bucket.",
+            [("Collision", "gate_1", "bucket_1"), ("Close", "gate_1")],
+            {"gate_1": "Drive"},
+        ),
+        (
+            "The swinging boom knocks the lamp over.",
+            [("Collision", "swinging_boom_1", "lamp_1"), ("Topple", "lamp_1")],
+            {"swinging_boom_1": "Drive", "lamp_1": "InertialConnector"},
+        ),
+        (
+            "A ball hits the open door and it slams shut.",
+            [("Collision", "ball_1", "door_1"), ("Close", "door_1")],
+            {"ball_1": "Toward", "door_1": "InertialConnector"},
+        ),
+        (
+            "The lid of a treasure chest stands open. A coconut falls on the lid and it slams shut.",
+            [("Collision", "coconut_1", "chest_lid_1"), ("Close", "chest_lid_1")],
+            {"coconut_1": "Toward", "chest_lid_1": "InertialConnector"},
+        ),
+        (
+            "The first ball of a Newton's cradle is released and the last ball pops out.",
+            [("Collision", "first_ball_1", "ball_2"), ("Open", "last_ball_1")],
+            {"first_ball_1": "Release", "last_ball_1": "InertialConnector"},
+        ),
+        (
             "A ball pushes the door open.",
             [("Collision", "ball_1", "door_1"), ("Open", "door_1")],
             {"ball_1": "Toward", "door_1": "InertialConnector"},

@@ -130,3 +130,42 @@ def test_nobody_drives_on_foot(prompt: str, node: str, category: str) -> None:
     name = node if node in doc.spatial_relation_graph.nodes else "driver_1"
     asked = doc.asset_requirement[doc.spatial_relation_graph.nodes[name].asset_id]
     assert asked.asset_category == category
+
+
+@pytest.mark.parametrize(
+    ("prompt", "rider", "bearer", "at"),
+    [
+        ("A clown stands on a turntable that spins.", "clown_1", "turntable_1", None),
+        ("Two children stand on a merry-go-round that turns.", "child_2", "merry_go_round_1", None),
+        ("A girl sits on a swing. The swing swings.", "girl_1", "swing_1", SEAT),
+        ("A tractor pulls a trailer. A goat stands on the trailer.", "goat_1", "trailer_1", None),
+    ],
+)
+def test_who_is_on_what_moves_keeps_hold_of_it(
+    prompt: str, rider: str, bearer: str, at: str | None
+) -> None:
+    doc = clean(prompt)
+    held = [j for j in doc.spatial_relation_graph.joints or () if j.child == rider]
+    assert [(j.kind, j.parent, j.parent_mount) for j in held] == [("fixed", bearer, at)]
+    stays = [s for s in doc.statements or () if s.predicate is Predicate.SUPPORTED_BY]
+    assert any(s.object == (rider,) and s.target == (bearer,) for s in stays)
+
+
+def test_what_stands_on_what_moves_is_measured_to_stay_and_to_stay_upright() -> None:
+    doc = clean("A cart with a statue standing on it rolls down the street.")
+    said = {(s.predicate, s.object) for s in doc.statements or ()}
+    assert (Predicate.SUPPORTED_BY, ("statue_1",)) in said
+    assert (Predicate.STAYS_UPRIGHT, ("statue_1",)) in said
+
+
+def test_of_what_is_told_to_fall_off_nothing_is_asked_but_that() -> None:
+    doc = clean("A skateboard with a helmet lying on it rolls into the curb, and the helmet slides "
+                "off onto the sidewalk.")  # fmt: skip
+    assert not any(s.predicate is Predicate.SUPPORTED_BY for s in doc.statements or ())
+
+
+def test_what_lies_on_what_is_stopped_comes_off_by_that() -> None:
+    doc = clean("A cart with a box on it hits a wall and the box slides off.")
+    assert doc.timeline_system is not None
+    own = [e for e in doc.timeline_system.sequence_graph.edges if e.actor == "box_1"]
+    assert [e.event.value for e in own] == ["InertialConnector"]

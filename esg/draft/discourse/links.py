@@ -114,6 +114,8 @@ def _of_a_noun(d: Discourse, m: Mention, p: Phrase) -> set[int]:
     hung = [node for node in held if links and _hangs(d, node)]
     for node in hung:
         _hang(d, node, links[0])
+    for link in links[1:] if hung else []:
+        drop_link(d, link)  # "on two ropes"
     return {id(other)} if hung else set()
 
 
@@ -130,6 +132,8 @@ def _of_a_clause(d: Discourse, f: Frame) -> set[int]:
         for node in [*subject, *(f.object.entities if f.object is not None else [])]:
             if link or f.phrase("from") is not None or _acted_on(d, f, node):
                 _hang(d, node, link or link_of(d, f))
+        for other in named[link].entities if link else []:
+            drop_link(d, other)  # "on two ropes"
         taken |= {id(named[link])} if link else set()
     for node in subject if snapped(d, f) else []:
         _hang(d, held_by(d, node), node if is_link(d.scene, node) else "")

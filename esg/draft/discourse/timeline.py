@@ -165,6 +165,37 @@ class TimelineBuilder:
         self.last_event = node_id
         return node_id
 
+    def undone(self, actor: str, event: NodeEvent) -> Draft | None:
+        """Takes back what was told last, if that is an event of an actor by its own motion.
+
+        Args:
+            actor: Who.
+            event: Of which kind.
+
+        Returns:
+            The event, for `told_again`; None where something else was told last.
+        """
+        last = self.nodes[-1] if self.nodes else None
+        lead = next((e for e in self.edges if last is not None and e.to == last.id), None)
+        mine = last is not None and last.event is event and last.participants == (actor,)
+        if last is None or lead is None or not mine or self.track(actor).role is Role.PASSIVE:
+            return None
+        self.nodes.remove(last)
+        self.edges.remove(lead)
+        track = self.track(actor)
+        track.at, track.motion, track.closed = lead.from_, None, True
+        self.last_event = self.nodes[-1].id if self.nodes else None
+        return last
+
+    def told_again(self, draft: Draft) -> None:
+        """Tells an event that was taken back after what has been told since."""
+        draft.after = [self.last_event] if self.last_event is not None else []
+        for actor in draft.participants:
+            self._edge(actor, draft.id, None)
+            self.track(actor).at, self.track(actor).closed = draft.id, True
+        self.nodes.append(draft)
+        self.last_event = draft.id
+
     def _edge(self, actor: str, to: str, target: str | None) -> None:
         """Adds the segment of an actor that leads to an event, by how it moves."""
         track = self.track(actor)

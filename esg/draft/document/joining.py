@@ -157,10 +157,18 @@ def _lower(scene: Scene, row: Articulation, e: Entity, part: Entity) -> None:
     over = row.above_cm - _clears(scene, e)
     if row.turns:
         over = row.above_cm - _reached(scene, row, e)
-    swings = (row.drawn is not None or row.turns) and row.carries == "with" and row.becomes
+    at = _hung_at(scene, e)
+    others = [scene.world.entities.get(i) for i in _strikers(scene, e)]
+    hung = [h for x in others if x is not None and (h := _hung_at(scene, x)) is not None]
+    if at is not None and hung:
+        over = at - min(hung)  # a log on ropes swings against a bell
+    sweeps = row.opened is not None and (row.lower or 0.0) < 0.0  # a boom, over what it is to meet
+    swings = (
+        (row.drawn is not None or row.turns or sweeps) and row.carries == "with" and row.becomes
+    )
     if swings and part.dimensions_cm is not None and over > 0.0:
         part.dimensions_prescribed = True
-        pivot = row.above_cm + (0.0 if row.turns else e.noun.dimensions_cm[2])
+        pivot = row.above_cm + (0.0 if row.turns or sweeps else e.noun.dimensions_cm[2])
         pivot += (row.upper or 0.0) if row.kind == "rope" else 0.0
         part.dimensions_cm[2] *= 1.0 - over / pivot
 
@@ -235,7 +243,16 @@ def _met(scene: Scene, e: Entity) -> list[float]:
     entities = scene.world.entities
     hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
     met = {i for n in hits if n.participants[0] == e.id for i in n.participants[1:]}
-    return [dimensions_of(entities[i])[2] for i in met & {*entities} - {*scene.supported_by}]
+    stand = met & {*entities} - {*scene.supported_by}
+    return [dimensions_of(entities[i])[2] for i in stand if _hung_at(scene, entities[i]) is None]
+
+
+def _hung_at(scene: Scene, e: Entity) -> float | None:
+    """How high above the ground the middle of what hangs is, as usual [cm]; None if nothing holds
+    it up."""
+    row = articulation_of(scene, scene.text, e)
+    hangs = row is not None and row.carries == "with" and (row.hangs or row.kind == "rope")
+    return row.above_cm + 0.5 * dimensions_of(e)[2] if row is not None and hangs else None
 
 
 def _clears(scene: Scene, e: Entity) -> float:

@@ -3,18 +3,18 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
+from esg.draft.discourse.bearing import bears, comes_off
+from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.scene import LIMBED, SPEEDS, Scene
 from esg.graph.joints import FOOT, SEAT
-from esg.graph.models import EdgeEvent, Joint, NodeEvent
+from esg.graph.models import EdgeEvent, Joint
 
 _RIDDEN = lex.word_set("straddled or stood on")
 _RIDES = lex.word_set("rides")
 _GAITS = frozenset({"canter", "gallop", "trot"})
 _DRIVERS = frozenset({"driver", "motorist", "chauffeur"})
 _DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION, EdgeEvent.TURN, EdgeEvent.BRAKE)
-_LEAVES = (NodeEvent.FALL, NodeEvent.JUMP, NodeEvent.TOPPLE)
-"""Events of a rider after which he is not on it."""
 THROWN_OFF_MPS = 3.0
 """A change of speed within a step that takes a rider off: of a jolt at twice a walker's pace.
 Estimate of ours; nobody holds more than a few times his weight for so short a time."""
@@ -33,22 +33,49 @@ def seat_riders(scene: Scene) -> None:
         e = scene.world.entities[rider]
         if e.noun.name in lex.word_set("riders drawn with what they ride"):
             e.noun = lex.nouns()["person"]
-        if _comes_off(scene, rider):
+        if comes_off(scene, rider):
             continue
         _hand_over(scene, rider, mount)
         if rider not in scene.timeline.tracks:
-            impulse = round(THROWN_OFF_MPS * e.noun.mass_kg, 1)
-            scene.joints.append(
-                Joint(
-                    id=f"{rider}_seat",
-                    kind="fixed",
-                    child=rider,
-                    child_mount=FOOT,
-                    parent=mount,
-                    parent_mount=SEAT,
-                    break_impulse=impulse,
-                )
-            )
+            _hold(scene, rider, mount, SEAT)
+    _hold_borne(scene)
+
+
+def _hold(scene: Scene, rider: str, mount: str, at: str | None) -> None:
+    """Joins a rider's feet to what he rides, until a jolt throws him off.
+
+    Args:
+        scene: Places and motions of the prompt; changed in place.
+        rider, mount: Who rides what.
+        at: The mount there at which he is; None where the layout puts him.
+    """
+    mass = scene.world.entities[rider].noun.mass_kg
+    scene.joints.append(
+        Joint(
+            id=f"{rider}_seat",
+            kind="fixed",
+            child=rider,
+            child_mount=FOOT,
+            parent=mount,
+            parent_mount=at,
+            break_impulse=round(THROWN_OFF_MPS * mass, 1),
+        )
+    )
+
+
+def _hold_borne(scene: Scene) -> None:
+    """Lets who is on what turns, swings, drives or is towed keep hold of it.
+
+    A swing has one place to sit; on a roundabout or a trailer it is the layout's to choose.
+    """
+    held = {j.child for j in scene.joints}
+    for rider, bearer in scene.supported_by.items():
+        if rider in held or rider in scene.timeline.tracks or comes_off(scene, rider):
+            continue
+        if bearer in scene.world.entities and _is_rider(scene, rider) and bears(scene, bearer):
+            row = articulation_of(scene, scene.text, scene.world.entities[bearer])
+            swings = row is not None and row.drawn is not None
+            _hold(scene, rider, bearer, SEAT if swings else None)
 
 
 def put_into_cars(scene: Scene) -> None:
@@ -63,7 +90,7 @@ def put_into_cars(scene: Scene) -> None:
     for e in entities.values():
         *before, last = e.head.split()
         alone = e.noun.name == "person" and e.id not in scene.supported_by
-        if not alone or not _goes(scene, e.id) or _comes_off(scene, e.id):
+        if not alone or not _goes(scene, e.id) or comes_off(scene, e.id):
             continue
         if last == "rider":
             _mount(scene, e)
@@ -144,8 +171,3 @@ def _goes(scene: Scene, node: str) -> bool:
         return False
     mode = "" if track.motion is None else track.motion.mode
     return mode in ("own", "turn", "brake") or (mode in ("", "coast") and bool(own))
-
-
-def _comes_off(scene: Scene, rider: str) -> bool:
-    """Whether he leaves what he rides in the course of the scene."""
-    return any(n.event in _LEAVES and rider in n.participants for n in scene.timeline.nodes)

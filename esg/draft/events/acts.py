@@ -327,7 +327,7 @@ def _who_hits(d: Discourse, f: Frame, mover: str, target: str) -> tuple[str, str
         return None
     if "region" in (kind_of(d, mover), kind_of(d, target)):
         return None  # a pocket is a part of its table
-    if not movable(d, mover):
+    if not movable(d, mover) and not openable(d, [mover]):
         mover, target = target, mover
         if not movable(d, mover) or not aimable(d, target):
             return None  # "is bumped by a sidewalk"
@@ -342,7 +342,15 @@ def _hit(d: Discourse, f: Frame, mover: str, target: str, time: Time | None) -> 
     _settle_others(d, mover, target)
     share_support(d, f, mover, target)
     _was_under_way(d, f, target)
+    # "swings shut and hits a bucket": on its way, not once it is shut
+    closes = d.timeline.undone(mover, NodeEvent.CLOSE) if openable(d, [mover]) else None
+    if closes is not None:
+        d.timeline.move(mover, Motion("drive"), ForceDirection.ANY_3D)
     event = add_event(d, NodeEvent.COLLISION, (mover, target), f, time)
+    if closes is not None:
+        d.timeline.move(mover, Motion("drive"), ForceDirection.ANY_3D)
+        d.timeline.told_again(closes)
+        d.timeline.track(mover).motion = None
     d.moves.last_hit = (mover, target)
     return event
 

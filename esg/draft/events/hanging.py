@@ -12,11 +12,11 @@ from esg.draft.discourse.referents.parts import parts_of
 from esg.draft.discourse.referents.registry import current_id
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.timing import moved_by_others
-from esg.draft.events.told import amount, at_rest
+from esg.draft.events.told import amount, at_rest, recent
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
 from esg.graph.models import ForceDirection
-from esg.lexicon.articulations import Articulation
+from esg.lexicon.articulations import Articulation, articulations
 
 SHUTTING = lex.word_set("shutting") | {"closed"}
 _TURNING = lex.word_set("turning on an axle")
@@ -44,6 +44,8 @@ _SINKING = {"go": "down", "come": "down", "lower": ""}
 """How what has hinges goes up and down, with the adverb that says so: a boom gate, a lid."""
 _WORKING = frozenset({"pull", "push", "throw", "flip"})
 """What is done to a lever."""
+_FLYING_OUT = frozenset({"fly", "pop", "kick", "jump", "move", "go", "shoot", "bounce"})
+"""What the last ball of a cradle does."""
 _SWINGING = {
     ("noop", "sway"): "swing",
     ("noop", "oscillate"): "swing",
@@ -72,6 +74,30 @@ def hanging(d: Discourse, bodies: list[str]) -> list[str]:
 def openable(d: Discourse, bodies: list[str]) -> list[str]:
     """Those that open and close."""
     return [b for b in bodies if (row := row_of(d, b)) is not None and row.opened is not None]
+
+
+def turned_instead(d: Discourse, f: Frame, subject: list[str]) -> list[str]:
+    """ "A coconut falls on the lid and it slams shut": what can of those named last."""
+    m = f.subject
+    pronoun = m is not None and m.pronoun in ("it", "that", "this", "which")
+    so = f.verb.extra.get("result") in _OPENING or f.verb.lemma in SHUTTING
+    if not pronoun or not so or f.object is not None or openable(d, subject):
+        return subject
+    return next(([i] for i in recent(d) if openable(d, [i])), subject)
+
+
+def named_parts(d: Discourse) -> None:
+    """ "The lid of a chest stands open ... on the lid": a part goes by its name alone later on."""
+    parts = {n.split()[-1] for row in articulations().values() for n in row.serves}
+    known: dict[str, list[str]] = {}
+    for m in d.mentions:
+        name = m.part or m.head
+        if name not in parts:
+            continue
+        if m.part and m.entities:
+            known[name] = [*m.entities]
+        elif not m.entities and m.determiner == "the" and name in known:
+            m.entities = d.world.resolved[id(m)] = [*known[name]]
 
 
 def tipping(d: Discourse, bodies: list[str]) -> list[str]:
@@ -145,6 +171,8 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     if f.verb.lemma in _BOBBING and {*bodies} & d.scene.sprung:
         return "swing"
     swings = _SWINGING.get((f.verb.sense, f.verb.lemma))
+    if "out" in f.adverbs and f.verb.lemma in _FLYING_OUT and any(row_parts(d, b) for b in bodies):
+        return "swing"
     return swings if swings is not None and hanging(d, bodies) else None
 
 

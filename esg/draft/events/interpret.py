@@ -36,7 +36,13 @@ from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.courses import by_its_participle, follow, keep_on, snapshot
-from esg.draft.events.hanging import SWAYING, hanging, sense_on_joint
+from esg.draft.events.hanging import (
+    SWAYING,
+    hanging,
+    named_parts,
+    sense_on_joint,
+    turned_instead,
+)
 from esg.draft.events.motions import hold_back
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.breaking import gone_through, sense_of_breaking, who_breaks
@@ -137,6 +143,7 @@ def interpret(
         if m is not None and has_counted_parts(m):
             ids_of(d, m)  # "the first ball of a Newton's cradle": there before its parts
     refer_all(d, frames)
+    named_parts(d)
     _on_what_has_it(d, frames, attachments)
     linked = take_links(d)
     loosen(d.scene, d.text)
@@ -255,6 +262,12 @@ def _comes_apart(d: Discourse, f: Frame, parts: Parts) -> bool:
     who = who_breaks(d, f, parts.subject)
     if sense_of_breaking(d, f, who, parts.objects):
         f.verb.sense, parts.subject = "break", who
+    return False
+
+
+def _turns_on_its_joint(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """What swings open or slams shut is what can."""
+    parts.subject = turned_instead(d, f, parts.subject)
     return False
 
 
@@ -471,6 +484,7 @@ STEPS: tuple[Step, ...] = (
     _meets_a_link,
     _what_sways,
     _comes_apart,
+    _turns_on_its_joint,
     _mount_instead,
     _no_ground,
     _instead,

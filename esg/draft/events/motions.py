@@ -269,6 +269,7 @@ def target_of(d: Discourse, f: Frame, avoid: list[str]) -> list[str]:
 
 def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
     """Common part of all self motion: speed, target, and what the phrases say happens."""
+    jolted_off(d, f, actors)
     fresh = [a for a in actors if at_rest(d, a)]
     under = moves_on_it(d, f, fresh)
     d.moves.on_top.update((a, under[0]) for a in fresh if under)
@@ -302,6 +303,18 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
         _comes_off(d, f, actors, fresh)
     _lasts_for(d, f, actors)
     d.outcomes(f, actors)
+
+
+def jolted_off(d: Discourse, f: Frame, actors: list[str]) -> None:
+    """ "A cart hits a wall and the box slides off": by what stopped the cart, and not by itself."""
+    off = {"off", "out", "down"} & {*f.adverbs} or f.phrase("off", "out of", "from") is not None
+    for actor in actors if off else []:
+        host = d.scene.supported_by.get(actor) or d.scene.inside_of.get(actor, "")
+        last = last_of(d, host)
+        met = last is not None and last.event is NodeEvent.COLLISION
+        met = met and last is not None and last.participants[0] == host
+        if last is not None and met and kind_of(d, actor) not in LIVING and at_rest(d, actor):
+            d.timeline.carry(actor, last.id)
 
 
 def _toward_each_other(d: Discourse, f: Frame) -> bool:

@@ -17,6 +17,9 @@ def in_line(d: Discourse, about: set[str]) -> bool:
     """Whether they are laid out in a row, or follow each other into a hit."""
     members = [entity_of(d, i) for i in about if entity_of(d, i).group is not None]
     rows = bool(members) and all(e.pattern in ("row", "queue") and e.in_group for e in members)
+    wholes = {entity_of(d, i).whole for i in about}
+    if len(wholes) == 1 and all(wholes):
+        return True  # the balls of a cradle
     after = {
         e.actor for e in d.timeline.edges if e.actor in about and e.target in about - {e.actor}
     }

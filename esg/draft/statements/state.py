@@ -7,6 +7,7 @@ from dataclasses import dataclass, field
 import re
 from typing import Any
 
+from esg.draft.discourse.bearing import bears, borne_until
 from esg.draft.discourse.core import amounts_of, entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
@@ -21,6 +22,7 @@ from esg.draft.events.courses import (
     measurable,
     queues_behind,
 )
+from esg.draft.events.hanging import row_of
 from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.events.stated import adverbs_of, place_of, start_of
 from esg.draft.events.told import things
@@ -57,6 +59,8 @@ _POSTURES = {
     **dict.fromkeys(("lean", "prop"), Predicate.LEANS_ON),
 }
 """What verbs of posture say of what holds something."""
+_CARRIED_ON = ("on", "atop", "on top of", "upon")
+"""Prepositions of what carries something."""
 _ON_THE_WAY = ("along", "across", "through")
 """Directions that roads, fields and floors have, too."""
 _ON_NO_WHEELS = frozenset({"baby", "boy", "child", "girl", "kid", "man", "toddler", "woman"})
@@ -123,6 +127,7 @@ def state(
         book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
     _struck(book, frames)
     _upright(book, frames)
+    _borne(book, frames)
     for m in (m for m in d.mentions if without(m, d.text)):
         book.add(Predicate.ABSENT, m.start - len("without "), m.end, noun=m.head)
     _in_order(book)
@@ -160,6 +165,30 @@ def _upright(book: _Book, frames: list[Frame]) -> None:
         stand = tuple(i for i in _ids(f.subject) if i in book.d.world.entities) if denied else ()
         if stand and not fallen & {*stand}:
             book.add(Predicate.STAYS_UPRIGHT, *_span(f), object=stand)
+
+
+def _borne(book: _Book, frames: list[Frame]) -> None:
+    """ "Stands on a turntable that spins": it stays there, and who stands or lives stays upright.
+
+    On a swing he leans as it does.
+    """
+    d = book.d
+    said = [(_ids(m), p, False) for m, p in d.attached]
+    said += [(_ids(f.subject), p, f.verb.lemma == "stand") for f in frames for p in f.phrases]
+    for about, p, stands in said:
+        hosts = _ids(p.mention) if p.prep in _CARRIED_ON else []
+        for rider in about:
+            bearer = d.scene.supported_by.get(rider, "")
+            if bearer not in hosts or rider in d.timeline.tracks or not bears(d.scene, bearer):
+                continue
+            parted = borne_until(d.scene, rider, bearer)
+            words = (start_of(p, d.text), p.mention.end if p.mention is not None else 0)
+            when = "throughout" if parted is None else f"start..{parted}"
+            book.add(Predicate.SUPPORTED_BY, *words, object=(rider,), target=(bearer,), when=when)
+            row = row_of(d, bearer)
+            steady = row is None or row.drawn is None
+            if steady and (stands or kind_of(d, rider) in LIMBED):
+                book.add(Predicate.STAYS_UPRIGHT, *words, object=(rider,), when=when)
 
 
 def _in_order(book: _Book) -> None:
@@ -326,6 +355,8 @@ def _plainly(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 def _flown(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     """ "Flies", and "floats" of what stays in the air."""
     d = book.d
+    if any(j.child == mover and j.kind != "rope" for j in d.scene.joints):
+        return  # "the last ball of the cradle flies out": its string holds it
     if clause.frame.verb.sense == "fly" or mover in d.moves.flying or flies_itself(d, mover):
         _plainly(book, clause, s, mover)
 

@@ -21,7 +21,7 @@ from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import adverbs_of
 from esg.draft.events.told import last_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
-from esg.graph.models import NodeEvent
+from esg.graph.models import EdgeEvent, NodeEvent
 
 _NO_PICTURE = lex.word_set("no picture (statements)")
 _MANNERS = frozenset({"gently", "carefully", "slowly", "softly", "quickly", "then", "suddenly"})
@@ -190,6 +190,9 @@ def _alone(d: Discourse, clause: Clause) -> bool:
     acts = before.frame.verb.sense in _SETS_IN_MOTION | {"hit"}
     joined = before.frame.sentence == f.sentence and not {*before.movers} & about
     met = any(about < {*n.participants} for n in d.timeline.nodes)
+    carried = (e for e in d.timeline.edges if e.event is EdgeEvent.INERTIAL_CONNECTOR)
+    borne = any(e.actor in about for e in carried)
+    met = met or borne  # "a cart hits a wall and the vase on it falls off"
     first = not any(about & {*c.movers} for c in d.scene.clauses[:at])
     return acts and joined and first and f.subject.determiner == "the" and not met
 

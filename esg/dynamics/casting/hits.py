@@ -10,6 +10,8 @@ from esg.graph.models import EdgeEvent, EsgDocument, TimelineNode
 
 FALLS_TOO = 0.5
 """Share of a stated speed that counts where something thrown falls as well."""
+DRIVEN_MPS = 2.5
+"""Speed with which what is driven along a joint meets something: a door, a drawer."""
 USUAL_CARRIED_MPS = 3.0
 """Speed with which something that was struck arrives at the next thing, where it is open."""
 
@@ -41,6 +43,8 @@ def launched(story: Story, actor: str, node_id: str) -> bool:
 def fastest(story: Story, actor: str, node_id: str) -> float:
     """Speed [m/s] at which an actor may arrive."""
     for phase in story.phases.get(actor, ()):
+        if phase.end.id == node_id and phase.edge.event is EdgeEvent.DRIVE:
+            return DRIVEN_MPS
         if phase.end.id != node_id or phase.edge.params.speed is None:
             continue
         low, high, _ = bounds(phase.edge.params.speed, (0.0, 100.0 * FASTEST_MPS))

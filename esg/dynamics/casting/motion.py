@@ -43,6 +43,8 @@ SMOOTH = 0.15
 SLICK = 0.02
 GRIPPY = 1.0
 """Friction of rubber feet."""
+SURELY_BREAKS, NOT_YET = 1.35, 0.7
+"""Shares of what something bears with which it surely breaks, and surely does not."""
 SLIDE_S = 0.14
 """How long what was pushed on has to slide before it meets the next thing."""
 KEEPS, PASSES_ON = 0.7, 0.9
@@ -53,6 +55,9 @@ FELT_NS = 0.2
 """Impulse of a hit that surely counts (over 0.1 N s)."""
 LARGEST, LARGER = 4.0, 2.5
 """Most that a ramp and that a small body is enlarged."""
+TRIPS_AT = 1.25
+"""Friction over which a sliding body falls over its far edge, over that edge's way from its centre
+of mass per height of that: what a leaf or a drawer has sent off."""
 BOTTOM_HEAVY = 0.35
 """Share of its height below which a body's centre of mass is low."""
 LOW_HIT = 0.62
@@ -136,7 +141,7 @@ def fit_sloped(doc: EsgDocument, story: Story) -> Configs:
                     out[key] = doc.asset_configurations[key].model_copy(
                         update={"friction": max(SLICK, rest or 0.0)}
                     )
-        meant = arrival_speed(node, actor)
+        meant = arrival_speed(node, actor) or _breaks_at(doc, story, node, actor, slope)
         if meant is None or not _open(doc, ramp, size=True):
             continue
         factor = _size_for(slope, ride, body, meant)
@@ -144,6 +149,25 @@ def fit_sloped(doc: EsgDocument, story: Story) -> Configs:
             made = resized(doc, keys[1], doc.asset_configurations[keys[1]], factor)
             out[keys[1]] = made.model_copy(update={"friction": configs[keys[1]].friction})
     return out
+
+
+def _breaks_at(
+    doc: EsgDocument, story: Story, node: TimelineNode, actor: str, slope: Slope
+) -> float | None:
+    """Speed [m/s] at which a wall breaks what the slope's foot does not; None for what stays whole.
+
+    At the foot the ground stops v sin a of it, at the wall all of v; both throw it back.
+    """
+    breaking = doc.spatial_relation_graph.nodes[actor].breaking
+    walls = [p for p in node.participants if p != actor]
+    breaks = any(n.event is NodeEvent.BREAK and actor in n.participants
+                 for n in story.after(node.id))  # fmt: skip
+    if breaking is None or not walls or not breaks or node.event is not NodeEvent.COLLISION:
+        return None
+    gain = 1.0 + 0.5 * (prop(doc, actor).restitution + prop(doc, walls[0]).restitution)
+    least = SURELY_BREAKS * breaking.speed / 100.0 / gain
+    most = NOT_YET * breaking.speed / 100.0 / gain / math.sin(math.atan(slope.steepness))
+    return min(1.15 * least, math.sqrt(least * most))
 
 
 def _size_for(slope: Slope, ride: Ride, body: Prop, meant: float) -> float:
@@ -338,6 +362,8 @@ def fit_steady(doc: EsgDocument, story: Story) -> Configs:
         base, height = min(target.length, target.width), target.height
         needed = 1.2 * base / max(height, 1e-3)
         stand = stand_of(target)
+        if mover.lift > 0.0:
+            needed = max(needed, TRIPS_AT * stand.far / stand.height)
         if stand.height < BOTTOM_HEAVY * height and stand.far > GRIPPY * stand.height:
             # Nothing trips a traffic cone, and grip would press it down under what rolls into it.
             continue

@@ -10,6 +10,7 @@ from esg.dynamics.casting.chains import fit_chains, fit_sliding
 from esg.dynamics.casting.changes import Configs, with_assets
 from esg.dynamics.casting.containers import fit_containers, fit_holders
 from esg.dynamics.casting.dominoes import fit_falling
+from esg.dynamics.casting.fragile import fit_fragile
 from esg.dynamics.casting.loads import fit_loads
 from esg.dynamics.casting.masses import fit_pushes, fit_transfer
 from esg.dynamics.casting.motion import (
@@ -88,5 +89,6 @@ RULES = (
     _of_assets("what comes down on it bounces on to the next thing", lively_tops),
     _of_assets("a hit at the stated speed gives the stated speed", fit_transfer),
     _of_assets("what is run into goes on to the next thing", fit_pushes),
+    _of_assets("the blow breaks it", fit_fragile),
     Rule("the hit knocks over or off what it shall", fit_toppled),
 )

@@ -14,6 +14,7 @@ from esg.dynamics.choreography.hits.demands import (
     felt_speed,
     passed_on,
     sends_sliding,
+    thrown_off_speed,
     timed_push,
 )
 from esg.dynamics.choreography.hits.impacts import returns
@@ -254,7 +255,7 @@ def _demand(stage: Stage, e: Encounter) -> Demand:
     needed = topple_speed(pa, pb, flies=stage.story.flies(a)) if topples else 0.0
     if stage.story.falls(stage.member(b)) and phase.edge.event is EdgeEvent.TOWARD:
         needed = max(needed, fall_speed(pa, pb))
-    needed = max(needed, demanded(stage, node, a, b))
+    needed = max(needed, demanded(stage, node, a, b), thrown_off_speed(stage, node, a))
     if not chained:
         needed = max(needed, felt_speed(pa, pb))
     speed = stage.speed(a, phase, max(least, needed), needed)

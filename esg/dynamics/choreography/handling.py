@@ -10,8 +10,10 @@ from esg.dynamics.choreography.moves import plain
 from esg.dynamics.choreography.placing import join
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.throws import asked_height, is_dropped
+from esg.dynamics.story.driving import SURELY
 from esg.dynamics.story.kinematics import Frame
-from esg.dynamics.story.stagecraft import Prop, ground_restitution, support_of
+from esg.dynamics.story.riding import carried_rate, standing_on
+from esg.dynamics.story.stagecraft import Prop, ground_restitution, support_of, top_surface
 from esg.dynamics.story.story import Phase, Story, bounds
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
@@ -74,6 +76,9 @@ def spun(stage: Stage, node: TimelineNode) -> None:
     times: list[float] = []
     for actor, phase in stage.incoming(node):
         track = stage.tracks[actor]
+        if phase.edge.event is EdgeEvent.DRIVE and standing_on(stage.doc, actor):
+            times.append(_turn_gently(stage, actor, phase))
+            continue
         low, high, fixed = bounds(phase.edge.params.turn_rate_deg_s, TURN_RATE_DEG_S)
         rate = math.radians(low if fixed else 0.5 * (low + high))
         stage.nominal[f"{phase.edge.id}/turn_rate"] = rate
@@ -83,6 +88,18 @@ def spun(stage: Stage, node: TimelineNode) -> None:
         stage.time[node.id] = max(times)
     else:
         plain(stage, node)
+
+
+def _turn_gently(stage: Stage, actor: str, phase: Phase) -> float:
+    """Turns an actor so that what stands on it stays there; returns when it has turned [s]."""
+    bodies = [stage.prop(n) for n in standing_on(stage.doc, actor)]
+    reach = math.hypot(*top_surface(stage.doc, actor).half_extents_cm) / 100.0
+    rate, gain = carried_rate(bodies, reach)
+    asked = math.radians(phase.end.turn_degrees or 360.0)
+    stage.nominal[f"{phase.edge.id}/duration"] = SURELY * asked / rate
+    stage.nominal[f"{phase.edge.id}/ramp"] = rate / gain
+    stage.tracks[actor].straight(0.0, asked / rate + 0.5 * rate / gain, 0.0)
+    return stage.tracks[actor].time
 
 
 def jumped(stage: Stage, node: TimelineNode) -> None:

@@ -17,6 +17,7 @@ from esg.dynamics.choreography import (
     falls,
     flights,
     overtaking,
+    sweeps,
     swings,
     throws,
 )
@@ -119,6 +120,11 @@ WITH_WHAT_WAITS = (
         "a hangs drawn back, is let go, and swings into b",
         swings.swings_in,
         swings.swing_in,
+    ),
+    Meeting(
+        "a turns about an upright axle, and b stands in its sweep",
+        sweeps.sweeps_in,
+        sweeps.sweep_in,
     ),
     Meeting(
         "a slides out on its joint, and b stands in its way",

@@ -8,6 +8,7 @@ from esg.dynamics.choreography.hovering import cruise
 from esg.dynamics.choreography.kerbs import Kerb, kerb_passed, street_crossed
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.throws import is_swung
+from esg.dynamics.story.driving import leaf_of
 from esg.dynamics.story.kinematics import (
     Frame,
     frame_mapping,
@@ -44,6 +45,15 @@ def rolls_on(stage: Stage, node: TimelineNode, b: str) -> bool:
     Across it its tyres would stop it within v^2 / (2 mu g).
     """
     return stage.prop(b).wheeled and hits_on(stage, node, b)
+
+
+def shuts(stage: Stage, node: TimelineNode, b: str) -> bool:
+    """Whether a leaf that stands open is pushed shut: from behind, as it opens backwards."""
+    closes = any(
+        n.event is NodeEvent.CLOSE and stage.member(b) in n.participants
+        for n in stage.story.after(node.id)
+    )
+    return closes and leaf_of(stage.doc, stage.member(b)) is not None
 
 
 def asked_distance(stage: Stage, node: TimelineNode, a: str) -> float | None:
@@ -180,7 +190,7 @@ def yaw_met(
     """
     if turn is not None:
         return heading + turn
-    if sets_off or rolls_on(stage, node, b):
+    if sets_off or rolls_on(stage, node, b) or shuts(stage, node, b):
         return heading
     return target_yaw(stage.prop(b), heading, stage.rng, stage.prop(a))
 

@@ -147,7 +147,10 @@ class Stage:
 
         A cat that knocks a glass off a shelf is on the shelf.
         """
-        end = self.story.phases[self.lead][0].end
+        first = self.story.phases[self.lead][0]
+        end = first.end
+        if first.edge.event is EdgeEvent.DRIVE:
+            return  # where its joint holds it
         body = self.prop(self.lead)
         for name in end.participants:
             support = None if name == self.lead else support_of(self.doc, name)

@@ -7,6 +7,7 @@ import math
 from esg.dynamics.choreography.moves import plain
 from esg.dynamics.choreography.placing import join
 from esg.dynamics.choreography.stage import Encounter, Stage
+from esg.dynamics.choreography.sweeps import FASTEST_MPS, OPENS_S, needed_speed
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.story import bounds
 from esg.dynamics.story.suspension import Suspension, joint_of, suspension
@@ -14,6 +15,8 @@ from esg.graph.models import EdgeEvent, TimelineNode
 
 MEETS_AT = 0.75
 """What a drawer is to hit stands in its way at this share of it."""
+PUSHES_AT = 0.55
+"""The same of what it is to knock over: it is pushed on for the rest of the way."""
 RISES_M, PASSED_S = 0.01, 0.12
 """By how much, and how long ago, what swings has passed its lowest point before it meets something;
 the judge asks for 5 mm and `MIN_EVENT_GAP_S`."""
@@ -21,8 +24,6 @@ RISES_BY = 0.1
 """Share of the height of what it meets by which it may have risen by then."""
 DROPS_S = 0.5
 """What comes down from where it hangs takes so long, about."""
-OPENS_S = 1.5
-"""How long something is opened or closed, where nobody says."""
 
 
 def swings_in(stage: Stage, e: Encounter) -> bool:
@@ -52,9 +53,7 @@ def _past(stage: Stage, e: Encounter, hangs: Suspension) -> float:
 
     Nothing where it would come too high by then: a small pendulum that meets dominoes.
     """
-    node = stage.doc.spatial_relation_graph.nodes.get(e.b)
-    if node is None:  # a group
-        return 0.0
+    node = stage.doc.spatial_relation_graph.nodes[stage.member(e.b)]
     past = max(math.sqrt(2.0 * hangs.length * RISES_M), PASSED_S * hangs.speed)
     rises = past * past / (2.0 * hangs.length)
     height = stage.doc.asset_configurations[node.asset_id].dimensions_cm[2] / 100.0
@@ -78,14 +77,24 @@ def slides_in(stage: Stage, e: Encounter) -> bool:
 
 
 def slide_in(stage: Stage, e: Encounter) -> None:
-    """Puts b in the way of a, short of where its slide ends."""
+    """Puts b in the way of a, short of where its slide ends; sooner, and harder, if it topples."""
     joint = joint_of(stage.doc, e.a)
     assert joint is not None and e.phase is not None
-    low, high, _ = bounds(e.phase.edge.params.duration, (OPENS_S, OPENS_S))
-    lasts = 0.5 * (low + high)
-    stage.nominal[f"{e.phase.edge.id}/duration"] = lasts
-    way = MEETS_AT * max(abs(joint.upper or 0.0), abs(joint.lower or 0.0)) / 100.0
-    stage.tracks[e.a].straight(way, lasts, way / lasts)
+    topples = stage.story.topples(stage.member(e.b))
+    longest = max(abs(joint.upper or 0.0), abs(joint.lower or 0.0)) / 100.0
+    way = (PUSHES_AT if topples else MEETS_AT) * longest
+    usual = longest / OPENS_S
+    rate = min(max(usual, needed_speed(stage, e)), FASTEST_MPS)
+    track, phases = stage.tracks[e.a], stage.story.phases[e.a]
+    track.time, lasts = 0.0, OPENS_S
+    for phase in phases[: phases.index(e.phase) + 1]:
+        low, high, stated = bounds(phase.edge.params.duration, (OPENS_S, OPENS_S))
+        lasts = 0.5 * (low + high) if stated else OPENS_S * usual / rate
+        stage.nominal[f"{phase.edge.id}/duration"] = lasts
+        if phase is not e.phase:
+            track.time += lasts
+            stage.time[phase.end.id] = track.time
+    track.straight(way, lasts, way / lasts)
     join(stage, e.a, e.b, e.node)
 
 

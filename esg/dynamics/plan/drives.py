@@ -6,27 +6,24 @@ import math
 
 import numpy as np
 
-from esg.dynamics.story.story import Phase, bounds
+from esg.dynamics.story.driving import Reach
 from esg.engines.joints import Joint, joint_ends, joint_poses, start_position
 from esg.engines.program import DriveJoint, GuideAlong, HoldSpin, Primitive
 from esg.engines.scene import Body, SimScene
 from esg.graph.joints import KINDS_OF_JOINT
-from esg.graph.models import EdgeEvent, NodeEvent
-from esg.metrics.models import EVENT_DEGREES
-from esg.thresholds import OPEN_SHARE
+from esg.graph.models import EdgeEvent
 from esg.units import quat_rotate
 
-OPENS_RAD = math.radians(75.0)
-"""What has no limit, or a wider one, is opened so far."""
-OPENS_M = 0.3
-SURELY = 1.4
-"""Of what is asked, an opening that states no position goes so many times as far."""
 LIFTED_M = 0.005
 """Gravity works against a hinge that raises what it carries by so much on its way."""
 LIFTS_BY = 4.0
 """What raises it can hold so many times its weight where that pulls the most."""
 PLACES = 13
 """Places along the way of a hinge at which its weight is looked at."""
+RAMP_STEPS = 12
+"""Steps in which a hinge that carries something gets up to speed."""
+STAYS = 1e-6
+"""What is there already is not driven on [rad or m]."""
 SETTLED_S = 0.5
 """A motor has reached its place so long after it would at an even speed
 (`esg.engines.joint_rules.APPROACH_RATE`)."""
@@ -44,36 +41,19 @@ def joint_of(scene: SimScene, name: str) -> Joint | None:
     return next((j for j in scene.joints if j.child == name and j.kind in able), None)
 
 
-def goal_of(joint: Joint, phase: Phase, here: float, goes_on: bool = False) -> float:
-    """Where a joint is driven to [rad or m].
-
-    Args:
-        joint: Hinge or slider.
-        phase: A Drive.
-        here: Where it is before [rad or m].
-        goes_on: Whether it is driven on from there, into something.
-    """
-    hinge = joint.kind == "hinge"
-    low, high, _ = bounds(phase.edge.params.opening, (math.nan, math.nan))
-    if not math.isnan(low):
-        stated = 0.5 * (low + high)
-        return math.radians(stated) if hinge else stated / 100.0
-    if phase.end.event is NodeEvent.CLOSE:
-        return 0.0
-    if phase.end.event is NodeEvent.SPIN:
-        return here + SURELY * math.radians(phase.end.turn_degrees or 360.0)
-    usual = OPENS_RAD if hinge else OPENS_M
-    ends = [e for e in (joint.lower, joint.upper) if e is not None and abs(e) > 1e-6]
-    far = max(ends, key=lambda e: abs(e - here), default=usual)
-    asked = math.radians(phase.end.turn_degrees or EVENT_DEGREES["opens"])
-    if not hinge:
-        asked = OPEN_SHARE * abs(far)
-    way = min(SURELY * asked if goes_on else max(usual, SURELY * asked), abs(far))
-    return math.copysign(way, far)
+def reach_of(joint: Joint) -> Reach:
+    """The limits within which a joint is driven."""
+    return Reach(joint.kind == "hinge", joint.lower, joint.upper)
 
 
 def driven(
-    scene: SimScene, joint: Joint, start: float, here: float, goal: float, lasts: float
+    scene: SimScene,
+    joint: Joint,
+    start: float,
+    here: float,
+    goal: float,
+    lasts: float,
+    ramp: float = 0.0,
 ) -> tuple[Primitive, ...]:
     """What moves a joint's child from one position to another.
 
@@ -86,10 +66,12 @@ def driven(
         start: [s].
         here, goal: Positions of the joint [rad or m].
         lasts: How long it takes [s].
+        ramp: How long a hinge takes to get up to speed, before that [s].
     """
+    if abs(goal - here) < STAYS:
+        return ()
     body = scene.body(joint.child)
-    turned = quat_rotate(np.asarray(joint.child_rotation, float), np.array([1.0, 0.0, 0.0]))
-    axis = quat_rotate(np.asarray(body.quaternion, float), turned)
+    axis = _axis(scene, joint)
     if joint.kind == "hinge":
         height, pull = _raised(scene, joint, axis, here, goal)
         if abs(goal - here) <= math.pi and float(height.max() - height[0]) >= LIFTED_M:
@@ -98,11 +80,34 @@ def driven(
             lifts = DriveJoint(joint.name, start, rate, goal, most)
             rest = DriveJoint(joint.name, start + lasts + SETTLED_S)
             return (lifts, rest) if abs(pull[-1]) < joint.friction else (lifts,)
-        return (HoldSpin(body.name, start, start + lasts, (goal - here) / lasts, _vec(axis)),)
+        rate, step, about = (goal - here) / lasts, ramp / RAMP_STEPS, _vec(axis)
+        spins = [(start + k * step, step, rate * k / RAMP_STEPS) for k in range(1, RAMP_STEPS)]
+        spins = [*(spins if ramp else ()), (start + ramp, lasts, rate)]
+        return tuple(HoldSpin(body.name, t, t + long, r, about) for t, long, r in spins)
     first = np.asarray(body.position, float) + (here - start_position(scene, joint)) * axis
     rest = (0.0, 0.0, 0.0)
     points = (_vec(first), _vec(first + (goal - here) * axis))
     return (GuideAlong(body.name, start, (0.0, lasts), points, (rest, rest)),)
+
+
+def kept_shut(scene: SimScene, joint: Joint, time: float) -> tuple[Primitive, ...]:
+    """What keeps a hinge that has come to position 0 there, where no stop does: a gate's latch.
+
+    Args:
+        scene: Its scene; bodies as they start.
+        joint: Hinge or slider.
+        time: When it is there [s].
+    """
+    stops = any(end is not None and abs(end) < STAYS for end in (joint.lower, joint.upper))
+    if joint.kind != "hinge" or stops:
+        return ()
+    return (HoldSpin(joint.child, time, time + SETTLED_S, 0.0, _vec(_axis(scene, joint))),)
+
+
+def _axis(scene: SimScene, joint: Joint) -> np.ndarray:
+    """Axis of a joint in the world, as its child starts, shape [3]."""
+    turned = quat_rotate(np.asarray(joint.child_rotation, float), np.array([1.0, 0.0, 0.0]))
+    return quat_rotate(np.asarray(scene.body(joint.child).quaternion, float), turned)
 
 
 def let_go(before: list[Primitive], time: float) -> list[Primitive]:

@@ -16,8 +16,9 @@ from esg.dynamics.choreography.slopes import FASTEST_MPS
 from esg.dynamics.choreography.ways import arrives
 from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
-from esg.dynamics.plan.drives import driven, goal_of, held_at, joint_of, let_go
+from esg.dynamics.plan.drives import driven, held_at, joint_of, kept_shut, let_go, reach_of
 from esg.dynamics.plan.guides import Way
+from esg.dynamics.story.driving import goal_of
 from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
 from esg.dynamics.story.paces import (
     grip,
@@ -374,18 +375,19 @@ class Composer:
             return
         here = course.opening if not leg.first else start_position(self.scene, joint)
         phases = self.story.phases[course.actor]
-        following = phases[phases.index(leg.phase) + 1 :][:1]
-        goes_on = any(
-            p.edge.event is EdgeEvent.DRIVE and p.end.event is NodeEvent.COLLISION
-            for p in following
-        )
-        goal = goal_of(joint, leg.phase, here, goes_on)
+        following = next(iter(phases[phases.index(leg.phase) + 1 :]), None)
+        goal = goal_of(reach_of(joint), leg.phase, here, following)
         lasts = leg.v[f"{edge.id}/duration"]
         if leg.phase.end.event is NodeEvent.SPIN and leg.last:
             # It is turned on and on.
             goal, lasts = here + (goal - here) * HELD_ON_S / lasts, HELD_ON_S
-        course.out += driven(self.scene, joint, leg.start, here, goal, lasts)
+        ramp = self.nominal.get(f"{edge.id}/ramp", 0.0)
+        moved = driven(self.scene, joint, leg.start, here, goal, lasts, ramp)
+        lasts = lasts + ramp if moved else 0.0
+        course.out += moved
         course.clock, course.opening = leg.start + lasts, goal
+        if leg.phase.end.event is NodeEvent.CLOSE:
+            course.out += kept_shut(self.scene, joint, course.clock)
 
     def _jump(self, course: _Course, leg: _Leg) -> None:
         """It leaves the ground, once or several times, and does not turn over in the air."""

@@ -8,7 +8,14 @@ import math
 import numpy as np
 
 from esg.dynamics.story.kinematics import half_along, impact_speed
-from esg.graph.models import AssetConfiguration, EsgDocument, NamedRegion, SupportSurface
+from esg.graph.joints import KINDS_OF_JOINT, start_frames
+from esg.graph.models import (
+    AssetConfiguration,
+    EdgeEvent,
+    EsgDocument,
+    NamedRegion,
+    SupportSurface,
+)
 from esg.units import GRAVITY_MPS2
 
 GROUND_FRICTION, GROUND_RESTITUTION = 0.7, 0.3
@@ -25,7 +32,10 @@ TO_EDGE_M = 0.15
 
 @dataclass(frozen=True)
 class Prop:
-    """Planar view of one body: extents [m], mass [kg], contact behaviour and damping [1/s]."""
+    """Planar view of one body: extents [m], mass [kg], contact behaviour and damping [1/s].
+
+    `lift` is how high a joint holds its underside above the ground [m].
+    """
 
     length: float
     width: float
@@ -40,6 +50,7 @@ class Prop:
     damping: float = 0.0
     config: AssetConfiguration | None = field(default=None, compare=False, repr=False)
     ground: float = GROUND_FRICTION
+    lift: float = 0.0
 
     @property
     def rough(self) -> float:
@@ -77,7 +88,17 @@ def prop(doc: EsgDocument, name: str) -> Prop:
         damping=config.linear_damping,
         config=config,
         ground=ground_friction(doc),
+        lift=_lift(doc, name),
     )
+
+
+def _lift(doc: EsgDocument, name: str) -> float:
+    """How high a hinge or a slider holds the underside of what it moves [m]."""
+    joints = doc.spatial_relation_graph.joints or ()
+    if not any(j.child == name and j.kind in KINDS_OF_JOINT[EdgeEvent.DRIVE] for j in joints):
+        return 0.0
+    found = start_frames(doc).get(name)
+    return 0.0 if found is None else max(float(found[1].position[2]) / 100.0, 0.0)
 
 
 def ground_friction(doc: EsgDocument) -> float:

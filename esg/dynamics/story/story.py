@@ -84,6 +84,8 @@ class Story:
     def flies(self, actor: str) -> bool:
         """Thrown, dropped, held up or flying: it starts in the air."""
         jumps = self.phases[actor][0].end.event is NodeEvent.JUMP
+        if self.phases[actor][0].edge.event is EdgeEvent.DRIVE:
+            return False  # along its joint
         return self.force[actor] is ForceDirection.ANY_3D and not (jumps or self.guided(actor))
 
     def soars(self, actor: str) -> bool:

@@ -174,19 +174,22 @@ def first_touch(mover: Prop, target: Prop, stand: Stand, *, flies: bool) -> Touc
     """Where a mover on the ground, or something thrown, meets a standing body; None if nowhere."""
     if flies:
         return Touch(FLIES_AT * stand.top, -stand.near, (1.0, 0.0))
-    reach = min(mover.height, stand.top)
+    reach = min(mover.height + mover.lift, stand.top)
     heights = (np.arange(HEIGHTS) + 0.5) * reach / HEIGHTS
     rear = _side(stand.outlines, heights, front=False)
     radius = 0.5 * mover.height
     if mover.rolls:
         nose = np.sqrt(np.maximum(radius**2 - (heights - radius) ** 2, 0.0))
     else:
-        nose = _nose(mover.config, heights)
+        nose = _nose(mover.config, heights - mover.lift)
     gap = rear - nose
     if not np.isfinite(gap).any():
         return None
     close = np.flatnonzero(gap <= gap.min() + FLAT_M)
     k = int(close[len(close) // 2])
+    if mover.lift > 0.0:
+        # A leaf lies along it: where it can turn neither way, it does not.
+        k = int(close[np.argmin(np.abs(heights[close] - stand.height))])
     z, x = float(heights[k]), float(rear[k])
     if mover.rolls:
         k = int(np.argmin(gap))
@@ -222,6 +225,8 @@ def tip_speed(mover: Prop, target: Prop, stand: Stand, touch: Touch) -> float:
     friction = 0.5 * (target.friction + target.ground)
     best = NEVER
     for w, sign in ((stand.far, 1.0), (stand.near, -1.0)):
+        if sign < 0.0 and mover.lift > 0.0:
+            continue  # not back onto a leaf that goes on
         grip = sign * friction * stand.height
         ahead, rate = _pushed(target.mass, stand, touch, w, sign, grip)
         held = sign > 0.0 and ahead < rate * stand.height
@@ -304,6 +309,28 @@ def topple_speed(mover: Prop, target: Prop, *, flies: bool, stand: Stand | None 
     low = 0.0 if flies else UNSURE * stand.top
     touches = (touch, replace(touch, height=max(touch.height - low, 0.0)))
     return MARGIN * max(tip_speed(mover, target, stand, t) for t in touches)
+
+
+def topples_by_push(mover: Prop, target: Prop) -> bool:
+    """Whether what is driven on against a standing body tips it over, however slowly: a boom.
+
+    Its foot holds where friction times the height of the touch is more than from its middle to the
+    far edge of its base, and is not pushed along where nothing of the mover follows below.
+    """
+    if target.fixed or target.rolls:
+        return False
+    stand = stand_of(target)
+    touch = first_touch(mover, target, stand, flies=False)
+    grip = 0.5 * (target.friction + target.ground)
+    if touch is None or grip * (touch.height - UNSURE * stand.top) < MARGIN * stand.far:
+        return False
+    low = (np.arange(HEIGHTS) + 0.5) * 0.5 * touch.height / HEIGHTS
+    gap = _side(stand.outlines, low, front=False)
+    gap -= _nose(mover.config, low - mover.lift)
+    recess = float((gap[np.isfinite(gap)] + stand.top).min(initial=np.inf)) - stand.top
+    first = touch.along - float(_nose(mover.config, np.array([touch.height - mover.lift]))[0])
+    leans = touch.height * math.sin(math.atan2(stand.far, stand.height))
+    return recess - first > leans
 
 
 def least_topple_speed(mover: Prop, target: Prop, *, flies: bool) -> float:

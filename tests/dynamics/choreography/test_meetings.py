@@ -31,6 +31,7 @@ PROMPTS = {
     "a comes down on the top": "A ball is dropped from 3 m onto a table, bounces off and lands in a "
     "basket.",
     "a hangs drawn back": "A pendulum is released and hits a box.",
+    "a turns about an upright axle": "A door swings open and knocks over a vase.",
     "a slides out on its joint": "The top drawer of a dresser slides out and pushes a stool.",
     "a is let go over b": "A basketball is dropped onto a wooden crate.",
     "a comes down a ramp": "A ball rolls down a ramp and hits a box.",

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pytest
 
-from esg.dynamics.plan.drives import driven, goal_of, held_at, let_go
+from esg.dynamics.plan.drives import driven, held_at, let_go, reach_of
+from esg.dynamics.story.driving import goal_of
 from esg.dynamics.story.story import Phase
 from esg.dynamics.story.suspension import quarter_period
 from esg.engines import get_engine
@@ -48,7 +49,9 @@ def phase(event: str, degrees: float | None = None, **params) -> Phase:
 def test_it_is_driven_as_far_as_is_asked(told, limits, here, degrees):
     lower, upper = map(math.radians, limits)
     joint = hinged(lower=lower, upper=upper).joints[0]
-    assert math.degrees(goal_of(joint, told, math.radians(here))) == pytest.approx(degrees)
+    assert math.degrees(goal_of(reach_of(joint), told, math.radians(here))) == pytest.approx(
+        degrees
+    )
 
 
 def test_a_hinge_turns_about_its_axis_and_a_slider_moves_along_it():

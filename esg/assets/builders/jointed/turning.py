@@ -135,6 +135,25 @@ def boom_post(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.mount("pivot", (18.5, 0.0, 95.0), (1.0, 0.0, 0.0))
 
 
+@builder("swing_boom")
+def swing_boom(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Boom along Y that swings about an upright pin, drawn at 14 x 260 x 14."""
+    s.slab((-7, 7), (-130, -106), (0, 14), DARK, solid=1)
+    s.slab((-5, 5), (-106, 130), (2, 12), c, solid=0.3)
+    for k in range(3):
+        y = 100 - 80 * k
+        s.slab((-5.2, 5.2), (y - 10, y + 10), (1.8, 12.2), WHITE)
+    s.mount("pin", (0.0, -118.0, 0.0))
+
+
+@builder("boom_mast")
+def boom_mast(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Mast that a boom swings on, drawn at 60 x 60 x 140."""
+    s.rod(30, (0, 0, 0), (0, 0, 4), DARK, solid=1)
+    s.rod(8, (0, 0, 4), (0, 0, 140), c, solid=1)
+    s.mount("pin", (0.0, 0.0, 140.2))
+
+
 @builder("catapult_arm")
 def catapult_arm(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Arm along X with a cup at its rear end, drawn at 160 x 30 x 14."""

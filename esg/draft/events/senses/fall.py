@@ -26,6 +26,7 @@ from esg.draft.events.ends import off_the_edge
 from esg.draft.events.hanging import hanging
 from esg.draft.events.motions import (
     flies_itself,
+    jolted_off,
     motion,
     natural,
     on_what_was_hit,
@@ -161,6 +162,7 @@ def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     set_free(d, [x for x in s if kind_of(d, x) in ("post", "plant", "wall", "street")])
     set_free(d, [x for x in s if x in d.scene.attached])  # what hangs there comes down
     actors = representatives(d, s, [])
+    jolted_off(d, f, actors)
     fresh = [a for a in actors if a not in d.timeline.tracks]
     floor = things(f.phrase("to"))
     down = bool(actors and floor) and all(map(partial(structural, d), floor))

@@ -8,11 +8,12 @@ from esg.dynamics.choreography.hits.rows import asked_of_first, row_after
 from esg.dynamics.choreography.placing import hits_on
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import off_a_wall
-from esg.dynamics.story.stagecraft import Prop, coasting_drag, fall_speed, passed_on
+from esg.dynamics.story.stagecraft import Prop, coasting_drag, fall_speed, passed_on, support_of
 from esg.dynamics.story.story import bounds
 from esg.dynamics.story.tipping import topple_speed
 from esg.graph.models import NodeEvent, TimelineNode
 from esg.thresholds import SAFE_IMPULSE_NS
+from esg.units import GRAVITY_MPS2
 
 KEPT = 0.77
 """Share of its speed that something struck has when it meets the next thing."""
@@ -23,6 +24,9 @@ FELT_SPARE = 1.2
 RUN_ON_M, RUN_ON_S = 0.2, 0.28
 """Way on which something struck surely gets to what stands ahead of it, and time it slides at
 least: two hits closer than a tenth of a second are one."""
+SLIPS_M, THROWN_OFF = 0.1, 1.4
+"""What lies on something that is stopped slides so far beyond its middle, and at so many times the
+speed that takes it there."""
 BACK_KEPT, LEAST_BACK = 0.9, 0.2
 """The same of what bounced off something, and the least share that counts as coming back."""
 
@@ -69,6 +73,20 @@ def demanded(stage: Stage, node: TimelineNode, a: str, b: str) -> float:
     if row:
         return asked_of_first([stage.prop(k) for k in row], _falling(stage, *row[-2:]))
     return _after(stage, node, b, KEPT) / passed_on(pa, pb)
+
+
+def thrown_off_speed(stage: Stage, node: TimelineNode, a: str) -> float:
+    """Least speed [m/s] of a at a hit that stops it for what lies on it to slide off, by mu g s."""
+    needed = 0.0
+    for later in stage.story.after(node.id):
+        for load in later.participants if later.event is NodeEvent.FALL else ():
+            if support_of(stage.doc, load) != stage.member(a) or load in stage.tracks:
+                continue
+            body, host = stage.prop(load), stage.prop(a)
+            friction = 0.5 * (body.friction + host.friction)
+            way = host.half_length + SLIPS_M
+            needed = max(needed, THROWN_OFF * math.sqrt(2.0 * friction * GRAVITY_MPS2 * way))
+    return needed
 
 
 def _felt(mover: Prop, target: Prop) -> float:
