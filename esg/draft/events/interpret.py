@@ -36,6 +36,7 @@ from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.courses import by_its_participle, follow, keep_on, snapshot
+from esg.draft.events.following import follow_on
 from esg.draft.events.hanging import SWAYING, hanging, sense_on_joint
 from esg.draft.events.motions import hold_back
 from esg.draft.events.senses import SENSES
@@ -154,6 +155,7 @@ def interpret(
     settle(d, None, None)
     keep_on(d)
     hold_back(d)
+    follow_on(d)
     for actor in d.moves.still:
         track = d.timeline.tracks.get(actor)
         if track is not None and track.role is Role.ACTIVE and actor in d.world.entities:

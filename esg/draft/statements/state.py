@@ -29,7 +29,7 @@ from esg.draft.statements.account import Account
 from esg.draft.statements.order import ALONE, UNKEPT, orders, started_alone
 from esg.draft.statements.struck import struck
 from esg.draft.statements.unclaimed import unclaimed
-from esg.draft.statements.unkept import dropped, missing
+from esg.draft.statements.unkept import BY_ITSELF, dropped, missing
 from esg.draft.statements.unseen import unseen
 from esg.draft.text.elements import Element, Token
 from esg.graph.models import (
@@ -169,8 +169,13 @@ def _in_order(book: _Book) -> None:
             book.add(Predicate.NOT_REPRESENTED, told.start, told.end, note=UNKEPT)
         else:
             book.add(told.says, told.start, told.end, object=told.about, when=told.when)
+    alone: dict[tuple[int, int], list[str]] = {}
     for start, end, who in started_alone(book.d):
-        book.add(Predicate.NOT_REPRESENTED, start, end, object=(who,), note=ALONE)
+        alone.setdefault((start, end), []).append(who)
+    lost = {(s.start, s.end) for s in book.items if s.note == BY_ITSELF}
+    for (start, end), who in alone.items():
+        if (start, end) not in lost:
+            book.add(Predicate.NOT_REPRESENTED, start, end, object=tuple(who), note=ALONE)
 
 
 def _own_up(book: _Book, frames: list[Frame], elements: list[Element], tokens: list[Token]) -> None:
