@@ -147,6 +147,7 @@ def _part_that_hits(d: Discourse, f: Frame, m: Mention) -> None:
 def _note_properties(d: Discourse, f: Frame, subject: list[str], objects: list[str]) -> None:
     """What a clause says of things besides what they do: stacked, red, 12 m/s fast."""
     piled = f.verb.lemma in _STACKING and f.verb.sense != "hit"
+    piled = piled or "on top of each other" in f.adverbs
     onto = f.phrase("in", "into")
     if piled or (onto is not None and onto.mention and onto.mention.head in _STACKS):
         for i in subject or objects:

@@ -50,7 +50,7 @@ def follows(d: Discourse, clause: Clause) -> Draft | None:
         ended = [n for n in told if n is not None and _over(n)]
         if ended:
             linked = f.sentence == g.sentence or goes_back(d, f)
-            was_going = f.verb.sense in _WAS_GOING or _ON.match(d.text, f.verb.end)
+            was_going = f.verb.sense in _WAS_GOING or _on_its_way(d, f)
             sets_off = linked and not was_going
             return ended[-1] if sets_off or _same_doer(f, g) else None
     return None
@@ -118,6 +118,11 @@ def steps_on(f: Frame) -> bool:
 
 def _over(n: Draft) -> bool:
     return measurable(n.event) and n.event is not NodeEvent.MISS
+
+
+def _on_its_way(d: Discourse, f: Frame) -> bool:
+    found = _ON.search(d.text, f.verb.start)
+    return found is not None and found.start() <= f.verb.end
 
 
 def _same_doer(f: Frame, g: Frame) -> bool:

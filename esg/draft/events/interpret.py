@@ -554,7 +554,8 @@ def _one_by_one(d: Discourse, f: Frame) -> set[str]:
     for m in (f.subject, f.object, *[p.mention for p in f.phrases]):
         if m is None or not (2 <= len(m.entities) <= 3):
             continue
-        told = m is f.object and m.count == len(m.entities) and not m.vague and not m.single
+        counted = (m.subset or m.count) == len(m.entities) and not m.vague and not m.single
+        told = m is f.object and counted
         apart = all(entity_of(d, i).pattern != "stack" for i in m.entities)
         felled = told and apart and f.verb.sense in ("knock", "topple")  # "mows down two cones"
         if {"both", "each"} & {m.determiner, m.pronoun} or felled:

@@ -23,6 +23,8 @@ _STATES = frozenset(
 )  # fmt: skip
 _ALONG = frozenset({"own", "tow", "carry"})
 """Senses of which who does it goes where the object goes."""
+_MET = frozenset({"past", "into", "against", "onto", "over", "off"})
+_AS_ONE = CHAINS | {"stack"}
 _LIFTED = lex.word_set("picks up")
 _NAMED_BEFORE = frozenset({"it", "him", "them"})
 NO_REFERENT = "nothing that was named before is meant"
@@ -78,6 +80,25 @@ def left_behind(a: Account) -> Iterator[Gap]:
         )
         if left and not rides:
             yield Gap(f.verb.start, f.verb.end, "who does it does not go along", tuple(left))
+
+
+def some_of(a: Account) -> Iterator[Gap]:
+    """ "Knocks over three of the five vases", "glides past the two buoys": fewer take part."""
+    d = a.d
+    acting = {i for n in d.timeline.nodes for i in n.participants}
+    acting |= {e.actor for e in d.timeline.edges}
+    for f in a.frames:
+        if f.verb.sense in _STATES:
+            continue
+        met = [p.mention for p in f.phrases if p.prep in _MET]
+        for m in (f.subject, f.object, *met):
+            told = 0 if m is None else m.subset or (m.count if m in met else 0) or 0
+            ids = [i for i in nodes_of(d, m) if entity_of(d, i).pattern not in _AS_ONE]
+            does = [i for i in ids if i in acting]
+            if m is not None and told > 1 and 0 < len(does) < min(told, len(ids)):
+                yield Gap(
+                    m.start, m.end, "only some of them do", tuple(i for i in ids if i not in does)
+                )
 
 
 def idle(a: Account) -> Iterator[Gap]:

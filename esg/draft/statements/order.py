@@ -74,7 +74,13 @@ def _by_itself(d: Discourse, clause: Clause, mover: str) -> bool:
     """ "She pulls the tablecloth, and the cup falls": a thing that others are to set in motion."""
     f, leg = clause.frame, first_leg(d, mover)
     acts = f.subject is not None and mover in f.subject.entities and not f.verb.passive
-    if not acts or f.object is not None or leg is None or leg.event is not EdgeEvent.TOWARD:
+    if (
+        not acts
+        or f.causer is not None
+        or f.object is not None
+        or leg is None
+        or leg.event is not EdgeEvent.TOWARD
+    ):
         return False
     below = d.scene.supported_by.get(mover, "")
     sloped = below in d.world.entities and "incline" in entity_of(d, below).noun.traits

@@ -263,7 +263,7 @@ def _adjective(c: Chunks, i: int, j: int, m: Mention) -> int:
     if not is_adjective(c, j):
         return 0
     if not (low_at(c, j + 1) in ("one", "ones") and _names_one(low)):
-        follows = noun_soon(c, j + 1)
+        follows = noun_soon(c, j + 1) or parts_of(c, j + 1)
         small = low in _ALSO_ADVERBS and not m.determiner and not parts_of(c, j + 1)
         if not follows and (low in lex.PARTS or small):
             return _STOP
