@@ -6,8 +6,11 @@ from collections.abc import Iterator
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, movable, structural
+from esg.draft.discourse.record import Discourse
+from esg.draft.events.stated import start_of
 from esg.draft.events.told import happened
 from esg.draft.statements.account import CHAINS, NOTHING, PASSED_OVER, Account, Gap, held, nodes_of
+from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Predicate
 
 _EACH = frozenset(
@@ -28,6 +31,7 @@ _AS_ONE = CHAINS | {"stack"}
 _LIFTED = lex.word_set("picks up")
 _NAMED_BEFORE = frozenset({"it", "him", "them"})
 NO_REFERENT = "nothing that was named before is meant"
+SOME = "only some of them do"
 NO_EVENT = "nothing of the kind happens in the scene"
 
 
@@ -90,15 +94,27 @@ def some_of(a: Account) -> Iterator[Gap]:
     for f in a.frames:
         if f.verb.sense in _STATES:
             continue
-        met = [p.mention for p in f.phrases if p.prep in _MET]
-        for m in (f.subject, f.object, *met):
-            told = 0 if m is None else m.subset or (m.count if m in met else 0) or 0
+        met = {id(p.mention): p for p in f.phrases if p.prep in _MET}
+        for m in (f.subject, f.object, *(p.mention for p in met.values())):
+            told = (
+                0 if m is None else m.subset or (m.count if id(m) in met or not m.head else 0) or 0
+            )
+            if m is None or told < 2 or _a_pair(d, m):
+                continue
             ids = [i for i in nodes_of(d, m) if entity_of(d, i).pattern not in _AS_ONE]
-            does = [i for i in ids if i in acting]
-            if m is not None and told > 1 and 0 < len(does) < min(told, len(ids)):
-                yield Gap(
-                    m.start, m.end, "only some of them do", tuple(i for i in ids if i not in does)
-                )
+            stand_by = tuple(i for i in ids if i not in acting)
+            if not 0 < len(ids) - len(stand_by) < min(told, len(ids)):
+                continue
+            if id(m) in met:  # the words of the things themselves may say something else
+                start = start_of(met[id(m)], d.text)
+                yield Gap(start, start + len(met[id(m)].prep), SOME, stand_by)
+            else:
+                yield Gap(f.verb.start, f.verb.end, SOME, stand_by)
+
+
+def _a_pair(d: Discourse, m: Mention) -> bool:
+    """ "A pair of slippers" is one thing to meet."""
+    return "pair of" in d.text[max(0, m.start - 10) : m.end].lower()
 
 
 def idle(a: Account) -> Iterator[Gap]:

@@ -76,7 +76,7 @@ def _by_itself(d: Discourse, clause: Clause, mover: str) -> bool:
     acts = f.subject is not None and mover in f.subject.entities and not f.verb.passive
     if (
         not acts
-        or f.causer is not None
+        or _let(f)
         or f.object is not None
         or leg is None
         or leg.event is not EdgeEvent.TOWARD
@@ -89,6 +89,11 @@ def _by_itself(d: Discourse, clause: Clause, mover: str) -> bool:
     known = bool(f.subject.pronoun or f.subject.possessor or f.subject.determiner in KNOWN)
     others = (g for g in before(d, f) if g.sentence == f.sentence or _named(d, mover, f))
     return known and any(mover not in _ids_of(g.subject) for g in others)
+
+
+def _let(f: Frame) -> bool:
+    """ "Lets it fall": what only has to be let go."""
+    return f.causer is not None and f.causer.verb.lemma == "let"
 
 
 def _named(d: Discourse, who: str, f: Frame) -> bool:

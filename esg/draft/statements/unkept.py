@@ -37,6 +37,7 @@ _SETS_IN_MOTION = frozenset({"drop", "launch", "roll", "slide", "knock", "scatte
 """Senses of which the object moves."""
 _WAYS = frozenset({"along", "across", "through", "up", "down", "around", "past"})
 NOTHING_MOVES = "nothing of the kind happens in the scene"
+UNTOUCHED = "nothing touches it: it sets off by itself"
 BY_ITSELF = "nothing makes it fall: it falls by itself, and at any time"
 
 

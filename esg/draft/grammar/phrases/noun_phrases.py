@@ -146,6 +146,8 @@ def _group(c: Chunks, j: int, m: Mention) -> int:
         return j  # "a pile of snow" is one thing, "a tower of blocks" several
     if word == "wall" and low_at(c, j + 2 + skip) in lex.DETERMINERS:
         return j
+    if word == "load" and low_at(c, j + 2 + skip) in ("the", "its", "his", "her", "their"):
+        return j  # "the load of the lorry": what is on it
     m.pattern, m.group_word = lex.GROUP_WORDS[word], word
     times = m.count if m.count and m.count > 1 else 1
     m.count = _SEVERAL[word] * times if word in _SEVERAL else None
