@@ -243,6 +243,7 @@ MODALS = word_set("auxiliaries")
 ADVERBS = word_set("adverbs")
 SUBORDINATORS = word_set("subordinators")
 PARTS = word_set("parts")
+PARTS_OF = PARTS | word_set("parts before of")
 GARMENTS = word_set("garments")
 ATTRIBUTES = word_set("attributes")
 """Nouns that name no object: measures, events, media."""

@@ -63,7 +63,7 @@ def test_a_part_that_is_missing_is_owned_up_to() -> None:
     ("prompt", "word"),
     [
         ("A block slides down a frictionless incline.", "frictionless"),
-        ("A boy kicks a deflated football against a door.", "deflated"),
+        ("A boy throws a deflated football against a door.", "deflated"),
         ("A phone falls face down onto a table.", "face down"),
     ],
 )

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import re
+
 from esg.draft import lexicon as lex
 from esg.draft.discourse.antecedents import it_means
-from esg.draft.discourse.core import entity_of, ids_of, kind_of, quantity_of
+from esg.draft.discourse.core import entity_of, ids_of, kind_of, movable, quantity_of
 from esg.draft.discourse.places import RELATION_PREPS
 from esg.draft.discourse.record import Discourse, Told
 from esg.draft.discourse.referents.entities import ACTING_PARTS
@@ -21,6 +23,7 @@ _RIDES = lex.word_set("rides")
 _OBLIQUE = frozenset({"him", "her", "them"})
 _STACKING = lex.word_set("stacking")
 _STACKS = lex.word_set("stacks (references)")
+_THEN = re.compile(r"\b(?:and|then|until|but)\s+(?:then\s+)?$", re.IGNORECASE)
 
 
 def refer_all(d: Discourse, frames: list[Frame]) -> None:
@@ -46,6 +49,8 @@ def refer(d: Discourse, f: Frame) -> None:
     phrases = [p.mention for p in f.phrases if p.mention is not None]
     for m in phrases if f.verb.sense == "reach" else ():
         m.after_prep = "to"  # "arrives at the depot": no scene, but where to
+    if _of_another_clause(d, f):
+        f.subject = None
     subject = _subject(d, f, phrases)
     _between(d, f, subject)
     no_way = f.verb.sense in _NO_WAY or f.verb.lemma == "splash"
@@ -59,6 +64,13 @@ def refer(d: Discourse, f: Frame) -> None:
     objects[:] = [current_id(d.world, i) for i in objects]
     _note_properties(d, f, subject, objects)
     d.refs.told.append(Told(f, subject, objects))
+
+
+def _of_another_clause(d: Discourse, f: Frame) -> bool:
+    """ "Putting a book on the shelf and then it falls": "it" does not put."""
+    m = f.subject
+    later = m is not None and m.pronoun == "it" and f.verb.form == "ing" and m.start > f.verb.end
+    return later and m is not None and bool(_THEN.search(d.text, f.verb.end, m.start))
 
 
 def _between(d: Discourse, f: Frame, subject: list[str]) -> None:
@@ -95,10 +107,20 @@ def _it(d: Discourse, f: Frame, m: Mention | None, avoid: list[str]) -> None:
     """Gives an "it" of a clause its meaning, if the clauses before tell of anything."""
     if m is None or m.pronoun != "it" or id(m) in d.world.resolved:
         return
-    if found := it_means(d, f, m, avoid):
+    if found := it_means(d, f, m, avoid) or _of_the_title(d, f, m, avoid):
         for other in m.coordinated:
             found += resolve(d.world, other, avoid=found)
         d.world.resolved[id(m)] = m.entities = found
+
+
+def _of_the_title(d: Discourse, f: Frame, m: Mention, avoid: list[str]) -> list[str]:
+    """ "A vase on a shelf. It falls off.": the first thing of a sentence without a verb."""
+    if f.sentence == 0 or any(g.sentence == f.sentence - 1 for g in d.told):
+        return []
+    before = max((g.verb.end for g in d.told if g.verb.end <= m.start), default=0)
+    named = [x for x in d.mentions if before <= x.start < m.start and not x.attribute]
+    things = [[i for i in d.world.resolved.get(id(x), []) if movable(d, i)] for x in named]
+    return next((ids for ids in things if ids and not {*ids} & {*avoid}), [])
 
 
 def _subject(d: Discourse, f: Frame, phrases: list[Mention]) -> list[str]:
@@ -147,6 +169,7 @@ def _part_that_hits(d: Discourse, f: Frame, m: Mention) -> None:
 def _note_properties(d: Discourse, f: Frame, subject: list[str], objects: list[str]) -> None:
     """What a clause says of things besides what they do: stacked, red, 12 m/s fast."""
     piled = f.verb.lemma in _STACKING and f.verb.sense != "hit"
+    piled = piled or "on top of each other" in f.adverbs
     onto = f.phrase("in", "into")
     if piled or (onto is not None and onto.mention and onto.mention.head in _STACKS):
         for i in subject or objects:

@@ -45,7 +45,7 @@ from esg.draft.events.timing import (
     settle,
     time_of,
 )
-from esg.draft.events.told import happened, last_event, moves, recent, traits_of
+from esg.draft.events.told import happened, last_event, mates_of, moves, recent, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
 from esg.graph.models import ForceDirection, NodeEvent
@@ -134,6 +134,7 @@ def _off(d: Discourse, actor: str, way: Way) -> None:
     slips = p.prep == "off" and f.verb.sense in ("roll", "slide", "fall", "drop")
     high = elevated(d, other) or (slips and carries(d, other, actor))
     high = high or (p.prep == "off" and f.verb.lemma in ("jump", "leap", "hop"))
+    high = high or (p.prep == "off" and _on_the_back_of(d, f, other, way.m))
     if high and movable(d, actor) and (p.prep != "over" or way.m.part):
         place(d, [actor], [other], "on")
         _leaves_from(d, actor, f)
@@ -143,6 +144,13 @@ def _off(d: Discourse, actor: str, way: Way) -> None:
     slides = f.verb.sense in ("slide", "roll") and not f.verb.passive and p.prep == "over"
     if slides and kind_of(d, other) == "table" and fits_on(d, actor, other):
         place(d, [actor], [other], "on")  # "a cup slides over the table"
+
+
+def _on_the_back_of(d: Discourse, f: Frame, other: str, m: Mention) -> bool:
+    """ "Blows the hat off his head", "is thrown off her horse": it was on that."""
+    off = f.verb.sense in ("launch", "roll", "slide", "fall", "drop")
+    body = bool(m.part) or m.head in lex.BODY_PARTS
+    return off and kind_of(d, other) in (("person", "animal") if body else ("animal",))
 
 
 def _leaves_from(d: Discourse, actor: str, f: Frame) -> None:
@@ -390,7 +398,8 @@ def share_support(d: Discourse, f: Frame, mover: str, target: str) -> None:
         pushed = f.verb.lemma in PUSHING or mover in d.moves.rolling
         pushed = pushed or happened(d, NodeEvent.TOPPLE, mover)
         if not happened(d, NodeEvent.FALL, one) and (one == mover or pushed):
-            place(d, [other], [host], "on")
+            mates = [i for i in mates_of(d, other) if i != other and i not in hosts]
+            place(d, [other, *(i for i in mates if i not in d.scene.inside_of)], [host], "on")
 
 
 def comes_down_a_slope(d: Discourse, mover: str) -> bool:

@@ -36,6 +36,7 @@ from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.courses import by_its_participle, follow, keep_on, snapshot
+from esg.draft.events.following import follow_on
 from esg.draft.events.hanging import (
     SWAYING,
     hanging,
@@ -161,6 +162,7 @@ def interpret(
     settle(d, None, None)
     keep_on(d)
     hold_back(d)
+    follow_on(d)
     for actor in d.moves.still:
         track = d.timeline.tracks.get(actor)
         if track is not None and track.role is Role.ACTIVE and actor in d.world.entities:
@@ -566,10 +568,12 @@ def _one_by_one(d: Discourse, f: Frame) -> set[str]:
     for m in (f.subject, f.object, *[p.mention for p in f.phrases]):
         if m is None or not (2 <= len(m.entities) <= 3):
             continue
-        told = m is f.object and m.count == len(m.entities) and not m.vague and not m.single
+        counted = (m.subset or m.count) == len(m.entities) and not m.vague and not m.single
+        told = m is f.object and counted
+        some = not m.head and m.count == len(m.entities)  # "and two of them fall off"
         apart = all(entity_of(d, i).pattern != "stack" for i in m.entities)
         felled = told and apart and f.verb.sense in ("knock", "topple")  # "mows down two cones"
-        if {"both", "each"} & {m.determiner, m.pronoun} or felled:
+        if {"both", "each"} & {m.determiner, m.pronoun} or felled or some:
             out |= set(m.entities)
     return out
 

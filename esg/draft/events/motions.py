@@ -325,13 +325,13 @@ def _toward_each_other(d: Discourse, f: Frame) -> bool:
 def _leaves_from(d: Discourse, f: Frame, fresh: list[str]) -> None:
     """ "A dog runs from a chair to a table": it starts by the one, a bird on a roof."""
     p = f.phrase("from")
-    if p is None or p.mention is None or p.mention.part:
+    if p is None or p.mention is None:
         return
     for host in [h for h in things(p) if aimable(d, h)][:1]:
         for actor in fresh:
             own_way = kind_of(d, actor) in SELF_POWERED and actor not in d.scene.supported_by
             perched = flies_itself(d, actor) and elevated(d, host) and carries(d, host, actor)
-            if own_way and host != actor:
+            if own_way and host != actor and (perched or not p.mention.part):
                 place(d, [actor], [host], "on" if perched else "near")
 
 

@@ -27,6 +27,7 @@ _TIMES = frozenset(
 _MEETING = (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
 _REPLACING = (*_MEETING, NodeEvent.REACH, NodeEvent.TOPPLE, NodeEvent.FALL)
 _ON_THE_WAY = lex.word_set("on the way")
+_DOWN = (NodeEvent.FALL, NodeEvent.TOPPLE, NodeEvent.BREAK)
 _WITHIN = ("in", "within", "over")
 _LASTS = re.compile(r"(?:over|(?:with)?in) the (?:course|space) of|within|inside|in under", re.I)
 SETS_OFF = lex.word_set("sets off")
@@ -91,6 +92,8 @@ def record_event(
 ) -> str:
     """Adds a point event with the stated time, absolute or relative."""
     mover = participants[0]
+    if kind in _DOWN:
+        _arrives_first(d, mover)
     if extra.get("stem") != "brake":
         settle(d, mover, kind, participants[1] if len(participants) > 1 else None)
     if kind is NodeEvent.FALL and time is not None and _lands_before(d, f, mover, time[1]):
@@ -120,6 +123,19 @@ def record_event(
         constrain(draft, "distance", travelled.value)
     mark_used(d, f, node_id)
     return node_id
+
+
+def _arrives_first(d: Discourse, felled: str) -> None:
+    """ "Throws a stone at a kite until it comes down": what was aimed at is hit before."""
+    for name, (kind, f, other, time) in list(d.times.pending.items()):
+        aimed = kind is NodeEvent.COLLISION and other is not None and felled != name
+        mates = {*mates_of(d, name)}
+        by_mate = any(
+            other in n.participants and mates & {*n.participants} for n in d.timeline.nodes
+        )
+        if aimed and other is not None and moves(d, name) and not by_mate:
+            del d.times.pending[name]
+            d.add_event(kind, (name, other), f, time)
 
 
 def _since_when(
@@ -217,7 +233,7 @@ def settle(
 ) -> None:
     """Turns a pending arrival or landing into an event, unless a stronger event replaces it."""
     for name in list(d.times.pending):
-        if actor is not None and name != actor:
+        if (actor is not None and name != actor) or name not in d.times.pending:
             continue
         event, f, other, time = d.times.pending.pop(name)
         into = kind in _MEETING and actor == name

@@ -6,8 +6,11 @@ from collections.abc import Iterator
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, movable, structural
+from esg.draft.discourse.record import Discourse
+from esg.draft.events.stated import start_of
 from esg.draft.events.told import happened
 from esg.draft.statements.account import CHAINS, NOTHING, PASSED_OVER, Account, Gap, held, nodes_of
+from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Predicate
 
 _EACH = frozenset(
@@ -23,9 +26,12 @@ _STATES = frozenset(
 )  # fmt: skip
 _ALONG = frozenset({"own", "tow", "carry"})
 """Senses of which who does it goes where the object goes."""
+_MET = frozenset({"past", "into", "against", "onto", "over", "off"})
+_AS_ONE = CHAINS | {"stack"}
 _LIFTED = lex.word_set("picks up")
 _NAMED_BEFORE = frozenset({"it", "him", "them"})
 NO_REFERENT = "nothing that was named before is meant"
+SOME = "only some of them do"
 NO_EVENT = "nothing of the kind happens in the scene"
 
 
@@ -78,6 +84,37 @@ def left_behind(a: Account) -> Iterator[Gap]:
         )
         if left and not rides:
             yield Gap(f.verb.start, f.verb.end, "who does it does not go along", tuple(left))
+
+
+def some_of(a: Account) -> Iterator[Gap]:
+    """ "Knocks over three of the five vases", "glides past the two buoys": fewer take part."""
+    d = a.d
+    acting = {i for n in d.timeline.nodes for i in n.participants}
+    acting |= {e.actor for e in d.timeline.edges}
+    for f in a.frames:
+        if f.verb.sense in _STATES:
+            continue
+        met = {id(p.mention): p for p in f.phrases if p.prep in _MET}
+        for m in (f.subject, f.object, *(p.mention for p in met.values())):
+            told = (
+                0 if m is None else m.subset or (m.count if id(m) in met or not m.head else 0) or 0
+            )
+            if m is None or told < 2 or _a_pair(d, m):
+                continue
+            ids = [i for i in nodes_of(d, m) if entity_of(d, i).pattern not in _AS_ONE]
+            stand_by = tuple(i for i in ids if i not in acting)
+            if not 0 < len(ids) - len(stand_by) < min(told, len(ids)):
+                continue
+            if id(m) in met:  # the words of the things themselves may say something else
+                start = start_of(met[id(m)], d.text)
+                yield Gap(start, start + len(met[id(m)].prep), SOME, stand_by)
+            else:
+                yield Gap(f.verb.start, f.verb.end, SOME, stand_by)
+
+
+def _a_pair(d: Discourse, m: Mention) -> bool:
+    """ "A pair of slippers" is one thing to meet."""
+    return "pair of" in d.text[max(0, m.start - 10) : m.end].lower()
 
 
 def idle(a: Account) -> Iterator[Gap]:

@@ -38,6 +38,10 @@ def _mutual(d: Discourse, about: set[str]) -> bool:
     return chain or any(any(found) for found in (met, aims, faces, relations))
 
 
+def _stacked(d: Discourse, about: set[str]) -> bool:
+    return any(entity_of(d, i).pattern == "stack" for i in about)
+
+
 def _abreast(d: Discourse, about: set[str]) -> bool:
     relations = (r for r in d.scene.relations if {r.source, r.target} <= about)
     return any(entity_of(d, i).pattern == "row" for i in about) or any(relations)
@@ -46,6 +50,7 @@ def _abreast(d: Discourse, about: set[str]) -> bool:
 SHOWN_BY: dict[str, Callable[[Discourse, set[str]], bool]] = {
     "each other": _mutual,
     "one another": _mutual,
+    "on top of each other": _stacked,
     "in a row": in_line,
     "in a line": in_line,
     "in rows": in_line,

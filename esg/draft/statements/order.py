@@ -16,9 +16,11 @@ from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.timeline import START
 from esg.draft.events.courses import measurable
+from esg.draft.events.following import KNOWN, before, borne, first_leg, inert, steps_on
 from esg.draft.events.motions import AFTER_THAT, THEN, told_after
 from esg.draft.events.told import mates_of
 from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.text.elements import Mention
 from esg.graph.models import EdgeEvent, Predicate
 
 UNKEPT = "the order is not kept: nothing that is measured ends what comes first"
@@ -47,7 +49,7 @@ def orders(d: Discourse) -> Iterator[Ordered]:
 
 def started_alone(d: Discourse) -> Iterator[tuple[int, int, str]]:
     """Where something sets off by itself that others should move: those of a row that have been
-    hit, or what it stands on and is taken away.
+    hit, what it stands on and is taken away, or what was done before ("trips, and the cup falls").
     """
     met: set[str] = set()
     moved: set[str] = set()
@@ -56,16 +58,52 @@ def started_alone(d: Discourse) -> Iterator[tuple[int, int, str]]:
             mates = {*mates_of(d, mover)} - {mover}
             row = entity_of(d, mover).pattern == "row" and mates & met
             taken = d.scene.supported_by.get(mover) in moved | met and mover not in moved
-            launched = (
-                e for e in d.timeline.edges
-                if e.actor == mover and e.from_ == START and e.event is EdgeEvent.TOWARD
-            )  # fmt: skip
-            if (row or taken) and mover not in met and next(launched, None) is not None:
+            leg = first_leg(d, mover)
+            launched = leg is not None and leg.event is EdgeEvent.TOWARD
+            alone = row or taken or (mover not in moved and borne(d, mover))
+            by_itself = mover not in moved and _by_itself(d, clause, mover)
+            if mover not in met and ((alone and launched) or by_itself):
                 yield clause.frame.verb.start, clause.frame.verb.end, mover
         moved |= {*clause.movers}
         verb = id(clause.frame.verb)
         told = {n for g, n in d.times.of_frame if id(g.verb) == verb}
         met |= {p for n in d.timeline.nodes if n.id in told for p in n.participants}
+
+
+def _by_itself(d: Discourse, clause: Clause, mover: str) -> bool:
+    """ "She pulls the tablecloth, and the cup falls": a thing that others are to set in motion."""
+    f, leg = clause.frame, first_leg(d, mover)
+    acts = f.subject is not None and mover in f.subject.entities and not f.verb.passive
+    if (
+        not acts
+        or _let(f)
+        or f.object is not None
+        or leg is None
+        or leg.event is not EdgeEvent.TOWARD
+    ):
+        return False
+    below = d.scene.supported_by.get(mover, "")
+    sloped = below in d.world.entities and "incline" in entity_of(d, below).noun.traits
+    if sloped or not inert(d, mover) or f.subject is None or not steps_on(f):
+        return False
+    known = bool(f.subject.pronoun or f.subject.possessor or f.subject.determiner in KNOWN)
+    others = (g for g in before(d, f) if g.sentence == f.sentence or _named(d, mover, f))
+    return known and any(mover not in _ids_of(g.subject) for g in others)
+
+
+def _let(f: Frame) -> bool:
+    """ "Lets it fall": what only has to be let go."""
+    return f.causer is not None and f.causer.verb.lemma == "let"
+
+
+def _named(d: Discourse, who: str, f: Frame) -> bool:
+    """Whether the text names a thing before a clause."""
+    begin = f.subject.start if f.subject is not None else f.verb.start
+    return any(m.start < begin and who in _ids_of(m) for m in d.mentions)
+
+
+def _ids_of(m: Mention | None) -> list[str]:
+    return [] if m is None else [*m.entities]
 
 
 def _order(d: Discourse, clause: Clause, earlier: list[Frame]) -> Iterator[Ordered]:

@@ -31,7 +31,7 @@ from esg.draft.statements.account import Account
 from esg.draft.statements.order import ALONE, UNKEPT, orders, started_alone
 from esg.draft.statements.struck import struck
 from esg.draft.statements.unclaimed import unclaimed
-from esg.draft.statements.unkept import dropped, missing
+from esg.draft.statements.unkept import BY_ITSELF, UNTOUCHED, dropped, missing
 from esg.draft.statements.unseen import unseen
 from esg.draft.text.elements import Element, Token
 from esg.graph.models import (
@@ -67,6 +67,8 @@ _ON_NO_WHEELS = frozenset({"baby", "boy", "child", "girl", "kid", "man", "toddle
 """Persons of whom "rolls" says that they turn over and over, which a skateboarder does not."""
 _CORNERED = ("box", "compound")
 """Shapes that do not roll, whatever a text says."""
+_CAUSES = frozenset({ALONE, BY_ITSELF, UNTOUCHED})
+"""What is owned up to of a verb whose motion is shown: only nothing brings it about."""
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
 
 
@@ -198,16 +200,23 @@ def _in_order(book: _Book) -> None:
             book.add(Predicate.NOT_REPRESENTED, told.start, told.end, note=UNKEPT)
         else:
             book.add(told.says, told.start, told.end, object=told.about, when=told.when)
+    alone: dict[tuple[int, int], list[str]] = {}
     for start, end, who in started_alone(book.d):
-        book.add(Predicate.NOT_REPRESENTED, start, end, object=(who,), note=ALONE)
+        alone.setdefault((start, end), []).append(who)
+    lost = {(s.start, s.end) for s in book.items if s.note == BY_ITSELF}
+    for (start, end), who in alone.items():
+        if (start, end) not in lost:
+            book.add(Predicate.NOT_REPRESENTED, start, end, object=tuple(who), note=ALONE)
 
 
 def _own_up(book: _Book, frames: list[Frame], elements: list[Element], tokens: list[Token]) -> None:
     """Writes down what nothing in the document stands for, each of the words once."""
     d = book.d
-    lost = [(s.start, s.end) for s in book.items if s.predicate is Predicate.NOT_REPRESENTED]
+    owned = [s for s in book.items if s.predicate is Predicate.NOT_REPRESENTED]
+    lost = [(s.start, s.end) for s in owned]
+    gone = [(s.start, s.end) for s in owned if s.note not in _CAUSES]
     told = [f for f in frames if not f.unreal and not f.verb.negated]
-    told = [f for f in told if _span(f) in d.scene.used and _span(f) not in lost]
+    told = [f for f in told if _span(f) in d.scene.used and _span(f) not in gone]
     untold = _of_what_does_not_happen(d, frames)
     for gap in unclaimed(Account(d, told, elements, tokens, [*book.items], untold)):
         if not any(a < gap.end and gap.start < b for a, b in lost):

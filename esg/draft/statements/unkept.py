@@ -37,6 +37,8 @@ _SETS_IN_MOTION = frozenset({"drop", "launch", "roll", "slide", "knock", "scatte
 """Senses of which the object moves."""
 _WAYS = frozenset({"along", "across", "through", "up", "down", "around", "past"})
 NOTHING_MOVES = "nothing of the kind happens in the scene"
+UNTOUCHED = "nothing touches it: it sets off by itself"
+BY_ITSELF = "nothing makes it fall: it falls by itself, and at any time"
 
 
 @dataclass(frozen=True)
@@ -105,7 +107,7 @@ def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
             return False
         if condition == "unmet" and _leads_to_an_event(d, clause):
             return False
-        if condition.startswith("without:") and _leads_to_an_event(d, clause, condition[8:]):
+        if condition.startswith("without:") and _tells(d, clause, condition[8:]):
             return False
         if condition == "later" and f.relative:
             return False
@@ -205,6 +207,9 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "shoved": _shoved,
     "flung": _flung,
     "far": _far,
+    "limbed": lambda d, c: any(
+        kind_of(d, i) in LIMBED for i in _doers(c.frame) if i in d.world.entities
+    ),
     "alone": _alone,
     "agentless": lambda d, c: c.frame.verb.passive and c.frame.phrase("by") is None,
     "untied": lambda d, c: not _tied(d, c.frame),
@@ -212,16 +217,20 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
 """Conditions of a row that look at the scene or at the words around the verb."""
 
 
-def _leads_to_an_event(d: Discourse, clause: Clause, kind: str = "") -> bool:
-    """Whether an event that one could see, of a kind, is told of what a clause moves."""
+def _leads_to_an_event(d: Discourse, clause: Clause) -> bool:
+    """Whether an event that one could see is told of what a clause moves."""
     about = {*clause.movers}
     own = d.scene.used.get((clause.frame.verb.start, clause.frame.verb.end))
-    node = d.timeline.node(own or "")
-    leapt = own == "jump" or (node is not None and node.event is NodeEvent.JUMP)
-    if about & d.moves.upon.keys() and not leapt:
-        about = set[str]()  # a second leap, from up there, leads to something else
     told = [n.event for n in d.timeline.nodes if about & {*n.participants} or n.id == own]
-    return any(measurable(event) and kind in ("", event.value) for event in told)
+    return any(measurable(event) for event in told)
+
+
+def _tells(d: Discourse, clause: Clause, kind: str) -> bool:
+    """Whether a clause itself tells of an event of a kind: another leap is none of its own."""
+    at = clause.frame.verb.start
+    own = d.scene.used.get((at, clause.frame.verb.end))
+    ids = {own, *(n for g, n in d.times.of_frame if g.verb.start == at)}
+    return any(n.id in ids and n.event.value == kind for n in d.timeline.nodes)
 
 
 def _acted_before(d: Discourse, clause: Clause, doers: list[str]) -> bool:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Frame, State
 from esg.draft.grammar.clauses.record import Clauses
-from esg.draft.text.elements import Mention, Verb
+from esg.draft.text.elements import Element, Mention, Verb
 
 CAUSE_SENSES = lex.word_set("cause senses")
 UNCHANGED = lex.word_set("unchanged")
@@ -13,6 +13,16 @@ _AMONG_VEHICLES = lex.word_set("among vehicles")
 _ASKING = lex.word_set("asking (links)")
 _SHOWING = lex.word_set("showing (links)")
 _FAILING = lex.word_set("failing")
+_DOWN = frozenset({"topple", "fall"})
+_LEAVING = _DOWN | {"own", "fly", "roll", "slide"}
+_DRIVEN = lex.word_set("self powered")
+_PLACES = frozenset(
+    {"on", "at", "in", "near", "by", "beside", "against", "in front of", "next to", "behind"}
+    | {"under", "on top of", "above", "outside"}
+)
+_FIRM = frozenset({"support", "fixed", "structural", "container"})
+_BUILT = frozenset({"wall", "building", "street", "furniture", "vehicle"})
+"""What rarely falls: what carries or holds things, and what is built."""
 
 
 def of_a_vehicle(previous: Frame, v: Verb) -> bool:
@@ -42,6 +52,36 @@ def goes_on(c: Clauses, i: int) -> bool:
     verb = c.elements[i]
     now = isinstance(verb, Verb) and verb.auxiliary in ("is", "are", "gets", "get")
     return comma or now
+
+
+def what_falls(c: Clauses, previous: Frame | None, v: Verb, last: Mention | None) -> Mention | None:
+    """ "Taps the bin standing at the kerb, which tips over": what is there, not where it is."""
+    if previous is None or last is None or v.sense not in _LEAVING or v.passive:
+        return last
+    at = next((p for p in previous.phrases if p.mention is last), None)
+    if at is None or at.prep not in _PLACES:
+        return last
+    if previous.reduced:
+        there = previous.subject
+    else:
+        before = [p.mention for p in previous.phrases if p.mention is not None and p is not at]
+        near = [m for m in (previous.object, *before) if m is not None and m.end <= last.start]
+        there = max(near, key=lambda m: m.end, default=None)
+    if there is None or there.pronoun or there.attribute or there.noun is None:
+        return last
+    several = v.form == "base" and not v.auxiliary
+    if several and there.plural is not last.plural:
+        return there if there.plural else last
+    rel = next((e for e in reversed(c.elements[: c.elements.index(v)]) if _is_rel(e)), None)
+    if last.noun is None or getattr(rel, "low", "") == "who":
+        return there if there.noun.kind == "person" else last
+    firm = bool(_FIRM & last.noun.traits) or last.noun.kind in _BUILT
+    drives_off = v.sense not in _DOWN and last.noun.kind in _DRIVEN
+    return there if firm and not drives_off else last
+
+
+def _is_rel(e: Element) -> bool:
+    return getattr(e, "kind", "") == "rel"
 
 
 def before_what_it_lets(previous: Frame, v: Verb) -> Frame:

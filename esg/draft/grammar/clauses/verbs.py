@@ -21,6 +21,7 @@ from esg.draft.grammar.clauses.links import (
     of_a_vehicle,
     participle,
     serial,
+    what_falls,
     whose,
 )
 from esg.draft.grammar.clauses.nouns import runs_on
@@ -102,6 +103,8 @@ def _relative(c: Clauses, s: State, o: _Opening) -> bool:
         frame.subject, frame.parent = s.relative, o.previous
         frame.reduced = frame.relative = True
         frame.resulting = goes_on(c, o.at)
+        if frame.resulting:
+            frame.subject = what_falls(c, o.previous, frame.verb, s.relative)
     else:
         return False
     return True

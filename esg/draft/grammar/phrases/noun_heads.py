@@ -126,7 +126,10 @@ def _noun_here(c: Chunks, j: int, m: Mention) -> NounMatch | None:
     noun = match_noun(c, j) if j < len(c.tokens) else None
     if noun is None:
         return None
-    if noun[3] in ("corner", "entrance", "exit", "rim") and low_at(c, j + 1) == "of":
+    if (
+        noun[3] in ("corner", "entrance", "exit", "rim", "step", "rung")
+        and low_at(c, j + 1) == "of"
+    ):
         return None  # of a room or a table, not of the street; a tunnel has no door
     if noun[3] == "path" and m.determiner and low_at(c, j + 1) == "of":
         return None  # "into the path of a tram": no footpath
@@ -382,7 +385,8 @@ def _part(c: Chunks, p: Place, m: Mention) -> Head | None:
     low, j = p.low, p.at
     part = lex.singular(low)[0]
     told = m.determiner or m.adjectives or m.count == 1 or low_at(c, j + 1) == "of"
-    if not low or not {low, part} & lex.PARTS or not told or part_alone(c, j, m):
+    known = lex.PARTS_OF if low_at(c, j + 1) == "of" else lex.PARTS
+    if not low or not {low, part} & known or not told or part_alone(c, j, m):
         return OTHER
     sided = low in _HANDS and {low_at(c, j + 1)} & lex.PARTS  # "the left side of a car"
     if sided or (match_noun(c, j + 1) is not None and not verb_readings(low_at(c, j + 1))):

@@ -146,6 +146,8 @@ def _group(c: Chunks, j: int, m: Mention) -> int:
         return j  # "a pile of snow" is one thing, "a tower of blocks" several
     if word == "wall" and low_at(c, j + 2 + skip) in lex.DETERMINERS:
         return j
+    if word == "load" and low_at(c, j + 2 + skip) in ("the", "its", "his", "her", "their"):
+        return j  # "the load of the lorry": what is on it
     m.pattern, m.group_word = lex.GROUP_WORDS[word], word
     times = m.count if m.count and m.count > 1 else 1
     m.count = _SEVERAL[word] * times if word in _SEVERAL else None
@@ -263,7 +265,7 @@ def _adjective(c: Chunks, i: int, j: int, m: Mention) -> int:
     if not is_adjective(c, j):
         return 0
     if not (low_at(c, j + 1) in ("one", "ones") and _names_one(low)):
-        follows = noun_soon(c, j + 1)
+        follows = noun_soon(c, j + 1) or parts_of(c, j + 1)
         small = low in _ALSO_ADVERBS and not m.determiner and not parts_of(c, j + 1)
         if not follows and (low in lex.PARTS or small):
             return _STOP

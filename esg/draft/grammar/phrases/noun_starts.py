@@ -62,7 +62,7 @@ def numbered(c: Chunks, j: int) -> bool:
 
 def parts_of(c: Chunks, j: int) -> bool:
     """ "from opposite ends of a table": parts of a thing follow."""
-    return lex.singular(low_at(c, j))[0] in lex.PARTS and low_at(c, j + 1) == "of"
+    return lex.singular(low_at(c, j))[0] in lex.PARTS_OF and low_at(c, j + 1) == "of"
 
 
 def verb_next(c: Chunks, j: int) -> bool:

@@ -11,7 +11,8 @@ from esg.draft.text.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
 
 _TURNS_GREEN = re.compile(
-    r"\s+(?:\w+\s+){1,2}?(?:to\s+|back\s+to\s+)?(?:red|green|amber)\b", re.IGNORECASE
+    r"\s+(?:\w+\s+){1,2}?(?:to\s+|back\s+to\s+)?(?:red|green|amber)\b|\s+to\s+change\b",
+    re.IGNORECASE,
 )
 
 
