@@ -19,6 +19,7 @@ from esg.draft.events.courses import (
     TURNING,
     chosen_pace,
     measurable,
+    oncoming,
     queues_behind,
 )
 from esg.draft.events.motions import can_roll, flies_itself
@@ -43,6 +44,7 @@ from esg.graph.models import (
 
 GENTLE_CM_S = 150.0
 """What is put down "gently" is nowhere faster: hands that reach go at 0.5 to 1.5 m/s."""
+_STANDS = "it does not come the other way"
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
 _SIDE_WORDS = {
@@ -119,10 +121,12 @@ def state(
         why = "" if _span(f) in said else dropped(d, f)
         if why and (_span(f) not in read or not _moves(d, f)):
             _unkept(book, f, why)
-    for start, end, why in unseen(d, frames):
+    for start, end, why in unseen(d, frames, elements):
         book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
     _struck(book, frames)
     _upright(book, frames)
+    _unmet(book, frames)
+    _comes_on(book)
     for m in (m for m in d.mentions if without(m, d.text)):
         book.add(Predicate.ABSENT, m.start - len("without "), m.end, noun=m.head)
     _in_order(book)
@@ -160,6 +164,27 @@ def _upright(book: _Book, frames: list[Frame]) -> None:
         stand = tuple(i for i in _ids(f.subject) if i in book.d.world.entities) if denied else ()
         if stand and not fallen & {*stand}:
             book.add(Predicate.STAYS_UPRIGHT, *_span(f), object=stand)
+
+
+def _unmet(book: _Book, frames: list[Frame]) -> None:
+    """ "Stops just before hitting a child", "puts it down without touching the cup"."""
+    for f in frames:
+        spared = f.verb.sense == "stop" and "before" in f.verb.extra and not f.unreal
+        who = [i for i in _ids(f.subject) if i in book.d.world.entities] if spared else []
+        others = tuple(i for i in _ids(f.object) if i in book.d.world.entities and i not in who)
+        if who and others and not _met(book.d, who[0], [*others]):
+            book.add(Predicate.NEVER_TOUCHES, *_span(f), object=tuple(who), target=others)
+
+
+def _comes_on(book: _Book) -> None:
+    """ "An oncoming truck" goes toward who drives the other way."""
+    for start, end, who, other in oncoming(book.d):
+        turns = any(e.event is EdgeEvent.TURN for e in _of(book.d, other))
+        if any(_of(book.d, who)) and not turns:
+            book.add(Predicate.MOVES, start, end, object=(who,), target=(other,),
+                     direction="toward", when="start")  # fmt: skip
+        else:
+            book.add(Predicate.NOT_REPRESENTED, start, end, object=(who,), note=_STANDS)
 
 
 def _in_order(book: _Book) -> None:
@@ -348,11 +373,15 @@ def _moved(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 
 
 def _back(book: _Book, clause: Clause, s: Said, mover: str) -> None:
-    """ "Hits a wall and rolls back": away from what it has hit; "apart" from each other."""
+    """ "Hits a wall and rolls back": away from what it has hit; "apart" from each other.
+
+    "Is hit and slides out of view" is away from what has hit it.
+    """
     d, f, since = book.d, clause.frame, book.d.timeline.node(clause.since.get(mover, START))
     others = tuple(i for i in clause.movers if i != mover) if "apart" in s.row.words else ()
-    if since is not None and since.event is NodeEvent.COLLISION and since.participants[0] == mover:
-        others = since.participants[1:]
+    met = since.participants if since and since.event is NodeEvent.COLLISION else ()
+    if mover in met and (mover == met[0]) is ("out of view" not in s.row.words):
+        others = tuple(i for i in met if i != mover)
     if others and not f.object and not f.verb.passive:
         book.add(s.row.states, s.start, s.end, object=(mover,), target=others[:1],
                  direction=s.row.direction, when=_when(d, clause, mover))  # fmt: skip

@@ -129,7 +129,10 @@ def _left_out(a: Account) -> Iterator[Gap]:
 _HIDING = frozenset({Predicate.BEHIND, Predicate.UNDER, Predicate.INSIDE})
 _PARTICLES: dict[str, tuple[frozenset[str], frozenset[NodeEvent]]] = {
     "out": (frozenset({"away_from"}), frozenset({NodeEvent.ENTER_REGION, NodeEvent.FALL})),
-    "in": (frozenset({"toward"}), frozenset({NodeEvent.ENTER_REGION, NodeEvent.REACH})),
+    "in": (
+        frozenset({"toward", "left", "right"}),
+        frozenset({NodeEvent.ENTER_REGION, NodeEvent.REACH}),
+    ),
 }
 """Particles of verbs of motion, and the directions and events that show them."""
 
