@@ -22,6 +22,7 @@ from esg.draft.events.courses import (
     oncoming,
     queues_behind,
 )
+from esg.draft.events.hanging import SENT_UP
 from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.events.stated import adverbs_of, place_of, start_of
 from esg.draft.events.told import things
@@ -44,6 +45,7 @@ from esg.graph.models import (
 
 GENTLE_CM_S = 150.0
 """What is put down "gently" is nowhere faster: hands that reach go at 0.5 to 1.5 m/s."""
+_STAND = "the stand of a seesaw is drawn for it"
 _STANDS = "it does not come the other way"
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
@@ -127,6 +129,7 @@ def state(
     _upright(book, frames)
     _unmet(book, frames)
     _comes_on(book)
+    _sent_up(book, frames)
     for m in (m for m in d.mentions if without(m, d.text)):
         book.add(Predicate.ABSENT, m.start - len("without "), m.end, noun=m.head)
     _in_order(book)
@@ -174,6 +177,30 @@ def _unmet(book: _Book, frames: list[Frame]) -> None:
         others = tuple(i for i in _ids(f.object) if i in book.d.world.entities and i not in who)
         if who and others and not _met(book.d, who[0], [*others]):
             book.add(Predicate.NEVER_TOUCHES, *_span(f), object=tuple(who), target=others)
+
+
+def _sent_up(book: _Book, frames: list[Frame]) -> None:
+    """ "A stone falls on one end and the other end flings a coin up": it rises from the jolt on."""
+    for f in frames:
+        if book.d.scene.used.get(_span(f)) != SENT_UP:
+            continue
+        sent = _ids(f.object) if f.object is not None and not f.verb.passive else _ids(f.subject)
+        for body in sent:
+            if when := _since_the_jolt(book.d, body):
+                book.add(Predicate.MOVES, *_span(f), object=(body,), direction="up", when=when)
+    for e in book.d.world.entities.values():
+        start = book.d.text.find(e.label, max(e.origin, 0)) if e.lever == "fulcrum" else -1
+        if start >= 0:
+            book.add(Predicate.NOT_REPRESENTED, start, start + len(e.label), object=(e.id,),
+                     note=_STAND)  # fmt: skip
+
+
+def _since_the_jolt(d: Discourse, body: str) -> str:
+    """The time after something has hit the seesaw that a body is on; "" if nothing does."""
+    board = d.scene.supported_by.get(body)
+    hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
+    jolt = next((n.id for n in hits if board in n.participants), "")
+    return jolt and f"{jolt}..end"
 
 
 def _comes_on(book: _Book) -> None:
@@ -351,6 +378,8 @@ def _plainly(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 def _flown(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     """ "Flies", and "floats" of what stays in the air."""
     d = book.d
+    if d.scene.used.get(_span(clause.frame)) == SENT_UP:
+        return  # it rises, and comes down again
     if clause.frame.verb.sense == "fly" or mover in d.moves.flying or flies_itself(d, mover):
         _plainly(book, clause, s, mover)
 
@@ -390,11 +419,20 @@ def _back(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 def _tow(book: _Book, clause: Clause) -> None:
     """ "A truck tows a trailer": a joint holds them together."""
     if clause.frame.verb.sense == "tow":
-        for node in [i for m in (clause.frame.subject, clause.frame.object) for i in _ids(m)]:
+        named = [i for m in (clause.frame.subject, clause.frame.object) for i in _ids(m)]
+        scene = book.d.scene
+        carts = (scene.supported_by.get(i) or scene.inside_of.get(i) for i in named)
+        for node in dict.fromkeys([*named, *(i for i in carts if i)]):
             tow = book.d.scene.tows.get(node)
             if tow is not None:
                 book.add(Predicate.ATTACHED_TO, *_span(clause.frame), object=(node,),
                          target=(tow.by,), when="start")  # fmt: skip
+        by = {tow.by for tow in book.d.scene.tows.values()}
+        drawing = _ids(clause.frame.subject)
+        others = tuple(i for i in drawing if i not in by and i not in book.d.scene.tows)
+        if others and by & {*drawing}:  # "two oxen pull a wagon"
+            book.add(Predicate.NOT_REPRESENTED, *_span(clause.frame), object=others,
+                     note="only one of them draws it")  # fmt: skip
 
 
 def _posture(book: _Book, clause: Clause) -> None:
@@ -554,6 +592,8 @@ def _support(book: _Book, clause: Clause, p: Phrase) -> None:
 def _when(d: Discourse, clause: Clause, mover: str) -> str:
     """The part of the scene that a clause tells: from one event to the next."""
     since = clause.since.get(mover, START)
+    if d.scene.used.get(_span(clause.frame)) == SENT_UP and (jolted := _since_the_jolt(d, mover)):
+        return jolted
     edge = _going(d, mover, since)
     kinds = {n.id: n.event for n in d.timeline.nodes}
     begin = "start" if since == START else since
