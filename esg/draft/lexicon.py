@@ -141,6 +141,27 @@ def singular(word: str) -> tuple[str, bool]:
     return one, one != low
 
 
+@cache
+def _wholes() -> dict[str, frozenset[str]]:
+    found: dict[str, frozenset[str]] = {}
+    with open(DATA / "wholes.csv", encoding="utf-8", newline="") as file:
+        for row in csv.DictReader(file, delimiter=";"):
+            for word in row["parts"].split("|"):
+                found[word] = found.get(word, frozenset()) | {*row["wholes"].split("|")}
+    return found
+
+
+def is_part(head: str, whole: Noun | None = None) -> bool:
+    """Whether a noun names a part of some thing, or of the thing that is given: `wholes.csv`.
+
+    Args:
+        head: Noun of a phrase ("seat").
+        whole: What the part may belong to, by its kind or its name.
+    """
+    wholes = _wholes().get(singular(head)[0], _wholes().get(head, frozenset()))
+    return bool(wholes) if whole is None else bool(wholes & {whole.kind, whole.name})
+
+
 _VOWELS = "aeiou"
 _DOUBLING = ("stop", "drop", "skid", "slip", "plod", "trip")
 

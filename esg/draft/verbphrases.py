@@ -31,7 +31,7 @@ _SHORT = {
     "SOLID": rf"(?=\s+(?:{_DET}\b|it\b|him\b|them\b|each\b|\w+\s*(?:[.,;!]|$)))",
     "FLAT": (
         r"(?:flat\s+)?(?:on|onto)\s+(?:its|his|her|their|the)\s+"
-        r"(?:side|back|face|nose|bottom|backside|front|beam\s+ends)s?\b"
+        r"(?:side|back|face|nose|bottom|backside|front|beam\s+ends)s?\b(?!\s+of\b)"
     ),
     "ROOF": (
         r"(?:up\s+|over\s+)?(?:lying\s+)?(?:on|onto)\s+(?:its|the|their)\s+(?:roof|head|lid)s?\b"

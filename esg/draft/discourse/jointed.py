@@ -46,7 +46,8 @@ def articulation_of(scene: Scene, text: str, e: Entity) -> Articulation | None:
 def _names(scene: Scene, text: str, e: Entity) -> list[str]:
     """What the table may call a thing, the most precise first."""
     head = head_of(e)
-    told = rf"\b{re.escape(e.head)}s? of (?:an?|the|his|her|its|their|my) ((?:[\w-]+ ?){{1,4}})"
+    head_here = rf"{re.escape(e.head)}s?\b"
+    told = rf"\b{head_here} of (?:an?|the|his|her|its|their|my) ((?:[\w-]+ ?){{1,4}})"
     whole = re.search(told, text, re.IGNORECASE)
     if whole is not None:
         others = (x for x in scene.world.entities.values() if x is not e)
@@ -54,6 +55,10 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
         named = [f"{x} {head}" for x in sorted(things) if x in whole[1].lower()]
         named = [*(f"{a} {head}" for a in e.adjectives), *named] if named else []
         return named or [head]  # "the gate of a paddock", which is no thing
+    if re.search(rf"(?:\bits|\bwith an?|['’]s) (?:[\w-]+ )?{head_here}", text, re.IGNORECASE):
+        others = [x for x in scene.world.entities.values() if x is not e]
+        if its := [name for x in others if (name := f"{head_of(x)} {head}") in articulations()]:
+            return its  # "A clock stands there. Its pendulum swings."
     nouns = lex.nouns()
     compounds = [f"{a} {head}" for a in e.adjectives]
     if any(a in nouns and nouns[a].kind in _WHOLES for a in e.adjectives):

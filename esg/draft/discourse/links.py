@@ -22,6 +22,7 @@ _COMING, _FREE = frozenset({"come", "break", "get", "work", "tear"}), frozenset(
 _DETACHING = frozenset({"detach", "uncouple", "unhitch", "disconnect"})
 _BY = ("on", "from", "by", "with")
 SPRINGS = frozenset({"spring", "coil spring"})
+_DRAWN_BY_HAND = lex.word_set("drawn by hand")
 _RODS = frozenset({"rod", "arm", "stick"})
 """What a pendulum may be on besides."""
 
@@ -47,7 +48,17 @@ def can_tow(d: Discourse, f: Frame, doers: list[str], drawn: list[str]) -> bool:
     away = {"out", "off", "down", "apart", "away", "over", "up", "open"} & {*f.adverbs}
     loose = [i for i in drawn if "fixed" not in entity_of(d, i).noun.traits]
     loose = [i for i in loose if not away and not is_link(d.scene, i)]
-    return loose == drawn and (kind_of(d, doers[0]) != "person" or bool(link_of(d, f)))
+    by_hand = all(entity_of(d, i).noun.name in _DRAWN_BY_HAND for i in drawn)
+    by_hand = by_hand and not _goes_on_alone(d, f, drawn)
+    afoot = kind_of(d, doers[0]) == "person" and not by_hand
+    return loose == drawn and (not afoot or bool(link_of(d, f)))
+
+
+def _goes_on_alone(d: Discourse, f: Frame, drawn: list[str]) -> bool:
+    """ "Pulls a sled up a hill and lets it go": what is drawn does more, which a line would keep."""
+    later = (g for g in d.told if g.verb.start > f.verb.start)
+    named = (m for g in later for m in (g.subject, g.object) if m is not None)
+    return any({*m.entities} & {*drawn} for m in named)
 
 
 def tow(d: Discourse, f: Frame, doers: list[str], drawn: list[str]) -> None:

@@ -7,6 +7,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.antecedents import it_means
 from esg.draft.discourse.core import entity_of, ids_of, kind_of, movable, quantity_of
+from esg.draft.discourse.levers import attached_levers, levers
 from esg.draft.discourse.places import RELATION_PREPS
 from esg.draft.discourse.record import Discourse, Told
 from esg.draft.discourse.referents.entities import ACTING_PARTS
@@ -37,6 +38,7 @@ def refer_all(d: Discourse, frames: list[Frame]) -> None:
         items.append((min([f.verb.start, *[m.start for m in own]]), f.verb.start, f))
     items += [(m.start, m.start, m) for m in d.mentions if id(m) not in d.framed]
     items.sort(key=lambda item: item[:2])
+    attached_levers(d)
     for _, _, item in items:
         if isinstance(item, Frame):
             refer(d, item)
@@ -60,6 +62,7 @@ def refer(d: Discourse, f: Frame) -> None:
         _it(d, f, m, subject if f.verb.sense != "cause" else [])
     _one_each(f, subject)
     objects = _others(d, f, subject, phrases)
+    levers(d, f, subject or objects)
     subject[:] = [current_id(d.world, i) for i in subject]  # a phrase may have told more
     objects[:] = [current_id(d.world, i) for i in objects]
     _note_properties(d, f, subject, objects)

@@ -97,6 +97,8 @@ def join_parts(scene: Scene) -> list[str]:
                 row = _hung_on(scene, row, e, part)
             _lower(scene, row, e, part)
             part.implied = not part.mentioned
+            both = {e.id, part.id}
+            scene.relations = [r for r in scene.relations if {r.source, r.target} != both]
             for places in (scene.supported_by, scene.inside_of, scene.marked):
                 if places.get(part.id) == e.id:
                     del places[part.id]  # "a drawer of a cabinet" is its part, not full of it

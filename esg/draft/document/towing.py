@@ -12,6 +12,8 @@ _STIFF = frozenset({"coupler", "coupling", "drawbar", "hitch", "towbar"})
 """Of the links those that are no rope."""
 ROPE_CM = (20.0, 400.0)
 """Length of a rope: tow ropes for cars are sold at 4 m, what is smaller has one of its length."""
+HELD = 0.6
+"""Length of what a person draws a wagon by, over his height: a handle of 1 m."""
 SNAPS_MPS2 = 0.8
 """A rope that is to snap bears what draws a thing along and speeds it up no faster than this."""
 ROLLS_MPS2, SLIDES_MPS2 = 2.2, 6.0
@@ -36,10 +38,10 @@ def tie_tows(scene: Scene) -> None:
             if places.get(node) == tow.by:
                 del places[node]
         stiff = tow.link in entities and entities[tow.link].head in _STIFF
-        rope = (bool(tow.link) and not stiff) or not _couples(drawn, draws)
+        by_hand = draws.noun.kind == "person"
+        rope = (bool(tow.link) and not stiff) or by_hand or not _couples(drawn, draws)
         loosed = node in scene.loosed
         turns = None if rope or loosed else HITCH_DEG  # what may break is held by ties alone
-        low, high = ROPE_CM
         joint = Joint(
             id=f"{node}_{'rope' if rope else 'hitch'}",
             kind="rope" if rope else "hinge",
@@ -48,12 +50,19 @@ def tie_tows(scene: Scene) -> None:
             parent=tow.by,
             parent_mount=REAR,
             lower=None if turns is None else -turns,
-            upper=min(max(dimensions_of(draws)[0], low), high) if rope else turns,
+            upper=_rope_cm(draws) if rope else turns,
             break_impulse=_gives_way(drawn) if loosed else None,
         )
         scene.joints.append(joint)
     for link in scene.links:
         entities.pop(link, None)
+
+
+def _rope_cm(draws: Entity) -> float:
+    """Length of a rope to what draws; a person holds one that reaches down from his hand [cm]."""
+    length, _, height = dimensions_of(draws)
+    low, high = ROPE_CM
+    return min(max(length, height * (draws.noun.kind == "person") * HELD, low), high)
 
 
 def _gives_way(drawn: Entity) -> float:

@@ -3,14 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+import re
 from typing import Any
 
 from esg.draft.discourse.core import kind_of, movable
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.scene import SPEEDS
 from esg.draft.discourse.tracks import Motion
 from esg.draft.discourse.windows import START
-from esg.draft.events.motions import paced
+from esg.draft.events.motions import own, paced
 from esg.draft.events.stated import said, said_before
 from esg.draft.events.told import size_of, things
 from esg.draft.grammar.clauses.frames import Frame
@@ -32,6 +34,7 @@ _ABOUT_S = 2.5
 """How long what moves about on something shall need for half of its length [s]."""
 HARD_BRAKE_CM_S2, GENTLE_BRAKE_CM_S2 = 100.0 * HARD_BRAKING_MPS2, 100.0 * GENTLE_BRAKING_MPS2
 HARDEST_BRAKE_CM_S2 = 100.0 * 9.81 * BRAKING_DRY_G
+_ONCOMING = re.compile(r"\b(?:oncoming|on-coming)\b", re.IGNORECASE)
 _ON_ROADS = frozenset({"vehicle", "toyvehicle", "cart"})
 _DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.TOWARD, EdgeEvent.ACCELERATED_MOTION)
 
@@ -210,6 +213,34 @@ def _fitting(e: TimelineEdge, course: dict[str, Any]) -> dict[str, Any]:
         return dict(course)
     flies = e.event is EdgeEvent.TOWARD and isinstance(e.params.elevation_deg, tuple)
     return {"elevation_deg": 90.0} if flies and e.target is None else {}
+
+
+def oncoming(d: Discourse) -> list[tuple[int, int, str, str]]:
+    """ "Avoids an oncoming truck": it drives, and toward who drives the other way.
+
+    Returns:
+        Where each such word stands, who comes, and toward whom (node ids).
+    """
+    out: list[tuple[int, int, str, str]] = []
+    for m in d.mentions:
+        at = _ONCOMING.search(d.text, m.start, m.end)
+        here = [i for i in m.entities if i in d.world.entities][:1]
+        if at is None or not here or kind_of(d, here[0]) not in _ON_ROADS:
+            continue
+        movers = [a for a, t in d.timeline.tracks.items() if a != here[0] and t.under_way]
+        movers = [a for a in movers if kind_of(d, a) in _ON_ROADS]
+        if movers:
+            out.append((*at.span(), here[0], movers[0]))
+    return out
+
+
+def come_on(d: Discourse, frames: list[Frame]) -> None:
+    """Sets what is oncoming in motion, if no clause tells of its motion."""
+    doers = {i for f in frames if f.subject is not None for i in f.subject.entities}
+    for m in d.mentions:
+        for who in {*m.entities[:1]} & {*d.world.entities} - doers:
+            if _ONCOMING.search(d.text, m.start, m.end) and kind_of(d, who) in _ON_ROADS:
+                own(d, who, SPEEDS.get(kind_of(d, who), (50.0, 400.0)), False)
 
 
 def keep_on(d: Discourse) -> None:

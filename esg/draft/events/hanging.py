@@ -59,6 +59,10 @@ _SWINGING = {
 }
 
 
+SENT_UP = "launched by the seesaw"
+"""Note of a verb that tells what a seesaw launches."""
+
+
 def row_of(d: Discourse, node: str) -> Articulation | None:
     """How a thing of the scene is jointed."""
     return (
@@ -131,8 +135,25 @@ def sent_up(d: Discourse, f: Frame, agents: list[str], sent: list[str]) -> bool:
         d.scene.relations = [r for r in d.scene.relations if body not in (r.source, r.target)]
         track, under = d.timeline.track(body), d.timeline.track(board)
         track.at, track.hit, track.role, track.closed = under.at, True, under.role, False
-    mark_used(d, f, "launched by the seesaw")
+    mark_used(d, f, SENT_UP)
     return True
+
+
+def thrown_up(d: Discourse, f: Frame, bodies: list[str]) -> bool:
+    """ "The coin on the other end flies up": by what fell on the seesaw that it is on."""
+    last = d.moves.last_hit
+    board = (
+        next(iter(tipping(d, [last[1]])), None) if last is not None and len(bodies) == 1 else None
+    )
+    if board is None or last is None or last[0] in bodies:
+        return False
+    places = [p.mention for m, p in d.attached if {*m.entities} == {*bodies} and p.prep == "on"]
+    places += [
+        p.mention for g in d.told for p in g.phrases
+        if g.subject is not None and {*g.subject.entities} == {*bodies} and p.prep == "on"
+    ]  # fmt: skip
+    ends = (m for m in places if m is not None and m.part.endswith(("end", "side")))
+    return any(board in m.entities for m in ends) and sent_up(d, f, [board], bodies)
 
 
 def turning(d: Discourse, bodies: list[str]) -> list[str]:

@@ -35,7 +35,7 @@ from esg.draft.discourse.scene import SELF_POWERED, Scene
 from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
-from esg.draft.events.courses import by_its_participle, follow, keep_on, snapshot
+from esg.draft.events.courses import by_its_participle, come_on, follow, keep_on, snapshot
 from esg.draft.events.following import follow_on
 from esg.draft.events.hanging import (
     SWAYING,
@@ -153,6 +153,7 @@ def interpret(
     for m, p in attachments:
         if p.mention is None or id(p.mention) not in goals | linked:
             attachment(d, m, p)
+    come_on(d, frames)
     before = -1
     for f in frames:
         d.now.telling = (f.sentence, before, f.verb.sense)

@@ -25,7 +25,7 @@ from esg.draft.events.lengths import distance
 from esg.draft.events.roles import filling, role
 from esg.draft.events.timing import SETS_OFF, moved_by_others, speed_after, time_of
 from esg.draft.events.told import at_rest, constrain, last_event, last_of, things, unread
-from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.quantities import Amount
 from esg.graph.models import ForceDirection, NodeEvent, Quantity
 
@@ -324,6 +324,9 @@ def _toward_each_other(d: Discourse, f: Frame) -> bool:
 
 def _leaves_from(d: Discourse, f: Frame, fresh: list[str]) -> None:
     """ "A dog runs from a chair to a table": it starts by the one, a bird on a roof."""
+    hidden = f.phrase("out from behind")
+    for host in [h for h in things(hidden) if aimable(d, h) and _said_behind(d, hidden)][:1]:
+        place(d, [a for a in fresh if a != host], [host], "behind")
     p = f.phrase("from")
     if p is None or p.mention is None:
         return
@@ -335,13 +338,21 @@ def _leaves_from(d: Discourse, f: Frame, fresh: list[str]) -> None:
                 place(d, [actor], [host], "on" if perched else "near")
 
 
+def _said_behind(d: Discourse, p: Phrase | None) -> bool:
+    """ "Out from behind a van", and not "out from under a table"."""
+    return p is not None and p.mention is not None and " behind " in d.text[: p.mention.start][-14:]
+
+
 def moves_on_it(d: Discourse, f: Frame, fresh: list[str]) -> list[str]:
     """ "A ball rolls on a table", "drives out on the pier": it is on that from the start."""
+    top = next((p for p in f.phrases if p.mention and p.mention.part in ("top", "roof")), None)
     on = f.phrase(*_CARRYING) or f.phrase("from")
+    on = top if top is not None and top.prep in (*_CARRYING, "along", "across") else on
     part = on.mention.part.split()[-1:] if on is not None and on.mention is not None else []
     across = on is not None and on.prep == "from" and part in (["side"], ["end"], ["edge"])
     across = across and f.phrase("to") is not None  # "from one end of the table to the other"
-    if on is None or f.verb.lemma in _COMES_ONTO or (not across and (part or on.prep == "from")):
+    elsewhere = (part and on is not top) or (on is not None and on.prep == "from")
+    if on is None or f.verb.lemma in _COMES_ONTO or (not across and elsewhere):
         return []
     hosts = [h for h in things(on) if aimable(d, h) and all(carries(d, h, a) for a in fresh)]
     if not fresh or not hosts or any(a in d.scene.supported_by for a in fresh):
@@ -398,7 +409,7 @@ def _comes_off(d: Discourse, f: Frame, actors: list[str], fresh: list[str]) -> N
         slid = f.verb.lemma in ("slide", "slip") or came
         held = actor in d.scene.supported_by or entity_of(d, actor).pattern == "stack"
         held = held or (actor in fresh and _tipped(d, actor))
-        if held or (slid and lies_on_something(d, actor)):
+        if held or (slid and lies_on_something(d, actor) and not _goes_a_way(f)):
             d.add_event(NodeEvent.FALL, (actor,), f, time_of(d, f))
 
 
@@ -434,6 +445,12 @@ def _speed_told_late(d: Discourse, f: Frame, actor: str, amount: Amount) -> None
         return
     d.timeline.set_speed(actor, amount.value, prescribed=True)
     mark_used(d, amount, "speed")
+
+
+def _goes_a_way(f: Frame) -> bool:
+    """ "Slides off to the right": which way it goes on, not what it comes off."""
+    sides = (p.mention.head for p in f.phrases if p.prep == "to" and p.mention is not None)
+    return bool({*sides, *f.adverbs} & {"left", "right", "out of view"})
 
 
 def lies_on_something(d: Discourse, actor: str) -> bool:

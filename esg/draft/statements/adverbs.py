@@ -25,6 +25,7 @@ _TURNS = frozenset(
 )
 _BACK_AND_FORTH = frozenset({"back", "forth", "fro"})
 HALF_TURN_DEG = 180.0
+NO_EDGE = "all that moves stays in the picture"
 NO_MANNER = "manner is not simulated"
 
 
@@ -33,6 +34,9 @@ def adverbs(a: Account) -> Iterator[Gap]:
     turned = turns(a.d)
     rebounds = {w for f in a.frames if f.verb.sense == "bounce" for w in f.adverbs}
     for w in a.elements:
+        if isinstance(w, Word) and w.low == "out of view":
+            yield Gap(w.start, w.end, NO_EDGE)
+            continue
         if not isinstance(w, Word) or w.kind != "adv" or (w.start, w.end) in a.d.scene.used:
             continue
         over = {*a.d.text[w.start : w.end].lower().split()} if w.low == "indeed" else set[str]()

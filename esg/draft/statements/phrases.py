@@ -42,6 +42,9 @@ _SIDES = {
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
+_ACROSS = frozenset({"across", "over", "on", "upon", "atop", "on top of"})
+_EXTREMES = frozenset({"end", "edge", "corner", "tip"})
+_ON = frozenset({"on", "onto", "upon"})
 _LEVELS = frozenset({"height", "level", "altitude"})
 _BEFORE = re.compile(r"\bbefore (?:an? |the )?$", re.IGNORECASE)
 _OWN = frozenset({"own", "fly", "reverse"})
@@ -211,7 +214,8 @@ def _told_already(a: Account, about: set[str], p: Phrase, m: Mention) -> bool:
 
 
 def _flies(a: Account, about: set[str]) -> bool:
-    return any(s.predicate is Predicate.AIRBORNE and about & {*s.object} for s in a.kept)
+    aloft = (s for s in a.kept if s.predicate is Predicate.AIRBORNE or s.direction == "up")
+    return any(about & {*s.object} for s in aloft)
 
 
 def _below_a_slope(a: Account, about: set[str]) -> bool:
@@ -233,11 +237,20 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
     """Whether something in the document is about both what a phrase names and who it is said of."""
     d, part = a.d, p.mention.part if p.mention is not None else ""
     by = _carrier(d, others, p, part, f)
+    if others and all(d.world.entities[i].lever == "fulcrum" for i in others):
+        return p.prep in _ACROSS and any(d.world.entities[i].lever for i in about)
     if any(structural(d, i) for i in others):
         hangs = any(_tells(s, about, others, p.prep, by) for s in a.kept)  # "from the ceiling"
         return hangs or _answered_by_ground(a, about, others, p)
     if part and part not in _SIDES and part != "surface" and p.prep in _TO_A_PART:
         return _told_of_a_part(a, about, others)
+    if (
+        part
+        and part.split()[-1] in _EXTREMES
+        and p.prep in _ON
+        and not _shows_an_end(a, about, others)
+    ):
+        return False  # "sits on one end of a plank": it is anywhere on it
     own = {node for g, node in d.times.of_frame if f is not None and g.verb is f.verb}
     return (
         (by.holds and held(d, about, others))
@@ -258,6 +271,13 @@ def _answered_by_ground(a: Account, about: set[str], others: set[str], p: Phrase
         or (p.prep == "from" and GROUND in others and _rises(a, about))
         or _laid_out(a.d, about, others, p.prep)
     )
+
+
+def _shows_an_end(a: Account, about: set[str], others: set[str]) -> bool:
+    """ "Stands on the edge and falls off", "lands on one end of a seesaw": what follows shows it."""
+    comes_down = any(_takes_part(a, n, about) for n in (NodeEvent.FALL, NodeEvent.TOPPLE))
+    jolted = any({j.child, j.parent} & others for j in a.d.scene.joints)
+    return comes_down or (jolted and _takes_part(a, NodeEvent.COLLISION, others))
 
 
 def _told_of_a_part(a: Account, about: set[str], others: set[str]) -> bool:

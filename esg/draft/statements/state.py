@@ -20,9 +20,10 @@ from esg.draft.events.courses import (
     TURNING,
     chosen_pace,
     measurable,
+    oncoming,
     queues_behind,
 )
-from esg.draft.events.hanging import row_of
+from esg.draft.events.hanging import SENT_UP, row_of
 from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.events.stated import adverbs_of, place_of, start_of
 from esg.draft.events.told import things
@@ -45,6 +46,8 @@ from esg.graph.models import (
 
 GENTLE_CM_S = 150.0
 """What is put down "gently" is nowhere faster: hands that reach go at 0.5 to 1.5 m/s."""
+_STAND = "the stand of a seesaw is drawn for it"
+_STANDS = "it does not come the other way"
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
 _SIDE_WORDS = {
@@ -125,11 +128,14 @@ def state(
         why = "" if _span(f) in said else dropped(d, f)
         if why and (_span(f) not in read or not _moves(d, f)):
             _unkept(book, f, why)
-    for start, end, why in unseen(d, frames):
+    for start, end, why in unseen(d, frames, elements):
         book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
     _struck(book, frames)
     _upright(book, frames)
     _borne(book, frames)
+    _unmet(book, frames)
+    _comes_on(book)
+    _sent_up(book, frames)
     for m in (m for m in d.mentions if without(m, d.text)):
         book.add(Predicate.ABSENT, m.start - len("without "), m.end, noun=m.head)
     _in_order(book)
@@ -191,6 +197,51 @@ def _borne(book: _Book, frames: list[Frame]) -> None:
             steady = row is None or row.drawn is None
             if steady and (stands or kind_of(d, rider) in LIMBED):
                 book.add(Predicate.STAYS_UPRIGHT, *words, object=(rider,), when=when)
+
+
+def _unmet(book: _Book, frames: list[Frame]) -> None:
+    """ "Stops just before hitting a child", "puts it down without touching the cup"."""
+    for f in frames:
+        spared = f.verb.sense == "stop" and "before" in f.verb.extra and not f.unreal
+        who = [i for i in _ids(f.subject) if i in book.d.world.entities] if spared else []
+        others = tuple(i for i in _ids(f.object) if i in book.d.world.entities and i not in who)
+        if who and others and not _met(book.d, who[0], [*others]):
+            book.add(Predicate.NEVER_TOUCHES, *_span(f), object=tuple(who), target=others)
+
+
+def _sent_up(book: _Book, frames: list[Frame]) -> None:
+    """ "A stone falls on one end and the other end flings a coin up": it rises from the jolt on."""
+    for f in frames:
+        if book.d.scene.used.get(_span(f)) != SENT_UP:
+            continue
+        sent = _ids(f.object) if f.object is not None and not f.verb.passive else _ids(f.subject)
+        for body in sent:
+            if when := _since_the_jolt(book.d, body):
+                book.add(Predicate.MOVES, *_span(f), object=(body,), direction="up", when=when)
+    for e in book.d.world.entities.values():
+        start = book.d.text.find(e.label, max(e.origin, 0)) if e.lever == "fulcrum" else -1
+        if start >= 0:
+            book.add(Predicate.NOT_REPRESENTED, start, start + len(e.label), object=(e.id,),
+                     note=_STAND)  # fmt: skip
+
+
+def _since_the_jolt(d: Discourse, body: str) -> str:
+    """The time after something has hit the seesaw that a body is on; "" if nothing does."""
+    board = d.scene.supported_by.get(body)
+    hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
+    jolt = next((n.id for n in hits if board in n.participants), "")
+    return jolt and f"{jolt}..end"
+
+
+def _comes_on(book: _Book) -> None:
+    """ "An oncoming truck" goes toward who drives the other way."""
+    for start, end, who, other in oncoming(book.d):
+        turns = any(e.event is EdgeEvent.TURN for e in _of(book.d, other))
+        if any(_of(book.d, who)) and not turns:
+            book.add(Predicate.MOVES, start, end, object=(who,), target=(other,),
+                     direction="toward", when="start")  # fmt: skip
+        else:
+            book.add(Predicate.NOT_REPRESENTED, start, end, object=(who,), note=_STANDS)
 
 
 def _in_order(book: _Book) -> None:
@@ -366,6 +417,8 @@ def _flown(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     d = book.d
     if any(j.child == mover and j.kind != "rope" for j in d.scene.joints):
         return  # "the last ball of the cradle flies out": its string holds it
+    if d.scene.used.get(_span(clause.frame)) == SENT_UP:
+        return  # it rises, and comes down again
     if clause.frame.verb.sense == "fly" or mover in d.moves.flying or flies_itself(d, mover):
         _plainly(book, clause, s, mover)
 
@@ -388,11 +441,15 @@ def _moved(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 
 
 def _back(book: _Book, clause: Clause, s: Said, mover: str) -> None:
-    """ "Hits a wall and rolls back": away from what it has hit; "apart" from each other."""
+    """ "Hits a wall and rolls back": away from what it has hit; "apart" from each other.
+
+    "Is hit and slides out of view" is away from what has hit it.
+    """
     d, f, since = book.d, clause.frame, book.d.timeline.node(clause.since.get(mover, START))
     others = tuple(i for i in clause.movers if i != mover) if "apart" in s.row.words else ()
-    if since is not None and since.event is NodeEvent.COLLISION and since.participants[0] == mover:
-        others = since.participants[1:]
+    met = since.participants if since and since.event is NodeEvent.COLLISION else ()
+    if mover in met and (mover == met[0]) is ("out of view" not in s.row.words):
+        others = tuple(i for i in met if i != mover)
     if others and not f.object and not f.verb.passive:
         book.add(s.row.states, s.start, s.end, object=(mover,), target=others[:1],
                  direction=s.row.direction, when=_when(d, clause, mover))  # fmt: skip
@@ -401,11 +458,20 @@ def _back(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 def _tow(book: _Book, clause: Clause) -> None:
     """ "A truck tows a trailer": a joint holds them together."""
     if clause.frame.verb.sense == "tow":
-        for node in [i for m in (clause.frame.subject, clause.frame.object) for i in _ids(m)]:
+        named = [i for m in (clause.frame.subject, clause.frame.object) for i in _ids(m)]
+        scene = book.d.scene
+        carts = (scene.supported_by.get(i) or scene.inside_of.get(i) for i in named)
+        for node in dict.fromkeys([*named, *(i for i in carts if i)]):
             tow = book.d.scene.tows.get(node)
             if tow is not None:
                 book.add(Predicate.ATTACHED_TO, *_span(clause.frame), object=(node,),
                          target=(tow.by,), when="start")  # fmt: skip
+        by = {tow.by for tow in book.d.scene.tows.values()}
+        drawing = _ids(clause.frame.subject)
+        others = tuple(i for i in drawing if i not in by and i not in book.d.scene.tows)
+        if others and by & {*drawing}:  # "two oxen pull a wagon"
+            book.add(Predicate.NOT_REPRESENTED, *_span(clause.frame), object=others,
+                     note="only one of them draws it")  # fmt: skip
 
 
 def _posture(book: _Book, clause: Clause) -> None:
@@ -565,6 +631,8 @@ def _support(book: _Book, clause: Clause, p: Phrase) -> None:
 def _when(d: Discourse, clause: Clause, mover: str) -> str:
     """The part of the scene that a clause tells: from one event to the next."""
     since = clause.since.get(mover, START)
+    if d.scene.used.get(_span(clause.frame)) == SENT_UP and (jolted := _since_the_jolt(d, mover)):
+        return jolted
     edge = _going(d, mover, since)
     kinds = {n.id: n.event for n in d.timeline.nodes}
     begin = "start" if since == START else since

@@ -91,6 +91,11 @@ def _jointed(a: Account, ids: set[str]) -> bool:
     return bool(ids & {j.child for j in a.d.scene.joints})
 
 
+def _swings(a: Account, ids: set[str]) -> bool:
+    acting = {i for n in a.d.timeline.nodes for i in n.participants}
+    return _jointed(a, ids) and bool(ids & (acting | {e.actor for e in a.d.timeline.edges}))
+
+
 def _hangs(a: Account, ids: set[str]) -> bool:
     says = {i for s in a.kept if s.predicate is Predicate.HANGS_FROM for i in s.object}
     return _jointed(a, ids) or bool(ids & ({*a.d.scene.attached} | says))
@@ -104,8 +109,8 @@ _SHOWN_BY: dict[str, Callable[[Account, set[str]], bool]] = {
     "spin": lambda a, ids: turns(a.d, ids),
     "turn": lambda a, ids: turns(a.d, ids),
     "reverse": _backs,
-    "swing": _jointed,
-    "sway": _jointed,
+    "swing": _swings,
+    "sway": _swings,
     "hang": _hangs,
     "dangle": _hangs,
 }
@@ -129,7 +134,10 @@ def _left_out(a: Account) -> Iterator[Gap]:
 _HIDING = frozenset({Predicate.BEHIND, Predicate.UNDER, Predicate.INSIDE})
 _PARTICLES: dict[str, tuple[frozenset[str], frozenset[NodeEvent]]] = {
     "out": (frozenset({"away_from"}), frozenset({NodeEvent.ENTER_REGION, NodeEvent.FALL})),
-    "in": (frozenset({"toward"}), frozenset({NodeEvent.ENTER_REGION, NodeEvent.REACH})),
+    "in": (
+        frozenset({"toward", "left", "right"}),
+        frozenset({NodeEvent.ENTER_REGION, NodeEvent.REACH}),
+    ),
 }
 """Particles of verbs of motion, and the directions and events that show them."""
 

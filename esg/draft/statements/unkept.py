@@ -143,8 +143,12 @@ def _bumped(d: Discourse, f: Frame) -> bool:
 
 
 def _tied(d: Discourse, f: Frame) -> bool:
-    """Whether what a clause acts on is joined to what draws it."""
-    return f.object is not None and bool({*f.object.entities} & {*d.scene.tows})
+    """Whether what a clause acts on, or what that rides in, is joined to what draws it."""
+    acted_on = [] if f.object is None else f.object.entities
+    hosts = (
+        places.get(i, "") for i in acted_on for places in (d.scene.supported_by, d.scene.inside_of)
+    )
+    return bool({*acted_on, *hosts} & {*d.scene.tows})
 
 
 def _goes_down(d: Discourse, clause: Clause) -> bool:

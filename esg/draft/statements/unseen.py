@@ -10,7 +10,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.record import Discourse
 from esg.draft.document.requirements import environment
 from esg.draft.grammar.clauses.frames import Frame
-from esg.draft.text.elements import Mention
+from esg.draft.text.elements import Element, Mention
 from esg.lexicon.grounds import ground_said
 from esg.lexicon.places import Setting, sky_words
 from esg.lexicon.senses import no_things
@@ -49,6 +49,8 @@ _CONTENTS = re.compile(
     rf"\b(?:of|with)\s+(?:\w+\s+)?(?:{'|'.join(map(re.escape, sorted(_KINDS[0][0])))})\b",
     re.IGNORECASE,
 )
+_EDGES = frozenset({"out of view", "into view"})
+"""Adverbs of motions: no camera is meant."""
 _MOODS = lex.word_set("unseen attributes")
 _UNDERSTOOD = (lex.ATTRIBUTES - _MOODS) | lex.word_set("understood without a thing")
 
@@ -68,12 +70,15 @@ def unseen_words(text: str, setting: Setting) -> Iterator[tuple[int, int, str]]:
             yield found.start(), found.end(), why
 
 
-def unseen(d: Discourse, frames: list[Frame]) -> Iterator[tuple[int, int, str]]:
+def unseen(
+    d: Discourse, frames: list[Frame], elements: list[Element]
+) -> Iterator[tuple[int, int, str]]:
     """Words for what became no object: where they stand, and what the scene lacks of it."""
     drawn = [(m.start, m.end) for m in d.mentions if m.entities or d.world.resolved.get(id(m))]
     setting: Setting = "indoor" if environment(d.scene)[0] == "indoor" else "outdoor"
     lies = [(start, end) for _, start, end in ground_said(d.text)]
     taken = [*drawn, *((f.verb.start, f.verb.end) for f in frames)]
+    taken += [(e.start, e.end) for e in elements if getattr(e, "low", "") in _EDGES]
     told = [*_unseen_of_tables(d, setting, taken, lies)]
     yield from told
     for found in _CONTENTS.finditer(d.text):

@@ -61,6 +61,8 @@ class Entity:
     """A part of a jointed thing (`esg/lexicon/articulations.csv`)."""
     implied: bool = False
     """A part that stands as the one that is named does."""
+    lever: str = ""
+    """What it is of a makeshift lever: "seesaw" of the plank, "fulcrum" of what that lies on."""
     whole: str = ""
     """The jointed thing of which it is one of several parts, by node id."""
     one: bool = False
@@ -95,6 +97,8 @@ class Entity:
 
 def head_of(e: Entity) -> str:
     """The noun as the table of jointed things has it: tokens part a possessive ("newton 's")."""
+    if e.lever:
+        return e.lever
     return e.head.lower().replace(" 's", "'s")
 
 

@@ -22,6 +22,7 @@ CONTRASTS = tuple(
         "wooden metal steel iron plastic rubber glass stone paper",
         "striped solid plain spotted",
         "round square flat",
+        "ego lead leading preceding oncoming following trailing",
         "moving parked stationary standing resting stopped",
     )
 )
@@ -43,6 +44,8 @@ _NUMBERS = {*_NUMBER.split(), *map(str, range(1, 16))}
 _DISTINCT = lex.word_set("distinct")
 _ANYTHING = lex.word_set("anything (matching)")
 _THE = ("the", "this", "that")
+ONLY_ONE = lex.word_set("only one")
+"""Words before a noun that name one thing of a scene."""
 
 
 def matches(world: World, m: Mention, e: Entity) -> bool:
@@ -61,6 +64,8 @@ def unlike(e: Entity, a: str) -> bool:
         return told and e.color != lex.COLORS[a]
     if a in lex.ORDINALS:
         return e.place != a
+    if a in ONLY_ONE:
+        return a not in e.adjectives
     if (a in PLACES or a == "side") and e.place in PLACES.values():
         return e.place != PLACES.get(a, a)
     return any(a in c and a not in e.adjectives and c & {*e.adjectives} for c in CONTRASTS)

@@ -46,7 +46,16 @@ def pronoun(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[s
         return [i for i in two if i not in found] if {*found} & {*avoid} else found
     if p in ("one", "another", "other"):
         return one_of(world, m, subject, avoid)
+    if m.after_prep == "behind" and (ahead := _ahead(world, avoid)):
+        return ahead
     return _thing(world, subject, avoid)
+
+
+def _ahead(world: World, avoid: list[str]) -> list[str]:
+    """ "A bus leaves a kerb and a car behind it brakes": behind the vehicle told of last."""
+    lone = [ids[0] for ids in reversed(world.subjects) if len(ids) == 1 and ids[0] not in avoid]
+    driven = [i for i in [*avoid[:1], *lone[:1]] if world.entities[i].noun.kind in _DRIVEN]
+    return lone[:1] if avoid and len(driven) == 2 else []
 
 
 def _solid(world: World, i: str) -> bool:

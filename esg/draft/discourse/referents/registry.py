@@ -8,7 +8,7 @@ from itertools import count
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import PLACES, Entity, slug
 from esg.draft.discourse.referents.likeness import unknown_noun
-from esg.draft.discourse.referents.matching import same_kind
+from esg.draft.discourse.referents.matching import ONLY_ONE, same_kind
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.sizes import HOLLOW, holding, inclined, sized
 from esg.draft.discourse.referents.slopes import as_slope
@@ -63,7 +63,8 @@ def add_entity(
     words = list(adjectives or [])
     noun = as_slope(as_toy(noun, head, words), head, words)
     places = {a: p for a in words if (p := PLACES.get(a, a)) in _NAMING and a != "head"}
-    stem = slug(" ".join([*[a for a in words if a in lex.COLORS or a in places], head])) or "object"
+    telling = [a for a in words if a in lex.COLORS or a in places or a in ONLY_ONE]
+    stem = slug(" ".join([*telling, head])) or "object"
     if stem[0].isdigit():
         stem = f"{slug(noun.name)}_{stem}"  # ids become identifiers of emitted code
     lettered = slug(f"{head}_{letter}") if letter else ""

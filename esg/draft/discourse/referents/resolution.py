@@ -253,6 +253,7 @@ def _agreement(world: World, m: Mention, e: Entity, avoid: list[str]) -> tuple[b
         same_quantity(m, e, world.facts),
         not colors or e.color in colors,
         e.id not in avoid,
+        len({*m.adjectives} & {*e.adjectives}),
         " " in m.text and e.label.lower() == m.text.lower(),
         m.head in (e.head, e.noun.name),
         max((k for k, ids in enumerate(world.salience) if e.id in ids), default=-1),

@@ -25,6 +25,7 @@ _ACTING_PARTS = lex.word_set("acting parts")
 _RUN = lex.OWN_PARTS - {"door", "leg", "roof"}
 _HAVE_PARTS = frozenset({"vehicle", "cart", "flyer", "toyvehicle"})
 _SHARES = frozenset({"half", "third", "quarter"})
+_LANES = lex.word_set("lanes of a road")
 _UNSEEN = lex.word_set("unseen light and weather") | lex.word_set("unseen fluids")
 
 
@@ -36,9 +37,17 @@ def names_nothing(world: World, m: Mention, subject: bool) -> bool:
         m: The noun phrase.
         subject: Whether it is a grammatical subject.
     """
+    if _lane_of_a_road(m):
+        return True
     if any(same_kind(m, e) for e in world.entities.values()):
         return False
     return any(test(world, m, subject) for test in _TESTS)
+
+
+def _lane_of_a_road(m: Mention) -> bool:
+    """ "Changes to the left lane", "drives in its lane": part of the road, and no second one."""
+    part = m.head == "lane" and m.noun is not None and m.noun.name == "road"
+    return part and (m.determiner in _OWN or bool(_LANES & {*m.adjectives}))
 
 
 def _cushion(world: World, m: Mention, subject: bool) -> bool:

@@ -27,7 +27,7 @@ _HAVE = (
 def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
     """What a part belongs to: "the dog's tail", "the open door of a car", "its roof"."""
     body = m.head in lex.BODY_PARTS
-    if m.attribute and m.part.endswith("end"):
+    if m.attribute and m.part.endswith(("end", "side")):
         rows = ((e.id, articulations().get(head_of(e))) for e in world.entities.values())
         return [node for node, row in rows if row is not None and row.tips][-1:]
     if m.possessor is not None and _part_of_a_joint(m.head, m.possessor):
@@ -75,6 +75,9 @@ def _part_of_a_joint(head: str, owner: Mention) -> bool:
 
 def _of_owner(world: World, m: Mention, owner: Mention, subject: bool) -> list[str]:
     """The owner of a part, if that is what is hit when the part is."""
+    if not owner.pronoun and owner.noun is not None and lex.is_part(m.head, owner.noun):
+        m.part = m.head
+        return world.resolve(owner)
     kinds = [k for parts, k in _HAVE if m.head in parts and not subject]
     known = not owner.pronoun and (owner.noun is not None or m.head == "roof")
     if not kinds or not known or (m.head in WORN and m.after_prep == "off"):

@@ -202,6 +202,7 @@ def read_slow(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 def read_stop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """Comes to rest by itself, or is brought to rest by what it meets."""
     on_other = bool(s and o) and not f.verb.passive and s[0] != o[0]
+    on_other = on_other and "before" not in f.verb.extra  # "stops just before hitting a child"
     if on_other and _flies(d, o[0]):
         add_hit(d, f, o[:1], s[:1], time_of(d, f))  # "the goalie stops the puck"
         return
@@ -288,7 +289,8 @@ def _stops_by(d: Discourse, f: Frame, actor: str, node_id: str) -> None:
     """ "Stops in front of a gate": the gap that is left is small, and no hit comes of it."""
     node = d.timeline.node(node_id)
     beside = f.phrase(*_STOPPING_BY)
-    others = [i for i in things(beside) if aimable(d, i) and i != actor]
+    unmet = f.object.entities if f.object is not None and "before" in f.verb.extra else []
+    others = [i for i in (*unmet, *things(beside)) if aimable(d, i) and i != actor]
     if node is None or not others or node.constraints or f.verb.sense not in ("stop", "park"):
         return
     met = any({actor, others[0]} <= {*n.participants} for n in d.timeline.nodes)

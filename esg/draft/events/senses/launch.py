@@ -18,10 +18,10 @@ from esg.draft.discourse.links import can_tow, tow
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import add_entity
-from esg.draft.discourse.scene import SELF_POWERED
+from esg.draft.discourse.scene import LIVING, SELF_POWERED
 from esg.draft.events.acts import add_event, add_hit, go_into, kinematics, outcomes
 from esg.draft.events.consequences import already_hit, consequence, knock_on
-from esg.draft.events.hanging import hanging, sent_up, turning
+from esg.draft.events.hanging import hanging, sent_up, thrown_up, turning
 from esg.draft.events.lengths import distance
 from esg.draft.events.motions import each_passed, motion, start_motion, target_of
 from esg.draft.events.roles import doer_and_done
@@ -55,6 +55,8 @@ def read_launch(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         told = _shot_by(d, s) if f.verb.lemma in ("fire", "shoot") else []
         told = told or _at_hand(d, f, s)
         agents, sent = (s, told) if told else (agents, sent)
+    if not agents and thrown_up(d, f, sent):
+        return
     if not _throws_off(d, f, s, o or sent):
         launch_by(d, f, agents, sent)
 
@@ -129,6 +131,9 @@ def _passed_by(d: Discourse, f: Frame, s: list[str]) -> list[str]:
 def read_tow(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """Pulling: a person moves the thing; a vehicle drives with the thing behind it."""
     s, o = doer_and_done(f, s, o)
+    aboard = [d.scene.supported_by.get(i) or d.scene.inside_of.get(i, "") for i in o[:1]]
+    if aboard and kind_of(d, o[0]) in LIVING and can_tow(d, f, s, [i for i in aboard if i]):
+        o = aboard  # "pulls a child in a wagon": the wagon
     if not o:
         motion(d, f, s, None)  # "pulls out of a driveway"
     elif can_tow(d, f, s, o):

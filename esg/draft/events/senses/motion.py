@@ -17,6 +17,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIMBED, LIVING, SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
 from esg.draft.events.ends import bounces_over
+from esg.draft.events.hanging import thrown_up
 from esg.draft.events.motions import flies_itself, motion, own, start_motion, target_of
 from esg.draft.events.roles import doer_and_done, filling
 from esg.draft.events.senses.contact import hit_targets
@@ -226,6 +227,8 @@ def _sent_off(d: Discourse, f: Frame, actors: list[str]) -> bool:
 
 @sense("fly")
 def read_fly(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    if not o and thrown_up(d, f, s):
+        return
     if s and o and not f.verb.passive and kind_of(d, s[0]) in LIMBED:
         place(d, s, o, "near")  # "a boy flies a kite": the kite does
         _hovers(d, f, o)

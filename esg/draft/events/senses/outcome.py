@@ -12,11 +12,12 @@ from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.events.acts import add_event, add_hit, ensure_mover
 from esg.draft.events.consequences import already_hit
 from esg.draft.events.ends import implied_goal
+from esg.draft.events.motions import motion
 from esg.draft.events.roles import doer_and_done, filling, role
 from esg.draft.events.senses.contact import aim_of_mates, hit_targets
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import enter, enterable, time_of
-from esg.draft.events.told import happened, ignore, things
+from esg.draft.events.told import happened, ignore, moves, things
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 
@@ -33,6 +34,8 @@ def read_enter(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         if target is not None and movable(d, actor):
             ensure_mover(d, f, actor, target)
             enter(d, f, actor, target, time_of(d, f))
+        elif f.verb.lemma == "enter" and f.object is None and into is None and not moves(d, actor):
+            motion(d, f, [actor], None)  # "enters from the left"
         else:
             mark_used(d, f, "continues on its way")
 

@@ -52,7 +52,7 @@ from esg.draft.grammar.phrases.reader import (
     unknown_noun,
 )
 from esg.draft.grammar.phrases.rows import inner_phrase, member_of_row, the_rest
-from esg.draft.text.elements import ONE_OF_THESE, Mention, Verb
+from esg.draft.text.elements import ONE_OF_THESE, Mention, Verb, Word
 from esg.draft.verbphrases import verb_readings
 from esg.lexicon.senses import no_things
 
@@ -640,9 +640,28 @@ HEADS: tuple[HeadReader, ...] = (
 """Kinds of heads; the first that is there is taken."""
 
 
+def _part_of_whole(c: Chunks, j: int, m: Mention) -> int | None:
+    """ "On the seat of a chair": the chair; the token after it, None if no whole is named."""
+    before = c.elements[-1] if c.elements else None
+    met = isinstance(before, Verb) or (isinstance(before, Word) and before.kind in ("prep", "to"))
+    if not met or low_at(c, j) != "of" or not lex.is_part(m.head):
+        return None
+    found = _owner(c, j + 1)
+    if found is None:
+        return None
+    owner, after = found
+    if not owner.determiner or owner.noun is None or not lex.is_part(m.head, owner.noun):
+        return None
+    owner.part, owner.start = m.head, m.start
+    c.elements.append(owner)
+    return after
+
+
 def _complete(c: Chunks, p: Place, j: int, m: Mention) -> int | None:
     """Adds the phrase with the names and owners that follow its head."""
     tokens = c.tokens
+    if (whole := _part_of_whole(c, j, m)) is not None:
+        return whole
     j = member_of_row(c, j, m) or letters(c, j, m)
     if set(m.adjectives) & lex.ORDINALS.keys() and low_at(c, j + 1) in ("the", "top", "bottom"):
         k = j + 2 if low_at(c, j + 1) == "the" else j + 1

@@ -126,6 +126,8 @@ def _counts_one(c: Chunks, j: int, m: Mention, following: NounMatch | None) -> b
         return False
     if low_at(c, j + 1) in lex.PARTS and low_at(c, j + 2) == "of":
         return True  # "one end of a seesaw"
+    if low_at(c, j + 1) in ("end", "side") and low_at(c, j - 1) in lex.PREPOSITIONS:
+        return True  # "drops on one end"
     return bool(following or is_adjective(c, j + 1) or m.determiner)
 
 

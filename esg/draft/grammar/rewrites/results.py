@@ -150,7 +150,7 @@ def _is_like(m: Mention, other: Element) -> None:
         m.adjectives = m.adjectives or [m.head]
         m.pronoun, m.part, m.attribute = "", "", other.attribute
         m.head, m.noun, m.known = other.head, other.noun, other.known
-        m.text = f"{m.text} {other.head}"
+        m.text = f"{m.text.removesuffix(' one')} {other.head}"
 
 
 _TAKEN: dict[str, Callable[[Mention, Element], None]] = {
