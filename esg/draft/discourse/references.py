@@ -65,6 +65,8 @@ def _between(d: Discourse, f: Frame, subject: list[str]) -> None:
     """What stands between a subject and its verb, in no clause of its own."""
     for m in d.mentions:
         between = f.subject is not None and f.subject.start < m.start < f.verb.start
+        if id(m) in d.world.resolved:
+            continue  # between the subject and a later verb of it
         if between and id(m) not in d.framed and (m.head or m.pronoun) and m.count != 0:
             ids_of(d, m, avoid=subject)
 

@@ -13,6 +13,7 @@ _AMONG_VEHICLES = lex.word_set("among vehicles")
 _ASKING = lex.word_set("asking (links)")
 _SHOWING = lex.word_set("showing (links)")
 _FAILING = lex.word_set("failing")
+_LEFT_BY, _GOING = lex.word_set("left by"), lex.word_set("going (links)")
 
 
 def of_a_vehicle(previous: Frame, v: Verb) -> bool:
@@ -42,6 +43,18 @@ def goes_on(c: Clauses, i: int) -> bool:
     verb = c.elements[i]
     now = isinstance(verb, Verb) and verb.auxiliary in ("is", "are", "gets", "get")
     return comma or now
+
+
+def left_behind(s: State, frame: Frame, previous: Frame) -> bool:
+    """ "Pushes a bucket off a bench, which falls": not the bench, which is left."""
+    m, mover = s.relative, previous.object or previous.subject
+    if m is None or m.noun is None or mover is None or m.after_prep not in _LEFT_BY:
+        return False
+    carries = bool({"support", "fixed", "incline", "structural"} & m.noun.traits)
+    stays = mover.noun is not None and "fixed" in mover.noun.traits
+    own = frame.verb.sense == "topple" and previous.object is None  # "a bridge, which collapses"
+    goes = frame.verb.sense in _GOING and not frame.verb.passive and not own
+    return carries and not stays and goes
 
 
 def before_what_it_lets(previous: Frame, v: Verb) -> Frame:

@@ -17,6 +17,7 @@ from esg.draft.grammar.clauses.links import (
     caused_after_relative,
     goes_on,
     infinitive,
+    left_behind,
     main_at_last,
     of_a_vehicle,
     participle,
@@ -102,6 +103,8 @@ def _relative(c: Clauses, s: State, o: _Opening) -> bool:
         frame.subject, frame.parent = s.relative, o.previous
         frame.reduced = frame.relative = True
         frame.resulting = goes_on(c, o.at)
+        if frame.resulting and o.previous is not None and left_behind(s, frame, o.previous):
+            frame.subject = o.previous.object or o.previous.subject
     else:
         return False
     return True

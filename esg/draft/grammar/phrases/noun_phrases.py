@@ -101,7 +101,7 @@ def _quantifier(c: Chunks, j: int, m: Mention) -> int:
     """ "all of", "one of", "two of the ten"."""
     low = low_at(c, j)
     if low in _QUANTIFIERS and low_at(c, j + 1) == "of":
-        m.count = 1 if low in ("one", "each") else m.count
+        m.count = 1 if low in ("one", "each") else 2 if low == "both" else m.count
         m.single = low == "one"
         return j + 2
     if low in ("all", "both") and low_at(c, j + 1) in lex.DETERMINERS:
@@ -189,7 +189,13 @@ def _ends_early(c: Chunks, i: int, j: int, m: Mention) -> bool:
 
 
 def _names_one(low: str) -> bool:
-    return low in lex.PLACE_ADJECTIVES or low in lex.COLORS
+    return low in lex.PLACE_ADJECTIVES or low in lex.COLORS or low in lex.MATERIALS
+
+
+def _tells_one(c: Chunks, j: int, m: Mention) -> bool:
+    """ "the rubber one": a material before "one" is no thing of its own."""
+    made = m.determiner == "the" and low_at(c, j) in lex.MATERIALS
+    return made and low_at(c, j + 1) in ("one", "ones")
 
 
 def _amount(c: Chunks, i: int, j: int, m: Mention) -> int:
@@ -240,7 +246,7 @@ def _between(c: Chunks, i: int, j: int, m: Mention) -> int:
 def _is_head(c: Chunks, i: int, j: int, m: Mention) -> int:
     """A noun that is no modifier of another one."""
     noun = match_noun(c, j)
-    if noun is None:
+    if noun is None or _tells_one(c, j, m):
         return 0
     if noun[1] > 1 or not is_adjective(c, j) or not noun_soon(c, j + 1) or numbered(c, j):
         return _STOP  # numbered: "Marble one hits marble two"
