@@ -34,6 +34,7 @@ from esg.graph.models import EsgDocument
 _REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
     ("who tells it, and similes", partial(rewrite, reading="reports")),
     ("quantities and words that stand for a noun", partial(rewrite, reading="shares")),
+    ("contacts with none", partial(rewrite, reading="denials")),
     ("a second one", name_ones),
     ("the one in front", partial(rewrite, reading="places")),
     ("titles and headings", headings),

@@ -37,6 +37,16 @@ class Tow:
     link: str = ""
 
 
+@dataclass(frozen=True)
+class Untouched:
+    """Others that a thing is told not to touch; the words stand between start and end."""
+
+    start: int
+    end: int
+    who: str
+    others: tuple[str, ...]
+
+
 @dataclass
 class Scene:
     """What the prompt says, ready to be written as a document."""
@@ -79,6 +89,8 @@ class Scene:
     used: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])
     """Spans that became something: (start, end) -> pointer or note."""
     ignored: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])
+    untouched: list[Untouched] = field(default_factory=lambda: list[Untouched]())
+    """What is told to be touched by none."""
     warnings: list[str] = field(default_factory=list[str])
     clauses: list[Clause] = field(default_factory=list[Clause])
     """The clauses that were read, with what they move."""

@@ -36,11 +36,12 @@ from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.courses import by_its_participle, follow, keep_on, snapshot
+from esg.draft.events.denials import touches_none
 from esg.draft.events.hanging import SWAYING, hanging, sense_on_joint
 from esg.draft.events.motions import hold_back
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.breaking import gone_through, sense_of_breaking, who_breaks
-from esg.draft.events.senses.outcome import read_miss, target_of_mates
+from esg.draft.events.senses.outcome import target_of_mates
 from esg.draft.events.senses.state import attachment, mass_of_load
 from esg.draft.events.table import read_as
 from esg.draft.events.timing import hand_on, precedes, settle, time_of
@@ -337,8 +338,7 @@ def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
             if p.amount is not None:
                 d.scene.used.setdefault((p.amount.start, p.amount.end), f.unreal)
         return True
-    if f.object is None and "neither" in f.adverbs and sense == "hit":
-        _neither(d, f, parts.subject)
+    if negated and sense == "hit" and touches_none(d, f, parts.subject, parts.objects):
         return True
     if negated and sense in ("hit", "enter"):
         f.verb.sense = "miss"
@@ -530,20 +530,6 @@ def _what_the_thrower_misses(d: Discourse, f: Frame, parts: Parts) -> None:
     if itself:
         parts.objects = [] if missed else aims[:1]
     parts.subject = flying
-
-
-def _neither(d: Discourse, f: Frame, subject: list[str]) -> None:
-    """ "It hits neither": it misses the two named last."""
-    named = [i for ids in reversed(d.world.salience) for i in reversed(ids)]
-    fit = [i for i in named if i in d.world.entities and i not in subject]
-    two = list(dict.fromkeys(i for i in fit if aimable(d, i)))[:2]
-    for actor in subject[:1]:
-        for other in reversed(two):
-            pair = (NodeEvent.MISS, (actor, other))
-            if any((n.event, n.participants) == pair for n in d.timeline.nodes):
-                continue  # "drives past a cat and a dog. It hits neither"
-            read_miss(d, replace(f, object=None), [actor], [other])
-    mark_used(d, f, "misses")
 
 
 def _one_by_one(d: Discourse, f: Frame) -> set[str]:

@@ -123,6 +123,7 @@ def state(
         book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
     _struck(book, frames)
     _upright(book, frames)
+    _untouched(book)
     for m in (m for m in d.mentions if without(m, d.text)):
         book.add(Predicate.ABSENT, m.start - len("without "), m.end, noun=m.head)
     _in_order(book)
@@ -151,15 +152,38 @@ def _struck(book: _Book, frames: list[Frame]) -> None:
                      target=(hit.by,), side=hit.side, when=hit.event)  # fmt: skip
 
 
+def _over(f: Frame) -> bool:
+    return bool({"over", "down"} & {*f.adverbs})
+
+
+def _upright_thing(d: Discourse, i: str) -> bool:
+    """Whether "falls" of a thing means that it topples."""
+    return i in d.world.entities and "topples" in entity_of(d, i).noun.traits
+
+
 def _upright(book: _Book, frames: list[Frame]) -> None:
     """ "The bottle does not tip over": unless it does so elsewhere in the text."""
     told = (n for n in book.d.timeline.nodes if n.event in (NodeEvent.TOPPLE, NodeEvent.FALL))
     fallen = {i for n in told for i in n.participants}
     for f in frames:
-        denied = f.verb.negated and f.verb.sense == "topple" and not f.unreal
-        stand = tuple(i for i in _ids(f.subject) if i in book.d.world.entities) if denied else ()
+        denied = f.verb.negated and f.verb.sense in ("topple", "knock", "fall") and not f.unreal
+        acted = f.object is not None and not f.verb.passive
+        who = _ids(f.object if acted else f.subject) if denied else []
+        if f.verb.sense == "fall" or (acted and f.verb.sense == "knock" and not _over(f)):
+            who = [] if f.phrases or "off" in f.adverbs else [i for i in who if _upright_thing(book.d, i)]
+        stand = tuple(i for i in who if i in book.d.world.entities)
         if stand and not fallen & {*stand}:
             book.add(Predicate.STAYS_UPRIGHT, *_span(f), object=stand)
+
+
+def _untouched(book: _Book) -> None:
+    """ "Hits neither of them", "touches nothing": but for what it is told to hit."""
+    told = (n for n in book.d.timeline.nodes if n.event in (NodeEvent.COLLISION, NodeEvent.MISS))
+    met = {frozenset(n.participants) for n in told}
+    for u in book.d.scene.untouched:
+        others = tuple(i for i in u.others if frozenset((u.who, i)) not in met)
+        if others:
+            book.add(Predicate.NEVER_TOUCHES, u.start, u.end, object=(u.who,), target=others)
 
 
 def _in_order(book: _Book) -> None:
