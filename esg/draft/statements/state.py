@@ -556,6 +556,10 @@ def _when(d: Discourse, clause: Clause, mover: str) -> str:
     turns = any(e.event is EdgeEvent.TURN for e in _of(d, mover))
     if turns and end in kinds and not measurable(kinds[end]):
         return "start" if begin == "start" else "throughout"  # it goes another way later
+    track = d.timeline.tracks.get(mover)
+    first = next(_of(d, mover), None)
+    if begin == "start" and track is not None and track.after and first is not edge:
+        begin = track.after  # it stands still until then
     if begin != "start" and not measurable(kinds[begin]):
         return "throughout"
     end = end if end in kinds and measurable(kinds[end]) else "end"

@@ -349,7 +349,8 @@ def _main_verb_follows(c: Clauses, i: int) -> bool:
 
 
 def _finish(c: Clauses, s: State, frame: Frame) -> None:
-    if s.sub:
+    awaits = frame.relative and s.frame is None  # "until a ball that rolls in hits it"
+    if s.sub and not awaits:
         frame.link = f"sub:{s.sub}"
         frame.subordinate = s.sub
         s.sub = ""

@@ -378,7 +378,10 @@ def _clause_follows(c: Chunks, i: int) -> bool:
         return False
     if low_at(c, i) in ("so", "since") and low_at(c, i + 1) in ("hard", "fast", "much"):
         return False
-    for j in range(i + 1, min(i + 14, len(c.tokens))):
+    aside = _aside_after(c, i)
+    for j in range(i + 1, min(i + 14 + len(aside), len(c.tokens))):
+        if j in aside:
+            continue
         t = c.tokens[j]
         going = any(r.form in ("ing", "pp") for r in verb_readings(low_at(c, j + 1)))
         if t.text == "," and going and any(x.text == "," for x in c.tokens[j + 1 : j + 8]):
@@ -396,6 +399,18 @@ def _clause_follows(c: Chunks, i: int) -> bool:
                 return any(r.form == "ing" for r in readings)
             return not (low_at(c, i) == "as" and j == i + 1)
     return False
+
+
+def _aside_after(c: Chunks, i: int) -> range:
+    """The tokens of ", which comes in later," between a subject and its verb; else none."""
+    for j in range(i + 2, min(i + 7, len(c.tokens))):
+        if c.tokens[j].text == "," and low_at(c, j + 1) in ("which", "who"):
+            ends = (k for k in range(j + 2, min(j + 14, len(c.tokens))) if c.tokens[k].text == ",")
+            close = next(ends, j)
+            return range(j, close + 1) if close > j else range(0)
+        if c.tokens[j].kind == "punct":
+            break
+    return range(0)
 
 
 def _event_noun(c: Chunks, i: int) -> bool:
