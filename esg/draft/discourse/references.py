@@ -141,6 +141,9 @@ def _part_that_hits(d: Discourse, f: Frame, m: Mention) -> None:
         return
     before = d.refs.told[-1].subject if d.refs.told else []
     whole = before if m.possessor is None else ids_of(d, m.possessor)
+    thing = m.noun is not None and whole and kind_of(d, whole[0]) == "person"
+    if thing:
+        return  # "the worker's ladder hits a wall"
     if len(whole) == 1 and kind_of(d, whole[0]) in SELF_POWERED | {"cart", "sliding"}:
         d.world.resolved[id(m)] = m.entities = list(whole)
         m.attribute = False

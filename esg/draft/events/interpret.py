@@ -19,6 +19,7 @@ from esg.draft.discourse.core import (
     ids_of,
     kind_of,
     mark_used,
+    movable,
 )
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
@@ -96,6 +97,8 @@ _STUFF, _REFLEXIVE = lex.word_set("substances"), lex.word_set("reflexive")
 _SLOWER_GAITS, _FASTER_GAITS = lex.word_set("gaits, slow"), lex.word_set("gaits, fast")
 
 _PERSON_VERBS = lex.word_set("person verbs")
+_BENDS, _LINES = lex.word_set("bends (shapes)"), frozenset({"row", "queue", "column"})
+STRAIGHT = "it is drawn straight"
 _VEHICLE_VERBS = lex.word_set("vehicle verbs")
 
 
@@ -285,6 +288,19 @@ def _no_ground(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
+def _lies_in_a_bend(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "A row of dominoes curving around a mug", "a fence winding uphill": no motion."""
+    if f.verb.form != "ing" or f.verb.auxiliary or f.verb.lemma not in _BENDS or f.object:
+        return False
+    lined = {entity_of(d, i).pattern for i in parts.subject if i in d.world.entities}
+    stands = parts.subject and not any(movable(d, i) for i in parts.subject)
+    plural = len(parts.subject) > 2 and lined <= _LINES and bool(lined)
+    if not (stands or plural) or (f.subject is not None and f.subject.pronoun):
+        return False
+    ignore(d, f, STRAIGHT)
+    return True
+
+
 def _abreast(d: Discourse, f: Frame, parts: Parts) -> bool:
     """ "Race side by side": the members of a plural in a row, else one beside the other."""
     bodies = (parts.subject or parts.objects) if "side by side" in f.adverbs else []
@@ -472,6 +488,7 @@ STEPS: tuple[Step, ...] = (
     _what_sways,
     _comes_apart,
     _mount_instead,
+    _lies_in_a_bend,
     _no_ground,
     _instead,
     _speeds_and_masses,

@@ -61,6 +61,7 @@ _ON_THE_WAY = ("along", "across", "through")
 """Directions that roads, fields and floors have, too."""
 _ON_NO_WHEELS = frozenset({"baby", "boy", "child", "girl", "kid", "man", "toddler", "woman"})
 """Persons of whom "rolls" says that they turn over and over, which a skateboarder does not."""
+UNANSWERED = "a question: nothing of it is drafted"
 _CORNERED = ("box", "compound")
 """Shapes that do not roll, whatever a text says."""
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
@@ -126,6 +127,8 @@ def state(
     _untouched(book)
     for m in (m for m in d.mentions if without(m, d.text)):
         book.add(Predicate.ABSENT, m.start - len("without "), m.end, noun=m.head)
+    for q in (q for q in d.scene.asked if not q.answered):
+        book.add(Predicate.NOT_REPRESENTED, q.start, q.end, note=UNANSWERED)
     _in_order(book)
     _own_up(book, frames, elements, tokens)
     for actor, at in d.moves.still.items():
@@ -205,7 +208,8 @@ def _own_up(book: _Book, frames: list[Frame], elements: list[Element], tokens: l
     told = [f for f in told if _span(f) in d.scene.used and _span(f) not in lost]
     untold = _of_what_does_not_happen(d, frames)
     for gap in unclaimed(Account(d, told, elements, tokens, [*book.items], untold)):
-        if not any(a < gap.end and gap.start < b for a, b in lost):
+        asked = any(q.start <= gap.start < q.end for q in d.scene.asked)
+        if not asked and not any(a < gap.end and gap.start < b for a, b in lost):
             lost.append((gap.start, gap.end))
             book.add(Predicate.NOT_REPRESENTED, gap.start, gap.end, object=gap.nodes,
                      note=gap.missing)  # fmt: skip

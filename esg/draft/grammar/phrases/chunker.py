@@ -91,7 +91,8 @@ def _question(c: Chunks, i: int) -> int | None:
     """ "Can a ball hit a box?"."""
     previous = element_before(c)
     opens = previous is None or (isinstance(previous, Word) and previous.low in ".;!?\n")
-    asks = opens and low_at(c, i) in _ASKING and low_at(c, i + 1) in _ASKED
+    after_if = isinstance(previous, Word) and previous.low == "," and c.text.rstrip().endswith("?")
+    asks = (opens or after_if) and low_at(c, i) in _ASKING and low_at(c, i + 1) in _ASKED
     return _word(c, i, "adv", "indeed") if asks else None
 
 
