@@ -244,15 +244,23 @@ SIZES: dict[str, float] = {
     "large": 1.35, "big": 1.35, "huge": 1.8, "giant": 2.0, "enormous": 2.0, "gigantic": 2.2,
     "massive": 1.6, "oversized": 1.5, "medium": 1.0, "medium-sized": 1.0,
     "large-sized": 1.35, "small-sized": 0.75,
+    **dict.fromkeys(("larger", "bigger", "largest", "biggest"), 1.35),
+    **dict.fromkeys(("smaller", "smallest", "tiniest"), 0.75),
 }  # fmt: skip
 STRETCHES: dict[str, tuple[float, float, float]] = {
     "tall": (1.0, 1.0, 1.35), "high": (1.0, 1.0, 1.35), "short": (1.0, 1.0, 0.7),
     "low": (1.0, 1.0, 0.7), "long": (1.4, 1.0, 1.0), "wide": (1.0, 1.35, 1.0),
     "narrow": (1.0, 0.7, 1.0), "thin": (0.8, 0.8, 1.0), "thick": (1.2, 1.2, 1.0),
     "fat": (1.2, 1.2, 1.0), "slim": (0.8, 0.8, 1.0),
+    **dict.fromkeys(("taller", "tallest"), (1.0, 1.0, 1.15)),
+    **dict.fromkeys(("shorter", "shortest"), (1.0, 1.0, 0.85)),
+    **dict.fromkeys(("longer", "longest"), (1.4, 1.0, 1.0)),
+    **dict.fromkeys(("wider", "widest", "broader", "broadest"), (1.0, 1.35, 1.0)),
+    **dict.fromkeys(("narrower", "narrowest"), (1.0, 0.7, 1.0)),
 }  # fmt: skip
 WEIGHTS: dict[str, float] = {
     "heavy": 2.0, "light": 0.5, "lightweight": 0.5, "massive": 3.0, "weighty": 2.0,
+    **dict.fromkeys(("heavier", "heaviest"), 2.0), **dict.fromkeys(("lighter", "lightest"), 0.5),
     "empty": 0.6, "full": 2.0, "loaded": 2.0, "hollow": 0.4, "solid": 1.5, "filled": 2.0,
 }  # fmt: skip
 PLACE_ADJECTIVES = word_set("place adjectives")

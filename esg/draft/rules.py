@@ -18,6 +18,7 @@ from esg.draft.grammar.clauses.builder import build_clauses
 from esg.draft.grammar.clauses.modality import mark_unreal
 from esg.draft.grammar.phrases.chunker import chunk
 from esg.draft.grammar.phrases.modifiers import join_modifiers
+from esg.draft.grammar.questions import ask
 from esg.draft.grammar.rewrites.headings import headings
 from esg.draft.grammar.rewrites.inversions import straighten
 from esg.draft.grammar.rewrites.ones import name_ones
@@ -34,6 +35,7 @@ from esg.graph.models import EsgDocument
 _REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
     ("who tells it, and similes", partial(rewrite, reading="reports")),
     ("quantities and words that stand for a noun", partial(rewrite, reading="shares")),
+    ("contacts with none", partial(rewrite, reading="denials")),
     ("a second one", name_ones),
     ("the one in front", partial(rewrite, reading="places")),
     ("titles and headings", headings),
@@ -73,12 +75,14 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     clauses = build_clauses(elements)
     count(clauses.attachments)
     mark_unreal(clauses.frames, text)
+    asked = ask(clauses, text)
     world = new_world()
     world.net_sport, world.billiards = is_net_sport(text), is_billiards(text)
     world.cricket = is_cricket(text)
     discourse = begin(world, text, clauses.mentions)
     scene = interpret(discourse, clauses.frames, clauses.attachments)
     scene.text = text
+    scene.asked = asked
     scene.ignored.update({(v.start, v.end): "gerund" for v in clauses.nominal})
     compare(text, clauses.mentions, scene)
     space(text, clauses.mentions, scene)
@@ -101,7 +105,11 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
         doc = doc.model_copy(
             update={"provenance": (doc.provenance[0].model_copy(update=unaudited),)}
         )
-    missed = stated_in_prompt(owned_up(text, doc, read, statements), text, prompt)
+    missed = stated_in_prompt(
+        tuple(s for s in owned_up(text, doc, read, statements)
+              if not any(q.start <= s.start < q.end for q in asked)),
+        text, prompt,
+    )  # fmt: skip
     if not missed:
         return doc
     said = sorted((*(placed or ()), *missed), key=lambda s: s.start)

@@ -334,6 +334,8 @@ def _acts(case: Case) -> Iterator[Finding]:
         preps = any(word in lex.PREPOSITIONS for word, _, _ in p.small)
         if need is None or (preps and p.objects) or _LETS_GO.search(case.text, 0, p.start):
             continue
+        if p.how == "relative" and p.start in case.facts.read:
+            continue  # "pushes a bucket off a bench, which falls": the parse says the bench
         who = p.subjects if p.passive else p.objects
         for a in who if need.of == "object" else p.subjects if not p.objects else ():
             about = _group(case, a) if not case.facts.owns_up(a.start, a.end) else frozenset[str]()

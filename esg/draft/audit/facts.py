@@ -45,6 +45,8 @@ class Facts:
     """Words that are owned up to."""
     held: tuple[tuple[int, int], ...]
     """Words of statements that the document holds."""
+    read: frozenset[int] = frozenset()
+    """Where verbs begin that the drafter made something of."""
 
     def about(self, nodes: frozenset[str]) -> list[Fact]:
         """Those in which one of some things takes part."""
@@ -109,4 +111,5 @@ def facts_of(doc: EsgDocument, coverage: Coverage, statements: tuple[Statement, 
     said = [(s.start, s.end) for s in statements if s.predicate is Predicate.NOT_REPRESENTED]
     said += [(i.start, i.end) for i in coverage.items if i.status == "not_understood"]
     held = tuple((s.start, s.end) for s in kept)
-    return Facts(doc, tuple(out), spans, tuple(said), held)
+    read = [i.start for i in coverage.items if i.kind == "event" and i.status == "used"]
+    return Facts(doc, tuple(out), spans, tuple(said), held, frozenset(read))

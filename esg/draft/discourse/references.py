@@ -80,6 +80,8 @@ def _between(d: Discourse, f: Frame, subject: list[str]) -> None:
     """What stands between a subject and its verb, in no clause of its own."""
     for m in d.mentions:
         between = f.subject is not None and f.subject.start < m.start < f.verb.start
+        if id(m) in d.world.resolved:
+            continue  # between the subject and a later verb of it
         if between and id(m) not in d.framed and (m.head or m.pronoun) and m.count != 0:
             ids_of(d, m, avoid=subject)
 
@@ -164,6 +166,9 @@ def _part_that_hits(d: Discourse, f: Frame, m: Mention) -> None:
         return
     before = d.refs.told[-1].subject if d.refs.told else []
     whole = before if m.possessor is None else ids_of(d, m.possessor)
+    thing = m.noun is not None and whole and kind_of(d, whole[0]) == "person"
+    if thing:
+        return  # "the worker's ladder hits a wall"
     if len(whole) == 1 and kind_of(d, whole[0]) in SELF_POWERED | {"cart", "sliding"}:
         d.world.resolved[id(m)] = m.entities = list(whole)
         m.attribute = False

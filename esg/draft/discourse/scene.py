@@ -8,6 +8,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.timeline import TimelineBuilder
+from esg.draft.grammar.questions import Question
 from esg.draft.text.quantities import Amount
 from esg.graph.models import Joint, Quantity
 from esg.lexicon.breakables import Breakable
@@ -35,6 +36,16 @@ class Tow:
 
     by: str
     link: str = ""
+
+
+@dataclass(frozen=True)
+class Untouched:
+    """Others that a thing is told not to touch; the words stand between start and end."""
+
+    start: int
+    end: int
+    who: str
+    others: tuple[str, ...]
 
 
 @dataclass
@@ -79,6 +90,10 @@ class Scene:
     used: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])
     """Spans that became something: (start, end) -> pointer or note."""
     ignored: dict[tuple[int, int], str] = field(default_factory=dict[tuple[int, int], str])
+    untouched: list[Untouched] = field(default_factory=lambda: list[Untouched]())
+    """What is told to be touched by none."""
+    asked: list[Question] = field(default_factory=lambda: list[Question]())
+    """Questions of the text beside what it tells."""
     warnings: list[str] = field(default_factory=list[str])
     clauses: list[Clause] = field(default_factory=list[Clause])
     """The clauses that were read, with what they move."""

@@ -10,6 +10,7 @@ from typing import Literal, TypeVar
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.scene import Scene
+from esg.draft.grammar.questions import ASKED
 from esg.draft.text.amounts import Amount
 from esg.draft.text.elements import Element, Mention, Token, Verb, Word
 from esg.graph.models import Coverage, CoverageItem, NodeEvent, Statement
@@ -159,6 +160,8 @@ def _mention(m: Mention, words: str, scene: Scene) -> _Fate:
     if m.pronoun:
         warning = f'It is not clear what "{words}" refers to.'
         return _Fate("object", "not_understood", "no referent", warning)
+    if any(q.start <= m.start < q.end for q in scene.asked):
+        return _Fate("modifier", "ignored", ASKED)
     if m.attribute or m.count == 0:
         return _Fate("modifier", note="names a measure or an event")
     if m.noun is not None and m.noun.kind == "region":
@@ -207,6 +210,8 @@ def _word(w: Word, words: str, scene: Scene, acts: bool) -> _Fate | None:
         return _Fate("modifier", "ignored", "manner is not simulated")
     if w.kind != "unknown":
         return None
+    if any(q.start <= w.start < q.end for q in scene.asked):
+        return _Fate("modifier", "ignored", ASKED)
     if re.fullmatch(r"[\d.,]*\d", w.low):
         warning = f'The number "{words}" has no unit; it was left out.'
         return _Fate("quantity", "not_understood", "a number without a unit", warning)

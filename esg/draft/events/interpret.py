@@ -19,6 +19,7 @@ from esg.draft.discourse.core import (
     ids_of,
     kind_of,
     mark_used,
+    movable,
 )
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
@@ -36,6 +37,7 @@ from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.courses import by_its_participle, come_on, follow, keep_on, snapshot
+from esg.draft.events.denials import touches_none
 from esg.draft.events.following import follow_on
 from esg.draft.events.hanging import (
     SWAYING,
@@ -47,7 +49,7 @@ from esg.draft.events.hanging import (
 from esg.draft.events.motions import hold_back
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.breaking import gone_through, sense_of_breaking, who_breaks
-from esg.draft.events.senses.outcome import read_miss, target_of_mates
+from esg.draft.events.senses.outcome import target_of_mates
 from esg.draft.events.senses.state import attachment, mass_of_load
 from esg.draft.events.table import read_as
 from esg.draft.events.timing import hand_on, precedes, settle, time_of
@@ -102,6 +104,8 @@ _STUFF, _REFLEXIVE = lex.word_set("substances"), lex.word_set("reflexive")
 _SLOWER_GAITS, _FASTER_GAITS = lex.word_set("gaits, slow"), lex.word_set("gaits, fast")
 
 _PERSON_VERBS = lex.word_set("person verbs")
+_BENDS, _LINES = lex.word_set("bends (shapes)"), frozenset({"row", "queue", "column"})
+STRAIGHT = "it is drawn straight"
 _VEHICLE_VERBS = lex.word_set("vehicle verbs")
 
 
@@ -300,6 +304,19 @@ def _no_ground(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
+def _lies_in_a_bend(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "A row of dominoes curving around a mug", "a fence winding uphill": no motion."""
+    if f.verb.form != "ing" or f.verb.auxiliary or f.verb.lemma not in _BENDS or f.object:
+        return False
+    lined = {entity_of(d, i).pattern for i in parts.subject if i in d.world.entities}
+    stands = parts.subject and not any(movable(d, i) for i in parts.subject)
+    plural = len(parts.subject) > 2 and lined <= _LINES and bool(lined)
+    if not (stands or plural) or (f.subject is not None and f.subject.pronoun):
+        return False
+    ignore(d, f, STRAIGHT)
+    return True
+
+
 def _abreast(d: Discourse, f: Frame, parts: Parts) -> bool:
     """ "Race side by side": the members of a plural in a row, else one beside the other."""
     bodies = (parts.subject or parts.objects) if "side by side" in f.adverbs else []
@@ -353,8 +370,7 @@ def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
             if p.amount is not None:
                 d.scene.used.setdefault((p.amount.start, p.amount.end), f.unreal)
         return True
-    if f.object is None and "neither" in f.adverbs and sense == "hit":
-        _neither(d, f, parts.subject)
+    if negated and sense == "hit" and touches_none(d, f, parts.subject, parts.objects):
         return True
     if negated and sense in ("hit", "enter"):
         f.verb.sense = "miss"
@@ -489,6 +505,7 @@ STEPS: tuple[Step, ...] = (
     _comes_apart,
     _turns_on_its_joint,
     _mount_instead,
+    _lies_in_a_bend,
     _no_ground,
     _instead,
     _speeds_and_masses,
@@ -547,20 +564,6 @@ def _what_the_thrower_misses(d: Discourse, f: Frame, parts: Parts) -> None:
     if itself:
         parts.objects = [] if missed else aims[:1]
     parts.subject = flying
-
-
-def _neither(d: Discourse, f: Frame, subject: list[str]) -> None:
-    """ "It hits neither": it misses the two named last."""
-    named = [i for ids in reversed(d.world.salience) for i in reversed(ids)]
-    fit = [i for i in named if i in d.world.entities and i not in subject]
-    two = list(dict.fromkeys(i for i in fit if aimable(d, i)))[:2]
-    for actor in subject[:1]:
-        for other in reversed(two):
-            pair = (NodeEvent.MISS, (actor, other))
-            if any((n.event, n.participants) == pair for n in d.timeline.nodes):
-                continue  # "drives past a cat and a dog. It hits neither"
-            read_miss(d, replace(f, object=None), [actor], [other])
-    mark_used(d, f, "misses")
 
 
 def _one_by_one(d: Discourse, f: Frame) -> set[str]:

@@ -26,6 +26,7 @@ from esg.draft.events.roles import filling, role
 from esg.draft.events.timing import SETS_OFF, moved_by_others, speed_after, time_of
 from esg.draft.events.told import at_rest, constrain, last_event, last_of, things, unread
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.grammar.clauses.links import CAUSE_SENSES
 from esg.draft.text.quantities import Amount
 from esg.graph.models import ForceDirection, NodeEvent, Quantity
 
@@ -152,6 +153,8 @@ def told_after(d: Discourse, f: Frame) -> list[Frame]:
 
     "When the ball hits the box, the dog runs away", "and then a dog crosses".
     """
+    if f.link == "cause":
+        return causes_of(d, f)
     if f.link != "then" or f.relative or f.reduced or f not in d.told:
         return []
     earlier = [g for g in d.told[: d.told.index(f)] if not g.unreal and not g.reduced]
@@ -165,6 +168,21 @@ def told_after(d: Discourse, f: Frame) -> list[Frame]:
     between = d.text[begin : f.verb.end].lower().replace(",", " ")
     words = {*between.split(), *f.adverbs}
     return earlier if words & THEN or re.search(AFTER_THAT, between) else []
+
+
+def causes_of(d: Discourse, f: Frame) -> list[Frame]:
+    """ "An apple falls on a board, making a nut jump": the clause that tells the cause."""
+    told = [g for g in d.told if not g.unreal and not g.reduced and g.verb.start < f.verb.start]
+    cause = f.causer
+    if cause is not None and cause.verb.sense in CAUSE_SENSES:
+        own = [g for g in told if g.sentence == f.sentence and g.verb.start < cause.verb.start]
+        cause = cause.causer or next(reversed(own), None)
+    elif cause is None and f.subordinate == "so":
+        cause = next(reversed(told), None)
+    lets = f.causer is not None and f.causer.verb.lemma == "let"
+    if cause is None or lets or cause.unreal or cause.verb.negated or cause is f:
+        return []
+    return [] if f.subject is cause.subject else [cause]
 
 
 def comes_after(d: Discourse, f: Frame) -> list[Frame]:

@@ -112,7 +112,8 @@ def _order(d: Discourse, clause: Clause, earlier: list[Frame]) -> Iterator[Order
     if first is None:
         others = [c for c in d.scene.clauses if any(c.frame.verb is g.verb for g in earlier)]
         apart = any({*c.movers} - {*clause.movers} for c in others)
-        if apart and (clause.movers or second) and _acts(earlier):
+        so = clause.frame.subordinate == "so"
+        if apart and (clause.movers or second) and _acts(earlier) and not so:
             yield Ordered(start, end)
         return
     node = d.timeline.node(first)

@@ -68,6 +68,7 @@ _ON_THE_WAY = ("along", "across", "through")
 """Directions that roads, fields and floors have, too."""
 _ON_NO_WHEELS = frozenset({"baby", "boy", "child", "girl", "kid", "man", "toddler", "woman"})
 """Persons of whom "rolls" says that they turn over and over, which a skateboarder does not."""
+UNANSWERED = "a question: nothing of it is drafted"
 _CORNERED = ("box", "compound")
 """Shapes that do not roll, whatever a text says."""
 _CAUSES = frozenset({ALONE, BY_ITSELF, UNTOUCHED})
@@ -136,8 +137,11 @@ def state(
     _unmet(book, frames)
     _comes_on(book)
     _sent_up(book, frames)
+    _untouched(book)
     for m in (m for m in d.mentions if without(m, d.text)):
         book.add(Predicate.ABSENT, m.start - len("without "), m.end, noun=m.head)
+    for q in (q for q in d.scene.asked if not q.answered):
+        book.add(Predicate.NOT_REPRESENTED, q.start, q.end, note=UNANSWERED)
     _in_order(book)
     _own_up(book, frames, elements, tokens)
     for actor, at in d.moves.still.items():
@@ -164,13 +168,30 @@ def _struck(book: _Book, frames: list[Frame]) -> None:
                      target=(hit.by,), side=hit.side, when=hit.event)  # fmt: skip
 
 
+def _over(f: Frame) -> bool:
+    return bool({"over", "down"} & {*f.adverbs})
+
+
+def _upright_thing(d: Discourse, i: str) -> bool:
+    """Whether "falls" of a thing means that it topples."""
+    return i in d.world.entities and "topples" in entity_of(d, i).noun.traits
+
+
 def _upright(book: _Book, frames: list[Frame]) -> None:
     """ "The bottle does not tip over": unless it does so elsewhere in the text."""
     told = (n for n in book.d.timeline.nodes if n.event in (NodeEvent.TOPPLE, NodeEvent.FALL))
     fallen = {i for n in told for i in n.participants}
     for f in frames:
-        denied = f.verb.negated and f.verb.sense == "topple" and not f.unreal
-        stand = tuple(i for i in _ids(f.subject) if i in book.d.world.entities) if denied else ()
+        denied = f.verb.negated and f.verb.sense in ("topple", "knock", "fall") and not f.unreal
+        acted = f.object is not None and not f.verb.passive
+        who = _ids(f.object if acted else f.subject) if denied else []
+        if f.verb.sense == "fall" or (acted and f.verb.sense == "knock" and not _over(f)):
+            who = (
+                []
+                if f.phrases or "off" in f.adverbs
+                else [i for i in who if _upright_thing(book.d, i)]
+            )
+        stand = tuple(i for i in who if i in book.d.world.entities)
         if stand and not fallen & {*stand}:
             book.add(Predicate.STAYS_UPRIGHT, *_span(f), object=stand)
 
@@ -244,6 +265,16 @@ def _comes_on(book: _Book) -> None:
             book.add(Predicate.NOT_REPRESENTED, start, end, object=(who,), note=_STANDS)
 
 
+def _untouched(book: _Book) -> None:
+    """ "Hits neither of them", "touches nothing": but for what it is told to hit."""
+    told = (n for n in book.d.timeline.nodes if n.event in (NodeEvent.COLLISION, NodeEvent.MISS))
+    met = {frozenset(n.participants) for n in told}
+    for u in book.d.scene.untouched:
+        others = tuple(i for i in u.others if frozenset((u.who, i)) not in met)
+        if others:
+            book.add(Predicate.NEVER_TOUCHES, u.start, u.end, object=(u.who,), target=others)
+
+
 def _in_order(book: _Book) -> None:
     """In what order different things act, and who sets off by itself."""
     for told in orders(book.d):
@@ -270,7 +301,8 @@ def _own_up(book: _Book, frames: list[Frame], elements: list[Element], tokens: l
     told = [f for f in told if _span(f) in d.scene.used and _span(f) not in gone]
     untold = _of_what_does_not_happen(d, frames)
     for gap in unclaimed(Account(d, told, elements, tokens, [*book.items], untold)):
-        if not any(a < gap.end and gap.start < b for a, b in lost):
+        asked = any(q.start <= gap.start < q.end for q in d.scene.asked)
+        if not asked and not any(a < gap.end and gap.start < b for a, b in lost):
             lost.append((gap.start, gap.end))
             book.add(Predicate.NOT_REPRESENTED, gap.start, gap.end, object=gap.nodes,
                      note=gap.missing)  # fmt: skip
@@ -640,6 +672,10 @@ def _when(d: Discourse, clause: Clause, mover: str) -> str:
     turns = any(e.event is EdgeEvent.TURN for e in _of(d, mover))
     if turns and end in kinds and not measurable(kinds[end]):
         return "start" if begin == "start" else "throughout"  # it goes another way later
+    track = d.timeline.tracks.get(mover)
+    first = next(_of(d, mover), None)
+    if begin == "start" and track is not None and track.after and first is not edge:
+        begin = track.after  # it stands still until then
     if begin != "start" and not measurable(kinds[begin]):
         return "throughout"
     end = end if end in kinds and measurable(kinds[end]) else "end"

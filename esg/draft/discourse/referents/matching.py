@@ -78,6 +78,8 @@ def same_kind(m: Mention, e: Entity) -> bool:
     if e.noun.kind in HYPERNYMS.get(m.head, ()) or m.head == e.head:
         return True
     definite = m.determiner in _THE
+    if m.noun is None and not m.determiner and m.head in e.adjectives:
+        return True  # "the ego vehicle ... ego stops"
     if m.noun is None and definite and e.known and m.head == e.noun.name.split()[-1]:
         return True  # "a conveyor ... off the belt"
     if m.noun is not None and e.known:

@@ -3,9 +3,17 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
+from esg.draft.discourse.referents.attributes import other_of_two, told_by
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.matching import CONTRASTS, unlike
-from esg.draft.discourse.referents.members import at_place, name_by, next_of, one_more, ranked
+from esg.draft.discourse.referents.members import (
+    at_place,
+    name_by,
+    next_of,
+    one_more,
+    place_word,
+    ranked,
+)
 from esg.draft.discourse.referents.ranks import same_quantity
 from esg.draft.discourse.referents.record import World, last_group, named_alone
 from esg.draft.discourse.referents.registry import add_entity
@@ -38,7 +46,8 @@ def pronoun(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[s
     if p in _NOTHING:
         return []
     if p in _THEY:
-        return _others(world, m, avoid) or _several(world, m, subject, avoid)
+        named = told_by(world, m, avoid) if p == "ones" else []
+        return named or _others(world, m, avoid) or _several(world, m, subject, avoid)
     if p in ("latter", "former"):
         told = [i for ids in world.salience[-6:] for i in ids if _solid(world, i)]
         two = list(dict.fromkeys(reversed(world.movers if len(world.movers) > 1 else told)))[:2]
@@ -140,6 +149,8 @@ def _several(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     named = [i for i in named if world.entities[i].noun.kind not in _WAYS or not subject]
     if two := _two_subjects(world, p, named) if subject else []:
         return two
+    if two := _two_acted_on(world, m, avoid) if not subject else []:
+        return two
     pool = [*reversed(world.subjects if subject and p != "both" else []), *reversed(world.salience)]
     many = [ids for ids in pool if len(ids) > 1]
     free = [ids for ids in many if subject or not set(ids) <= {*avoid}]
@@ -168,6 +179,24 @@ def _two_subjects(world: World, p: str, named: list[str]) -> list[str]:
     return two[::-1] if (alike if p == "both" else meet) else []
 
 
+def _two_acted_on(world: World, m: Mention, avoid: list[str]) -> list[str]:
+    """ "Sets a mug on a book and carries both": the last two things but who acts; a pair first."""
+    if m.pronoun != "both" and not (m.count == 2 and m.pronoun == "them"):
+        return []
+    units: list[list[str]] = []
+    for ids in reversed(world.salience):
+        own = [i for i in dict.fromkeys(ids) if _solid(world, i) and i not in avoid]
+        if not own or own[0] in (i for u in units for i in u):
+            continue
+        whole = world.entities[own[0]].group in world.collective  # "a stack of books" is one
+        if len(own) > 1 and not whole:
+            return own if len(own) == 2 and not units else []
+        units.append(own)
+        if len(units) == 2:
+            return [*units[1], *units[0]]
+    return []
+
+
 def _thing(world: World, subject: bool, avoid: list[str]) -> list[str]:
     """What "it", "this" or "itself" means: a subject named before, else the thing named last."""
     for ids in [*reversed(world.subjects if subject else []), *reversed(world.salience)]:
@@ -191,6 +220,8 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     told = _told(world)
     near = list({e.id: e for e in told if e.id not in avoid}.values())
     among = _of_one_kind(world, solid, avoid) or row or solid
+    if not place_word(m) and (having := told_by(world, m, avoid)):
+        return having[:1]
     if found := ranked(world, m, row or near, avoid) or at_place(world, m, among):
         return found
     words = [a for a in m.adjectives if _tells(a)]
@@ -200,6 +231,8 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
         return next_of(world, row, avoid)
     other = bool({"another", "other"} & {m.pronoun, m.determiner, *m.adjectives})
     if other and m.determiner == "the" and (second := _second_of_two(world, row, avoid)):
+        return second
+    if other and m.determiner == "the" and not words and (second := other_of_two(world, avoid)):
         return second
     if row and (found := _of_row(world, row, words, told if other else [], avoid)):
         return found

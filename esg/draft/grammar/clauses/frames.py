@@ -185,6 +185,14 @@ def background_first(frames: list[Frame]) -> list[Frame]:
     return out
 
 
+def _of_its_subject(out: list[Frame], f: Frame) -> list[Frame]:
+    """The frames at the end that tell of the subject of a clause between it and its verb."""
+    k = len(out)
+    while k and out[k - 1].relative and out[k - 1].subject is f.subject:
+        k -= 1
+    return out[k:]
+
+
 def in_order(frames: list[Frame]) -> list[Frame]:
     """Puts frames in order of time."""
     out: list[Frame] = []
@@ -201,6 +209,8 @@ def in_order(frames: list[Frame]) -> list[Frame]:
             "sub:because",
             "sub:since",
         ):
+            own = _of_its_subject(out, f)  # "When a ball that was thrown hits it"
+            del out[len(out) - len(own) :]
             previous = out[-1] if out else None
             same_sentence = previous is not None and previous.sentence == f.sentence
             if same_sentence and link != "sub:as":
@@ -208,10 +218,11 @@ def in_order(frames: list[Frame]) -> list[Frame]:
                 k = len(out) - 1
                 while k > 0 and out[k].sentence == f.sentence and out[k].link in ("while",):
                     k -= 1
-                out.insert(k, f)
-                f.link = out[k + 1].link if k + 1 < len(out) else "then"
+                out[k:k] = [*own, f]
+                after = k + len(own) + 1
+                f.link = out[after].link if after < len(out) else "then"
             else:
-                out.append(f)
+                out += [*own, f]
                 f.link = "then" if link != "sub:as" else "while"
         elif link == "sub:before" and (not out or out[-1].sentence != f.sentence):
             # fronted "Before X, Y": Y first

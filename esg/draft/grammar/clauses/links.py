@@ -23,6 +23,7 @@ _PLACES = frozenset(
 _FIRM = frozenset({"support", "fixed", "structural", "container"})
 _BUILT = frozenset({"wall", "building", "street", "furniture", "vehicle"})
 """What rarely falls: what carries or holds things, and what is built."""
+_LEFT_BY, _GOING = lex.word_set("left by"), lex.word_set("going (links)")
 
 
 def of_a_vehicle(previous: Frame, v: Verb) -> bool:
@@ -82,6 +83,18 @@ def what_falls(c: Clauses, previous: Frame | None, v: Verb, last: Mention | None
 
 def _is_rel(e: Element) -> bool:
     return getattr(e, "kind", "") == "rel"
+
+
+def left_behind(s: State, frame: Frame, previous: Frame) -> bool:
+    """ "Pushes a bucket off a bench, which falls": not the bench, which is left."""
+    m, mover = s.relative, previous.object or previous.subject
+    if m is None or m.noun is None or mover is None or m.after_prep not in _LEFT_BY:
+        return False
+    carries = bool({"support", "fixed", "incline", "structural"} & m.noun.traits)
+    stays = mover.noun is not None and "fixed" in mover.noun.traits
+    own = frame.verb.sense == "topple" and previous.object is None  # "a bridge, which collapses"
+    goes = frame.verb.sense in _GOING and not frame.verb.passive and not own
+    return carries and not stays and goes
 
 
 def before_what_it_lets(previous: Frame, v: Verb) -> Frame:

@@ -36,7 +36,7 @@ _COUNTERFACTUAL = re.compile(
 )
 _ENDS = re.compile(r"[.;!?\n]")
 _NOBODY = re.compile(r"\b(?:nobody|no[ -]one)\s+$", re.IGNORECASE)
-_NONE_OF = re.compile(r"none\s+of\b", re.IGNORECASE)
+_NONE_OF = re.compile(r"(?:none|neither)\s+of\b", re.IGNORECASE)
 _STOPS_DOING = re.compile(
     r"\s+(?:(?:pedall?|accelerat|push|kick|paddl|row|pull|steer|swing|blow|sweep|pump|brak|talk"
     r"|play|bark|wav|danc|laugh|sing|shak|wobbl|swerv)ing)\b",
@@ -50,6 +50,7 @@ _TRIED_IS_DONE = lex.word_set("tried is done")
 _EVENTS = lex.word_set("events (modality)")
 _SHOWING = lex.word_set("showing (modality)")
 _DOES = lex.word_set("does")
+_TOUCHES = lex.word_set("touches")
 _SPEAKERS = lex.word_set("speakers")
 
 
@@ -72,7 +73,10 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
         reason = "" if true else _reason(f, earlier, later, text)
         if reason:
             f.unreal = reason
-        if f.subject is not None and _NONE_OF.match(text, f.subject.start):
+        met = [p.mention for p in f.phrases if p.prep in ("into", "against")]
+        met = [f.object, *met] if f.verb.sense in _TOUCHES else []
+        none = (f.subject if not f.relative else None, *met)
+        if any(m is not None and _NONE_OF.match(text, m.start) for m in none):
             f.verb.negated = True
         if f.verb.sense == "stop" and _STOPS_DOING.match(text, f.verb.end):
             f.unreal = "it stops doing something, not moving"

@@ -17,6 +17,7 @@ from esg.draft.grammar.clauses.links import (
     caused_after_relative,
     goes_on,
     infinitive,
+    left_behind,
     main_at_last,
     of_a_vehicle,
     participle,
@@ -105,6 +106,9 @@ def _relative(c: Clauses, s: State, o: _Opening) -> bool:
         frame.resulting = goes_on(c, o.at)
         if frame.resulting:
             frame.subject = what_falls(c, o.previous, frame.verb, s.relative)
+        unmoved = frame.resulting and frame.subject is s.relative
+        if unmoved and o.previous is not None and left_behind(s, frame, o.previous):
+            frame.subject = o.previous.object or o.previous.subject
     else:
         return False
     return True
@@ -349,7 +353,8 @@ def _main_verb_follows(c: Clauses, i: int) -> bool:
 
 
 def _finish(c: Clauses, s: State, frame: Frame) -> None:
-    if s.sub:
+    awaits = frame.relative and s.frame is None  # "until a ball that rolls in hits it"
+    if s.sub and not awaits:
         frame.link = f"sub:{s.sub}"
         frame.subordinate = s.sub
         s.sub = ""

@@ -91,7 +91,8 @@ def _question(c: Chunks, i: int) -> int | None:
     """ "Can a ball hit a box?"."""
     previous = element_before(c)
     opens = previous is None or (isinstance(previous, Word) and previous.low in ".;!?\n")
-    asks = opens and low_at(c, i) in _ASKING and low_at(c, i + 1) in _ASKED
+    after_if = isinstance(previous, Word) and previous.low == "," and c.text.rstrip().endswith("?")
+    asks = (opens or after_if) and low_at(c, i) in _ASKING and low_at(c, i + 1) in _ASKED
     return _word(c, i, "adv", "indeed") if asks else None
 
 
@@ -378,7 +379,10 @@ def _clause_follows(c: Chunks, i: int) -> bool:
         return False
     if low_at(c, i) in ("so", "since") and low_at(c, i + 1) in ("hard", "fast", "much"):
         return False
-    for j in range(i + 1, min(i + 14, len(c.tokens))):
+    aside = _aside_after(c, i)
+    for j in range(i + 1, min(i + 14 + len(aside), len(c.tokens))):
+        if j in aside:
+            continue
         t = c.tokens[j]
         going = any(r.form in ("ing", "pp") for r in verb_readings(low_at(c, j + 1)))
         if t.text == "," and going and any(x.text == "," for x in c.tokens[j + 1 : j + 8]):
@@ -396,6 +400,18 @@ def _clause_follows(c: Chunks, i: int) -> bool:
                 return any(r.form == "ing" for r in readings)
             return not (low_at(c, i) == "as" and j == i + 1)
     return False
+
+
+def _aside_after(c: Chunks, i: int) -> range:
+    """The tokens of ", which comes in later," between a subject and its verb; else none."""
+    for j in range(i + 2, min(i + 7, len(c.tokens))):
+        if c.tokens[j].text == "," and low_at(c, j + 1) in ("which", "who"):
+            ends = (k for k in range(j + 2, min(j + 14, len(c.tokens))) if c.tokens[k].text == ",")
+            close = next(ends, j)
+            return range(j, close + 1) if close > j else range(0)
+        if c.tokens[j].kind == "punct":
+            break
+    return range(0)
 
 
 def _event_noun(c: Chunks, i: int) -> bool:

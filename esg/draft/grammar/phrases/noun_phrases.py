@@ -33,6 +33,7 @@ _SEVERAL = {"pair": 2, "couple": 2, "trio": 3, "dozen": 12, "half-dozen": 6, "do
 _INTENSIFIERS = lex.word_set("intensifiers")
 _MEASURED = ("mass", "length", "speed", "angle", "volume")
 _ALSO_ADVERBS = lex.word_set("adjectives that are adverbs")
+_OWNS = frozenset({"'s", "\u2019s", "'"})
 _STOP = -1
 """No further modifier: what stands here is the head, or no noun phrase."""
 
@@ -101,7 +102,7 @@ def _quantifier(c: Chunks, j: int, m: Mention) -> int:
     """ "all of", "one of", "two of the ten"."""
     low = low_at(c, j)
     if low in _QUANTIFIERS and low_at(c, j + 1) == "of":
-        m.count = 1 if low in ("one", "each") else m.count
+        m.count = 1 if low in ("one", "each") else 2 if low == "both" else m.count
         m.single = low == "one"
         return j + 2
     if low in ("all", "both") and low_at(c, j + 1) in lex.DETERMINERS:
@@ -175,6 +176,11 @@ def _ends_early(c: Chunks, i: int, j: int, m: Mention) -> bool:
         m.head, m.known = lex.singular(m.adjectives.pop())[0], False
         _add(c, m, j, c.tokens[j - 1].start)
         return True
+    if (_part_acts(c, i, j, m) or _bare_acts(c, i, j, m)) and acting:
+        own = low_at(c, i - 1) in _OWNS
+        m.head, m.known, m.attribute = m.adjectives.pop(), own, own
+        _add(c, m, j)
+        return True
     if side_acts(c, j, m):
         m.head, m.attribute = m.adjectives.pop(), True
         _add(c, m, j)
@@ -190,8 +196,42 @@ def _ends_early(c: Chunks, i: int, j: int, m: Mention) -> bool:
     return False
 
 
+def _goes_on(c: Chunks, j: int) -> bool:
+    """Whether token j may follow a verb."""
+    nxt = token_at(c, j)
+    small = (lex.PREPOSITIONS | lex.ADVERBS | lex.DETERMINERS | lex.PRONOUNS) - {"of"}
+    ends = nxt is None or nxt.kind == "punct" or nxt.low.endswith("ly")
+    return ends or nxt.low in small | {"and", "but", "when"}
+
+
+def _part_acts(c: Chunks, i: int, j: int, m: Mention) -> bool:
+    """ "The ladder's top slides along a wall": a part and its verb, no slides."""
+    part = low_at(c, i - 1) in _OWNS and m.adjectives[-1] in lex.PARTS
+    return part and _goes_on(c, j + 1)
+
+
+def _bare_acts(c: Chunks, i: int, j: int, m: Mention) -> bool:
+    """ "and ego stops behind it": who does it and the verb, no stops of a kind."""
+    before = c.elements[-1] if c.elements else None
+    begins = before is None or (
+        isinstance(before, Word) and before.kind in ("punct", "conj", "sub")
+    )
+    bare = not m.determiner and m.count is None and len(m.adjectives) == 1 and j == i + 1
+    named = bare and low_at(c, i - 1) not in _OWNS and not known_adjective(m.adjectives[0])
+    after = low_at(c, j + 1)
+    adverb = after in lex.ADVERBS or after.endswith("ly")
+    noun = named and (adverb or c.tokens[j].tag == "VERB")
+    return begins and noun and _goes_on(c, j + 1)
+
+
 def _names_one(low: str) -> bool:
-    return low in lex.PLACE_ADJECTIVES or low in lex.COLORS
+    return low in lex.PLACE_ADJECTIVES or low in lex.COLORS or low in lex.MATERIALS
+
+
+def _tells_one(c: Chunks, j: int, m: Mention) -> bool:
+    """ "the rubber one": a material before "one" is no thing of its own."""
+    made = m.determiner == "the" and low_at(c, j) in lex.MATERIALS
+    return made and low_at(c, j + 1) in ("one", "ones")
 
 
 def _amount(c: Chunks, i: int, j: int, m: Mention) -> int:
@@ -242,7 +282,7 @@ def _between(c: Chunks, i: int, j: int, m: Mention) -> int:
 def _is_head(c: Chunks, i: int, j: int, m: Mention) -> int:
     """A noun that is no modifier of another one."""
     noun = match_noun(c, j)
-    if noun is None:
+    if noun is None or _tells_one(c, j, m):
         return 0
     if noun[1] > 1 or not is_adjective(c, j) or not noun_soon(c, j + 1) or numbered(c, j):
         return _STOP  # numbered: "Marble one hits marble two"

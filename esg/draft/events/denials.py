@@ -1,0 +1,83 @@
+"""Contacts that are told not to take place: "touches neither", "hits none of them"."""
+
+from __future__ import annotations
+
+from esg.draft.discourse.core import aimable, entity_of, mark_used, movable
+from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.matching import same_kind
+from esg.draft.discourse.scene import Untouched
+from esg.draft.events.acts import add_event, ensure_mover
+from esg.draft.events.told import moves
+from esg.draft.grammar.clauses.frames import Frame
+from esg.graph.models import NodeEvent
+
+_FEW = 3
+"""Most things of which each is an event of its own."""
+
+
+def touches_none(d: Discourse, f: Frame, who: list[str], others: list[str]) -> bool:
+    """Reads a denied contact with several things, or with nothing; False if it is with one.
+
+    Each of few things that is got by is a Miss; that none of them is touched is a statement.
+
+    Args:
+        d: The discourse.
+        f: A clause with a negated verb of contact.
+        who: Its subject (node ids).
+        others: Its object (node ids).
+    """
+    met = _met(d, f, who, others)
+    several = len(met) > 1 or "denied" in f.verb.extra
+    if not several or not who or f.verb.passive:
+        return False
+    for actor in who:
+        near = [i for i in met if i != actor]
+        if near and movable(d, actor):
+            _gets_by(d, f, actor, near)
+            told = Untouched(f.verb.start, f.verb.end, actor, tuple(near))
+            d.scene.untouched.append(told)
+    mark_used(d, f, "never touches")
+    return True
+
+
+def _gets_by(d: Discourse, f: Frame, actor: str, near: list[str]) -> None:
+    met = {frozenset(n.participants) for n in d.timeline.nodes if n.event in _TOLD}
+    new = [i for i in near if frozenset((actor, i)) not in met]
+    nothing = f.verb.extra.get("denied") == "nothing"
+    if nothing or len(near) > _FEW or _way_told(d, actor, near):
+        if not moves(d, actor):
+            ensure_mover(d, f, actor, near[0])
+        return
+    for other in new:
+        ensure_mover(d, f, actor, other)
+        add_event(d, NodeEvent.MISS, (actor, other), f, None)
+
+
+def _way_told(d: Discourse, actor: str, near: list[str]) -> bool:
+    """ "Rolls between two cones and touches neither": its way by them is a statement already."""
+    for c in d.scene.clauses:
+        ways = [p.mention for p in c.frame.phrases if p.prep in _WAYS and p.mention is not None]
+        if actor in c.movers and any({*near} & {*m.entities} for m in ways):
+            return True
+    return False
+
+
+_WAYS = frozenset({"between", "among", "amid", "through"})
+_TOLD = frozenset({NodeEvent.MISS, NodeEvent.COLLISION})
+
+
+def _met(d: Discourse, f: Frame, who: list[str], others: list[str]) -> list[str]:
+    """What is told not to be touched."""
+    denied, m = f.verb.extra.get("denied", ""), f.object
+    if not denied or (others and denied != "nothing"):
+        into = [i for p in f.phrases if p.prep in ("into", "against") and p.mention
+                for i in p.mention.entities]  # fmt: skip
+        return [i for i in dict.fromkeys(others or into) if aimable(d, i)]
+    hosts = {d.scene.supported_by.get(i, "") for i in who} | {
+        d.scene.inside_of.get(i, "") for i in who
+    }
+    throwers = {i for i, thrown in d.refs.launched_by.items() if {*thrown} & {*who}}
+    named = [i for i in d.world.entities if i not in {*who, *hosts, *throwers} and aimable(d, i)]
+    if m is not None and denied == "no":
+        return [i for i in named if same_kind(m, entity_of(d, i))]
+    return named if denied == "nothing" else []
