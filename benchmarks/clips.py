@@ -146,9 +146,8 @@ def codecs(folders: Sequence[Path], spec: RenderSpec, seconds: float) -> dict[st
         sight = sight_of_folder(folder, spec, seconds)
         (shot, *_) = shots(sight)
         for channel in channels:
-            frames = np.concatenate(
-                [CODED[channel](VALUES[channel](shot, n, v))[0] for n, v in shot.drawn()]
-            )
+            values = (value for n, v in shot.drawn() for value in VALUES[channel](shot, n, v))
+            frames = np.stack([CODED[channel](value)[0] for value in values])
             total[channel] += (*_ffv1(channel, frames, spec), *_png(frames), len(frames))
     names = ("ffv1_kb", "ffv1_encode_ms", "ffv1_decode_ms", "png_kb", "png_encode_ms")
     return {
@@ -162,7 +161,8 @@ def _ffv1(channel: str, frames: Any, spec: RenderSpec) -> tuple[float, float, fl
         path = Path(place) / "x.mkv"
         start = time.process_time()
         file = ChannelFile(path, codec_of(channel), spec.size, spec.fps)
-        file.add(frames)
+        for frame in frames:
+            file.add(frame)
         file.close()
         middle = time.process_time()
         assert np.array_equal(decoded(path), frames)

@@ -80,8 +80,12 @@ def cross(a: NDArray[np.float64], b: NDArray[np.float64]) -> NDArray[np.float64]
     """`numpy.cross` of vectors [..., 3], to the last bit: it handles axes longer than it works."""
     ax, ay, az = a[..., 0], a[..., 1], a[..., 2]
     bx, by, bz = b[..., 0], b[..., 1], b[..., 2]
-    parts = [ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx]
-    return np.array(parts) if a.ndim == b.ndim == 1 else np.stack(parts, axis=-1)
+    parts = (ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx)
+    if a.ndim == b.ndim == 1:
+        return np.array(parts)
+    out = np.empty((*parts[0].shape, 3))  # `numpy.stack` takes as long as the arithmetic
+    out[..., 0], out[..., 1], out[..., 2] = parts
+    return out
 
 
 def quat_rotated(q: Iterable[float], v: Iterable[float]) -> tuple[float, float, float]:

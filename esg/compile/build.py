@@ -14,7 +14,7 @@ from collections.abc import Iterable, Mapping, Sequence
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 import errno
-from functools import cache, partial
+from functools import cache, lru_cache, partial
 import hashlib
 import json
 import os
@@ -236,7 +236,7 @@ def compile_many(
         if isinstance(files, ClassError):
             results[key] = files
             continue
-        complaints = lint(files.header, files.source, files.name)
+        complaints = _linted(files.header, files.source, files.name)
         if complaints:
             results[key] = ClassError(f"{files.folder}/unreal/{files.name}", complaints)
         elif (found := _cached(key)) is not None:
@@ -251,6 +251,12 @@ def compile_many(
             for part in pool.map(partial(_compile_unit, cxx, include, limited), units):
                 results.update(part)
     return [results[key] for key in keys]
+
+
+@lru_cache(maxsize=4 * CLASSES_PER_UNIT)
+def _linted(header: str, source: str, stem: str) -> tuple[str, ...]:
+    """What lint says; a class is compiled with its batch and looked for again by its replay."""
+    return tuple(lint(header, source, stem))
 
 
 def _read(item: ClassFiles | str | Path) -> ClassFiles | ClassError:

@@ -252,12 +252,17 @@ class ArtifactStore:
 
 def _signature(home: Path) -> tuple[tuple[str, int, int], ...]:
     out: list[tuple[str, int, int]] = []
-    for folder, _, names in os.walk(home):
-        for name in names:
-            path = os.path.join(folder, name)
-            facts = os.stat(path)
-            relative = os.path.relpath(path, home).replace(os.sep, "/")
-            out.append((relative, facts.st_size, facts.st_mtime_ns))
+    folders = [(str(home), "")]
+    while folders:
+        folder, before = folders.pop()
+        with os.scandir(folder) as entries:
+            for entry in entries:
+                if entry.is_dir():
+                    if not entry.is_symlink():
+                        folders.append((entry.path, f"{before}{entry.name}/"))
+                else:
+                    facts = os.stat(entry.path)
+                    out.append((f"{before}{entry.name}", facts.st_size, facts.st_mtime_ns))
     return tuple(sorted(out))
 
 

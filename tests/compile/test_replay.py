@@ -14,6 +14,7 @@ from scenes import box
 
 from esg.compile import ReplayError, WatchedEvent, emit_class, replay_class
 from esg.compile.lint import lint
+from esg.engines.physx_engine import PhysxWorld
 from esg.engines.program import (
     AdjustProperties,
     GuideAlong,
@@ -162,6 +163,29 @@ def test_repeats_are_identical(tmp_path: Path) -> None:
     one, two = replay_class(tmp_path), replay_class(tmp_path)
     assert np.array_equal(one.rollout.position, two.rollout.position)
     assert one.log == two.log and two.compile_seconds == 0.0
+
+
+def test_what_is_left_out_was_heard_by_nobody(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Contacts with the ground that nobody asks for change neither log nor motion nor contacts."""
+    written(tmp_path, *CASES["street"])
+    left_out: list[list[int]] = []
+    usual = PhysxWorld.leave_out
+
+    def noted(world: PhysxWorld, bodies: list[int]) -> None:
+        left_out.append(bodies)
+        usual(world, bodies)
+
+    monkeypatch.setattr(PhysxWorld, "leave_out", noted)
+    one = replay_class(tmp_path)
+    monkeypatch.setattr(PhysxWorld, "leave_out", lambda *_: None)
+    two = replay_class(tmp_path)
+    assert len(left_out) == 1 and left_out[0] and one.log == two.log
+    for name in ("position", "quaternion", "linear_velocity", "angular_velocity"):
+        assert np.array_equal(getattr(one.rollout, name), getattr(two.rollout, name))
+    for name in ("a", "b", "time", "impulse", "depth", "point", "normal"):
+        assert np.array_equal(*(getattr(r.rollout.contacts, name) for r in (one, two)))
 
 
 def test_edited_class_changes_the_replay(tmp_path: Path) -> None:

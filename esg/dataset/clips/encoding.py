@@ -137,14 +137,13 @@ class ChannelFile:
         self._stream = stream
         self._open = True
 
-    def add(self, frames: Iterable[Pictures]) -> None:
-        """Encodes frames, each of shape [H, L] or [H, L, 3].
+    def add(self, frame: Pictures) -> None:
+        """Encodes a frame, shape [H, L] or [H, L, 3].
 
         Raises:
-            OSError: If the disk does not take them.
+            OSError: If the disk does not take it.
         """
-        for frame in frames:
-            self._container.mux(self._stream.encode(self._picture(frame)))
+        self._container.mux(self._stream.encode(self._picture(frame)))
 
     def _picture(self, frame: Pictures) -> Any:
         """A frame as the encoder takes it."""

@@ -67,10 +67,12 @@ class ClipWriter:
             OSError: If the disk does not take them.
         """
         for channel, given in values.items():
-            frames, scales = CODED[channel](given)
-            for name, found in zip(SCALES.get(channel, ()), scales, strict=True):
-                self.scales[name] += found
-            self._files[channel].add(frames)
+            names = SCALES.get(channel, ())
+            for value in given:  # one by one, while it is in the cache
+                picture, scales = CODED[channel](value)
+                for name, scale in zip(names, scales, strict=True):
+                    self.scales[name].append(scale)
+                self._files[channel].add(picture)
 
     def close(self) -> dict[str, Path]:
         """Writes what is left; returns the files by channel.
@@ -91,37 +93,35 @@ SCALES = {
 }
 """Columns with a number a frame that a channel is read with."""
 
-_Coded = tuple[Sequence[Pictures], tuple[list[np.float32], ...]]
+_Coded = tuple[Pictures, tuple[np.float32, ...]]
 
 
-def _plain(values: NDArray[Any]) -> _Coded:
-    return [*values], ()
+def _plain(value: NDArray[Any]) -> _Coded:
+    return value, ()
 
 
-def _ids(values: NDArray[Any]) -> _Coded:
-    return [*values.astype(np.uint16)], ()
+def _ids(value: NDArray[Any]) -> _Coded:
+    return value.astype(np.uint16), ()
 
 
-def _depth(values: NDArray[Any]) -> _Coded:
-    coded = [codes.depth_codes(v) for v in values]
-    return [c for c, _, _ in coded], ([o for _, o, _ in coded], [s for _, _, s in coded])
+def _depth(value: NDArray[Any]) -> _Coded:
+    found, offset, scale = codes.depth_codes(value)
+    return found, (offset, scale)
 
 
-def _flow(values: NDArray[Any]) -> _Coded:
-    coded = [codes.shift_codes(v) for v in values]
-    return [c for c, _ in coded], ([s for _, s in coded],)
+def _flow(value: NDArray[Any]) -> _Coded:
+    found, scale = codes.shift_codes(value)
+    return found, (scale,)
 
 
-def _normal(values: NDArray[Any]) -> _Coded:
-    return [codes.normal_codes(v) for v in values], ()
+def _normal(value: NDArray[Any]) -> _Coded:
+    return codes.normal_codes(value), ()
 
 
-def _places(values: NDArray[Any]) -> _Coded:
+def _places(value: NDArray[Any]) -> _Coded:
     # By colour: numpy reduces over so short an axis seven times as slowly.
-    known = [
-        np.isfinite(v[..., 0]) & np.isfinite(v[..., 1]) & np.isfinite(v[..., 2]) for v in values
-    ]
-    return [codes.place_codes(v, k) for v, k in zip(values, known, strict=True)], ()
+    x, y, z = (np.isfinite(value[..., k]) for k in range(3))
+    return codes.place_codes(value, x & y & z), ()
 
 
 CODED: dict[str, Callable[[NDArray[Any]], _Coded]] = {
@@ -133,7 +133,7 @@ CODED: dict[str, Callable[[NDArray[Any]], _Coded]] = {
     "normal": _normal,
     "object_coordinates": _places,
 }
-"""Frames as they are encoded, and the numbers they are read with, of the values of a channel."""
+"""A frame as it is encoded, and the numbers it is read with, of the values of a channel."""
 
 
 def clip_folder(scene_id: str, camera: int) -> str:
