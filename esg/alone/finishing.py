@@ -11,8 +11,8 @@ from esg.limits import StageTimeout, taken
 from esg.machine.answering import can_go_on
 from esg.pipeline import STAGES, SceneState, Unfinished
 from esg.scenefolder import Owed, complete, folder_name
+from esg.scenefolder.unfinished import give_up, settled
 from esg.strangers.scrubbing import scrub_all
-from esg.unfinished import give_up, settled
 from esg.workers import usable_cores
 
 PLACE = "finishing"

@@ -59,9 +59,9 @@ def folder_facts(folder: Path) -> dict[str, Any]:
 
     from esg.compile.replay import standing_in
     from esg.files import sha256_of
+    from esg.scenefolder.unfinished import settled
     from esg.strangers.folders import oddity
     from esg.strangers.sums import SUMS, differences
-    from esg.unfinished import settled
 
     wrong = oddity(folder) or settled(folder)
     found = None if wrong else differences(folder)

@@ -32,9 +32,9 @@ from esg.pipeline import (
     scratch_store,
 )
 from esg.scenefolder import Owed, publish, publish_unfinished
+from esg.scenefolder.unfinished import read, settled
 from esg.store.artifacts import artifact_key
 from esg.strangers.sums import FINISHING, SUMS, Differences, differences
-from esg.unfinished import read, settled
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="folders are followed in /proc")
 FILES = {
@@ -266,7 +266,7 @@ def test_the_folder_is_replaced_only_once_nobody_writes_into_it(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
 ) -> None:  # fmt: skip
     rest, owed = begun
-    monkeypatch.setattr("esg.unfinished.time.sleep", lambda _: done(rest, owed))
+    monkeypatch.setattr("esg.scenefolder.unfinished.time.sleep", lambda _: done(rest, owed))
     publish(run_stage("record", state), tmp_path / "out")
     assert "waiting for preview.mp4 and preview.png" in capsys.readouterr().err
     assert differences(owed.folder) == Differences()
