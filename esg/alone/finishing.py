@@ -60,4 +60,6 @@ def _reason(error: BaseException, folder: Path) -> str:
         return scrub_all(told.strerror or str(told))
     if isinstance(error, StageTimeout):
         return str(error)
+    if isinstance(error, KeyboardInterrupt):
+        return "the process that drew them was told to end"
     return scrub_all(f"{type(error).__name__}: {error}")

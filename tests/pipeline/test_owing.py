@@ -217,6 +217,20 @@ def test_a_picture_that_cannot_be_drawn_is_told_and_stores_nothing(
     assert not list((artifact_store().root / "tmp").iterdir())
 
 
+def test_a_process_that_is_told_to_end_says_so(
+    begun: tuple[Unfinished, Owed], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rest, owed = begun
+
+    def terminated() -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(rest, "_draw", terminated)
+    with pytest.raises(KeyboardInterrupt):
+        done(rest, owed)
+    assert "was told to end; run the command that made it again" in settled(owed.folder)
+
+
 def test_a_picture_that_takes_too_long_is_told(
     begun: tuple[Unfinished, Owed], monkeypatch: pytest.MonkeyPatch
 ) -> None:
