@@ -11,8 +11,8 @@ from esg.limits import StageTimeout, taken
 from esg.machine.answering import can_go_on
 from esg.pipeline import STAGES, SceneState, Unfinished
 from esg.scenefolder import Owed, complete, folder_name
+from esg.scenefolder.unfinished import give_up, settled
 from esg.strangers.scrubbing import scrub_all
-from esg.unfinished import give_up, settled
 from esg.workers import usable_cores
 
 PLACE = "finishing"
@@ -60,4 +60,6 @@ def _reason(error: BaseException, folder: Path) -> str:
         return scrub_all(told.strerror or str(told))
     if isinstance(error, StageTimeout):
         return str(error)
+    if isinstance(error, KeyboardInterrupt):
+        return "the process that drew them was told to end"
     return scrub_all(f"{type(error).__name__}: {error}")

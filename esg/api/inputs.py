@@ -203,8 +203,8 @@ def find_scene(scene: str, *, whole: bool = True) -> Path:
         UserError: If there is none, the id names several, or something in it may not be opened.
     """
     from esg.notices import warn
+    from esg.scenefolder.unfinished import settled
     from esg.strangers.folders import admitted
-    from esg.unfinished import settled
 
     found = admitted(_scene_at(scene))
     if whole:

@@ -59,15 +59,16 @@ def folder_facts(folder: Path) -> dict[str, Any]:
 
     from esg.compile.replay import standing_in
     from esg.files import sha256_of
+    from esg.scenefolder.unfinished import settled
     from esg.strangers.folders import oddity
     from esg.strangers.sums import SUMS, differences
-    from esg.unfinished import settled
 
-    wrong = oddity(folder) or settled(folder)
+    wrong = oddity(folder)
+    lacking = "" if wrong else settled(folder)
     found = None if wrong else differences(folder)
     standing, why = ("", "") if wrong else standing_in(folder)
     listed = found is not None
-    problem = wrong or ("" if found is None else found.problem)
+    problem = wrong or lacking or ("" if found is None else found.problem)
     return {
         "path": str(folder),
         "ok": not problem and standing != "foreign",

@@ -64,13 +64,8 @@ def generate(
     from esg.api.inputs import check_cache, check_device, check_seed, checked, clean_prompt
     from esg.commands.console import emit
     from esg.commands.drafting import from_answers, tell_waiting
-    from esg.commands.live import live
-    from esg.failures import report_failures
-    from esg.machine.answering import afterwards
-    from esg.outcomes import UserError
-    from esg.runs import exit_code, record_run
-    from esg.scenefolder import check_writable, publish, publish_unfinished
-    from esg.stages import PICTURES
+    from esg.runs import exit_code
+    from esg.scenefolder import check_writable
 
     prompt, _, device, seed, pictures, *_ = checked(
         lambda: clean_prompt(prompt),
@@ -85,9 +80,42 @@ def generate(
     if found is not None and found.waiting:
         return tell_waiting(found, json)
     arguments = ([prompt], seed, drafting.drafter, strategy, device, close_loop, collision, traffic)
+    waits = bool(wait) or pictures is not None or device != "cpu"
+    with from_answers(found):
+        state, folder, recorded, finishing = _made(arguments, out, waits=waits, strict=strict)
+    summary = summarize(state, folder, finishing)
+    if pictures is not None and summary["metrics"] is not None:
+        summary["render"] = _rendered(folder, pictures, device, seed)
+    if json:
+        emit(summary)
+    else:
+        print(describe(summary))
+    return exit_code([state], recorded, strict=strict)
+
+
+def _made(
+    arguments: tuple[Any, ...], out: Path, *, waits: bool, strict: bool
+) -> tuple[SceneState, Path, bool, tuple[str, ...]]:
+    """Makes a scene, writes its folder and records its run; pictures may be left for afterwards.
+
+    Args:
+        arguments: As of `generate_requests`.
+        out: Folder that receives the scene's.
+        waits: Whether nothing may be left.
+        strict: As of `generate`.
+
+    Returns:
+        The scene, its folder, whether the run is in the database, and the files that follow.
+    """
+    from esg.commands.live import live
+    from esg.failures import report_failures
+    from esg.outcomes import UserError
+    from esg.runs import record_run
+    from esg.scenefolder import publish, publish_unfinished
+    from esg.stages import PICTURES
+
     with contextlib.ExitStack() as held:
-        with from_answers(found), live(1) as bar:
-            waits = bool(wait) or pictures is not None or device != "cpu"
+        with live(1) as bar:
             state, rest = _state(arguments, None if waits else out, held)
             if state.user_error:
                 raise UserError(state.reason)
@@ -97,18 +125,13 @@ def generate(
             report_failures([state], [folder], out, adding=True, strict=strict)
             bar.show("ingesting")
             recorded = record_run([state], "generate") is not None
-        if rest is not None and owed is not None:
-            from esg.alone.finishing import finish
+        if rest is None or owed is None:
+            return state, folder, recorded, ()
+        from esg.alone.finishing import finish
+        from esg.machine.answering import afterwards
 
-            afterwards(partial(finish, rest, owed, held.pop_all()))
-    summary = summarize(state, folder, PICTURES if rest is not None else ())
-    if pictures is not None and summary["metrics"] is not None:
-        summary["render"] = _rendered(folder, pictures, device, seed)
-    if json:
-        emit(summary)
-    else:
-        print(describe(summary))
-    return exit_code([state], recorded, strict=strict)
+        afterwards(partial(finish, rest, owed, held.pop_all()))
+    return state, folder, recorded, PICTURES
 
 
 def _state(

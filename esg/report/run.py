@@ -12,6 +12,7 @@ from typing import Any
 from esg.fidelity import judged, lost_in, statement_rows
 from esg.outcomes import UserError
 from esg.scenefolder import is_scene_folder
+from esg.scenefolder.unfinished import all_settled
 from esg.scenereading import (
     collected,
     damaged,
@@ -23,7 +24,6 @@ from esg.scenereading import (
 )
 from esg.strangers.folders import file_in, lies_in, oddity
 from esg.strangers.sums import altered
-from esg.unfinished import all_settled
 
 RUN_FILE = "run.json"
 """The results document that a benchmark leaves beside its scene folders."""

@@ -13,7 +13,7 @@ from esg.strangers.folders import file_in
 
 SUMS = "SHA256SUMS"
 FINISHING = ".finishing"
-"""The mark of a folder that is still being written (esg.unfinished): no file of the scene."""
+"""The mark of a folder that lacks its pictures (esg.scenefolder.unfinished): no file of a scene."""
 _LINE = re.compile(r"([0-9a-f]{64})  (\S.*)")
 _MOST_BYTES = 4 * 2**20
 

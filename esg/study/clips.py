@@ -10,8 +10,8 @@ from pathlib import Path
 from esg.notices import warn
 from esg.outcomes import UserError
 from esg.scenefolder import is_scene_folder
+from esg.scenefolder.unfinished import all_settled
 from esg.strangers.folders import file_in
-from esg.unfinished import all_settled
 
 FILM = "preview.mp4"
 MOST_FILM_BYTES = 32 * 2**20

@@ -15,7 +15,7 @@ ESG = Path(__file__).resolve().parents[2] / "esg"
 NO_RESULT = (
     "files.py", "paths.py", "progress.py", "workers.py", "leftovers.py", "settings.py",
     "engines/newton/__init__.py", "engines/newton/setup.py",  # Other rooms let it quiet Warp.
-    "machine/beside.py", "machine/companion.py",  # Which process does it changes no bytes.
+    "machine/beside.py", "machine/companion.py", "machine/answering.py",  # Which process does it.
 )  # fmt: skip
 """How something is stored, shown or limited, which changes no result."""
 

@@ -32,9 +32,9 @@ from esg.pipeline import (
     scratch_store,
 )
 from esg.scenefolder import Owed, publish, publish_unfinished
+from esg.scenefolder.unfinished import read, settled
 from esg.store.artifacts import artifact_key
 from esg.strangers.sums import FINISHING, SUMS, Differences, differences
-from esg.unfinished import read, settled
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="folders are followed in /proc")
 FILES = {
@@ -217,6 +217,20 @@ def test_a_picture_that_cannot_be_drawn_is_told_and_stores_nothing(
     assert not list((artifact_store().root / "tmp").iterdir())
 
 
+def test_a_process_that_is_told_to_end_says_so(
+    begun: tuple[Unfinished, Owed], monkeypatch: pytest.MonkeyPatch
+) -> None:
+    rest, owed = begun
+
+    def terminated() -> None:
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(rest, "_draw", terminated)
+    with pytest.raises(KeyboardInterrupt):
+        done(rest, owed)
+    assert "was told to end; run the command that made it again" in settled(owed.folder)
+
+
 def test_a_picture_that_takes_too_long_is_told(
     begun: tuple[Unfinished, Owed], monkeypatch: pytest.MonkeyPatch
 ) -> None:
@@ -266,7 +280,7 @@ def test_the_folder_is_replaced_only_once_nobody_writes_into_it(
     monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str],
 ) -> None:  # fmt: skip
     rest, owed = begun
-    monkeypatch.setattr("esg.unfinished.time.sleep", lambda _: done(rest, owed))
+    monkeypatch.setattr("esg.scenefolder.unfinished.time.sleep", lambda _: done(rest, owed))
     publish(run_stage("record", state), tmp_path / "out")
     assert "waiting for preview.mp4 and preview.png" in capsys.readouterr().err
     assert differences(owed.folder) == Differences()

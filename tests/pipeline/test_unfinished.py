@@ -13,11 +13,11 @@ import time
 
 import pytest
 
-from esg import unfinished
 from esg.outcomes import UserError
 from esg.report.run import load_run
+from esg.scenefolder import unfinished
+from esg.scenefolder.unfinished import all_settled, announce, give_up, read, settled
 from esg.strangers.sums import FINISHING, SUMS, digests, seal
-from esg.unfinished import all_settled, announce, give_up, read, settled
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="processes are found in /proc")
 PICTURES = ("preview.mp4", "preview.png")

@@ -48,7 +48,7 @@ class Mark:
     @property
     def names(self) -> str:
         """Of the files, for people."""
-        return " and ".join(self.files)
+        return " and ".join(self.files)[:200]
 
 
 def announce(folder: Path, files: Sequence[str]) -> None:

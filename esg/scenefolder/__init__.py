@@ -26,9 +26,9 @@ from esg.files import (
 )
 from esg.outcomes import UserError
 from esg.pipeline import STAGES, SceneState, Unfinished
+from esg.scenefolder.unfinished import announce, settled
 from esg.stages import DOCUMENT, PICTURES, ROLLOUT
 from esg.strangers.sums import FINISHING, digests, seal, write_sums
-from esg.unfinished import announce, settled
 
 _DOCUMENT_STAGES = ("draft", "resolve", "cast", "layout", "optimize", "dress")
 LOG = "log.jsonl"
@@ -80,7 +80,7 @@ class Owed:
 
 
 def publish_unfinished(rest: Unfinished, out: Path) -> Owed:
-    """Writes the folder of a scene but for its pictures, with a mark (esg.unfinished).
+    """Writes the folder of a scene but for its pictures, with a mark (esg.scenefolder.unfinished).
 
     Args:
         rest: Of the scene's record.
