@@ -6,8 +6,10 @@ What lies flat cannot fall over. A board whose size the prompt states keeps its 
 from __future__ import annotations
 
 from esg.dynamics.story.story import Story
-from esg.graph.models import AssetConfiguration, EsgDocument, ProxyKind
+from esg.graph.models import AssetConfiguration, EdgeEvent, EsgDocument, NodeEvent, ProxyKind
 
+THIN, NARROW = 0.1, 0.4
+"""Height and width over length below which a thing of several parts is a stick that lies."""
 FLAT, SAME = 0.35, 0.05
 """Height over length below which a board lies, and what its length may differ."""
 
@@ -25,7 +27,8 @@ def fit_upright(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]
             continue
         config = doc.asset_configurations[node.asset_id]
         stated = doc.asset_requirement[node.asset_id].dimensions_are_prescribed
-        if not stated and is_board(config):
+        passed_over = is_stick(config) and _met_by_a_leaf(story, name)
+        if not stated and (is_board(config) or passed_over):
             out[node.asset_id] = _on_end(doc, node.asset_id, config)
     return out
 
@@ -35,6 +38,20 @@ def is_board(config: AssetConfiguration) -> bool:
     height = config.dimensions_cm[2]
     boxes = [p.kind is ProxyKind.BOX for p in config.proxies]
     return boxes == [True] and not config.is_wheeled and height < FLAT * max(config.dimensions_cm)
+
+
+def _met_by_a_leaf(story: Story, name: str) -> bool:
+    """Whether what a joint moves hits something: a door, which passes over what lies."""
+    driven = {a for a, ps in story.phases.items() if ps[0].edge.event is EdgeEvent.DRIVE}
+    hits = (n for n in story.nodes.values() if n.event is NodeEvent.COLLISION)
+    return any(name in n.participants and driven & {*n.participants} for n in hits)
+
+
+def is_stick(config: AssetConfiguration) -> bool:
+    """Whether something lies that is long and narrow: a broom, a rake."""
+    length, width, height = config.dimensions_cm
+    boxes = all(p.kind is ProxyKind.BOX for p in config.proxies)
+    return boxes and not config.is_wheeled and height < THIN * length and width < NARROW * length
 
 
 def _on_end(doc: EsgDocument, key: str, config: AssetConfiguration) -> AssetConfiguration:

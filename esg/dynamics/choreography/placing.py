@@ -47,13 +47,14 @@ def rolls_on(stage: Stage, node: TimelineNode, b: str) -> bool:
     return stage.prop(b).wheeled and hits_on(stage, node, b)
 
 
-def shuts(stage: Stage, node: TimelineNode, b: str) -> bool:
-    """Whether a leaf that stands open is pushed shut: from behind, as it opens backwards."""
+def shut_along(stage: Stage, node: TimelineNode, b: str) -> float | None:
+    """Which way a leaf goes that this event pushes shut, from its yaw [rad]; None for all else."""
+    name = stage.member(b)
     closes = any(
-        n.event is NodeEvent.CLOSE and stage.member(b) in n.participants
-        for n in stage.story.after(node.id)
+        n.event is NodeEvent.CLOSE and name in n.participants for n in stage.story.after(node.id)
     )
-    return closes and leaf_of(stage.doc, stage.member(b)) is not None
+    leaf = leaf_of(stage.doc, name) if closes else None
+    return None if leaf is None else leaf.arm - math.copysign(0.5 * math.pi, leaf.here * leaf.sense)
 
 
 def asked_distance(stage: Stage, node: TimelineNode, a: str) -> float | None:
@@ -190,8 +191,11 @@ def yaw_met(
     """
     if turn is not None:
         return heading + turn
-    if sets_off or rolls_on(stage, node, b) or shuts(stage, node, b):
+    if sets_off or rolls_on(stage, node, b):
         return heading
+    shut = shut_along(stage, node, b)
+    if shut is not None:
+        return heading - shut
     return target_yaw(stage.prop(b), heading, stage.rng, stage.prop(a))
 
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from esg.dynamics.choreography import choreography_of
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.plan.guides import times_of, ways
-from esg.dynamics.plan.programs import Composer, Values
+from esg.dynamics.plan.programs import Composer, Values, supports
 from esg.dynamics.plan.variables import Declarations, Variable
 from esg.dynamics.story.story import Story
 from esg.engines.program import Primitive, Program
@@ -105,12 +105,14 @@ def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: b
 
 
 def _seated(doc: EsgDocument, scene: SimScene, driven: dict[str, Start]) -> dict[str, Start]:
-    """Start poses of those who are joined to what is re-aimed, or drawn along by it: a rider turns
-    with his bicycle, a wheel with its wagon.
+    """Start poses of those who are joined to what is re-aimed, drawn along by it, or lie on it: a
+    rider turns with his bicycle, a wheel with its wagon, a load with its cart.
     """
     out: dict[str, Start] = {}
     pairs = [(j.parent, j.child) for j in scene.joints if not j.flexible]
     pairs += [(a, node) for a in driven for node in towed_by(doc, a)]
+    loose = [n for n, x in doc.spatial_relation_graph.nodes.items() if not x.is_structural]
+    pairs += [(a, n) for n in loose if n in scene.names for a in supports(doc, n)]
     for parent, child in pairs:
         if parent not in driven or child in driven:
             continue

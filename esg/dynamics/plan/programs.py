@@ -117,7 +117,7 @@ class _Leg:
     duration: float
 
 
-def _supports(doc: EsgDocument, name: str) -> list[str]:
+def supports(doc: EsgDocument, name: str) -> list[str]:
     """What a node lies on, and what that lies on."""
     out: list[str] = []
     below = support_of(doc, name)
@@ -161,17 +161,19 @@ class Composer:
 
     @cached_property
     def _riders(self) -> dict[str, tuple[str, ...]]:
-        """What lies on an actor or is joined to it and has no part of its own, or is drawn along by
+        """What lies on an actor or is joined to it and does not act itself, or is drawn along by
         it: it is under way with it.
         """
         nodes = self.doc.spatial_relation_graph.nodes
-        told = {p for n in self.story.nodes.values() for p in n.participants}
-        free = [n for n, x in nodes.items() if n not in told and not x.is_structural]
+        free = [n for n, x in nodes.items() if n not in self.story.phases and not x.is_structural]
         free = [n for n in free if n in self.scene.names and not self.scene.body(n).static]
         on = {j.child: j.parent for j in self.scene.joints if not j.flexible}
         out: dict[str, tuple[str, ...]] = {}
         for a in self.story.phases:
-            with_it = [n for n in free if a in _supports(self.doc, n) or on.get(n) == a]
+            shared = [n.participants for n in self.story.nodes.values() if a in n.participants]
+            met = {p for names in shared for p in names}
+            with_it = [n for n in free if n not in met]
+            with_it = [n for n in with_it if a in supports(self.doc, n) or on.get(n) == a]
             with_it += [n for n in towed_by(self.doc, a) if n in self.scene.names]
             out[a] = tuple(dict.fromkeys(with_it))
         return out

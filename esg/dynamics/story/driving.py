@@ -20,6 +20,8 @@ OPENS_RAD = math.radians(75.0)
 OPENS_M = 0.3
 SURELY = 1.4
 """Of what is asked, an opening that states no position goes so many times as far."""
+GOES_ON_RAD = math.radians(30.0)
+"""So much further goes what has been opened before and then meets something."""
 UPRIGHT = 0.95
 """Least share along the vertical of an axis about which something sweeps over the ground."""
 
@@ -83,9 +85,14 @@ def goal_of(reach: Reach, phase: Phase, here: float, following: Phase | None = N
     if not reach.hinge:
         asked = OPEN_SHARE * abs(far)
     goes_on = following is not None and following.edge.event is EdgeEvent.DRIVE
-    goes_on = goes_on and following is not None and following.end.event is NodeEvent.COLLISION
-    way = min(SURELY * asked if goes_on else max(usual, SURELY * asked), abs(far))
-    return math.copysign(way, far)
+    if goes_on and following is not None and following.end.event is NodeEvent.COLLISION:
+        # short of its end, if that leaves what it is to meet some way
+        way = min(SURELY * asked, 0.5 * (asked + abs(far)))
+    else:
+        way = max(usual, SURELY * asked)
+    if ends_in is NodeEvent.COLLISION:
+        way = max(way, abs(here) + (GOES_ON_RAD if reach.hinge else 0.0))
+    return math.copysign(min(way, abs(far)), far)
 
 
 def leaf_of(doc: EsgDocument, name: str) -> Leaf | None:

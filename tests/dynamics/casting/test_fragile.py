@@ -50,3 +50,11 @@ def test_a_melon_gets_to_its_wall_whole_and_breaks_there() -> None:
     sine = slope.steepness / (1.0 + slope.steepness**2) ** 0.5
     assert SURELY_BREAKS * bears < speed
     assert speed * sine < 1.1 * NOT_YET * bears
+
+
+def test_a_broom_that_a_door_knocks_over_stands_and_one_that_a_ball_hits_lies() -> None:
+    heights = [
+        prop(cast(prompt), "broom_1").height
+        for prompt in ("A door swings open and knocks a broom over.", "A ball hits a broom.")
+    ]
+    assert heights[0] > 1.0 > 10.0 * heights[1]

@@ -55,3 +55,24 @@ def test_a_leaf_turns_on_at_one_rate_through_what_it_opens_and_what_it_meets() -
     first, second = (nominal[f"door_1_moved{n}/duration"] for n in ("", "_2"))
     opened, on = math.radians(42.0), math.radians(75.0 - 42.0)
     assert opened / first == pytest.approx(on / second, rel=1e-3)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "mover", "front"),
+    [
+        ("A tricycle pushes the open bathroom door shut.", "tricycle_1", False),
+        ("A beach ball rolls into the open door of a cupboard and swings it shut.", "beach_ball_1",
+         True),
+    ],
+)  # fmt: skip
+def test_a_leaf_is_pushed_shut_from_the_side_to_which_it_opens(
+    prompt: str, mover: str, front: bool
+) -> None:
+    doc = cast(prompt)
+    places = {p.node: p for c in choreograph(doc).hints.constellations for p in c.placements}
+    door, comes = places["door_1"], places[mover]
+    yaw = math.radians(door.yaw_deg or 0.0)
+    x, y = comes.x_cm - door.x_cm, comes.y_cm - door.y_cm
+    ahead = x * math.cos(yaw) + y * math.sin(yaw)
+    assert (ahead > 0.0) is front
+    assert abs(ahead) > 0.9 * math.hypot(x, y)

@@ -150,3 +150,16 @@ def test_who_is_fixed_to_what_is_re_aimed_starts_where_it_does() -> None:
     (at, turned), (there, facing) = moved["truck_1"], moved["crate_1"]
     np.testing.assert_allclose(quat_rotate(quat_inverse(turned), there - at), was, atol=1e-9)
     np.testing.assert_allclose(yaw_from_quat(facing), yaw_from_quat(turned), atol=1e-9)
+
+
+def test_a_load_is_re_aimed_with_what_carries_it() -> None:
+    doc = lay_out(driving({"crate_1": "truck_1", "cup_1": "crate_1"}))
+    plan = make_plan(doc, build_scene(doc), seed=0)
+    names, usual = [v.name for v in plan.variables], plan.initial()
+    aside = usual.copy()
+    aside[names.index("truck_1/lateral")] += 0.1
+    before, after = plan.starts(usual), plan.starts(aside)
+    way = after["truck_1"][0] - before["truck_1"][0]
+    assert np.linalg.norm(way) == pytest.approx(0.1)
+    for load in ("crate_1", "cup_1"):
+        np.testing.assert_allclose(after[load][0] - before[load][0], way, atol=1e-9)
