@@ -141,3 +141,42 @@ def test_the_light_that_changes_is_a_traffic_light() -> None:
     """Draw no second robot for it."""
     nodes = draft("A robot waits for the light to change.").spatial_relation_graph.nodes
     assert {n for n, x in nodes.items() if x.mentioned} == {"robot_1", "traffic_light_1"}
+
+
+def test_the_ship_that_has_a_deck_is_not_on_it() -> None:
+    """Put no ship onto its own deck, and own up to what the deck is of."""
+    doc = draft("A barrel rolls off the deck of a boat.")
+    graph = doc.spatial_relation_graph
+    region = graph.nodes["boat_1"].semantic_region or ""
+    assert graph.semantic_regions[region].parent_object == "ground_1"
+    assert "of a boat" in _lost(doc)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "words"),
+    [
+        ("A clerk loses his balance and falls over.", "loses his balance"),
+        ("A paper boat floats along a trench until it gets stuck on a stone.", "gets stuck"),
+        ("A man looks angry and walks to a table.", "looks angry"),
+    ],
+)
+def test_what_passes_without_a_trace_is_owned_up_to(prompt: str, words: str) -> None:
+    """Say that nothing stands for it."""
+    assert words in _lost(draft(prompt))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "who"),
+    [
+        ("A nurse lets go of a curling stone. It glides past a bench.", "curling_stone_1"),
+        ("A child lets go of a balloon and it rises to the ceiling.", "balloon_1"),
+        ("Two carts are released and roll toward each other.", "cart_1"),
+    ],
+)
+def test_what_is_let_go_and_goes_its_way_does_not_fall(prompt: str, who: str) -> None:
+    """Tell no fall of what glides, rises or rolls once it is free."""
+    doc = draft(prompt)
+    assert doc.timeline_system is not None
+    nodes = doc.timeline_system.sequence_graph.nodes
+    assert who in {p for n in nodes for p in n.participants}
+    assert "Fall" not in {n.event.value for n in nodes}
