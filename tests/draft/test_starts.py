@@ -22,6 +22,7 @@ def _under(doc: EsgDocument, node: str) -> str:
         ("The wind blows a scarf off a girl's neck.", "scarf_1", "girl_1"),
         ("A gust blows the sombrero off a boy's head.", "sombrero_1", "boy_1"),
         ("A princess is thrown off her horse.", "princess_1", "horse_1"),
+        ("A camel throws its rider over a wall.", "rider_1", "camel_1"),
         ("A helicopter takes off from the roof of a hotel.", "helicopter_1", "hotel_1"),
         ("A brush lies on the top rung of a ladder.", "brush_1", "ladder_1"),
         ("A tin stands on the third step of a ladder and falls off.", "tin_1", "ladder_1"),

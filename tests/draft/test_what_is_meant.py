@@ -158,6 +158,7 @@ def test_the_ship_that_has_a_deck_is_not_on_it() -> None:
         ("A clerk loses his balance and falls over.", "loses his balance"),
         ("A paper boat floats along a trench until it gets stuck on a stone.", "gets stuck"),
         ("A man looks angry and walks to a table.", "looks angry"),
+        ("A horse refuses the first fence and stops.", "refuses"),
     ],
 )
 def test_what_passes_without_a_trace_is_owned_up_to(prompt: str, words: str) -> None:

@@ -24,6 +24,8 @@ from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
 _NO_PICTURE = lex.word_set("no picture (statements)")
+_PICTURED = frozenset({"refuse"})
+"""Verbs without a picture that have one with an object."""
 _MANNERS = frozenset({"gently", "carefully", "slowly", "softly", "quickly", "then", "suddenly"})
 _NOT_TOLD = frozenset({"gerund", "no event of its own"})
 """Reasons for which a verb is no statement of the prompt."""
@@ -257,6 +259,11 @@ def dropped(d: Discourse, f: Frame) -> str:
     why = d.scene.ignored.get(span)
     if why is None or span in d.scene.used or f.unreal or f.times or why in _NOT_TOLD:
         return ""
-    if f.verb.negated or f.verb.lemma in _NO_PICTURE or f.verb.auxiliary == f.verb.lemma:
+    pictured = f.verb.lemma in _PICTURED and f.object is not None  # "refuses the jump"
+    if (
+        f.verb.negated
+        or (f.verb.lemma in _NO_PICTURE and not pictured)
+        or f.verb.auxiliary == f.verb.lemma
+    ):
         return ""
     return NOTHING_MOVES if why == "no physical meaning" else why
