@@ -20,12 +20,12 @@ def owned(prompt: str) -> list[str]:
     [
         "In the evening a car drives along the street and hits a barrel.",
         "A car drives at night and hits a barrel.",
-        "At sunset a boy kicks a ball.",
+        "At sunset a boy throws a ball.",
         "On a sunny day a dog runs across a lawn.",
         "A dog runs across the street in the golden hour.",
         "A ball rolls through a shop at noon.",
         "A dog runs through the snow.",
-        "A boy kicks a ball in a park.",
+        "A boy throws a ball in a park.",
     ],
 )
 def test_what_the_place_and_its_sky_show_is_represented(prompt: str) -> None:

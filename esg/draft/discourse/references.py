@@ -125,7 +125,10 @@ def _of_the_title(d: Discourse, f: Frame, m: Mention, avoid: list[str]) -> list[
     before = max((g.verb.end for g in d.told if g.verb.end <= m.start), default=0)
     named = [x for x in d.mentions if before <= x.start < m.start and not x.attribute]
     things = [[i for i in d.world.resolved.get(id(x), []) if movable(d, i)] for x in named]
-    return next((ids for ids in things if ids and not {*ids} & {*avoid}), [])
+    for ids in things:
+        if ids and not {*ids} & {*avoid}:
+            return ids
+    return []
 
 
 def _subject(d: Discourse, f: Frame, phrases: list[Mention]) -> list[str]:

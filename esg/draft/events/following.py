@@ -14,10 +14,11 @@ from esg.draft.discourse.antecedents import STATES
 from esg.draft.discourse.core import kind_of
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import SELF_POWERED
+from esg.draft.discourse.scene import LIMBED
 from esg.draft.discourse.timeline import START
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.courses import measurable
+from esg.draft.events.motions import flies_itself
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineEdge
 
@@ -91,8 +92,8 @@ def borne(d: Discourse, actor: str) -> bool:
 
 
 def inert(d: Discourse, actor: str) -> bool:
-    """Whether a thing does not move by itself."""
-    return kind_of(d, actor) not in SELF_POWERED
+    """Whether a thing has no body that acts, and does not fly: a vehicle that falls is one."""
+    return kind_of(d, actor) not in LIMBED and not flies_itself(d, actor)
 
 
 def before(d: Discourse, f: Frame) -> Iterator[Frame]:
@@ -145,4 +146,4 @@ def _would_run(d: Discourse, clause: Clause, actor: str) -> bool:
     leads_to = d.timeline.node(first.to)
     met = leads_to is not None and measurable(leads_to.event)
     same = any(_same_doer(clause.frame, g) for g in before(d, clause.frame))
-    return same or not met or inert(d, actor)
+    return same or not met or first.event is EdgeEvent.TOWARD

@@ -574,8 +574,9 @@ def _one_by_one(d: Discourse, f: Frame) -> set[str]:
             continue
         counted = (m.subset or m.count) == len(m.entities) and not m.vague and not m.single
         told = m is f.object and counted
-        some = not m.head and m.count == len(m.entities)  # "and two of them fall off"
         apart = all(entity_of(d, i).pattern != "stack" for i in m.entities)
+        chained = any(entity_of(d, i).pattern in ("row", "pins", "rack") for i in m.entities)
+        some = not m.head and m.count == len(m.entities) and not chained  # "two of them fall"
         felled = told and apart and f.verb.sense in ("knock", "topple")  # "mows down two cones"
         if {"both", "each"} & {m.determiner, m.pronoun} or felled or some:
             out |= set(m.entities)

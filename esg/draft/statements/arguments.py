@@ -101,13 +101,17 @@ def some_of(a: Account) -> Iterator[Gap]:
             )
             if m is None or told < 2 or _a_pair(d, m):
                 continue
-            ids = [i for i in nodes_of(d, m) if entity_of(d, i).pattern not in _AS_ONE]
+            chains = _AS_ONE if id(m) in met else {"row"}
+            ids = [i for i in nodes_of(d, m) if entity_of(d, i).pattern not in chains]
             stand_by = tuple(i for i in ids if i not in acting)
             if not 0 < len(ids) - len(stand_by) < min(told, len(ids)):
                 continue
-            if id(m) in met:  # the words of the things themselves may say something else
-                start = start_of(met[id(m)], d.text)
-                yield Gap(start, start + len(met[id(m)].prep), SOME, stand_by)
+            prep = met[id(m)].prep if id(m) in met else ""
+            start = start_of(met[id(m)], d.text) if prep else 0
+            if prep and d.text.lower().startswith(prep, start):
+                yield Gap(start, start + len(prep), SOME, stand_by)
+            elif prep:
+                yield Gap(m.start, m.end, SOME, stand_by)
             else:
                 yield Gap(f.verb.start, f.verb.end, SOME, stand_by)
 

@@ -25,6 +25,8 @@ from esg.graph.models import EdgeEvent, Predicate
 
 UNKEPT = "the order is not kept: nothing that is measured ends what comes first"
 ALONE = "it moves by itself: nothing is passed on to it"
+_NO_CAUSES = frozenset({"fall", "topple", "drop", "miss"})
+"""Senses of what happens to one thing and brings about no fall of another."""
 _THEN = re.compile(rf"\b(?:{'|'.join(sorted(THEN))})\b|{AFTER_THAT}", re.IGNORECASE)
 
 
@@ -86,9 +88,16 @@ def _by_itself(d: Discourse, clause: Clause, mover: str) -> bool:
     sloped = below in d.world.entities and "incline" in entity_of(d, below).noun.traits
     if sloped or not inert(d, mover) or f.subject is None or not steps_on(f):
         return False
+    falls = f.verb.sense in ("fall", "topple")
     known = bool(f.subject.pronoun or f.subject.possessor or f.subject.determiner in KNOWN)
     others = (g for g in before(d, f) if g.sentence == f.sentence or _named(d, mover, f))
-    return known and any(mover not in _ids_of(g.subject) for g in others)
+    if any(mover in _ids_of(g.object) for g in before(d, f)):
+        return False  # "lets go of a stone. It glides on"
+    acts_of_others = [g for g in others if mover not in _ids_of(g.subject)]
+    if not known and falls:  # "brakes hard, and a suitcase falls off the rack"
+        causes = [g for g in acts_of_others if g.verb.sense not in _NO_CAUSES]
+        return any(g.sentence == f.sentence for g in causes)
+    return known and bool(acts_of_others)
 
 
 def _let(f: Frame) -> bool:

@@ -547,8 +547,17 @@ def _goal(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     own = any(e.to and e.actor == mover for e in d.timeline.edges)
     if own and not any(c.to in targets for n in d.timeline.nodes for c in n.constraints):
         when = "throughout" if targets[0] in also else "end"
+        if when == "end" and _goes_elsewhere(d, clause, mover):
+            return
         book.add(s.row.states, s.start, s.end, object=(mover,), target=tuple(targets), when=when)
         _starts_there(book, mover, targets[0], s.row.states)
+
+
+def _goes_elsewhere(d: Discourse, clause: Clause, mover: str) -> bool:
+    """ "Rolls under a truck and ends up in the gutter": it does not end under it."""
+    at = next(k for k, c in enumerate(d.scene.clauses) if c is clause)
+    later = [c for c in d.scene.clauses[at + 1 :] if mover in c.movers]
+    return any(c.frame.verb is not clause.frame.verb and c.frame.phrases for c in later)
 
 
 def _starts_there(book: _Book, mover: str, other: str, says: Predicate) -> None:
@@ -580,7 +589,8 @@ def _driver(book: _Book, clause: Clause, s: Said, mover: str) -> None:
 def _direction(book: _Book, clause: Clause, s: Said, mover: str, where: str) -> None:
     d, direction = book.d, s.row.direction
     over = s.phrase is not None and s.phrase.prep == "over"
-    if over and not (mover in d.moves.flying or flies_itself(d, mover)):
+    grounded = clause.frame.verb.sense in ("slide", "roll") and kind_of(d, mover) == "animal"
+    if over and (grounded or not (mover in d.moves.flying or flies_itself(d, mover))):
         return
     if s.phrase is not None and direction in ("up", "down"):
         _slope(book, s, mover, where)

@@ -24,6 +24,8 @@ from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import EdgeEvent, NodeEvent
 
 _NO_PICTURE = lex.word_set("no picture (statements)")
+_PICTURED = frozenset({"refuse"})
+"""Verbs without a picture that have one with an object."""
 _MANNERS = frozenset({"gently", "carefully", "slowly", "softly", "quickly", "then", "suddenly"})
 _NOT_TOLD = frozenset({"gerund", "no event of its own"})
 """Reasons for which a verb is no statement of the prompt."""
@@ -74,6 +76,8 @@ def missing(d: Discourse, clause: Clause) -> str:
         if row.names(f) and _applies(d, row.voice, clause):
             return row.missing
     note = d.scene.used.get((f.verb.start, f.verb.end), "")
+    if note == "let go" and f.verb.passive:
+        return ""  # "is released and rolls"
     again = any(n.id == note for n in d.timeline.nodes)
     told = clause.told or again or bool(clause.movers)
     if told and not clause.movers and not again and _moves_nothing(d, f):
@@ -203,6 +207,16 @@ def _alone(d: Discourse, clause: Clause) -> bool:
     return acts and joined and first and f.subject.determiner == "the" and not met
 
 
+def _run_into(d: Discourse, clause: Clause) -> bool:
+    """ "A door swings open and hits a vase": drawn as the vase that goes for the door."""
+    at, doers = clause.frame.verb.start, {*_doers(clause.frame)}
+    ids = {n for g, n in d.times.of_frame if g.verb.start == at}
+    met = (n for n in d.timeline.nodes if n.id in ids and n.event is NodeEvent.COLLISION)
+    on_joint = any(row_of(d, i) is not None for i in doers)
+    acts = on_joint and not clause.frame.verb.passive
+    return acts and any({*n.participants[1:]} & doers for n in met)
+
+
 _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "loose": lambda d, c: bool(c.movers) and _loose(d, c),
     "bumped": lambda d, c: c.frame.verb.form == "ing" and _bumped(d, c.frame),
@@ -211,6 +225,7 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "shoved": _shoved,
     "flung": _flung,
     "far": _far,
+    "swung": _run_into,
     "limbed": lambda d, c: any(
         kind_of(d, i) in LIMBED for i in _doers(c.frame) if i in d.world.entities
     ),
@@ -251,6 +266,11 @@ def dropped(d: Discourse, f: Frame) -> str:
     why = d.scene.ignored.get(span)
     if why is None or span in d.scene.used or f.unreal or f.times or why in _NOT_TOLD:
         return ""
-    if f.verb.negated or f.verb.lemma in _NO_PICTURE or f.verb.auxiliary == f.verb.lemma:
+    pictured = f.verb.lemma in _PICTURED and f.object is not None  # "refuses the jump"
+    if (
+        f.verb.negated
+        or (f.verb.lemma in _NO_PICTURE and not pictured)
+        or f.verb.auxiliary == f.verb.lemma
+    ):
         return ""
     return NOTHING_MOVES if why == "no physical meaning" else why

@@ -66,6 +66,8 @@ def read_drop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     wheeled = bool(dropped) and kind_of(d, dropped[0]) in ("cart", "vehicle")
     if f.verb.lemma == "let" and wheeled and not _held_up(d, dropped[0]):
         motion(d, f, dropped, None)  # "lets go of a cart"
+    elif _goes_its_way(d, f, dropped):
+        mark_used(d, f, "let go")
     elif quantity_of(d, f, "speed") is not None and f.verb.lemma == "release":
         motion_of_things(d, f, dropped, natural(d, dropped[0]) if dropped else "roll")
     else:
@@ -86,6 +88,20 @@ def _lets_nothing_go(d: Discourse, f: Frame, s: list[str]) -> bool:
     else:
         return False
     return True
+
+
+def _goes_its_way(d: Discourse, f: Frame, dropped: list[str]) -> bool:
+    """ "Lets go of a curling stone, and it glides on", "of a balloon, which rises": no fall."""
+    placed = any(
+        p.prep in ("from", "at", "above", "over", "on", "onto", "in", "into") for p in f.phrases
+    )
+    if f.verb.lemma not in ("let", "release") or not dropped or placed:
+        return False
+    if any(_held_up(d, i) or i in d.timeline.tracks for i in dropped):
+        return False
+    later = [g for g in d.told if g.verb.start > f.verb.start and g.subject is not None]
+    its = [g for g in later if g.subject is not None and {*g.subject.entities} & {*dropped}]
+    return bool(its) and its[0].verb.sense in ("slide", "roll", "own", "fly")
 
 
 def _held_up(d: Discourse, body: str) -> bool:

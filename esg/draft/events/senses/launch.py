@@ -43,6 +43,7 @@ _THROWN = lex.word_set("thrown")
 _GUNS = lex.word_set("guns")
 _SHOTS = lex.word_set("shots")
 _PLAYTHING_CM = 30.0
+_MOUNTED = frozenset({"rider", "jockey"})
 
 
 @sense("launch")
@@ -195,6 +196,10 @@ def launch_by(d: Discourse, f: Frame, agents: list[str], sent: list[str]) -> Non
 
 def stand_by(d: Discourse, agents: list[str], sent: list[str]) -> None:
     """Who sets a thing off without a hit stands beside it, and looks at it."""
+    mounts = [a for a in agents if kind_of(d, a) == "animal"]
+    if mounts and all(entity_of(d, i).head in _MOUNTED for i in sent):
+        place(d, sent, mounts[:1], "on")  # "a horse throws its rider"
+        return
     place(d, agents, sent, "near")
     look_at(d, agents, sent)
 

@@ -40,6 +40,7 @@ _STILL = re.compile(
     re.IGNORECASE,
 )
 _PATIENT = frozenset({"wait", "pause", "queue", "idle"})
+_HAS_A_DECK = frozenset({"watercraft", "vehicle", "building"})
 _PATTERN_VERBS = {
     "stack": "stack",
     "pile": "stack",
@@ -84,6 +85,8 @@ def _beside_others(d: Discourse, owners: list[str], p: Phrase, m: Mention) -> No
     others = m.entities or ids_of(d, m, avoid=owners)
     loose = [o for o in others if o not in d.scene.supported_by and o not in owners]
     if p.prep == "of":
+        # "the deck of a ship": that has it, and does not stand on it
+        loose = [o for o in loose if kind_of(d, o) not in _HAS_A_DECK]
         if owners and holds(d, owners[0]):  # "a cart of laundry"
             place(d, [o for o in loose if movable(d, o)], owners[:1], "in")
         elif owners and ("support" in traits_of(d, owners[0]) or kind_of(d, owners[0]) == "cart"):

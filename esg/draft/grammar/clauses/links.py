@@ -60,7 +60,7 @@ def what_falls(c: Clauses, previous: Frame | None, v: Verb, last: Mention | None
     if previous is None or last is None or v.sense not in _LEAVING or v.passive:
         return last
     at = next((p for p in previous.phrases if p.mention is last), None)
-    if at is None or at.prep not in _PLACES:
+    if at is None or at.prep not in _PLACES or (at.prep == "against" and not previous.reduced):
         return last
     if previous.reduced:
         there = previous.subject
