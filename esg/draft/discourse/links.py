@@ -55,7 +55,7 @@ def can_tow(d: Discourse, f: Frame, doers: list[str], drawn: list[str]) -> bool:
 
 
 def _goes_on_alone(d: Discourse, f: Frame, drawn: list[str]) -> bool:
-    """ "Pulls a sled up a hill and lets it go": what is drawn does more, which a line would keep."""
+    """ "Pulls a sled up a hill and lets it go": it does more, which a line would keep from it."""
     later = (g for g in d.told if g.verb.start > f.verb.start)
     named = (m for g in later for m in (g.subject, g.object) if m is not None)
     return any({*m.entities} & {*drawn} for m in named)

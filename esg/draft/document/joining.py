@@ -65,7 +65,8 @@ def join_parts(scene: Scene) -> list[str]:
     for e in list(scene.world.entities.values()):
         row = articulation_of(scene, scene.text, e)
         fixed = e.id in scene.attached and e.id not in acting  # nothing happens to it
-        if row is None or e.whole or fixed or f"{e.id}/inside" in entered:
+        filled = f"{e.id}/inside" in entered and not _told_of_joint(scene, e)
+        if row is None or e.whole or fixed or filled:
             continue
         if row.start and row.carries == "becomes" and not _told_of_joint(scene, e):
             continue

@@ -59,6 +59,8 @@ _SWINGING = {
 }
 
 
+UNMET = "touched by nothing that is named"
+"""Note of a verb that tells what is not touched on the way."""
 SENT_UP = "launched by the seesaw"
 """Note of a verb that tells what a seesaw launches."""
 

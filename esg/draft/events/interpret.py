@@ -41,6 +41,7 @@ from esg.draft.events.denials import touches_none
 from esg.draft.events.following import follow_on
 from esg.draft.events.hanging import (
     SWAYING,
+    UNMET,
     hanging,
     named_parts,
     sense_on_joint,
@@ -57,6 +58,7 @@ from esg.draft.events.told import (
     constrain,
     ignore,
     last_event,
+    last_of,
     mates_of,
     moves,
     recent,
@@ -86,6 +88,7 @@ _HANDLED = {
     **dict.fromkeys((("own", v) for v in lex.word_set("jumps")), "jump"),
     ("carry", "lower"): "put",
     ("noop", "take"): "pick",
+    ("noop", "remove"): "pick",
 }
 """Verbs of states and motions that may tell of a hand, or of a leap, by sense and lemma."""
 _NAMED_EVENTS = {
@@ -219,6 +222,7 @@ def _is_goal(f: Frame, p: Phrase) -> bool:
 def _tells_of_hands(f: Frame) -> bool:
     """Whether a clause tells where something is put: not where it is at first."""
     put = f.verb.sense == "park" or _HANDLED.get((f.verb.sense, f.verb.lemma)) == "put"
+    put = put or f.verb.lemma in ("move", "shift")  # "move the cup to the left of the plate"
     return put and not f.verb.passive and not f.reduced and f.object is not None
 
 
@@ -372,6 +376,9 @@ def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
         return True
     if negated and sense == "hit" and touches_none(d, f, parts.subject, parts.objects):
         return True
+    if negated and sense == "hit" and f.verb.form == "ing" and _handled(d, parts.subject):
+        mark_used(d, f, UNMET)  # "places it on a plate without touching the cup"
+        return True
     if negated and sense in ("hit", "enter"):
         f.verb.sense = "miss"
     elif negated and sense not in ("be", "posture", "miss"):
@@ -381,6 +388,12 @@ def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
             d.moves.still.update((i, f.verb.start) for i in parts.subject)
         return True
     return False
+
+
+def _handled(d: Discourse, subject: list[str]) -> bool:
+    """Whether hands have moved what a clause is about to where it is now."""
+    last = last_of(d, subject[0]) if subject else None
+    return last is not None and last.event in (NodeEvent.PLACED, NodeEvent.PICKED_UP)
 
 
 def _thrown_instead(d: Discourse, f: Frame, parts: Parts) -> bool:

@@ -111,8 +111,8 @@ def phrases(a: Account) -> Iterator[Gap]:
         asked.setdefault(id(p.mention), (p, None, set()))[2].update(nodes_of(a.d, m))
     for p, f, about in asked.values():
         m = p.mention
-        if m is None or p.amount is not None or m.amounts or p.prep in _WHY:
-            continue
+        if m is None or p.amount is not None or m.amounts or p.prep in _WHY or m.count == 0:
+            continue  # "with no other cars": none is drawn
         others = {*nodes_of(a.d, m)}
         if m.pronoun and "other" in m.adjectives and about and about <= others:
             yield Gap(max(start_of(p, a.d.text), 0), m.end, "there are no others in the scene")
@@ -274,7 +274,7 @@ def _answered_by_ground(a: Account, about: set[str], others: set[str], p: Phrase
 
 
 def _shows_an_end(a: Account, about: set[str], others: set[str]) -> bool:
-    """ "Stands on the edge and falls off", "lands on one end of a seesaw": what follows shows it."""
+    """ "Stands on the edge and falls off", "lands on one end of a seesaw": what follows shows."""
     comes_down = any(_takes_part(a, n, about) for n in (NodeEvent.FALL, NodeEvent.TOPPLE))
     jolted = any({j.child, j.parent} & others for j in a.d.scene.joints)
     return comes_down or (jolted and _takes_part(a, NodeEvent.COLLISION, others))

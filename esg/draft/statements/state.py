@@ -23,7 +23,7 @@ from esg.draft.events.courses import (
     oncoming,
     queues_behind,
 )
-from esg.draft.events.hanging import SENT_UP, row_of
+from esg.draft.events.hanging import SENT_UP, UNMET, row_of
 from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.events.stated import adverbs_of, place_of, start_of
 from esg.draft.events.told import things
@@ -135,6 +135,7 @@ def state(
     _upright(book, frames)
     _borne(book, frames)
     _unmet(book, frames)
+    _unmanned(book, elements)
     _comes_on(book)
     _sent_up(book, frames)
     _untouched(book)
@@ -224,6 +225,7 @@ def _unmet(book: _Book, frames: list[Frame]) -> None:
     """ "Stops just before hitting a child", "puts it down without touching the cup"."""
     for f in frames:
         spared = f.verb.sense == "stop" and "before" in f.verb.extra and not f.unreal
+        spared = spared or book.d.scene.used.get(_span(f)) == UNMET
         who = [i for i in _ids(f.subject) if i in book.d.world.entities] if spared else []
         others = tuple(i for i in _ids(f.object) if i in book.d.world.entities and i not in who)
         if who and others and not _met(book.d, who[0], [*others]):
@@ -252,6 +254,14 @@ def _since_the_jolt(d: Discourse, body: str) -> str:
     hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
     jolt = next((n.id for n in hits if board in n.participants), "")
     return jolt and f"{jolt}..end"
+
+
+def _unmanned(book: _Book, elements: list[Element]) -> None:
+    """ "A cart with nobody in it": no person is drawn, unless another is told of."""
+    people = any(e.noun.kind == "person" for e in book.d.world.entities.values())
+    for e in elements if not people else ():
+        if getattr(e, "low", "") == "unmanned":
+            book.add(Predicate.ABSENT, e.start, e.end, noun="person")
 
 
 def _comes_on(book: _Book) -> None:

@@ -20,7 +20,7 @@ from esg.draft.statements.account import NOTHING, PASSED_OVER, Account, Gap, nod
 from esg.draft.statements.adverbs import adverbs
 from esg.draft.statements.arguments import arguments, idle, left_behind, some_of
 from esg.draft.statements.phrases import adrift, phrases
-from esg.draft.text.elements import ONE_OF_THESE
+from esg.draft.text.elements import ONE_OF_THESE, Mention
 from esg.draft.verbphrases import verb_readings
 from esg.graph.models import NodeEvent, Predicate
 
@@ -43,6 +43,8 @@ def _qualities(a: Account) -> Iterator[Gap]:
     moving = {e.actor for e in a.d.timeline.edges}
     for m in a.d.mentions:
         ids = nodes_of(a.d, m)
+        if ids and structural(a.d, ids[0]):
+            yield from _aslant_ground(a, m, ids)
         if not ids or structural(a.d, ids[0]):
             continue
         if ONE_OF_THESE in m.adjectives and not _in_order(a.d, ids[0]):
@@ -58,6 +60,13 @@ def _qualities(a: Account) -> Iterator[Gap]:
             aslant = t.low in ASLANT and "incline" not in noun.traits
             if t.low in _QUALITIES or (going and t.low not in noun.name and not shown) or aslant:
                 yield Gap(t.start, t.end, NOTHING, tuple(ids))
+
+
+def _aslant_ground(a: Account, m: Mention, ids: list[str]) -> Iterator[Gap]:
+    """ "Rolls down a sloped parking lot": all grounds but ramps are level."""
+    for t in a.tokens:
+        if m.start <= t.start < m.end and t.low in ASLANT and t.low in m.adjectives:
+            yield Gap(t.start, t.end, NOTHING, tuple(ids))
 
 
 def _comparisons(a: Account) -> Iterator[Gap]:

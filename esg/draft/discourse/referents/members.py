@@ -11,6 +11,12 @@ from esg.draft.discourse.referents.registry import create, new_id, rename
 from esg.draft.text.elements import Mention
 
 _OPPOSITE = {"front": "rear", "rear": "front"}
+_AS_TOLD = {
+    ("size", 1.0): ("large",), ("size", -1.0): ("small",), ("mass", 1.0): ("heavy",),
+    ("mass", -1.0): ("light",), ("height", 1.0): ("tall",), ("height", -1.0): ("short",),
+    ("length", 1.0): ("long",),
+}  # fmt: skip
+"""Adjectives by which one of two alike things is what a comparative says of it."""
 _NAMED = 7
 """Most members of a row that go by their number."""
 _LEVELS = frozenset({"top", "bottom"})
@@ -90,7 +96,7 @@ def ranked(world: World, m: Mention, things: list[Entity], avoid: list[str]) -> 
         told = [e for e in things if word in e.adjectives]
         free = [e for e in things if e.id not in avoid and not lex.RANKS.keys() & {*e.adjectives}]
         best = (told or free or things)[0]
-        best.adjectives += [] if told else [word]
+        best.adjectives += [] if told else [word, *_AS_TOLD.get(lex.RANKS[word], ())]
     return [best.id] if best is not None else []
 
 

@@ -14,7 +14,7 @@ from esg.draft.discourse.core import (
     movable,
     structural,
 )
-from esg.draft.discourse.links import can_tow, tow
+from esg.draft.discourse.links import can_tow, is_link, tow
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import add_entity
@@ -151,6 +151,7 @@ def _go_with(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """Goes where the clause says, and takes what it draws there."""
     into = f.phrase("into", "against", "over")
     ways = [p for p in f.phrases if p.prep not in ("into", "against", "off", "from")]
+    ways = [p for p in ways if not any(is_link(d.scene, i) for i in things(p))]
     motion(d, replace(f, phrases=ways), s, None)
     met = [i for i in things(into) if i not in s + o][:1]
     if into is not None and into.prep != "over" and met:

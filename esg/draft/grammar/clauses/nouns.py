@@ -292,8 +292,8 @@ def _of_the_noun(c: Clauses, s: State, f: Frame, phrase: Phrase, m: Mention, i: 
             return False
         return True
     follows = isinstance(element_at(c.elements, i - 2), Mention)
-    if phrase.prep not in _OF_NOUNS or not follows:
-        return False
+    if phrase.prep not in _OF_NOUNS or not follows or noun.pronoun in ("it", "them"):
+        return False  # "pulls a wagon with a bear in it along a road"
     if f.object is not noun and not s.last_after_prep:
         return False
     c.attachments.append((noun, phrase))
