@@ -83,6 +83,7 @@ def left_behind(a: Account) -> Iterator[Gap]:
 def idle(a: Account) -> Iterator[Gap]:
     """Clauses that tell of several things and move only some of them."""
     moving = {e.actor for e in a.d.timeline.edges}
+    moving |= {i for s in a.kept if s.predicate is Predicate.MOVES for i in s.object}
     for c in a.d.scene.clauses:
         f = c.frame
         if not any(f.verb is kept.verb for kept in a.frames) or f.verb.passive:
