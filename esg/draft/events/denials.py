@@ -73,7 +73,9 @@ def _met(d: Discourse, f: Frame, who: list[str], others: list[str]) -> list[str]
         into = [i for p in f.phrases if p.prep in ("into", "against") and p.mention
                 for i in p.mention.entities]  # fmt: skip
         return [i for i in dict.fromkeys(others or into) if aimable(d, i)]
-    hosts = {d.scene.supported_by.get(i, "") for i in who} | {d.scene.inside_of.get(i, "") for i in who}
+    hosts = {d.scene.supported_by.get(i, "") for i in who} | {
+        d.scene.inside_of.get(i, "") for i in who
+    }
     throwers = {i for i, thrown in d.refs.launched_by.items() if {*thrown} & {*who}}
     named = [i for i in d.world.entities if i not in {*who, *hosts, *throwers} and aimable(d, i)]
     if m is not None and denied == "no":

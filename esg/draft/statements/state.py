@@ -62,7 +62,9 @@ _ON_THE_WAY = ("along", "across", "through")
 _ON_NO_WHEELS = frozenset({"baby", "boy", "child", "girl", "kid", "man", "toddler", "woman"})
 """Persons of whom "rolls" says that they turn over and over, which a skateboarder does not."""
 _STAYING = frozenset({"stay", "remain", "keep"})
-_ON_END = re.compile(r"\s+(?:still\s+)?(?:upright|standing|on (?:its|their|his|her) feet)\b", re.IGNORECASE)
+_ON_END = re.compile(
+    r"\s+(?:still\s+)?(?:upright|standing|on (?:its|their|his|her) feet)\b", re.IGNORECASE
+)
 UNANSWERED = "a question: nothing of it is drafted"
 _CORNERED = ("box", "compound")
 """Shapes that do not roll, whatever a text says."""
@@ -175,7 +177,11 @@ def _upright(book: _Book, frames: list[Frame]) -> None:
         acted = f.object is not None and not f.verb.passive
         who = _ids(f.object if acted else f.subject) if denied else []
         if f.verb.sense == "fall" or (acted and f.verb.sense == "knock" and not _over(f)):
-            who = [] if f.phrases or "off" in f.adverbs else [i for i in who if _upright_thing(book.d, i)]
+            who = (
+                []
+                if f.phrases or "off" in f.adverbs
+                else [i for i in who if _upright_thing(book.d, i)]
+            )
         stand = tuple(i for i in who if i in book.d.world.entities)
         stays = f.verb.lemma in _STAYING and _ON_END.match(book.d.text, f.verb.end)
         if stays and not f.unreal and not f.verb.negated:

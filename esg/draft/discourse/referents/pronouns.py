@@ -6,7 +6,14 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.attributes import other_of_two, told_by
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.matching import CONTRASTS, unlike
-from esg.draft.discourse.referents.members import at_place, name_by, next_of, one_more, place_word, ranked
+from esg.draft.discourse.referents.members import (
+    at_place,
+    name_by,
+    next_of,
+    one_more,
+    place_word,
+    ranked,
+)
 from esg.draft.discourse.referents.ranks import same_quantity
 from esg.draft.discourse.referents.record import World, last_group, named_alone
 from esg.draft.discourse.referents.registry import add_entity

@@ -211,7 +211,9 @@ def _part_acts(c: Chunks, i: int, j: int, m: Mention) -> bool:
 def _bare_acts(c: Chunks, i: int, j: int, m: Mention) -> bool:
     """ "and ego stops behind it": who does it and the verb, no stops of a kind."""
     before = c.elements[-1] if c.elements else None
-    begins = before is None or (isinstance(before, Word) and before.kind in ("punct", "conj", "sub"))
+    begins = before is None or (
+        isinstance(before, Word) and before.kind in ("punct", "conj", "sub")
+    )
     bare = not m.determiner and m.count is None and len(m.adjectives) == 1 and j == i + 1
     named = bare and low_at(c, i - 1) not in _OWNS and not known_adjective(m.adjectives[0])
     after = low_at(c, j + 1)
