@@ -25,6 +25,8 @@ _TURNS = frozenset(
 )
 _BACK_AND_FORTH = frozenset({"back", "forth", "fro"})
 HALF_TURN_DEG = 180.0
+_COUNTED = frozenset({NodeEvent.BOUNCE, NodeEvent.JUMP, NodeEvent.SPIN, NodeEvent.SWING})
+"""Events that happen as often as is said."""
 ONCE = "it happens once"
 NO_MANNER = "manner is not simulated"
 
@@ -32,7 +34,7 @@ NO_MANNER = "manner is not simulated"
 def adverbs(a: Account) -> Iterator[Gap]:
     """Adverbs that neither order events nor state anything."""
     turned = turns(a.d)
-    yield from _times(a, any(f.verb.sense == "bounce" for f in a.frames))
+    yield from _times(a, any(n.event in _COUNTED for n in a.d.timeline.nodes))
     rebounds = {w for f in a.frames if f.verb.sense == "bounce" for w in f.adverbs}
     for w in a.elements:
         if not isinstance(w, Word) or w.kind != "adv" or (w.start, w.end) in a.d.scene.used:
@@ -71,12 +73,12 @@ def _of_several(a: Account, w: Word) -> bool:
     return subject and bool(groups) and not alike & acting <= named
 
 
-def _times(a: Account, rebounds: bool) -> Iterator[Gap]:
+def _times(a: Account, counted: bool) -> Iterator[Gap]:
     """ "Butts a gate four times": it does so once."""
     for m in a.d.mentions:
         again = m.attribute and m.head == "time" and (m.count or 0) > 1
         figure = re.match(r"\s+(?:as|the)\s", a.d.text[m.end :])
-        if again and not rebounds and not figure:
+        if again and not counted and not figure:
             yield Gap(m.start, m.end, ONCE)
 
 
