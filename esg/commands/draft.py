@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from pathlib import Path
 from typing import TYPE_CHECKING, Annotated
 
@@ -53,6 +54,35 @@ def draft(
         return _tell(run(text, seed=seed, drafter=drafting.drafter), json)
 
 
+_ANY_WAY = 0.5
+"""Confidence of the heading of what nothing is told of."""
+_SIDES = {"+X": "left", "-X": "right", "+Y": "to the front", "-Y": "to the back"}
+
+
+def _at_the_start(doc: EsgDocument) -> Iterator[str]:
+    """What things rest on, how large they are where words say so, and where they head."""
+    from esg.draft.lexicon import RANKS, SIZES, STRETCHES, WEIGHTS
+
+    graph = doc.spatial_relation_graph
+    sized = {*RANKS, *SIZES, *STRETCHES, *WEIGHTS}
+    for name, node in graph.nodes.items():
+        region = graph.semantic_regions.get(node.semantic_region or "")
+        host = graph.nodes[region.parent_object] if region is not None else None
+        if region is not None and host is not None and not host.is_structural:
+            inside = "in" if region.region_type.value.startswith("STORAGE") else "on"
+            yield f"support:   {name} {inside} {region.parent_object}"
+        asset = doc.asset_requirement[node.asset_id]
+        said = {*asset.asset_description.split(":")[0].lower().split()} & sized
+        stated = asset.dimensions_are_prescribed or asset.mass_is_prescribed
+        if said or stated or node.size_is_stated:
+            size = " x ".join(f"{x:g}" for x in asset.expected_dimensions_cm)
+            yield f"size:      {name} {size} cm, {asset.expected_mass_kg:g} kg"
+    for edge in graph.edges.binary_relations:
+        if edge.relation_type.value == "face" and edge.confidence > _ANY_WAY:
+            way = _SIDES[edge.cardinal] if edge.cardinal else f"to {edge.to}"
+            yield f"heading:   {edge.from_} {way}"
+
+
 def _tell(doc: EsgDocument, json: bool) -> int:
     """Prints a draft; returns the exit code."""
     from esg.commands.console import emit, table
@@ -80,8 +110,10 @@ def _tell(doc: EsgDocument, json: bool) -> int:
     graph = doc.spatial_relation_graph
     print(f"scene {doc.scene_definition.scene_id}")
     print("objects:   " + ", ".join(graph.nodes))
+    print("".join(f"{line}\n" for line in _at_the_start(doc)), end="")
     for edge in graph.edges.binary_relations:
-        print(f"relation:  {edge.from_} {edge.relation_type.value} {edge.to}")
+        if edge.relation_type.value != "face":
+            print(f"relation:  {edge.from_} {edge.relation_type.value} {edge.to}")
     timeline = doc.timeline_system
     for node in timeline.sequence_graph.nodes if timeline else ():
         when = f"at {node.timestamp} s" if node.timestamp is not None else f"in {node.window} s"

@@ -82,6 +82,7 @@ def _answered(asked: list[Frame], told: list[Frame]) -> bool:
         return False
     alike = {f.verb.sense for f in asked if f.verb.sense not in ("be", "noop", "unknown")}
     does = {f.verb.sense for f in told}
+    does |= {"hit" for f in told if f.phrase("into", "against")}  # "slides into a ball"
     answers = {sense for group in _ANSWERS if alike & group for sense in group}
     return acts <= {f.verb.lemma for f in told} or bool((alike | answers) & does)
 

@@ -26,12 +26,16 @@ _TURNS = frozenset(
 _BACK_AND_FORTH = frozenset({"back", "forth", "fro"})
 HALF_TURN_DEG = 180.0
 NO_EDGE = "all that moves stays in the picture"
+_COUNTED = frozenset({NodeEvent.BOUNCE, NodeEvent.JUMP, NodeEvent.SPIN, NodeEvent.SWING})
+"""Events that happen as often as is said."""
+ONCE = "it happens once"
 NO_MANNER = "manner is not simulated"
 
 
 def adverbs(a: Account) -> Iterator[Gap]:
     """Adverbs that neither order events nor state anything."""
     turned = turns(a.d)
+    yield from _times(a, any(n.event in _COUNTED for n in a.d.timeline.nodes))
     rebounds = {w for f in a.frames if f.verb.sense == "bounce" for w in f.adverbs}
     for w in a.elements:
         if isinstance(w, Word) and w.low == "out of view":
@@ -66,8 +70,20 @@ def _of_several(a: Account, w: Word) -> bool:
     """ "Only one comes out": nothing sees to it that the others of a plural do not."""
     m = next((m for m in a.d.mentions if m.start == w.end + 1), None)
     subject = m is not None and any(f.subject is m for f in a.frames)
-    members = (entity_of(a.d, i).group for i in nodes_of(a.d, m))
-    return subject and any(group is not None for group in members)
+    named = {*nodes_of(a.d, m)}
+    groups = {entity_of(a.d, i).group for i in named} - {None}
+    acting = {e.actor for e in a.d.timeline.edges}
+    alike = {i for g in groups for i in a.d.world.groups.get(g or "", [])}
+    return subject and bool(groups) and not alike & acting <= named
+
+
+def _times(a: Account, counted: bool) -> Iterator[Gap]:
+    """ "Butts a gate four times": it does so once."""
+    for m in a.d.mentions:
+        again = m.attribute and m.head == "time" and (m.count or 0) > 1
+        figure = re.match(r"\s+(?:as|the)\s", a.d.text[m.end :])
+        if again and not counted and not figure:
+            yield Gap(m.start, m.end, ONCE)
 
 
 def _says_how(a: Account, w: Word) -> bool:

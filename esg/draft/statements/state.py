@@ -68,6 +68,10 @@ _ON_THE_WAY = ("along", "across", "through")
 """Directions that roads, fields and floors have, too."""
 _ON_NO_WHEELS = frozenset({"baby", "boy", "child", "girl", "kid", "man", "toddler", "woman"})
 """Persons of whom "rolls" says that they turn over and over, which a skateboarder does not."""
+_STAYING = frozenset({"stay", "remain", "keep"})
+_ON_END = re.compile(
+    r"\s+(?:still\s+)?(?:upright|standing|on (?:its|their|his|her) feet)\b", re.IGNORECASE
+)
 UNANSWERED = "a question: nothing of it is drafted"
 _CORNERED = ("box", "compound")
 """Shapes that do not roll, whatever a text says."""
@@ -193,6 +197,9 @@ def _upright(book: _Book, frames: list[Frame]) -> None:
                 else [i for i in who if _upright_thing(book.d, i)]
             )
         stand = tuple(i for i in who if i in book.d.world.entities)
+        stays = f.verb.lemma in _STAYING and _ON_END.match(book.d.text, f.verb.end)
+        if stays and not f.unreal and not f.verb.negated:
+            stand = tuple(i for i in _ids(f.subject) if i in book.d.world.entities)
         if stand and not fallen & {*stand}:
             book.add(Predicate.STAYS_UPRIGHT, *_span(f), object=stand)
 

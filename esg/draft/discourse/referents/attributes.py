@@ -6,7 +6,6 @@ from collections.abc import Iterator
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
-from esg.draft.discourse.referents.matching import unlike
 from esg.draft.discourse.referents.ranks import extreme
 from esg.draft.discourse.referents.record import World
 from esg.draft.text.elements import Mention
@@ -91,13 +90,20 @@ def _having(world: World, word: str, things: list[Entity]) -> list[Entity]:
         return round_ if word in _ROUND else [e for e in things if e.noun.shape == "box"]
     if word not in _ENDS or len(things) < 2:
         return []
-    fit = [e for e in things if not unlike(e, word)]
+    fit = [e for e in things if not _opposite(e, _ENDS[word])]
     end = extreme(_ENDS[word], things, world.facts)
     if end is None and len(fit) == len(things) and all(e.group for e in things):
         free = [e for e in things if not _ENDS.keys() & {*e.adjectives}]
         end = (free or things)[0]  # "Two boxes ... the small one": only this tells them apart
         end.adjectives.append(word)
     return [end] if end is not None and end in fit else []
+
+
+def _opposite(e: Entity, end: str) -> bool:
+    """Whether a thing is said to be at the other end: small, where the bigger one is asked for."""
+    quantity, sign = lex.RANKS[end]
+    told = [lex.RANKS[_ENDS[a]] for a in e.adjectives if a in _ENDS]
+    return any(q == quantity and s != sign for q, s in told)
 
 
 def _words_of(e: Entity) -> set[str]:

@@ -19,6 +19,7 @@ _AS_TOLD = {
 """Adjectives by which one of two alike things is what a comparative says of it."""
 _NAMED = 7
 """Most members of a row that go by their number."""
+_ARRIVING = lex.word_set("arriving")
 _LEVELS = frozenset({"top", "bottom"})
 
 
@@ -133,8 +134,8 @@ def picked(world: World, m: Mention, ids: list[str]) -> list[str]:
 
 def member_of(world: World, m: Mention, avoid: list[str]) -> list[str]:
     """ "two blue balls ... hits a blue ball": an indefinite that picks a member of a plural."""
-    if OTHER & {*m.adjectives}:
-        return []
+    if OTHER & {*m.adjectives} or _ARRIVING & {*m.adjectives}:
+        return []  # "two parked vans; a passing van brakes": one more
     colors = {lex.COLORS[a] for a in m.adjectives if a in lex.COLORS}
     pool = [
         e.id

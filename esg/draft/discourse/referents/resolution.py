@@ -32,6 +32,7 @@ from esg.draft.text.elements import ONE_OF_THESE, Mention
 
 _STACKS = lex.word_set("stacks (resolution)")
 _OF_A_TRADE = lex.word_set("of a trade")
+_RESTING = lex.word_set("resting (underway)")
 _THE = ("the", "this", "that")
 _ONE = ("a", "an", "one", "any")
 _KNOWN = frozenset({*_THE, "these", "those", "its", "his", "her", "their"}) | frozenset(
@@ -109,6 +110,8 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
     if owner is not None and not owner.pronoun and owner.noun is not None and not _any(owner, m):
         resolve(world, owner)  # "the man's hat": the man is there too
     found = existing(world, m, avoid)
+    if subject and found and m.determiner in ("a", "an") and _all_rest(world, found):
+        found = []  # "two parked cars ... a car brakes": one more
     another = OTHER & {*m.adjectives} or owner is not None
     told = ONE_OF_THESE in m.adjectives
     if (
@@ -120,6 +123,11 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
         found = []  # "a curling stone hits the guard stone": not itself
     enrich(world, m, found)
     return found or counted_parts(world, m) or create(world, m)
+
+
+def _all_rest(world: World, ids: list[str]) -> bool:
+    """Whether things are called parked or waiting, which who comes and acts is not."""
+    return all(_RESTING & {*world.entities[i].adjectives} for i in ids)
 
 
 def _any(owner: Mention, m: Mention) -> bool:

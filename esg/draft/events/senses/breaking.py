@@ -90,7 +90,8 @@ def _hit_first(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 def _meets(d: Discourse, f: Frame, body: str) -> None:
     """What breaks by itself comes down, or meets what the clause names."""
     struck_before(d, f, body)
-    solid = [i for i in things(f.phrase(*_MET)) if i != body and not structural(d, i)]
+    left = d.scene.supported_by.get(body) if happened(d, NodeEvent.FALL, body) else None
+    solid = [i for i in things(f.phrase(*_MET)) if i not in (body, left) and not structural(d, i)]
     flat = any(structural(d, i) for i in things(f.phrase(*_MET)))
     going = not at_rest(d, body) or moves(d, body)
     if solid and (going or movable(d, body)):

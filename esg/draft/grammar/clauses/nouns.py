@@ -73,7 +73,7 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
     m.after_prep, s.prep = s.prep, ""
     if id(m) in c.told or _stated_beside(c, m, i):
         return
-    listed = _coordinated(c, s, i)
+    listed = _coordinated(c, s, i) and not _part_going(c, m, i)
     if not m.after_prep and (_property(c, s, m, listed) or _stated_of_it(c, s, m, i)):
         return
     new_clause = _begins_clause(c, s, m, i)
@@ -101,6 +101,14 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
     else:
         _object(s.frame, m)
         s.last, s.last_after_prep = m, False
+
+
+def _part_going(c: Clauses, m: Mention, i: int) -> bool:
+    """ "Shatters on the floor, its lid rolling away": no second floor."""
+    verb = element_at(c.elements, i + 1)
+    going = isinstance(verb, Verb) and verb.form == "ing" and not verb.auxiliary
+    comma = getattr(element_at(c.elements, i - 1), "low", "") == ","
+    return comma and going and m.attribute and bool(m.part)
 
 
 def _other_end(c: Clauses, s: State, m: Mention, i: int) -> bool:

@@ -66,6 +66,7 @@ _STACKS = ("stack", "pile", "tower", "heap")
 _OWN = ("his", "her", "its", "their")
 _HANDS = frozenset({"left", "left-hand", "right", "right-hand"})
 _DOING = frozenset({"do", "does", "did", "perform", "execute", "attempt"})
+_PAVED = lex.word_set("paved (nouns)")
 _NOT_ONE = frozenset({"light", "dark", "cold"})
 """Adjectives that are nouns, too: "the light" is no light one."""
 _NO_NOUNS = lex.ADVERBS | lex.PREPOSITIONS | lex.DETERMINERS | lex.SUBORDINATORS
@@ -499,6 +500,11 @@ def _one(c: Chunks, p: Place, m: Mention) -> Head | None:
     return Head(j)
 
 
+def _lies_on(c: Chunks) -> bool:
+    before = c.elements[-1] if c.elements else None
+    return isinstance(before, Word) and before.low in ("on", "onto", "across", "along", "over")
+
+
 def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
     """ "the other", "the second", "the black", "the last two", "the first of two barrels"."""
     if not m.adjectives or not (m.determiner or bare_color(c, p.first, p.at, m)):
@@ -523,6 +529,10 @@ def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
     acted_on = bool(c.elements) and isinstance(c.elements[-1], Verb) and m.determiner == "the"
     if last in _NOT_ONE and acted_on and len(m.adjectives) == 1:
         m.attribute, m.head = True, last  # "turns off the light": no light one
+        m.adjectives.clear()
+        return Head(p.at)
+    if last in _PAVED and _lies_on(c) and len(m.adjectives) == 1:
+        m.head, m.noun = last, lex.nouns()["ground"]  # "cracks on the concrete"
         m.adjectives.clear()
         return Head(p.at)
     m.pronoun = "ones" if m.count and m.count > 1 else "one"

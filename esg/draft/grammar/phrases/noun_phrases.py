@@ -200,8 +200,9 @@ def _goes_on(c: Chunks, j: int) -> bool:
     """Whether token j may follow a verb."""
     nxt = token_at(c, j)
     small = (lex.PREPOSITIONS | lex.ADVERBS | lex.DETERMINERS | lex.PRONOUNS) - {"of"}
-    ends = nxt is None or nxt.kind == "punct" or nxt.low.endswith("ly")
-    return ends or nxt.low in small | {"and", "but", "when"}
+    if nxt is None or nxt.kind == "punct" or nxt.low.endswith("ly"):
+        return True
+    return nxt.low in small | {"and", "but", "when"}
 
 
 def _part_acts(c: Chunks, i: int, j: int, m: Mention) -> bool:

@@ -173,6 +173,9 @@ PROPERTIES: dict[str, Callable[[Element], object]] = {
     "verbal": lambda e: isinstance(e, Word) and bool(verb_readings(e.low)),
     "incline": _incline,
     "garment": _garment,
+    "none": lambda e: (
+        isinstance(e, Mention) and e.text.lower().startswith(("none of", "neither of"))
+    ),
 }
 """What a test may name besides the fields of an element."""
 
