@@ -113,8 +113,6 @@ def phrases(a: Account) -> Iterator[Gap]:
         m = p.mention
         if m is None or p.amount is not None or m.amounts or p.prep in _WHY or m.count == 0:
             continue  # "with no other cars": none is drawn
-        if m is None or p.amount is not None or m.amounts or p.prep in _WHY:
-            continue
         if p.prep == "than" and any(0 <= m.start - b <= 1 for _, b in a.d.scene.compared):
             continue  # "is heavier than a ball": it is
         others = {*nodes_of(a.d, m)}
