@@ -25,7 +25,7 @@ _STILL = (0.0, 0.0, 0.0)
 
 
 def parts(
-    velocities: list[Sequence[float]],
+    velocities: Sequence[Sequence[float]],
     corners: Callable[[int], Corners],
     fixed: Sequence[Corners],
     dt: float,

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from dataclasses import fields, is_dataclass
+from dataclasses import fields
 from enum import Enum
 import hashlib
 from types import BuiltinFunctionType, CodeType, FunctionType, ModuleType
@@ -41,10 +41,12 @@ def key_of(make: Any) -> Key | None:
 def _tell(value: Any, codes: list[CodeType], told: list[str]) -> None:
     """Adds what tells a value from others: codes of functions, and texts of all else."""
     kind = type(value)
-    if isinstance(value, _PLAIN) and not isinstance(value, Enum):
+    if isinstance(value, Enum):
+        inside = [value.value]
+    elif isinstance(value, _PLAIN):
         told.append(f"{kind.__name__} {value!r}")
         return
-    if isinstance(value, FunctionType):
+    elif isinstance(value, FunctionType):
         codes.append(value.__code__)
         told.append(f"function {value.__module__}")
         cells = [cell.cell_contents for cell in value.__closure__ or ()]
@@ -56,15 +58,19 @@ def _tell(value: Any, codes: list[CodeType], told: list[str]) -> None:
         inside = [*value, getattr(value, "__dict__", None)]
     elif kind is dict:
         inside = [part for item in value.items() for part in item]
-    elif kind is np.ndarray and value.dtype != object:
+    elif isinstance(value, np.ndarray) and value.dtype != object:
         told.append(f"array {value.dtype} {value.shape} {value.tobytes().hex()}")
         return
-    elif isinstance(value, Enum):
-        inside = [value.value]
-    elif is_dataclass(value) and kind.__dataclass_params__.frozen:  # type: ignore[attr-defined]
-        inside = [getattr(value, field.name) for field in fields(value)]
+    elif _is_frozen(kind):
+        inside = [getattr(value, field.name) for field in fields(kind)]
     else:
         raise _Opaque
     told.append(f"{kind.__module__}.{kind.__qualname__} {len(inside)}")
     for part in inside:
         _tell(part, codes, told)
+
+
+def _is_frozen(kind: Any) -> bool:
+    """Whether a class is a dataclass whose values do not change."""
+    how: Any = vars(kind).get("__dataclass_params__")
+    return how is not None and bool(how.frozen)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 import numpy as np
 import pytest
 import trimesh
@@ -11,12 +13,17 @@ from trimesh.visual.material import PBRMaterial
 from esg.assets import build_mesh
 from esg.assets.geometry import finishing, shapes
 from esg.assets.geometry.bevels import bevelled
-from esg.assets.geometry.finishing import completed, finished, split_normals
+from esg.assets.geometry.finishing import Drawing, Surface, completed, split_normals
 from esg.assets.geometry.mesh import closed_mesh
 from esg.assets.library.catalogue import entries_by_name
 from esg.assets.stage import configure
 from esg.machine.recent import Recent
 from tests.assets.worlds import requirement
+
+
+def finished(mesh: Any, *tile: float, **how: Any) -> Surface:
+    """The surface of a part that draws this mesh."""
+    return finishing.finished(Drawing(lambda: mesh), *tile, **how)
 
 
 def unit_lengths(vectors: np.ndarray) -> np.ndarray:
