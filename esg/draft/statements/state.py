@@ -496,7 +496,8 @@ def _back(book: _Book, clause: Clause, s: Said, mover: str) -> None:
     """
     d, f, since = book.d, clause.frame, book.d.timeline.node(clause.since.get(mover, START))
     others = tuple(i for i in clause.movers if i != mover) if "apart" in s.row.words else ()
-    met = since.participants if since and since.event is NodeEvent.COLLISION else ()
+    struck_here = since is not None and since.event is NodeEvent.COLLISION
+    met = [*since.participants] if since is not None and struck_here else list[str]()
     if mover in met and (mover == met[0]) is ("out of view" not in s.row.words):
         others = tuple(i for i in met if i != mover)
     if others and not f.object and not f.verb.passive:
