@@ -19,6 +19,7 @@ from esg.draft.grammar.clauses.modality import mark_unreal
 from esg.draft.grammar.phrases.chunker import chunk
 from esg.draft.grammar.phrases.modifiers import join_modifiers
 from esg.draft.grammar.questions import ask
+from esg.draft.grammar.rewrites.denials import deny
 from esg.draft.grammar.rewrites.headings import headings
 from esg.draft.grammar.rewrites.inversions import straighten
 from esg.draft.grammar.rewrites.ones import name_ones
@@ -35,7 +36,7 @@ from esg.graph.models import EsgDocument
 _REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
     ("who tells it, and similes", partial(rewrite, reading="reports")),
     ("quantities and words that stand for a noun", partial(rewrite, reading="shares")),
-    ("contacts with none", partial(rewrite, reading="denials")),
+    ("contacts with none", deny),
     ("a second one", name_ones),
     ("the one in front", partial(rewrite, reading="places")),
     ("titles and headings", headings),
