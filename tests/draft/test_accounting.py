@@ -110,7 +110,7 @@ def test_what_is_not_understood_is_a_warning() -> None:
     ("prompt", "act"),
     [
         ("Startled by a train, a cow breaks through the fence.", "Startled"),
-        ("A ball rolls because somebody has removed the wedge.", "removed"),
+        ("A ball rolls because somebody has greased the wedge.", "greased"),
         ("A car drives past a man who is filming.", "filming"),
         ("A trolley hits an IV stand, and the IV stand tips over onto a bed.", "tips"),
     ],

@@ -102,7 +102,7 @@ def told(doc: EsgDocument) -> list[str]:
             "A rock breaks off the cliff and hits a car.",
             ["Fall rock_1", "Collision rock_1 car_1"],
         ),
-        ("The elevator doors shut on a suitcase.", ["Collision suitcase_1 door_1"]),
+        ("The elevator doors shut on a suitcase.", ["Collision door_1 suitcase_1"]),
         (
             "A man steps on a rake and falls.",
             ["Collision man_1 rake_1", "Topple man_1"],

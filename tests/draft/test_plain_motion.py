@@ -31,7 +31,7 @@ from tests.draft.told import events
             "A van rolls into a gate, which swings open and hits a bin.",
             [
                 ("Collision", "van_1", "gate_1"),
-                ("Collision", "bin_1", "gate_1"),
+                ("Collision", "gate_1", "bin_1"),
             ],
         ),
         # what a plural does backwards

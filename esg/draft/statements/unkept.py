@@ -207,16 +207,6 @@ def _alone(d: Discourse, clause: Clause) -> bool:
     return acts and joined and first and f.subject.determiner == "the" and not met
 
 
-def _run_into(d: Discourse, clause: Clause) -> bool:
-    """ "A door swings open and hits a vase": drawn as the vase that goes for the door."""
-    at, doers = clause.frame.verb.start, {*_doers(clause.frame)}
-    ids = {n for g, n in d.times.of_frame if g.verb.start == at}
-    met = (n for n in d.timeline.nodes if n.id in ids and n.event is NodeEvent.COLLISION)
-    on_joint = any(row_of(d, i) is not None for i in doers)
-    acts = on_joint and not clause.frame.verb.passive
-    return acts and any({*n.participants[1:]} & doers for n in met)
-
-
 _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "loose": lambda d, c: bool(c.movers) and _loose(d, c),
     "bumped": lambda d, c: c.frame.verb.form == "ing" and _bumped(d, c.frame),
@@ -225,7 +215,6 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "shoved": _shoved,
     "flung": _flung,
     "far": _far,
-    "swung": _run_into,
     "limbed": lambda d, c: any(
         kind_of(d, i) in LIMBED for i in _doers(c.frame) if i in d.world.entities
     ),
