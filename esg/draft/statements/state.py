@@ -47,7 +47,7 @@ from esg.graph.models import (
 GENTLE_CM_S = 150.0
 """What is put down "gently" is nowhere faster: hands that reach go at 0.5 to 1.5 m/s."""
 _STAND = "the stand of a seesaw is drawn for it"
-_STANDS = "it does not come the other way"
+_STANDS = "nothing sees to it that it comes the other way"
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
 _SIDE_WORDS = {
@@ -272,14 +272,9 @@ def _unmanned(book: _Book, elements: list[Element]) -> None:
 
 
 def _comes_on(book: _Book) -> None:
-    """ "An oncoming truck" goes toward who drives the other way."""
-    for start, end, who, other in oncoming(book.d):
-        turns = any(e.event is EdgeEvent.TURN for e in _of(book.d, other))
-        if any(_of(book.d, who)) and not turns:
-            book.add(Predicate.MOVES, start, end, object=(who,), target=(other,),
-                     direction="toward", when="start")  # fmt: skip
-        else:
-            book.add(Predicate.NOT_REPRESENTED, start, end, object=(who,), note=_STANDS)
+    """ "An oncoming truck": it drives, and nothing sees to it that it comes the other way."""
+    for start, end, who, _ in oncoming(book.d):
+        book.add(Predicate.NOT_REPRESENTED, start, end, object=(who,), note=_STANDS)
 
 
 def _untouched(book: _Book) -> None:
