@@ -39,6 +39,7 @@ SOURCES: dict[str, tuple[str, ...]] = {
         "engines/scene.py",
         "layout/problem",
         "assets",
+        "metrics/models.py",
         "metrics/plausibility",
     ),
     "layout": ("layout", "assets"),

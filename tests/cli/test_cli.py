@@ -129,6 +129,7 @@ def test_generate_says_what_it_did_not_understand() -> None:
         "not_kept": [],
         "stages": [],
         "cached_stages": 0,
+        "finishing": [],
     }
     assert "warning: not met: lamp_1 adjacent book_1" in describe(summary)
     assert 'warning: "zorple" is not in the lexicon' in describe(summary)
@@ -158,6 +159,7 @@ def test_words_that_are_not_shown_cannot_be_overlooked() -> None:
         "metrics": {"events": [event], "constraints": [], "slr": True, "dt_s": 1 / 240},
         "proof": "class", "coverage": {"warnings": [], "not_understood": []}, "stages": [],
         "relations_not_met": [], "cached_stages": 0, "statements": rows, "not_kept": LOST,
+        "finishing": [],
         "plausibility": {"plausible": False, "worst": "a: braking 20 m/s2, limit 7.8", "checks": []},
     }  # fmt: skip
     lines = describe(summary).splitlines()

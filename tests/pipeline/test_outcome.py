@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 import json
 from pathlib import Path
 from types import SimpleNamespace
@@ -9,10 +10,13 @@ from typing import Any
 
 import pytest
 
+from esg import metrics as metrics_package
 from esg import stages
 from esg.draft import draft
+from esg.engines import rollout_file
 from esg.graph.models import DynamicsResult, LayoutResult, RelationReport, Statement
 from esg.metrics import SceneVerdict, SuiteScene
+from esg.metrics import plausibility as plausibility_package
 from esg.metrics.models import LayoutVerdict, StatementVerdict
 from esg.outcomes import Outcome
 from esg.pipeline import SceneRequest, SceneState, failures
@@ -99,6 +103,15 @@ SUPPORTED = {
 }  # fmt: skip
 
 
+def _replayed(monkeypatch: pytest.MonkeyPatch, judged: Callable[..., SceneVerdict]) -> None:
+    """A replay that is not read, what judges it, and nothing implausible in it."""
+    assessed = SimpleNamespace(to_json=lambda: {"worst": "", "checks": []})
+    monkeypatch.setattr(stages, "load_scene", lambda state: (None, None))
+    monkeypatch.setattr(rollout_file, "load_rollout", lambda path: None)
+    monkeypatch.setattr(metrics_package, "judge", judged)
+    monkeypatch.setattr(plausibility_package, "assess", lambda *played: assessed)
+
+
 @pytest.mark.parametrize("suite", [False, True])
 @pytest.mark.parametrize(("kept", "expected"), [(True, "solved"), (False, "partial")])
 def test_the_prompts_own_statements_decide_with_a_suite_too(
@@ -110,7 +123,8 @@ def test_the_prompts_own_statements_decide_with_a_suite_too(
     said = StatementVerdict(id="s1", says="supported_by", kept=kept, measured={"share": 0.1},
                             reason="" if kept else "carried in 10%")  # fmt: skip
 
-    def judged(_: SceneState, expected: SuiteScene) -> SceneVerdict:
+    def judged(*played: Any) -> SceneVerdict:
+        expected = played[-1]
         own = expected.id != "T1"
         return SceneVerdict(
             scene_id="x", suite_scene=expected.id, engine="physx", dt_s=1 / 240,
@@ -118,8 +132,7 @@ def test_the_prompts_own_statements_decide_with_a_suite_too(
         )  # fmt: skip
 
     monkeypatch.setattr(stages, "load_doc", lambda state: doc)
-    monkeypatch.setattr(stages, "_verdict", judged)
-    monkeypatch.setattr(stages, "_plausibility", lambda state, doc: {"worst": "", "checks": []})
+    _replayed(monkeypatch, judged)
     monkeypatch.setattr(SceneState, "artifact", lambda self, stage: tmp_path)
     (tmp_path / "replay.json").write_text('{"proof": "class"}')
     asked = SuiteScene(id="T1", prompt=prompt).model_dump_json() if suite else ""
@@ -149,8 +162,7 @@ def test_a_relation_that_the_layout_did_not_satisfy_makes_a_scene_partial(
         scene_id="x", suite_scene="", engine="physx", dt_s=1 / 240, layout=LayoutVerdict(valid=True)
     )
     monkeypatch.setattr(stages, "load_doc", lambda state: doc)
-    monkeypatch.setattr(stages, "_verdict", lambda state, expected: verdict)
-    monkeypatch.setattr(stages, "_plausibility", lambda state, doc: {"worst": "", "checks": []})
+    _replayed(monkeypatch, lambda *played: verdict)
     monkeypatch.setattr(SceneState, "artifact", lambda self, stage: tmp_path)
     (tmp_path / "replay.json").write_text('{"proof": "class"}')
     stages._judge(SceneState(SceneRequest(told)), tmp_path)

@@ -36,8 +36,9 @@ def follow_on(d: Discourse) -> None:
     for clause in d.scene.clauses:
         event = follows(d, clause)
         for actor in fresh(d, clause) if event is not None else []:
-            free = event is not None and actor not in event.participants
-            if free and event is not None and _would_run(d, clause, actor):
+            if event is None or actor in event.participants or shaken(d, actor, event):
+                continue
+            if _would_run(d, clause, actor):
                 d.timeline.hold(actor, event.id)
 
 
@@ -85,6 +86,17 @@ def borne(d: Discourse, actor: str) -> bool:
     seen, host = {actor}, d.scene.supported_by.get(actor)
     while host is not None and host not in seen:
         if host in moved:
+            return True
+        seen.add(host)
+        host = d.scene.supported_by.get(host)
+    return False
+
+
+def shaken(d: Discourse, actor: str, event: Draft) -> bool:
+    """Whether an event befalls what an actor stands on: that already sets its time."""
+    seen, host = {actor}, d.scene.supported_by.get(actor)
+    while host is not None and host not in seen:
+        if host in event.participants:
             return True
         seen.add(host)
         host = d.scene.supported_by.get(host)
