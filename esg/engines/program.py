@@ -427,7 +427,8 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
     Primitives are kept in the order of the program that has the most; a batch whose primitives
     change order between worlds is still executed correctly, because primitives of different bodies
     commute and those of one body must keep their order. A hold that another world needs, as it has
-    to slow down to a speed first, never begins.
+    to slow down to a speed first, never begins, and a motor that only another one has to switch
+    never fires.
 
     Args:
         programs: W programs.
@@ -457,6 +458,9 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
             match = next((q for q in remaining if _subject(q) == key), None)
             if match is None and isinstance(found := fullest.primitives[k], HoldVelocity):
                 table[w, k] = _row(replace(found, start=math.inf, end=math.inf))
+                continue
+            if match is None and isinstance(found := fullest.primitives[k], DriveJoint):
+                table[w, k] = _row(replace(found, time=math.inf))
                 continue
             if match is None:
                 what = key[1] or key[2]

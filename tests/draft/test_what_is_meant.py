@@ -161,3 +161,10 @@ def test_what_is_let_go_and_goes_its_way_does_not_fall(prompt: str, who: str) ->
     nodes = doc.timeline_system.sequence_graph.nodes
     assert who in {p for n in nodes for p in n.participants}
     assert "Fall" not in {n.event.value for n in nodes}
+
+
+def test_what_has_a_lid_on_a_hinge_stays_what_it_is_when_something_drops_into_it() -> None:
+    """Draw the body of the chest, which is open, and no box without a hinge."""
+    doc = draft("The lid of a wooden chest swings up. A ball drops into the chest.")
+    key = doc.spatial_relation_graph.nodes["chest_1"].asset_id
+    assert doc.asset_requirement[key].asset_category == "chest_body"

@@ -14,6 +14,8 @@ from esg.engines.program import (
     MAX_KNOTS,
     AdjustProperties,
     ApplyImpulse,
+    Column,
+    DriveJoint,
     GuideAlong,
     HoldSpin,
     HoldVelocity,
@@ -369,6 +371,14 @@ def test_a_guided_thing_goes_its_way_in_every_engine(name, dt):
     np.testing.assert_allclose(r.linear_velocity[0, at(0.5, dt), 2, 0], 2.0, atol=0.06)
     drop = 3.4 - r.position[0, at(0.9, dt), 2, 2]
     assert drop == pytest.approx(0.5 * 9.81 * 0.4**2, abs=0.05)
+
+
+def test_a_motor_that_only_another_world_has_to_switch_never_fires():
+    """A lid that comes to rest by itself needs no end of its motor; one that does not has it."""
+    lifts = DriveJoint("hinge", 0.2, 1.0, 1.5, 20.0)
+    programs = [Program((lifts,), 2.0), Program((lifts, DriveJoint("hinge", 1.2)), 2.0)]
+    start = batch_programs(programs, NAMES).table[:, :, Column.START]
+    assert start.tolist() == [[0.2, math.inf], [0.2, 1.2]]
 
 
 def test_a_hold_that_only_another_world_needs_never_begins():

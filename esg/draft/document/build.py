@@ -170,7 +170,8 @@ def _asset(e: Entity, graph: _Graph, tint: str | None) -> str:
     if tint is not None:
         required = required.model_copy(update={"color": tint})
     inside = f"{e.id}/inside"
-    if any(n.extra.get("region") == inside for n in graph.scene.timeline.nodes):
+    jointed = any(e.id in (j.parent, j.child) for j in graph.scene.joints)  # "a chest with a lid"
+    if not jointed and any(n.extra.get("region") == inside for n in graph.scene.timeline.nodes):
         names = {x.noun.name for x in graph.entities.values()}
         required = opened(e, required, bool(names & {"golf ball", "golf club"}))
     if e.id == GROUND:
