@@ -5,20 +5,8 @@ from __future__ import annotations
 import pytest
 
 from esg.draft import draft
-from esg.graph.models import EsgDocument, Predicate, Statement
-
-
-def stated(doc: EsgDocument, predicate: Predicate) -> list[Statement]:
-    return [s for s in doc.statements or () if s.predicate is predicate]
-
-
-def owned(doc: EsgDocument) -> list[str]:
-    return [s.text for s in stated(doc, Predicate.NOT_REPRESENTED)]
-
-
-def drawn(doc: EsgDocument) -> set[str]:
-    nodes = doc.spatial_relation_graph.nodes
-    return {n for n, node in nodes.items() if node.mentioned and n != "ground_1"}
+from esg.graph.models import Predicate
+from tests.draft.told import drawn, owned, stated
 
 
 @pytest.mark.parametrize(

@@ -6,6 +6,7 @@ import pytest
 
 from esg.draft import draft
 from esg.graph.models import EsgDocument, Predicate
+from tests.draft.told import owned
 
 
 def _who(doc: EsgDocument, event: str) -> list[str]:
@@ -13,10 +14,6 @@ def _who(doc: EsgDocument, event: str) -> list[str]:
     assert doc.timeline_system is not None
     nodes = doc.timeline_system.sequence_graph.nodes
     return [n.participants[0] for n in nodes if n.event.value == event]
-
-
-def _lost(doc: EsgDocument) -> list[str]:
-    return [s.text for s in doc.statements or () if s.predicate is Predicate.NOT_REPRESENTED]
 
 
 @pytest.mark.parametrize(
@@ -69,12 +66,12 @@ def test_a_kick_touches_nothing_and_is_owned_up_to(prompt: str) -> None:
 
 def test_an_unseen_kick_is_none() -> None:
     """Own up to no kick where nobody is there who kicks."""
-    assert _lost(draft("The ball is kicked into the goal.")) == []
+    assert owned(draft("The ball is kicked into the goal.")) == []
 
 
 def test_the_way_of_what_is_kicked_is_still_asked_for() -> None:
     """Own up to the wall, too."""
-    assert _lost(draft("A child kicks a ball over the garden wall.")) == [
+    assert owned(draft("A child kicks a ball over the garden wall.")) == [
         "kicks",
         "over the garden wall",
     ]
@@ -83,7 +80,7 @@ def test_the_way_of_what_is_kicked_is_still_asked_for() -> None:
 def test_a_second_leap_is_asked_for_its_own() -> None:
     """Own up to a leap that is none, whatever leap was told before."""
     doc = draft("A kangaroo jumps over a log and hops away.")
-    assert _lost(doc) == ["hops"]
+    assert owned(doc) == ["hops"]
 
 
 @pytest.mark.parametrize(
@@ -97,7 +94,7 @@ def test_who_goes_on_does_not_end_under_a_thing(prompt: str) -> None:
     """Own up to the way under it instead."""
     doc = draft(prompt)
     assert not [s for s in doc.statements or () if s.predicate is Predicate.UNDER]
-    assert any(text.startswith("under") for text in _lost(doc))
+    assert any(text.startswith("under") for text in owned(doc))
 
 
 def test_who_stays_there_ends_under_it() -> None:
@@ -129,7 +126,7 @@ def test_the_ship_that_has_a_deck_is_not_on_it() -> None:
     region = graph.nodes["boat_1"].semantic_region or ""
     assert graph.semantic_regions[region].parent_object == "ground_1"
     on = graph.semantic_regions[graph.nodes["barrel_1"].semantic_region or ""]
-    assert on.parent_object == "boat_1" and _lost(doc) == []
+    assert on.parent_object == "boat_1" and owned(doc) == []
 
 
 @pytest.mark.parametrize(
@@ -143,7 +140,7 @@ def test_the_ship_that_has_a_deck_is_not_on_it() -> None:
 )
 def test_what_passes_without_a_trace_is_owned_up_to(prompt: str, words: str) -> None:
     """Say that nothing stands for it."""
-    assert words in _lost(draft(prompt))
+    assert words in owned(draft(prompt))
 
 
 @pytest.mark.parametrize(

@@ -6,21 +6,8 @@ import pytest
 
 from esg.commands.draft import _at_the_start
 from esg.draft import draft
-from esg.graph.models import EdgeEvent, EsgDocument, Predicate, Statement
-from tests.draft.told import events
-
-
-def stated(doc: EsgDocument, predicate: Predicate) -> list[Statement]:
-    return [s for s in doc.statements or () if s.predicate is predicate]
-
-
-def owned(doc: EsgDocument) -> list[str]:
-    return [s.text for s in stated(doc, Predicate.NOT_REPRESENTED)]
-
-
-def drawn(doc: EsgDocument) -> set[str]:
-    nodes = doc.spatial_relation_graph.nodes
-    return {n for n, node in nodes.items() if node.mentioned and n != "ground_1"}
+from esg.graph.models import EdgeEvent, EsgDocument, Predicate
+from tests.draft.told import drawn, events, owned, stated
 
 
 def size_of(doc: EsgDocument, node: str) -> tuple[float, float, float]:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from esg.draft.discourse.scene import Scene
 from esg.graph.models import NodeEvent, Role
 
@@ -9,6 +11,15 @@ _LEAVES = (NodeEvent.FALL, NodeEvent.JUMP, NodeEvent.TOPPLE)
 """Events after which something is not where it was carried."""
 _PARTS = (NodeEvent.COLLISION, *_LEAVES)
 """Events that may throw off what is carried."""
+
+
+def bearers(scene: Scene, node: str) -> Iterator[str]:
+    """What a thing is on, what that is on, and so forth down to the ground."""
+    seen, host = {node}, scene.supported_by.get(node)
+    while host is not None and host not in seen:
+        yield host
+        seen.add(host)
+        host = scene.supported_by.get(host)
 
 
 def bears(scene: Scene, bearer: str) -> bool:

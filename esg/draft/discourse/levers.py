@@ -12,7 +12,8 @@ from esg.draft.text.elements import Mention
 
 _PLANKS = lex.word_set("planks")
 _FULCRUMS = lex.word_set("fulcrums")
-_ACROSS = frozenset({"across", "over", "on", "upon", "atop", "on top of"})
+ACROSS = frozenset({"across", "over", "on", "upon", "atop", "on top of"})
+"""Prepositions of what a plank lies across."""
 _LIES = frozenset({"lie", "rest", "balance", "sit", "place", "lay", "put", "set", "be"})
 _ENDS = re.compile(
     r"\b(?:one|other|opposite|left|right|raised|lower|low|high|far|near|free|upper)\s+(?:end|side)\b",
@@ -37,14 +38,14 @@ def levers(d: Discourse, f: Frame, boards: list[str]) -> None:
 def attached_levers(d: Discourse) -> None:
     """ "One end of a plank on a barrel": the same of a noun."""
     for m, p in d.attached:
-        under = p.mention.head if p.mention is not None and p.prep in _ACROSS else ""
+        under = p.mention.head if p.mention is not None and p.prep in ACROSS else ""
         if m.head in _PLANKS and under in _FULCRUMS and not m.plural and _ENDS.search(d.text):
             _lever(d, ids_of(d, m), p)
 
 
 def _lever(d: Discourse, boards: list[str], p: Phrase) -> None:
     m: Mention | None = p.mention
-    if m is None or p.prep not in _ACROSS or len(boards) != 1:
+    if m is None or p.prep not in ACROSS or len(boards) != 1:
         return
     board, under = entity_of(d, boards[0]), ids_of(d, m)
     if board.head.split()[-1] in _PLANKS and m.head.split()[-1] in _FULCRUMS and len(under) == 1:

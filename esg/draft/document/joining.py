@@ -16,7 +16,7 @@ from esg.draft.discourse.referents.parts import parts_of
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import Scene
-from esg.graph.joints import FOOT
+from esg.draft.document.riding import seat
 from esg.graph.models import EdgeEvent, Joint, NodeEvent
 from esg.lexicon.articulations import Articulation
 from esg.units import GRAVITY_MPS2
@@ -276,17 +276,7 @@ def _seat_on_seesaws(scene: Scene) -> None:
             continue
         e = scene.world.entities[node]
         mass = e.mass_kg or e.noun.mass_kg
-        scene.joints.append(
-            Joint(
-                id=f"{node}_seat",
-                kind="fixed",
-                child=node,
-                child_mount=FOOT,
-                parent=board,
-                parent_mount="front end",
-                break_impulse=round(JOLT_MPS * mass, 4),
-            )
-        )
+        scene.joints.append(seat(node, board, "front end", round(JOLT_MPS * mass, 4)))
 
 
 def _hand_over(scene: Scene, named: str, part: str) -> None:

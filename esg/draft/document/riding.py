@@ -50,16 +50,25 @@ def _hold(scene: Scene, rider: str, mount: str, at: str | None) -> None:
         at: The mount there at which he is; None where the layout puts him.
     """
     mass = scene.world.entities[rider].noun.mass_kg
-    scene.joints.append(
-        Joint(
-            id=f"{rider}_seat",
-            kind="fixed",
-            child=rider,
-            child_mount=FOOT,
-            parent=mount,
-            parent_mount=at,
-            break_impulse=round(THROWN_OFF_MPS * mass, 1),
-        )
+    scene.joints.append(seat(rider, mount, at, round(THROWN_OFF_MPS * mass, 1)))
+
+
+def seat(rider: str, bearer: str, at: str | None, impulse: float) -> Joint:
+    """What holds the foot of something to what it is on.
+
+    Args:
+        rider, bearer: Node ids.
+        at: The mount of the bearer; None where the layout puts it.
+        impulse: Which parts them [N s].
+    """
+    return Joint(
+        id=f"{rider}_seat",
+        kind="fixed",
+        child=rider,
+        child_mount=FOOT,
+        parent=bearer,
+        parent_mount=at,
+        break_impulse=impulse,
     )
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 import re
 from typing import Any
@@ -222,25 +223,29 @@ def oncoming(d: Discourse) -> list[tuple[int, int, str, str]]:
         Where each such word stands, who comes, and toward whom (node ids).
     """
     out: list[tuple[int, int, str, str]] = []
-    for m in d.mentions:
-        at = _ONCOMING.search(d.text, m.start, m.end)
-        here = [i for i in m.entities if i in d.world.entities][:1]
-        if at is None or not here or kind_of(d, here[0]) not in _ON_ROADS:
-            continue
-        movers = [a for a, t in d.timeline.tracks.items() if a != here[0] and t.under_way]
+    for start, end, who in _called_oncoming(d):
+        movers = [a for a, t in d.timeline.tracks.items() if a != who and t.under_way]
         movers = [a for a in movers if kind_of(d, a) in _ON_ROADS]
         if movers:
-            out.append((*at.span(), here[0], movers[0]))
+            out.append((start, end, who, movers[0]))
     return out
+
+
+def _called_oncoming(d: Discourse) -> Iterator[tuple[int, int, str]]:
+    """Where the word stands, and of which vehicle or rider."""
+    for m in d.mentions:
+        at = _ONCOMING.search(d.text, m.start, m.end)
+        who = next((i for i in m.entities if i in d.world.entities), None)
+        if at is not None and who is not None and kind_of(d, who) in _ON_ROADS:
+            yield *at.span(), who
 
 
 def come_on(d: Discourse, frames: list[Frame]) -> None:
     """Sets what is oncoming in motion, if no clause tells of its motion."""
     doers = {i for f in frames if f.subject is not None for i in f.subject.entities}
-    for m in d.mentions:
-        for who in {*m.entities[:1]} & {*d.world.entities} - doers:
-            if _ONCOMING.search(d.text, m.start, m.end) and kind_of(d, who) in _ON_ROADS:
-                own(d, who, SPEEDS.get(kind_of(d, who), (50.0, 400.0)), False)
+    for _, _, who in _called_oncoming(d):
+        if who not in doers:
+            own(d, who, SPEEDS.get(kind_of(d, who), (50.0, 400.0)), False)
 
 
 def keep_on(d: Discourse) -> None:

@@ -11,6 +11,7 @@ from collections.abc import Iterator
 import re
 
 from esg.draft.discourse.antecedents import STATES
+from esg.draft.discourse.bearing import bearers
 from esg.draft.discourse.core import kind_of
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
@@ -83,24 +84,12 @@ def first_leg(d: Discourse, actor: str) -> TimelineEdge | None:
 def borne(d: Discourse, actor: str) -> bool:
     """Whether something that moves bears an actor ("the glasses on his tray")."""
     moved = {e.actor for e in d.timeline.edges}
-    seen, host = {actor}, d.scene.supported_by.get(actor)
-    while host is not None and host not in seen:
-        if host in moved:
-            return True
-        seen.add(host)
-        host = d.scene.supported_by.get(host)
-    return False
+    return any(host in moved for host in bearers(d.scene, actor))
 
 
 def shaken(d: Discourse, actor: str, event: Draft) -> bool:
     """Whether an event befalls what an actor stands on: that already sets its time."""
-    seen, host = {actor}, d.scene.supported_by.get(actor)
-    while host is not None and host not in seen:
-        if host in event.participants:
-            return True
-        seen.add(host)
-        host = d.scene.supported_by.get(host)
-    return False
+    return any(host in event.participants for host in bearers(d.scene, actor))
 
 
 def inert(d: Discourse, actor: str) -> bool:

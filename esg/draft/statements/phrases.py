@@ -14,6 +14,7 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import kind_of, structural
+from esg.draft.discourse.levers import ACROSS
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, LIMBED, Relation
 from esg.draft.discourse.windows import Draft
@@ -42,7 +43,6 @@ _SIDES = {
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
-_ACROSS = frozenset({"across", "over", "on", "upon", "atop", "on top of"})
 _EXTREMES = frozenset({"end", "edge", "corner", "tip"})
 _ON = frozenset({"on", "onto", "upon"})
 _LEVELS = frozenset({"height", "level", "altitude"})
@@ -240,7 +240,7 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
     d, part = a.d, p.mention.part if p.mention is not None else ""
     by = _carrier(d, others, p, part, f)
     if others and all(d.world.entities[i].lever == "fulcrum" for i in others):
-        return p.prep in _ACROSS and any(d.world.entities[i].lever for i in about)
+        return p.prep in ACROSS and any(d.world.entities[i].lever for i in about)
     if any(structural(d, i) for i in others):
         hangs = any(_tells(s, about, others, p.prep, by) for s in a.kept)  # "from the ceiling"
         return hangs or _answered_by_ground(a, about, others, p)

@@ -5,11 +5,11 @@ from __future__ import annotations
 from esg.dynamics.casting.changes import Configs, scaled
 from esg.dynamics.casting.toppling import LIGHTEST
 from esg.dynamics.choreography.stage import FASTEST_MPS
-from esg.dynamics.story.stagecraft import prop
+from esg.dynamics.story.stagecraft import prop, thrown_back
 from esg.dynamics.story.story import Story, bounds, hits
-from esg.graph.models import EsgDocument, NodeEvent
+from esg.graph.models import EsgDocument
 
-SURELY = 1.35
+SURELY_BREAKS = 1.35
 """A blow is so much harder than what is to break bears; the search asks for 1.25 times that."""
 ARRIVES = 0.95
 """Share of a stated speed with which something gets there."""
@@ -25,9 +25,7 @@ def fit_fragile(doc: EsgDocument, story: Story) -> Configs:
     out: Configs = {}
     for node, a, b in hits(doc, story):
         breaking = nodes[b].breaking
-        follows = any(n.event is NodeEvent.BREAK and b in n.participants
-                      for n in story.after(node.id))  # fmt: skip
-        if breaking is None or not follows or not story.is_active(a):
+        if breaking is None or not story.breaks_after(node.id, b) or not story.is_active(a):
             continue
         key = nodes[b].asset_id
         if doc.asset_requirement[key].mass_is_prescribed:
@@ -36,9 +34,8 @@ def fit_fragile(doc: EsgDocument, story: Story) -> Configs:
         reduced = mover.mass
         if not target.fixed:
             reduced *= target.mass / (mover.mass + target.mass)
-        gain = 1.0 + 0.5 * (mover.restitution + target.restitution)
-        blow = gain * reduced * _speed(story, a, node.id)
-        share = blow / (SURELY * target.mass * breaking.speed / 100.0)
+        blow = thrown_back(mover, target) * reduced * _speed(story, a, node.id)
+        share = blow / (SURELY_BREAKS * target.mass * breaking.speed / 100.0)
         if share < 1.0:
             out[key] = scaled(doc.asset_configurations[key], max(share, LIGHTEST))
     return out

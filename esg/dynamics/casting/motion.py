@@ -11,6 +11,7 @@ import math
 import numpy as np
 
 from esg.dynamics.casting.changes import Configs, resized, weighing
+from esg.dynamics.casting.fragile import SURELY_BREAKS
 from esg.dynamics.choreography.slopes import (
     AT_FOOT_M,
     STARTS_MPS,
@@ -29,6 +30,7 @@ from esg.dynamics.story.stagecraft import (
     ground_friction,
     prop,
     support_of,
+    thrown_back,
     top_surface,
 )
 from esg.dynamics.story.story import Phase, Story, bounds, hits
@@ -43,8 +45,8 @@ SMOOTH = 0.15
 SLICK = 0.02
 GRIPPY = 1.0
 """Friction of rubber feet."""
-SURELY_BREAKS, NOT_YET = 1.35, 0.7
-"""Shares of what something bears with which it surely breaks, and surely does not."""
+NOT_YET = 0.7
+"""Share of what something bears with which it surely does not break."""
 SLIDE_S = 0.14
 """How long what was pushed on has to slide before it meets the next thing."""
 KEEPS, PASSES_ON = 0.7, 0.9
@@ -160,11 +162,10 @@ def _breaks_at(
     """
     breaking = doc.spatial_relation_graph.nodes[actor].breaking
     walls = [p for p in node.participants if p != actor]
-    breaks = any(n.event is NodeEvent.BREAK and actor in n.participants
-                 for n in story.after(node.id))  # fmt: skip
+    breaks = story.breaks_after(node.id, actor)
     if breaking is None or not walls or not breaks or node.event is not NodeEvent.COLLISION:
         return None
-    gain = 1.0 + 0.5 * (prop(doc, actor).restitution + prop(doc, walls[0]).restitution)
+    gain = thrown_back(prop(doc, actor), prop(doc, walls[0]))
     least = SURELY_BREAKS * breaking.speed / 100.0 / gain
     most = NOT_YET * breaking.speed / 100.0 / gain / math.sin(math.atan(slope.steepness))
     return min(1.15 * least, math.sqrt(least * most))

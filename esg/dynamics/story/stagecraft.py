@@ -70,6 +70,11 @@ class Prop:
         return half_along(self.length, self.width, relative + math.pi / 2)
 
 
+def thrown_back(mover: Prop, target: Prop) -> float:
+    """Change of speed along the normal of a hit over the speed before it: 1 without rebound."""
+    return 1.0 + 0.5 * (mover.restitution + target.restitution)
+
+
 def prop(doc: EsgDocument, name: str) -> Prop:
     """The planar view of one node's asset."""
     node = doc.spatial_relation_graph.nodes[name]
@@ -140,7 +145,7 @@ def approach_distance(body: Prop, speed: float, rng: np.random.Generator) -> flo
 def min_hit_speed(mover: Prop, target: Prop) -> float:
     """Speed [m/s] at which a hit passes a clearly measurable impulse (0.5 N s)."""
     mass = mover.mass if target.fixed else mover.mass * target.mass / (mover.mass + target.mass)
-    return 0.5 / (mass * (1.0 + 0.5 * (mover.restitution + target.restitution)))
+    return 0.5 / (mass * thrown_back(mover, target))
 
 
 def passed_on(mover: Prop, target: Prop) -> float:
@@ -154,7 +159,7 @@ def fall_speed(mover: Prop, target: Prop) -> float:
     if target.rolls or target.fixed:
         return 0.0
     needed = math.sqrt(2.0 * coasting_drag(target) * TO_EDGE_M)
-    gain = (1.0 + 0.5 * (mover.restitution + target.restitution)) * mover.mass
+    gain = thrown_back(mover, target) * mover.mass
     return 1.2 * needed * (mover.mass + target.mass) / gain
 
 
@@ -174,7 +179,7 @@ def push_speed(mover: Prop, target: Prop) -> float:
     if target.rolls or target.fixed:
         return 0.0
     needed = math.sqrt(2.0 * coasting_drag(target) * 0.5)
-    gain = (1.0 + 0.5 * (mover.restitution + target.restitution)) * mover.mass
+    gain = thrown_back(mover, target) * mover.mass
     return min(needed * (mover.mass + target.mass) / gain, 15.0)
 
 

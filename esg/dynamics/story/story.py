@@ -129,6 +129,11 @@ class Story:
         """Whether the story has an object fall off something."""
         return self._befalls(NodeEvent.FALL, name)
 
+    def breaks_after(self, node_id: str, name: str) -> bool:
+        """Whether an event leads to an object's breaking."""
+        later = (n for n in self.after(node_id) if n.event is NodeEvent.BREAK)
+        return any(name in n.participants for n in later)
+
     def _befalls(self, event: NodeEvent, name: str) -> bool:
         return any(n.event is event and name in n.participants for n in self.nodes.values())
 

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.ranks import extreme
-from esg.draft.discourse.referents.record import World
+from esg.draft.discourse.referents.record import World, is_solid
 from esg.draft.text.elements import Mention
 
 _ENDS = {
@@ -50,7 +50,7 @@ def other_of_two(world: World, avoid: list[str]) -> list[str]:
     """ "A cube and a ball ... the ball rolls off, the other stays": of two told together."""
     used = {*avoid}
     for ids in reversed(world.salience):
-        two = [i for i in dict.fromkeys(ids) if _solid(world, i)]
+        two = [i for i in dict.fromkeys(ids) if is_solid(world, i)]
         if len(two) == 2 and len(used & {*two}) == 1:
             return [i for i in two if i not in used]
         if len(two) > 1:
@@ -59,16 +59,12 @@ def other_of_two(world: World, avoid: list[str]) -> list[str]:
     return []
 
 
-def _solid(world: World, i: str) -> bool:
-    return i in world.entities and "structural" not in world.entities[i].noun.traits
-
-
 def _pools(world: World, avoid: list[str]) -> Iterator[list[Entity]]:
     """What may be meant: those told of together last, those of one kind, all that may move."""
     told = [ids for ids in reversed(world.salience) if len({*ids}) > 1]
     for ids in told[:1]:
-        yield [world.entities[i] for i in dict.fromkeys(ids) if _solid(world, i)]
-    named = [i for ids in reversed(world.salience) for i in ids if _solid(world, i)]
+        yield [world.entities[i] for i in dict.fromkeys(ids) if is_solid(world, i)]
+    named = [i for ids in reversed(world.salience) for i in ids if is_solid(world, i)]
     near = [world.entities[i] for i in dict.fromkeys(named) if i not in avoid]
     kinds = [e.noun.name for e in near]
     alike = [e for e in near if kinds.count(e.noun.name) > 1]

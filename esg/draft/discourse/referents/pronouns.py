@@ -15,7 +15,7 @@ from esg.draft.discourse.referents.members import (
     ranked,
 )
 from esg.draft.discourse.referents.ranks import same_quantity
-from esg.draft.discourse.referents.record import World, last_group, named_alone
+from esg.draft.discourse.referents.record import World, is_solid, last_group, named_alone
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.grammar.rewrites.positions import NEIGHBOUR
 from esg.draft.text.elements import Mention
@@ -49,7 +49,7 @@ def pronoun(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[s
         named = told_by(world, m, avoid) if p == "ones" else []
         return named or _others(world, m, avoid) or _several(world, m, subject, avoid)
     if p in ("latter", "former"):
-        told = [i for ids in world.salience[-6:] for i in ids if _solid(world, i)]
+        told = [i for ids in world.salience[-6:] for i in ids if is_solid(world, i)]
         two = list(dict.fromkeys(reversed(world.movers if len(world.movers) > 1 else told)))[:2]
         found = two[:1] if p == "latter" else two[1:]
         return [i for i in two if i not in found] if {*found} & {*avoid} else found
@@ -67,18 +67,14 @@ def _ahead(world: World, avoid: list[str]) -> list[str]:
     return lone[:1] if avoid and len(driven) == 2 else []
 
 
-def _solid(world: World, i: str) -> bool:
-    return i in world.entities and "structural" not in world.entities[i].noun.traits
-
-
 def _solids(world: World) -> list[Entity]:
     """Things of the scene, without its floors and walls, in order of mention."""
-    return [e for i, e in world.entities.items() if _solid(world, i)]
+    return [e for i, e in world.entities.items() if is_solid(world, i)]
 
 
 def _told(world: World) -> list[Entity]:
     """Things of the scene, once for every time they are named, most recent last."""
-    return [world.entities[i] for ids in world.salience for i in ids if _solid(world, i)]
+    return [world.entities[i] for ids in world.salience for i in ids if is_solid(world, i)]
 
 
 def _person(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
@@ -136,7 +132,7 @@ def _others(world: World, m: Mention, avoid: list[str]) -> list[str]:
         rest = [i for i in group if i not in ids and not world.entities[i].place]
         if rest and (m.count or len(rest)) == len(rest):
             return rest
-    like = [world.entities[i] for i in avoid[:1] if _solid(world, i)]
+    like = [world.entities[i] for i in avoid[:1] if is_solid(world, i)]
     return one_more(world, like[0], [], m, m.count) if like and m.count else []
 
 
@@ -145,7 +141,7 @@ def _several(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     p = m.pronoun
     keep = m.count if m.count in (1, 2, 3) and p in ("them", "these", "those") else None
     keep = m.count if p == "ones" and not m.adjectives else keep  # "eleven run out"
-    named = [i for ids in reversed(world.salience) for i in ids if _solid(world, i)]
+    named = [i for ids in reversed(world.salience) for i in ids if is_solid(world, i)]
     named = [i for i in named if world.entities[i].noun.kind not in _WAYS or not subject]
     if two := _two_subjects(world, p, named) if subject else []:
         return two
@@ -185,7 +181,7 @@ def _two_acted_on(world: World, m: Mention, avoid: list[str]) -> list[str]:
         return []
     units: list[list[str]] = []
     for ids in reversed(world.salience):
-        own = [i for i in dict.fromkeys(ids) if _solid(world, i) and i not in avoid]
+        own = [i for i in dict.fromkeys(ids) if is_solid(world, i) and i not in avoid]
         if not own or own[0] in (i for u in units for i in u):
             continue
         whole = world.entities[own[0]].group in world.collective  # "a stack of books" is one
@@ -201,7 +197,7 @@ def _thing(world: World, subject: bool, avoid: list[str]) -> list[str]:
     """What "it", "this" or "itself" means: a subject named before, else the thing named last."""
     for ids in [*reversed(world.subjects if subject else []), *reversed(world.salience)]:
         e = world.entities[ids[0]]
-        fits = ids[0] not in avoid and _solid(world, ids[0]) and e.noun.kind != "person"
+        fits = ids[0] not in avoid and is_solid(world, ids[0]) and e.noun.kind != "person"
         if fits and e.noun.name != "arm" and (len(ids) == 1 or e.group in world.collective):
             return list(ids)
     for ids in reversed(world.salience):
@@ -283,7 +279,7 @@ def _one_more_like(
         more = add_entity(world, ball, "ball", adjectives=colors, label=label, origin=m.start)
         return [more.id]  # "Red knocks blue away"
     mine = avoid or (world.subjects[-1] if world.subjects else [])
-    actor = [world.entities[i] for i in mine[:1] if _solid(world, i)]
+    actor = [world.entities[i] for i in mine[:1] if is_solid(world, i)]
     rest = [e for e in solid if e.id not in mine]
     passed = actor and actor[0].noun.kind in _MOVERS and not subject and rest
     model = model or [e for e in solid if e.one]
@@ -311,7 +307,7 @@ def _beside(world: World, m: Mention, avoid: list[str]) -> list[str]:
     last = next(iter(named_alone(world)), [""])
     anchor = world.entities.get((avoid or last)[0])
     place = next((a for a in m.adjectives if a in ("front", "rear")), "")
-    if anchor is None or not place or not _solid(world, anchor.id):
+    if anchor is None or not place or not is_solid(world, anchor.id):
         return []
     row = world.groups.get(anchor.group or "", [])
     if not row:

@@ -55,6 +55,11 @@ class World:
     """Whether the prompt is about cricket."""
 
 
+def is_solid(world: World, i: str) -> bool:
+    """Whether an id is a thing of the scene, and none of its floors and walls."""
+    return i in world.entities and "structural" not in world.entities[i].noun.traits
+
+
 def last_group(world: World) -> list[str]:
     """Members of the plural that was named last; none while there is no plural."""
     return next(reversed(world.groups.values()), list[str]())

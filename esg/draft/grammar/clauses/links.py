@@ -5,7 +5,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Frame, State
 from esg.draft.grammar.clauses.record import Clauses
-from esg.draft.text.elements import Element, Mention, Verb
+from esg.draft.text.elements import Mention, Verb
 
 CAUSE_SENSES = lex.word_set("cause senses")
 UNCHANGED = lex.word_set("unchanged")
@@ -55,46 +55,53 @@ def goes_on(c: Clauses, i: int) -> bool:
     return comma or now
 
 
-def what_falls(c: Clauses, previous: Frame | None, v: Verb, last: Mention | None) -> Mention | None:
-    """ "Taps the bin standing at the kerb, which tips over": what is there, not where it is."""
-    if previous is None or last is None or v.sense not in _LEAVING or v.passive:
+def resulting(c: Clauses, s: State, frame: Frame, previous: Frame | None) -> Mention | None:
+    """Of what ", which falls" tells: not of the place where that is, nor of what it has left."""
+    last = s.relative
+    if previous is None or last is None or frame.verb.passive:
         return last
+    there = _there(previous, last) if frame.verb.sense in _LEAVING else None
+    if there is not None and _is_meant(c, frame.verb, there, last):
+        return there
+    mover = previous.object or previous.subject
+    left = mover is not None and _has_left(frame.verb, previous, mover, last)
+    return mover if left else last
+
+
+def _there(previous: Frame, last: Mention) -> Mention | None:
+    """ "Taps the bin standing at the kerb": what is at the place named last."""
     at = next((p for p in previous.phrases if p.mention is last), None)
     if at is None or at.prep not in _PLACES or (at.prep == "against" and not previous.reduced):
-        return last
-    if previous.reduced:
-        there = previous.subject
-    else:
-        before = [p.mention for p in previous.phrases if p.mention is not None and p is not at]
-        near = [m for m in (previous.object, *before) if m is not None and m.end <= last.start]
+        return None
+    there = previous.subject
+    if not previous.reduced:
+        named = (previous.object, *(p.mention for p in previous.phrases if p is not at))
+        near = [m for m in named if m is not None and m.end <= last.start]
         there = max(near, key=lambda m: m.end, default=None)
-    if there is None or there.pronoun or there.attribute or there.noun is None:
-        return last
-    several = v.form == "base" and not v.auxiliary
-    if several and there.plural is not last.plural:
-        return there if there.plural else last
-    rel = next((e for e in reversed(c.elements[: c.elements.index(v)]) if _is_rel(e)), None)
+    told = there is not None and there.noun is not None
+    return there if told and not (there.pronoun or there.attribute) else None
+
+
+def _is_meant(c: Clauses, v: Verb, there: Mention, last: Mention) -> bool:
+    """Whether a verb is about what is there, and not about the place."""
+    if v.form == "base" and not v.auxiliary and there.plural is not last.plural:
+        return there.plural
+    before = reversed(c.elements[: c.elements.index(v)])
+    rel = next((e for e in before if getattr(e, "kind", "") == "rel"), None)
     if last.noun is None or getattr(rel, "low", "") == "who":
-        return there if there.noun.kind == "person" else last
+        return there.noun is not None and there.noun.kind == "person"
     firm = bool(_FIRM & last.noun.traits) or last.noun.kind in _BUILT
-    drives_off = v.sense not in _DOWN and last.noun.kind in _DRIVEN
-    return there if firm and not drives_off else last
+    return firm and not (v.sense not in _DOWN and last.noun.kind in _DRIVEN)
 
 
-def _is_rel(e: Element) -> bool:
-    return getattr(e, "kind", "") == "rel"
-
-
-def left_behind(s: State, frame: Frame, previous: Frame) -> bool:
-    """ "Pushes a bucket off a bench, which falls": not the bench, which is left."""
-    m, mover = s.relative, previous.object or previous.subject
-    if m is None or m.noun is None or mover is None or m.after_prep not in _LEFT_BY:
+def _has_left(v: Verb, previous: Frame, mover: Mention, last: Mention) -> bool:
+    """ "Pushes a bucket off a bench, which falls": not the bench."""
+    if last.noun is None or last.after_prep not in _LEFT_BY or v.sense not in _GOING:
         return False
-    carries = bool({"support", "fixed", "incline", "structural"} & m.noun.traits)
+    carries = bool({"support", "fixed", "incline", "structural"} & last.noun.traits)
     stays = mover.noun is not None and "fixed" in mover.noun.traits
-    own = frame.verb.sense == "topple" and previous.object is None  # "a bridge, which collapses"
-    goes = frame.verb.sense in _GOING and not frame.verb.passive and not own
-    return carries and not stays and goes
+    own = v.sense == "topple" and previous.object is None  # "a bridge, which collapses"
+    return carries and not stays and not own
 
 
 def before_what_it_lets(previous: Frame, v: Verb) -> Frame:

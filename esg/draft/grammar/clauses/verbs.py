@@ -17,12 +17,11 @@ from esg.draft.grammar.clauses.links import (
     caused_after_relative,
     goes_on,
     infinitive,
-    left_behind,
     main_at_last,
     of_a_vehicle,
     participle,
+    resulting,
     serial,
-    what_falls,
     whose,
 )
 from esg.draft.grammar.clauses.nouns import runs_on
@@ -105,10 +104,7 @@ def _relative(c: Clauses, s: State, o: _Opening) -> bool:
         frame.reduced = frame.relative = True
         frame.resulting = goes_on(c, o.at)
         if frame.resulting:
-            frame.subject = what_falls(c, o.previous, frame.verb, s.relative)
-        unmoved = frame.resulting and frame.subject is s.relative
-        if unmoved and o.previous is not None and left_behind(s, frame, o.previous):
-            frame.subject = o.previous.object or o.previous.subject
+            frame.subject = resulting(c, s, frame, o.previous)
     else:
         return False
     return True

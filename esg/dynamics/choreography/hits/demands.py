@@ -8,7 +8,14 @@ from esg.dynamics.choreography.hits.rows import asked_of_first, row_after
 from esg.dynamics.choreography.placing import hits_on
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import off_a_wall
-from esg.dynamics.story.stagecraft import Prop, coasting_drag, fall_speed, passed_on, support_of
+from esg.dynamics.story.stagecraft import (
+    Prop,
+    coasting_drag,
+    fall_speed,
+    passed_on,
+    support_of,
+    thrown_back,
+)
 from esg.dynamics.story.story import bounds
 from esg.dynamics.story.tipping import topple_speed
 from esg.graph.models import NodeEvent, TimelineNode
@@ -38,7 +45,7 @@ def felt(mover: Prop, target: Prop) -> float:
 
 def felt_speed(mover: Prop, target: Prop) -> float:
     """Speed [m/s] with which something light sets out so that its hit surely counts: a marble."""
-    whole = (1.0 + 0.5 * (mover.restitution + target.restitution)) * mover.mass
+    whole = thrown_back(mover, target) * mover.mass
     return FELT_SPARE * SAFE_IMPULSE_NS / max(whole if target.fixed else felt(mover, target), 1e-9)
 
 
@@ -161,7 +168,7 @@ def timed_push(stage: Stage, node: TimelineNode, mover: Prop, b: str) -> float:
         if waits:
             low, high, _ = bounds(waits[0], (0.0, 0.0))
             needed = 1.5 * coasting_drag(target) * 0.5 * (low + high)
-            gain = (1.0 + 0.5 * (mover.restitution + target.restitution)) * mover.mass
+            gain = thrown_back(mover, target) * mover.mass
             return max(0.0, needed * (mover.mass + target.mass) / gain)
         break
     return 0.0
