@@ -202,7 +202,7 @@ def _task_runner(runner: Runner, workers: int) -> Any:
     if runner == "dask":
         os.environ.setdefault("DASK_LOGGING__DISTRIBUTED", "error")
         try:
-            from prefect_dask import DaskTaskRunner  # pyright: ignore[reportMissingImports]
+            from prefect_dask.task_runners import DaskTaskRunner  # pyright: ignore[reportMissingImports]
         except ImportError:
             raise UserError(
                 '--runner dask needs its package: pip install "esg-scenes[dask]"'

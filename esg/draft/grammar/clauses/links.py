@@ -78,8 +78,9 @@ def _there(previous: Frame, last: Mention) -> Mention | None:
         named = (previous.object, *(p.mention for p in previous.phrases if p is not at))
         near = [m for m in named if m is not None and m.end <= last.start]
         there = max(near, key=lambda m: m.end, default=None)
-    told = there is not None and there.noun is not None
-    return there if told and not (there.pronoun or there.attribute) else None
+    if there is None or there.noun is None or there.pronoun or there.attribute:
+        return None
+    return there
 
 
 def _is_meant(c: Clauses, v: Verb, there: Mention, last: Mention) -> bool:
