@@ -1,0 +1,107 @@
+"""What holds, carries, draws or drives something."""
+
+from __future__ import annotations
+
+from esg.draft.discourse.core import kind_of, structural
+from esg.draft.discourse.proposition import Clause, Said
+from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED
+from esg.draft.events.stated import start_of
+from esg.draft.events.told import things
+from esg.draft.grammar.clauses.frames import Phrase
+from esg.draft.statements.book import Book, ids, span
+from esg.draft.statements.periods import period
+from esg.graph.models import Predicate
+
+_POSTURES = {
+    **dict.fromkeys(("hang", "dangle", "suspend"), Predicate.HANGS_FROM),
+    **dict.fromkeys(("lean", "prop"), Predicate.LEANS_ON),
+}
+"""What verbs of posture say of what holds something."""
+_LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
+"""Senses of moving on something, and not onto it."""
+
+
+def carried(book: Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "A truck carries a crate"."""
+    d, f = book.d, clause.frame
+    bearers = [i for i in ids(f.subject) if i != mover] or [mover]
+    for load in ids(f.object):
+        bearer = d.scene.supported_by.get(load)
+        if load in d.world.entities and bearer in bearers:
+            book.add(s.row.states, s.start, s.end, object=(load,), target=(bearer,))
+            others = tuple(i for i in ids(f.subject) if i != bearer and i in d.world.entities)
+            if others:  # "two men carry a sofa"
+                book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=others,
+                         note="only one of them carries it")  # fmt: skip
+
+
+def driver(book: Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "A man drives a car": he is in it; "rides a horse": on it."""
+    d = book.d
+    riders = [i for i in ids(clause.frame.subject) if i in d.world.entities]
+    riders = [i for i in riders if i not in clause.movers]
+    riders = [i for i in riders if kind_of(d, i) in LIMBED]
+    riders = [i for i in riders if d.scene.supported_by.get(i, mover) == mover]
+    if riders and kind_of(d, mover) in SELF_POWERED:
+        open_ = d.scene.supported_by.get(riders[0]) == mover or s.row.states is not Predicate.INSIDE
+        says = Predicate.SUPPORTED_BY if open_ else Predicate.INSIDE
+        book.add(says, s.start, s.end, object=tuple(riders), target=(mover,))
+
+
+def tow(book: Book, clause: Clause) -> None:
+    """ "A truck tows a trailer": a joint holds them together."""
+    if clause.frame.verb.sense == "tow":
+        named = [i for m in (clause.frame.subject, clause.frame.object) for i in ids(m)]
+        scene = book.d.scene
+        carts = (scene.supported_by.get(i) or scene.inside_of.get(i) for i in named)
+        for node in dict.fromkeys([*named, *(i for i in carts if i)]):
+            tow = book.d.scene.tows.get(node)
+            if tow is not None:
+                book.add(Predicate.ATTACHED_TO, *span(clause.frame), object=(node,),
+                         target=(tow.by,), when="start")  # fmt: skip
+        by = {tow.by for tow in book.d.scene.tows.values()}
+        drawing = ids(clause.frame.subject)
+        others = tuple(i for i in drawing if i not in by and i not in book.d.scene.tows)
+        if others and by & {*drawing}:  # "two oxen pull a wagon"
+            book.add(Predicate.NOT_REPRESENTED, *span(clause.frame), object=others,
+                     note="only one of them draws it")  # fmt: skip
+
+
+def posture(book: Book, clause: Clause) -> None:
+    """ "A lamp hangs from a branch", "a broom leans on a wall"."""
+    d, f = book.d, clause.frame
+    if f.verb.lemma == "hover":
+        for body in (i for i in ids(f.subject) if i in d.world.entities):
+            book.add(Predicate.AIRBORNE, *span(f), object=(body,))
+    says = _POSTURES.get(f.verb.lemma)
+    held = f.phrase("from", "by") if says is Predicate.HANGS_FROM else f.phrase("on", "against")
+    targets = [i for i in things(held) if i in d.world.entities][:1]
+    if says is None or not targets or held is None or held.mention is None:
+        return
+    acted_on = [] if f.verb.passive else ids(f.object)
+    for body in acted_on or ids(f.subject):
+        if body in d.world.entities and body not in targets:
+            start = start_of(held, d.text)
+            book.add(says, start, held.mention.end, object=(body,), target=tuple(targets),
+                     when="start")  # fmt: skip
+
+
+def support(book: Book, clause: Clause, p: Phrase) -> None:
+    """ "Rolls on a table": it starts on it, and stays unless it is told to leave it."""
+    d = book.d
+    if p.mention is None or p.prep not in ("on", "along", "across", "atop"):
+        return
+    if clause.frame.verb.sense not in _LASTING:
+        return
+    for mover in clause.movers:
+        host = d.scene.supported_by.get(mover)
+        road = next((i for i in things(p) if structural(d, i) and i != GROUND), None)
+        if host is None and road is not None and p.prep == "on":
+            book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
+                     target=(road,), when="start")  # fmt: skip
+        if host is None or host not in p.mention.entities or structural(d, host):
+            continue
+        leaves = any(mover in n.participants and n.event.value in ("Fall", "EnterRegion")
+                     for n in d.timeline.nodes)  # fmt: skip
+        book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
+                 target=(host,), when="start" if leaves else period(d, clause, mover))  # fmt: skip

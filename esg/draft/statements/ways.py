@@ -1,0 +1,194 @@
+"""Which way something goes, and where to: directions, slopes, goals, landings."""
+
+from __future__ import annotations
+
+import re
+
+from esg.draft.discourse.core import entity_of, kind_of, structural
+from esg.draft.discourse.proposition import Clause, Said
+from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.scene import GROUND
+from esg.draft.discourse.windows import START
+from esg.draft.events.courses import TURNING, measurable, queues_behind
+from esg.draft.events.motions import flies_itself
+from esg.draft.events.stated import start_of
+from esg.draft.events.told import things
+from esg.draft.grammar.clauses.frames import Phrase
+from esg.draft.statements.book import Book, ids, span
+from esg.draft.statements.periods import is_told, period, segments
+from esg.graph.models import NodeEvent, Predicate
+
+_ON_THE_WAY = ("along", "across", "through")
+"""Directions that roads, fields and floors have, too."""
+_SIDE_WORDS = {
+    "left_of": re.compile(r"\bleft\b", re.IGNORECASE),
+    "right_of": re.compile(r"\bright\b", re.IGNORECASE),
+    "in_front_of": re.compile(r"\bfront\b", re.IGNORECASE),
+    "behind": re.compile(r"\b(?:behind|back|rear)\b", re.IGNORECASE),
+}
+"""The words of a side, of which the first in the text is where something starts."""
+_TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
+
+
+def moved(book: Book, clause: Clause, s: Said, mover: str) -> None:
+    """Which way something moves: by an adverb, a phrase, or the verb itself ("crosses")."""
+    if s.row.part == "adverb" and s.row.direction in _TARGETED:
+        _back(book, clause, s, mover)
+        return
+    if s.row.part != "verb":
+        _direction(book, clause, s, mover, period(book.d, clause, mover))
+        return
+    d = book.d
+    others = [i for i in ids(clause.frame.object) if i != mover and i in d.world.entities][:1]
+    targeted = s.row.direction in _TARGETED
+    if not targeted or (others and not is_told(d, mover, others)):
+        target = tuple(others) if targeted else ()
+        book.add(s.row.states, s.start, s.end, object=(mover,), target=target,
+                 direction=s.row.direction, when=period(d, clause, mover))  # fmt: skip
+
+
+def _back(book: Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "Hits a wall and rolls back": away from what it has hit; "apart" from each other.
+
+    "Is hit and slides out of view" is away from what has hit it.
+    """
+    d, f, since = book.d, clause.frame, book.d.timeline.node(clause.since.get(mover, START))
+    others = tuple(i for i in clause.movers if i != mover) if "apart" in s.row.words else ()
+    struck_here = since is not None and since.event is NodeEvent.COLLISION
+    met = [*since.participants] if since is not None and struck_here else list[str]()
+    if mover in met and (mover == met[0]) is ("out of view" not in s.row.words):
+        others = tuple(i for i in met if i != mover)
+    if others and not f.object and not f.verb.passive:
+        book.add(s.row.states, s.start, s.end, object=(mover,), target=others[:1],
+                 direction=s.row.direction, when=period(d, clause, mover))  # fmt: skip
+
+
+def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> None:
+    d, direction = book.d, s.row.direction
+    over = s.phrase is not None and s.phrase.prep == "over"
+    grounded = clause.frame.verb.sense in ("slide", "roll") and kind_of(d, mover) == "animal"
+    if over and (grounded or not (mover in d.moves.flying or flies_itself(d, mover))):
+        return
+    if s.phrase is not None and direction in ("up", "down"):
+        _slope(book, s, mover, where)
+        return
+    if clause.frame.verb.sense == "topple":
+        note = "it falls over whichever way it is pushed"
+        book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=(mover,), note=note)
+        return
+    if clause.frame.verb.sense in TURNING or "turn" in d.scene.used.get(span(clause.frame), ""):
+        return
+    if direction not in _TARGETED and direction != "between":
+        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), direction=direction, when=where)
+        return
+    targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities]
+    if not targets or is_told(d, mover, targets):
+        return  # what it meets is an event
+    if over and targets == [GROUND]:  # "flies over a forest"
+        book.add(Predicate.ABOVE, s.start, s.end, object=(mover,), target=(GROUND,), when=where)
+        return
+    if direction == "through" and targets == [GROUND]:
+        direction = "across"  # "through a meadow", "through the park": it has no other side
+    if structural(d, targets[0]) and direction not in _ON_THE_WAY:
+        return
+    if direction in ("along", "across") and d.scene.supported_by.get(mover) in targets:
+        return  # told as what carries it
+    if direction == "between" and len(targets) == 1:  # "a cube left of a bin ... between them"
+        pairs = [(r.source, r.target) for r in d.scene.relations if targets[0] in
+                 (r.source, r.target) and mover not in (r.source, r.target)]  # fmt: skip
+        targets = [*pairs[0]] if pairs else []
+    if not targets:
+        return
+    some = tuple(targets) if direction == "between" else tuple(targets[:1])
+    book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=some, direction=direction,
+             when=where)  # fmt: skip
+
+
+def _slope(book: Book, s: Said, mover: str, where: str) -> None:
+    """ "Up the stairs" is a way up; "down the road" one along it."""
+    d = book.d
+    on = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
+    if on and (structural(d, on[0]) or kind_of(d, on[0]) == "water"):
+        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(on),
+                 direction="along", when=where)  # fmt: skip
+    elif on:
+        sloped = on if "incline" in entity_of(d, on[0]).noun.traits else []
+        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(sloped),
+                 direction=s.row.direction, when=where)  # fmt: skip
+
+
+def goal(book: Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "Runs to the left of a chair": where it gets to; beside what moves, where it keeps."""
+    d = book.d
+    targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
+    if not targets or structural(d, targets[0]) or is_told(d, mover, targets):
+        return
+    hung = {j.child for j in d.scene.joints} | {*d.scene.attached}
+    held = (r for r in d.scene.relations if r.target == targets[0] and r.source in hung)
+    if any(r.kind == s.row.states.value for r in held):
+        return  # "drifts into the fan above the table": what hangs there is above it
+    if s.row.states is Predicate.ABOVE and clause.frame.verb.sense in ("drop", "fall"):
+        return  # that is where it starts
+    if queues_behind(d, s, mover) is not None:
+        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(targets),
+                 direction="toward", when=period(d, clause, mover))  # fmt: skip
+        book.add(Predicate.ENDS_NEAR, s.start, s.end, object=(mover,), target=tuple(targets),
+                 when="end")  # fmt: skip
+        return
+    also = {i for c in d.scene.clauses for i in c.movers}
+    own = any(e.to and e.actor == mover for e in d.timeline.edges)
+    if own and not any(c.to in targets for n in d.timeline.nodes for c in n.constraints):
+        when = "throughout" if targets[0] in also else "end"
+        if when == "end" and _goes_elsewhere(d, clause, mover):
+            return
+        book.add(s.row.states, s.start, s.end, object=(mover,), target=tuple(targets), when=when)
+        _starts_there(book, mover, targets[0], s.row.states)
+
+
+def _goes_elsewhere(d: Discourse, clause: Clause, mover: str) -> bool:
+    """ "Rolls under a truck and ends up in the gutter": it does not end under it."""
+    at = next(k for k, c in enumerate(d.scene.clauses) if c is clause)
+    later = [c for c in d.scene.clauses[at + 1 :] if mover in c.movers]
+    return any(c.frame.verb is not clause.frame.verb and c.frame.phrases for c in later)
+
+
+def _starts_there(book: Book, mover: str, other: str, says: Predicate) -> None:
+    """ "Is on the left of a chair, then ...": where it starts is stated of what gets elsewhere."""
+    d = book.d
+    for r in d.scene.relations:
+        words = _SIDE_WORDS.get(r.kind)
+        if words is None or (r.source, r.target) != (mover, other) or r.kind == says.value:
+            continue
+        found = words.search(d.text)
+        if found is not None:
+            book.add(Predicate(r.kind), found.start(), found.end(), object=(mover,),
+                     target=(other,), when="start")  # fmt: skip
+
+
+def landed(book: Book, clause: Clause, p: Phrase) -> None:
+    """ "A bird lands on a branch": it comes down by itself, and there it stays."""
+    d = book.d
+    if p.mention is None or p.prep not in ("on", "onto", "upon", "atop", "on top of"):
+        return
+    hosts = [i for i in things(p) if i in d.world.entities and not structural(d, i)][:1]
+    for mover in clause.movers if hosts else []:
+        edges = list(segments(d, mover))
+        kinds = {n.id: n.event for n in d.timeline.nodes}
+        over = bool(edges) and measurable(kinds.get(edges[-1].to, NodeEvent.TRIGGER))
+        if not flies_itself(d, mover) or not over or mover in hosts:
+            continue
+        words = (start_of(p, d.text), p.mention.end)
+        book.add(Predicate.MOVES, *span(clause.frame), object=(mover,), direction="down",
+                 when=period(d, clause, mover))  # fmt: skip
+        book.add(Predicate.ENDS_ON, *words, object=(mover,), target=tuple(hosts), when="end")
+
+
+def leapt(book: Book, p: Phrase) -> None:
+    """ "Jumps onto a table": there it stays, unless more is told of it."""
+    d = book.d
+    for mover, host in d.moves.upon.items():
+        last = next((n for n in reversed(d.timeline.nodes) if mover in n.participants), None)
+        stays = last is not None and host in last.participants
+        if p.mention is not None and stays and host in things(p):
+            words = (start_of(p, d.text), p.mention.end)
+            book.add(Predicate.ENDS_ON, *words, object=(mover,), target=(host,), when="end")
