@@ -18,6 +18,8 @@ SAMPLES = (
 )
 """Prompts whose whole way through the stages loads and compiles what scenes need, each with what
 bodies collide with in its search; the last one compiles the kernels of signed distance fields."""
+PACKAGES = ("esg", "tasks", "flows")
+"""Packages of the project."""
 
 
 def setup() -> int:
@@ -38,6 +40,7 @@ def setup() -> int:
         for number, sample in enumerate(SAMPLES, 1):
             name = f"sample scene {number} of {len(SAMPLES)}"
             _step(name, lambda s=sample: _sample(*s, Path(folder)))
+    _step("bytecode of the modules", _bytecode)
     print(f"ready; caches are in {cache_dir()} and {kernel_cache_dir()}")
     return 0
 
@@ -125,6 +128,26 @@ def _rest() -> None:
 
     for module in (evaluation, break_kernels):
         wp.load_module(module, device="cpu")
+
+
+def _bytecode() -> None:
+    """What Python would write beside a module at its first import, unless it is told not to.
+
+    Container images are (PYTHONDONTWRITEBYTECODE), and some installers leave it to the first run:
+    without it each command compiles some 500 modules of the project again. A folder that cannot be
+    written to stays as it is.
+    """
+    from compileall import compile_dir, compile_file
+    from importlib.util import find_spec
+
+    for package in PACKAGES:
+        spec = find_spec(package)
+        for folder in (spec.submodule_search_locations or ()) if spec is not None else ():
+            compile_dir(folder, quiet=2)
+    loaded = (getattr(m, "__file__", None) for m in [*sys.modules.values()])
+    for file in loaded:
+        if file is not None and file.endswith(".py"):
+            compile_file(file, quiet=2)
 
 
 def _sample(prompt: str, collision: str, root: object) -> None:

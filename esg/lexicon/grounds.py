@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 import csv
 from dataclasses import dataclass
 from functools import cache
@@ -69,12 +70,19 @@ def ground_said(text: str) -> list[tuple[str, int, int]]:
 
     "A wet floor sign" says nothing of a floor, and "a wet dog" nothing of the ground.
     """
-    return _found(text, {row.name: _of_ground(row) for row in grounds().values()})
+    rows = _named(text, lambda row: (*row.said_as, *row.lies_as))
+    return _found(text, {row.name: _of_ground(row) for row in rows})
 
 
 def weather_said(text: str) -> list[tuple[str, int, int]]:
     """What a prompt says of the weather that its ground is under; see `ground_said`."""
-    return _found(text, {r.name: _of_weather(r) for r in grounds().values() if r.weather})
+    return _found(text, {r.name: _of_weather(r) for r in _named(text, lambda r: r.weather)})
+
+
+def _named(text: str, said: Callable[[Ground], tuple[str, ...]]) -> list[Ground]:
+    """The rows of which a word stands in the text: the patterns of all take 0.1 s to compile."""
+    low = text.casefold()
+    return [row for row in grounds().values() if any(w.casefold() in low for w in said(row))]
 
 
 def _found(text: str, patterns: dict[str, re.Pattern[str]]) -> list[tuple[str, int, int]]:

@@ -2,10 +2,16 @@
 
 from __future__ import annotations
 
+import importlib
 import io
+from pathlib import Path
+import sys
 import time
 
-from esg.commands.setup import _Clock, _show
+import pytest
+
+from esg.commands import setup
+from esg.commands.setup import _bytecode, _Clock, _show
 
 
 class Terminal(io.StringIO):
@@ -40,3 +46,24 @@ def test_a_terminal_has_one_line_that_is_cleared() -> None:
         time.sleep(0.12)
     assert "\n" not in terminal.getvalue()
     assert terminal.getvalue().endswith("\r\x1b[K")
+
+
+def test_modules_are_compiled_where_python_writes_no_bytecode(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Those that nothing has imported yet, too."""
+    package = tmp_path / "somewhere"
+    (package / "below").mkdir(parents=True)
+    for file in ("__init__.py", "seen.py", "below/unseen.py"):
+        (package / file).write_text("VALUE = 1\n")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
+    monkeypatch.setattr(setup, "PACKAGES", ("somewhere",))
+    assert importlib.import_module("somewhere.seen").VALUE == 1
+    assert not [*package.rglob("*.pyc")]
+    _bytecode()
+    assert {p.name.partition(".")[0] for p in package.rglob("*.pyc")} == {
+        "__init__",
+        "seen",
+        "unseen",
+    }

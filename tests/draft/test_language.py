@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import subprocess
+import sys
+
 from hypothesis import given, settings
 from hypothesis import strategies as st
 import pytest
@@ -270,3 +273,17 @@ def test_any_word_salad_is_refused_or_valid(words: list[str]) -> None:
     except UserError:
         return
     assert not verify(doc)
+
+
+def test_spacy_is_loaded_without_its_command_line_which_works_when_asked_for() -> None:
+    """In a process of its own: what a first draft loads, and what is there afterwards."""
+    told = (
+        "import sys; from esg.draft.text.tagging import pos_tags; assert pos_tags('A ball rolls.'); "
+        "print(any(m.startswith('spacy.cli') for m in sys.modules)); import spacy; "
+        "print(spacy.info(silent=True)['spacy_version'] == spacy.__version__); "
+        "import spacy.cli; print(callable(spacy.cli.download))"
+    )
+    done = subprocess.run(
+        [sys.executable, "-c", told], capture_output=True, text=True, check=True, timeout=120
+    )
+    assert done.stdout.split() == ["False", "True", "True"]
