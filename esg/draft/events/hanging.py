@@ -8,8 +8,9 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, mark_used
 from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.entities import head_of
 from esg.draft.discourse.referents.parts import parts_of
-from esg.draft.discourse.referents.registry import current_id
+from esg.draft.discourse.referents.registry import add_entity, current_id
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.timing import moved_by_others
 from esg.draft.events.told import amount, at_rest, recent
@@ -90,6 +91,33 @@ def turned_instead(d: Discourse, f: Frame, subject: list[str]) -> list[str]:
     if not pronoun or not so or f.object is not None or openable(d, subject):
         return subject
     return next(([i] for i in recent(d) if openable(d, [i])), subject)
+
+
+def by_their_doors(d: Discourse, f: Frame, bodies: list[str]) -> list[str]:
+    """ "A man closes the fridge", "opens a book": what turns is its door, its cover.
+
+    The part is there from then on, and the thing itself is what it is joined to.
+    """
+    told = f.verb.sense == "noop" and f.verb.lemma in _OPENING
+    told = told or f.verb.extra.get("result") in _OPENING
+    if not told or f.unreal or openable(d, bodies):
+        return bodies
+    return [_door_of(d, b) for b in bodies]
+
+
+def _door_of(d: Discourse, body: str) -> str:
+    """The door, cover or lid of a thing that has one; the thing itself if it has none."""
+    head = head_of(entity_of(d, body)) if body in d.world.entities else ""
+    rows = (r for r in articulations().values() if r.kind == "hinge" and r.opened is not None)
+    row = next((r for r in rows if head in r.serves and r.carries == "with"), None)
+    if row is None:
+        return body
+    there = (e.id for e in d.world.entities.values() if row_of(d, e.id) is row)
+    known = next(there, None)
+    if known is not None:
+        return known
+    name = row.nouns[0]
+    return add_entity(d.world, lex.part(row.becomes), name, mentioned=False).id
 
 
 def named_parts(d: Discourse) -> None:

@@ -42,6 +42,7 @@ from esg.draft.events.following import follow_on
 from esg.draft.events.hanging import (
     SWAYING,
     UNMET,
+    by_their_doors,
     hanging,
     named_parts,
     sense_on_joint,
@@ -279,6 +280,11 @@ def _comes_apart(d: Discourse, f: Frame, parts: Parts) -> bool:
 def _turns_on_its_joint(d: Discourse, f: Frame, parts: Parts) -> bool:
     """What swings open or slams shut is what can."""
     parts.subject = turned_instead(d, f, parts.subject)
+    acted_on = bool(parts.objects) and not f.verb.passive
+    if acted_on:
+        parts.objects = by_their_doors(d, f, parts.objects)
+    else:
+        parts.subject = by_their_doors(d, f, parts.subject)
     return False
 
 

@@ -8,8 +8,10 @@ from __future__ import annotations
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import shade
-from esg.assets.geometry.sketch import CHROME, DARK, STEEL, Color, Sketch
+from esg.assets.geometry.sketch import CHROME, DARK, STEEL, Color, Sketch, rgb
 
+PAGES = rgb(239, 233, 216)
+"""Colour of paper."""
 _JAMB, _GAP = 6.0 / 93.0, 0.5 / 93.0
 """Jambs of a door frame and the air beside a leaf, over the frame's width."""
 _LINTEL, _SILL = 6.0 / 206.0, 0.8 / 206.0
@@ -118,8 +120,8 @@ def drawer_chest(s: Sketch, L: float, W: float, H: float, c: Color, bay_at: str 
 
 
 @builder("cupboard_body", "free")
-def cupboard_body(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Cupboard that is open in front (+X), with a shelf; its door closes before it."""
+def cupboard_body(s: Sketch, L: float, W: float, H: float, c: Color, shelf: str = "one") -> None:
+    """Cupboard that is open in front (+X), with a shelf or none; its door closes before it."""
     t, foot = 0.04 * W, 0.05 * H
     inner = (-W / 2 + t, W / 2 - t)
     s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, foot), shade(c, 0.8), solid=1)
@@ -127,7 +129,8 @@ def cupboard_body(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.slab((-L / 2, -L / 2 + t), inner, (foot, H - t), c, solid=1)
     for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
         s.slab((-L / 2, L / 2), y, (foot, H - t), c, solid=1)
-    s.slab((-L / 2 + t, 0.4 * L), inner, (0.55 * H, 0.55 * H + t), shade(c, 1.1), solid=1)
+    if shelf == "one":
+        s.slab((-L / 2 + t, 0.4 * L), inner, (0.55 * H, 0.55 * H + t), shade(c, 1.1), solid=1)
     s.surface("top", H, (L / 2, W / 2))
     s.region("inside", (-L / 2 + t, L / 2), inner, (foot, H - t))
     s.mount("side", (L / 2, -W / 2, foot), (0.0, 0.0, -1.0))
@@ -151,7 +154,7 @@ def cupboard_door(s: Sketch, L: float, W: float, H: float, c: Color, hung: str =
 
 
 @builder("chest_body", "free")
-def chest_body(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+def chest_body(s: Sketch, L: float, W: float, H: float, c: Color, fittings: str = "iron") -> None:
     """Open box across Y; its lid hangs on the upper edge of its back."""
     t = 0.05 * L
     s.walls((-L / 2, L / 2), (-W / 2, W / 2), (0, H), t)
@@ -161,7 +164,7 @@ def chest_body(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         s.slab(x, (-W / 2, W / 2), (t, H), c)
     for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
         s.slab((-L / 2 + t, L / 2 - t), y, (t, H), c)
-    for y in (-0.3 * W, 0.3 * W):
+    for y in (-0.3 * W, 0.3 * W) if fittings == "iron" else ():
         s.slab((L / 2, L / 2 + 0.01 * L), (y - t, y + t), (0, H), DARK)
     s.surface("lid", 1.302 * H, (L / 2, W / 2))
     s.region("inside", (-L / 2 + t, L / 2 - t), inner, (t, H))
@@ -169,13 +172,34 @@ def chest_body(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
 
 @builder("chest_lid", "free")
-def chest_lid(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+def chest_lid(s: Sketch, L: float, W: float, H: float, c: Color, fittings: str = "iron") -> None:
     """Flat lid with a rim, hung on its rear lower edge."""
     s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H), shade(c, 0.95), solid=1)
+    s.mount("hinge", (-L / 2, 0.0, 0.0), (0.0, -1.0, 0.0))
+    if fittings != "iron":
+        return
     for y in (-0.3 * W, 0.3 * W):
         s.slab((-L / 2, L / 2 + 0.01 * L), (y - 0.05 * L, y + 0.05 * L), (0, 1.01 * H), DARK)
     s.slab((L / 2, L / 2 + 0.02 * L), (-0.06 * W, 0.06 * W), (0, 0.6 * H), CHROME)
-    s.mount("hinge", (-L / 2, 0.0, 0.0), (0.0, -1.0, 0.0))
+
+
+@builder("book_block", "free")
+def book_block(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Pages and back cover of a book that lies, its spine behind (-X)."""
+    board, rim = 0.1 * H, 0.03 * L
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, board), c, solid=1)
+    s.slab((-L / 2, -L / 2 + 0.4 * board), (-W / 2, W / 2), (board, H), c)
+    s.slab((-L / 2 + board, L / 2 - rim), (-W / 2 + rim, W / 2 - rim), (board, H), PAGES, solid=1)
+    s.surface("top", 1.11 * H, (L / 2, W / 2))
+    s.mount("spine", (-L / 2, 0.0, H), (0.0, -1.0, 0.0))
+
+
+@builder("book_cover", "free")
+def book_cover(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Front cover of a book that lies, hung on its spine."""
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H), c, solid=1)
+    s.slab((-0.3 * L, 0.3 * L), (-0.3 * W, 0.3 * W), (H, 1.05 * H), shade(c, 1.25))
+    s.mount("spine", (-L / 2, 0.0, 0.0), (0.0, -1.0, 0.0))
 
 
 @builder("shutter_leaf", "free")
