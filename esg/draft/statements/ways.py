@@ -65,6 +65,12 @@ def _back(book: Book, clause: Clause, s: Said, mover: str) -> None:
 
 def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> None:
     d, direction = book.d, s.row.direction
+    if (
+        s.phrase is not None
+        and s.phrase.prep == "by"
+        and d.scene.used.get(span(clause.frame)) == "put"
+    ):
+        return  # where it is put, not what it passes
     over = s.phrase is not None and s.phrase.prep == "over"
     grounded = clause.frame.verb.sense in ("slide", "roll") and kind_of(d, mover) == "animal"
     if over and (grounded or not (mover in d.moves.flying or flies_itself(d, mover))):
@@ -127,6 +133,8 @@ def goal(book: Book, clause: Clause, s: Said, mover: str) -> None:
     held = (r for r in d.scene.relations if r.target == targets[0] and r.source in hung)
     if any(r.kind == s.row.states.value for r in held):
         return  # "drifts into the fan above the table": what hangs there is above it
+    if s.row.states is Predicate.ENDS_NEAR and d.scene.used.get(span(clause.frame)) != "put":
+        return  # "runs next to a horse": it need not end there
     if s.row.states is Predicate.ABOVE and clause.frame.verb.sense in ("drop", "fall"):
         return  # that is where it starts
     if queues_behind(d, s, mover) is not None:

@@ -16,7 +16,7 @@ from esg.dynamics.story.stagecraft import top_surface
 from esg.dynamics.story.story import Phase, bounds
 from esg.engines.program import GuideAlong, Vec
 from esg.engines.scene import Body
-from esg.graph.models import EdgeEvent, NodeEvent
+from esg.graph.models import EdgeEvent, NodeEvent, Predicate
 from esg.units import quat_rotate
 
 Floats = NDArray[np.float64]
@@ -34,6 +34,16 @@ HAND_MPS, CRANE_MPS, HEAVY_KG = 0.7, 0.4, 50.0
 SHORTEST_LEG_S = 0.5
 LONGEST_WAY_S = 6.0
 """What has farther to go is moved faster."""
+GAPS_M = (0.06, 0.1, 0.16, 0.25, 0.4, 0.6)
+"""What is set down beside something is so far away from it, the first that is free."""
+_SIDES = {
+    Predicate.LEFT_OF: ((1.0, 0.0),),
+    Predicate.RIGHT_OF: ((-1.0, 0.0),),
+    Predicate.IN_FRONT_OF: ((0.0, 1.0),),
+    Predicate.BEHIND: ((0.0, -1.0),),
+    Predicate.ENDS_NEAR: ((0.0, 1.0), (1.0, 0.0), (-1.0, 0.0), (0.0, -1.0)),
+}
+"""Where it is set down then, in the viewer's directions: left is +X, in front +Y."""
 STEPS = 9
 """Places tried along each side of a support."""
 AROUND_M = 3.0
@@ -139,7 +149,9 @@ def _goal(cast: Cast, phase: Phase, body: Body) -> Floats | None:
         low_cm, high_cm, _ = bounds(phase.edge.params.clearance_cm, (100 * HELD_M, 100 * HELD_M))
         above = 0.005 * (low_cm + high_cm)
     if not cast.scene.body(target).shapes:
-        spot = _free_spot(cast, body, _around(body), half, 0.0)
+        spots = _beside(cast, body, half)
+        spots = spots if len(spots) else _around(body)
+        spot = _free_spot(cast, body, spots, half, 0.0)
         return np.array([*(spot + aside), foot + above])
     surface = top_surface(cast.doc, target)
     on, turn = cast.scene.body(target), np.array(cast.scene.body(target).quaternion)
@@ -151,8 +163,34 @@ def _goal(cast: Cast, phase: Phase, body: Body) -> Floats | None:
                       for i in steps for j in steps])  # fmt: skip
     local = local[np.argsort(np.linalg.norm(local[:, :2] - center[:2], axis=1), kind="stable")]
     places = corner + quat_rotate(turn, local)
-    spot = _free_spot(cast, body, places[:, :2], half, float(places[0, 2]))
+    spots = _beside(cast, body, half)
+    if len(spots):
+        flat = np.column_stack([spots, np.full(len(spots), places[0, 2])])
+        inner = quat_rotate(turn * (-1.0, -1.0, -1.0, 1.0), flat - corner)
+        spots = spots[(np.abs(inner[:, :2] - center[:2]) <= room + 1e-9).all(axis=1)]
+    spots = spots if len(spots) else places[:, :2]
+    spot = _free_spot(cast, body, spots, half, float(places[0, 2]))
     return np.array([*(spot + aside), places[0, 2] + foot + above])
+
+
+def _beside(cast: Cast, body: Body, half: Floats) -> Floats:
+    """Places beside what the prompt puts a body next to, the nearest first [m], shape [n, 2].
+
+    Args:
+        cast: Who takes part.
+        body: What is put there.
+        half: Of its footprint [m].
+    """
+    told = (s for s in cast.doc.statements or () if s.when == "end" and body.name in s.object)
+    s = next((s for s in told if s.predicate in _SIDES and s.target), None)
+    if s is None or s.target[0] == body.name:
+        return np.zeros((0, 2))
+    low, high = body_bounds(cast.scene.body(s.target[0]))
+    center, room = 0.5 * (low + high)[:2], 0.5 * (high - low)[:2] + half
+    ways = np.array(_SIDES[s.predicate])
+    ways = ways[np.argsort(np.linalg.norm(ways * room + center - body.position[:2], axis=1))]
+    out = room + np.array(GAPS_M)[:, None, None]
+    return (center + ways * out).reshape(-1, 2)
 
 
 def _around(body: Body) -> Floats:

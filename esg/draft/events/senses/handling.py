@@ -27,6 +27,8 @@ from esg.graph.models import ForceDirection, NodeEvent
 
 _PUT_ON = ("on", "onto", "on top of", "upon", "atop")
 _PUT_IN = ("in", "into", "inside")
+_PUT_BY = ("left of", "right of", "in front of", "behind", "next to", "beside", "near", "close to")
+"""What somebody puts something to the left of stands there, on what carries it."""
 _ELSEWHERE = frozenset({"in", "off", "on", "out", "down", "aboard", "aside", "away"})
 """Adverbs that lead a leap somewhere else than back to the ground it left."""
 _HOPPED_ON = lex.word_set("hopped on")
@@ -131,6 +133,10 @@ def _goal(d: Discourse, f: Frame, moved: list[str]) -> tuple[str, str] | None:
         return found.prep, things(found)[0]
     if moved and found is None and {*moved} <= {*_in_hand(d)} and _DOWN.match(d.text, f.verb.start):
         return "on", d.scene.supported_by.get(moved[0]) or _ground(d)  # "and sets it down again"
+    by = f.phrase(*_PUT_BY, *(() if f.verb.passive else ("by",))) if found is None else None
+    said = by.mention if by is not None and things(by) else None
+    if by is not None and said is not None and said.start > f.verb.start:
+        return by.prep, d.scene.supported_by.get(things(by)[0]) or _ground(d)
     inner = [i for i in recent(d) if holds(d, i) and i not in moved]
     inner = inner if found is None and "inside" in f.adverbs else []
     return ("inside", inner[0]) if inner else None  # "opens the drawer and puts a bowl inside"
@@ -144,7 +150,8 @@ def _put(d: Discourse, f: Frame, moved: list[str], goal: tuple[str, str]) -> Non
         if d.scene.supported_by.get(body) == target and body not in held:
             if not at_rest(d, body):
                 continue
-            _lay_aside(d, body, target)
+            if prep not in _PUT_BY:
+                _lay_aside(d, body, target)
         d.timeline.move(body, Motion("guide", target=target), ForceDirection.ANY_3D)
         inner = holds(d, target) or enterable(d, target) or takes_up_from_above(d, target, "in")
         if prep in _PUT_IN and inner:
@@ -205,7 +212,9 @@ def _jumps_away(d: Discourse, f: Frame, leaps: list[str]) -> bool:
     bottoms = [said[k] for k in ("off", "from") if k in said]
     bottoms = [i for i in bottoms if elevated(d, i) or carries(d, i, leaps[0])]
     tops = [said[k] for k in _PUT_ON if k in said and _jumped_onto(d, said[k])]
-    tops += [i for k, i in said.items() if k == "to" and bottoms]
+    upward = f.phrase("to")
+    to_top = upward is not None and upward.mention is not None and upward.mention.part == "top"
+    tops += [i for k, i in said.items() if k == "to" and (bottoms or to_top)]
     pools = [i for k, i in said.items() if k in _PUT_IN and bottoms and enterable(d, i)]
     others = said.keys() - {*_PUT_ON, *_PUT_IN, "to", "off", "from"}
     if others & {"out of", "at", "down", "through"} or not (tops or bottoms):
