@@ -302,3 +302,37 @@ def test_what_is_to_swing_faces_along_a_blow_out_of_a_stated_side(side: str, way
     faces = {r.from_: r.cardinal for r in doc.spatial_relation_graph.edges.binary_relations}
     assert faces["bell_1"] == way
     assert Predicate.STRUCK_ON not in {s.predicate for s in doc.statements or ()}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "event", "door", "whole"),
+    [
+        ("A man closes the fridge.", "Close", "fridge_door_1", "fridge_1"),
+        ("close the microwave", "Close", "microwave_door_1", "microwave_1"),
+        ("The oven opens.", "Open", "oven_door_1", "oven_1"),
+        ("A girl pushes the cupboard shut.", "Close", "cupboard_door_1", "cupboard_1"),
+        ("A person is opening a book.", "Open", "book_cover_1", "book_1"),
+        ("A woman opens a box.", "Open", "box_lid_1", "box_1"),
+    ],
+)
+def test_what_has_a_door_opens_and_closes_by_it(
+    prompt: str, event: str, door: str, whole: str
+) -> None:
+    """The thing that is named stays there, and its door turns on it."""
+    doc = draft(prompt)
+    assert verify(doc) == ()
+    assert told(doc) == [(event, door)] and segments(doc) == {door: "Drive"}
+    joint = next(j for j in doc.spatial_relation_graph.joints or () if j.child == door)
+    assert joint.parent == whole
+    assert (joint.position > 0.0) is (event == "Close")
+
+
+def test_what_is_hit_while_it_is_closed_has_no_door_of_its_own() -> None:
+    """Nothing tells of a door: a box and a fridge are as closed as ever."""
+    for prompt in ("A ball rolls into a fridge.", "A book falls on a box."):
+        assert not draft(prompt).spatial_relation_graph.joints
+
+
+def test_one_door_opens_and_closes_again() -> None:
+    doc = draft("A man opens the fridge. Then he closes the fridge.")
+    assert told(doc) == [("Open", "fridge_door_1"), ("Close", "fridge_door_1")]

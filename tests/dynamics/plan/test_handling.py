@@ -17,9 +17,17 @@ from esg.dynamics.plan.build import build_scene
 from esg.dynamics.story.stagecraft import top_surface
 from esg.engines import get_engine
 from esg.engines.manifest import load_manifest
-from esg.engines.program import HoldSpin, batch_programs
+from esg.engines.program import GuideAlong, HoldSpin, batch_programs
 from esg.graph import effective, verify
-from esg.graph.models import Actor, EsgDocument, NamedRegion, Pose, TimelineEdge, TimelineNode
+from esg.graph.models import (
+    Actor,
+    EsgDocument,
+    NamedRegion,
+    Pose,
+    Statement,
+    TimelineEdge,
+    TimelineNode,
+)
 from esg.layout import solve, stored_hints
 from esg.metrics import expectations_from_timeline, judge
 from tests.dynamics.stage import BALL, CAR, TABLE, asset, document, lay_out
@@ -72,6 +80,67 @@ def put_on_table() -> EsgDocument:
     )
     places = {"mug_1": (0, 0, 0), "wall_1": (70, 0, 0), "table_1": (200, 0, 0)}
     return at(doc, mug_2=(200, 0, 75), **places)
+
+
+def put_beside(predicate: str, on: str = "table_1") -> EsgDocument:
+    """A mug is taken from the floor and put beside another one, on a table or on the floor."""
+    doc = document(
+        "beside",
+        {"mug_1": MUG, "mug_2": MUG, "table_1": TABLE},
+        {"mug_1": moves()},
+        [START, N(id="put", event="Placed", participants=("mug_1", on), window=(1, 9))],
+        [edge("carry", "start", "put", "Guide", "mug_1", target=on)],
+    )
+    told = Statement(
+        id="s1", predicate=predicate, object=("mug_1",), target=("mug_2",), when="end",
+        text="beside", start=0, end=6,
+    )  # fmt: skip
+    stands = {"mug_2": (200, 20, 75)} if on == "table_1" else {"mug_2": (80, 60, 0)}
+    doc = at(doc, mug_1=(0, 0, 0), table_1=(200, 0, 0), **stands)
+    return doc.model_copy(update={"statements": (told,)})
+
+
+@pytest.mark.parametrize("on", ["table_1", "ground_1"])
+@pytest.mark.parametrize(
+    ("predicate", "side"),
+    [
+        ("left_of", (1, 0)),
+        ("right_of", (-1, 0)),
+        ("in_front_of", (0, 1)),
+        ("behind", (0, -1)),
+        ("ends_near", None),
+    ],
+)
+def test_what_is_put_beside_something_is_let_go_there(
+    predicate: str, side: tuple[int, int] | None, on: str
+) -> None:
+    """On the side that is told, a hand's breadth away, on what carries the other."""
+    doc = put_beside(predicate, on)
+    scene = build_scene(doc)
+    way = make_plan(doc, scene).compile(make_plan(doc, scene).initial())
+    guided = next(p for p in way.primitives if isinstance(p, GuideAlong))
+    gap = np.array(guided.points[-1]) - np.array(scene.body("mug_2").position)
+    assert 0.1 < np.linalg.norm(gap[:2]) < 0.25
+    assert abs(gap[2]) < 0.02
+    if side is not None:
+        assert gap[0] * side[0] + gap[1] * side[1] > 0.1
+
+
+def test_what_finds_no_room_beside_something_is_put_elsewhere_on_the_table() -> None:
+    """Mugs at the edge of a table: none is let go in the air beside it."""
+    doc = put_beside("left_of")
+    assert doc.layout_result is not None
+    edge_of_table = {**doc.layout_result.poses, "mug_2": Pose(position_cm=(255, 0, 75))}
+    layout = doc.layout_result.model_copy(update={"poses": edge_of_table})
+    doc = doc.model_copy(update={"layout_result": layout})
+    scene = build_scene(doc)
+    plan = make_plan(doc, scene)
+    guided = next(
+        p for p in plan.compile(plan.initial()).primitives if isinstance(p, GuideAlong)
+    )
+    low, high = body_bounds(scene.body("table_1"))
+    end = np.array(guided.points[-1])
+    assert (end[:2] > low[:2]).all() and (end[:2] < high[:2]).all()
 
 
 def lowered_into_bin() -> EsgDocument:
