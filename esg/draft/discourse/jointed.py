@@ -8,6 +8,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.referents.registry import current_id
+from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import LIVING, Scene
 from esg.lexicon.articulations import Articulation, articulations, hangers
 
@@ -18,6 +19,12 @@ _WHOLES = frozenset(
     {"appliance", "box", "container", "electronics", "flyer", "furniture", "toyvehicle", "vehicle"}
 )
 """Kinds of things whose doors and lids are parts of them: a car door is no door of a room."""
+_HOUSE_CM = 200.0
+"""What is wider and longer is a house: its door is drawn beside it, in a frame of its own."""
+
+
+CRANES = frozenset(hangers()[LOAD].serves)
+"""What loads hang from."""
 
 
 def articulation_of(scene: Scene, text: str, e: Entity) -> Articulation | None:
@@ -51,6 +58,7 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
     whole = re.search(told, text, re.IGNORECASE)
     if whole is not None:
         others = (x for x in scene.world.entities.values() if x is not e)
+        others = (x for x in others if not _houses(x))  # whose front door stands by it
         things = {head_of(x) for x in others if "structural" not in x.noun.traits}
         named = [f"{x} {head}" for x in sorted(things) if x in whole[1].lower()]
         named = [*(f"{a} {head}" for a in e.adjectives), *named] if named else []
@@ -68,6 +76,12 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
         *([f"hanging {head}"] if _below_ceiling(scene, e) or e.id in scene.hung else []),
         head,
     ]
+
+
+def _houses(e: Entity) -> bool:
+    return "fixed" in e.noun.traits and e.noun.kind not in _WHOLES and (
+        min(dimensions_of(e)[:2]) > _HOUSE_CM
+    )
 
 
 def _below_ceiling(scene: Scene, e: Entity) -> bool:

@@ -207,6 +207,14 @@ def _alone(d: Discourse, clause: Clause) -> bool:
     return acts and joined and first and f.subject.determiner == "the" and not met
 
 
+def _moved_by_none(d: Discourse, clause: Clause) -> bool:
+    """Whether who opens something is not told to meet it: a door moves by itself then."""
+    doers, about = {*_doers(clause.frame)}, {*clause.movers}
+    done = {*(clause.frame.object.entities if clause.frame.object is not None else [])} | about
+    hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
+    return not any({*n.participants[:1]} & doers and {*n.participants[1:]} & done for n in hits)
+
+
 _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "loose": lambda d, c: bool(c.movers) and _loose(d, c),
     "bumped": lambda d, c: c.frame.verb.form == "ing" and _bumped(d, c.frame),
@@ -220,6 +228,7 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     ),
     "alone": _alone,
     "agentless": lambda d, c: c.frame.verb.passive and c.frame.phrase("by") is None,
+    "untouched": _moved_by_none,
     "untied": lambda d, c: not _tied(d, c.frame),
 }
 """Conditions of a row that look at the scene or at the words around the verb."""
