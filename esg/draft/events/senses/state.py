@@ -357,7 +357,8 @@ def _pattern_of(d: Discourse, thing: str, pattern: str | None) -> None:
 
 @sense("carry")
 def read_carry(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if s and o:
+    lifted = {n.participants[0] for n in d.timeline.nodes if n.event is NodeEvent.PICKED_UP}
+    if s and o and not {*o} <= lifted:  # "lifts a pallet, carries it over and sets it down"
         place(d, o, s, "on")
     if s and o and f.verb.lemma in ("carry", "transport") and not movable(d, s[0]):
         motion(d, f, o, "slide")  # "a conveyor carries a box past a guard"
