@@ -21,7 +21,7 @@ from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import adverbs_of
 from esg.draft.events.told import last_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
-from esg.graph.models import EdgeEvent, NodeEvent
+from esg.graph.models import EdgeEvent, NodeEvent, Predicate
 
 _NO_PICTURE = lex.word_set("no picture (statements)")
 _PICTURED = frozenset({"refuse"})
@@ -82,7 +82,8 @@ def missing(d: Discourse, clause: Clause) -> str:
     told = clause.told or again or bool(clause.movers)
     if told and not clause.movers and not again and _moves_nothing(d, f):
         return NOTHING_MOVES
-    return "" if told or f.verb.sense in _STATES else NOTHING_MOVES
+    borne = any(s.row.states is Predicate.CARRIED_BY for s in clause.said)
+    return "" if told or borne or f.verb.sense in _STATES else NOTHING_MOVES
 
 
 def _moves_nothing(d: Discourse, f: Frame) -> bool:

@@ -22,6 +22,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import apply_amount, current_id
 from esg.draft.discourse.scene import LIMBED, SELF_POWERED, Relation
 from esg.draft.events.acts import add_event, add_hit
+from esg.draft.events.hanging import turning
 from esg.draft.events.lengths import starts_apart
 from esg.draft.events.motions import motion, sets_off_late
 from esg.draft.events.table import read_as, sense
@@ -360,7 +361,8 @@ def read_carry(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     lifted = {n.participants[0] for n in d.timeline.nodes if n.event is NodeEvent.PICKED_UP}
     if s and o and not {*o} <= lifted:  # "lifts a pallet, carries it over and sets it down"
         place(d, o, s, "on")
-    if s and o and f.verb.lemma in ("carry", "transport") and not movable(d, s[0]):
+    along = s and o and f.verb.lemma in ("carry", "transport") and not movable(d, s[0])
+    if along and not turning(d, s[:1]):
         motion(d, f, o, "slide")  # "a conveyor carries a box past a guard"
     elif s and (quantity_of(d, f, "speed") or any(p.prep in _CARRIED_ALONG for p in f.phrases)):
         motion(d, f, s, None)

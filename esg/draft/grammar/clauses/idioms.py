@@ -150,7 +150,6 @@ _KINDS: dict[str, Callable[[Mention | None], bool]] = {
     "ground": _ground,
     "known": lambda m: m is not None and m.noun is not None,
     "it": lambda m: m is not None and m.pronoun in ("it", "them"),
-    "them": lambda m: m is not None and m.pronoun in ("it", "them", "both", "all"),
 }
 _VERBS: dict[str, Callable[[Frame], bool]] = {
     "active": lambda f: not f.verb.passive,
