@@ -48,6 +48,8 @@ TOY = 0.3
 """Size of a toy over that of what it is a toy of."""
 MEETS_CM = 12.0
 """What hangs reaches so far below the top of what it is told to meet, or four fifths of that."""
+_ENDS = ("front end", "back end")
+"""Mounts of a seesaw's board: the one that is down at the upper limit of its hinge, the other."""
 _MOTIONS = (EdgeEvent.DRIVE, EdgeEvent.RELEASE)
 _MODES = ("drive", "release")
 _TURNS = (NodeEvent.OPEN, NodeEvent.CLOSE)
@@ -59,6 +61,7 @@ def join_parts(scene: Scene) -> list[str]:
     What hangs on something that the prompt names, what is a part of it ("the door of a car") and
     what something else enters stays as it is.
     """
+    _weigh_down(scene)
     reasons: list[str] = []
     acting = {i for n in scene.timeline.nodes for i in n.participants}
     entered = {n.extra.get("region") for n in scene.timeline.nodes}
@@ -269,14 +272,27 @@ def _tallest_below(scene: Scene, e: Entity) -> float:
 
 
 def _seat_on_seesaws(scene: Scene) -> None:
-    """Holds what sits on the low end of a tipped seesaw there until the board jolts it."""
+    """Holds what sits on the ends of a seesaw there until the board jolts it."""
+    taken: dict[str, int] = {}
     for node, board in scene.supported_by.items():
         row = articulation_of(scene, scene.text, scene.world.entities[board])
-        if row is None or not row.tips or not scene.openings.get(board):
+        seated = scene.openings.get(board) or node in scene.at_ends
+        if row is None or not row.tips or not seated:
             continue
         e = scene.world.entities[node]
         mass = e.mass_kg or e.noun.mass_kg
-        scene.joints.append(seat(node, board, "front end", round(JOLT_MPS * mass, 4)))
+        taken[board] = taken.get(board, -1) + 1
+        end = _ENDS[min(taken[board], len(_ENDS) - 1)]
+        scene.joints.append(seat(node, board, end, round(JOLT_MPS * mass, 4)))
+
+
+def _weigh_down(scene: Scene) -> None:
+    """Lowers the end of a seesaw on which something sits alone."""
+    boards = [scene.supported_by[i] for i in scene.at_ends if i in scene.supported_by]
+    for board in boards:
+        row = articulation_of(scene, scene.text, scene.world.entities[board])
+        if row is not None and boards.count(board) == 1:
+            scene.openings.setdefault(board, row.upper or 0.0)
 
 
 def _hand_over(scene: Scene, named: str, part: str) -> None:

@@ -291,7 +291,9 @@ def places(d: Discourse, f: Frame, bodies: list[str]) -> None:
 def _place_by(d: Discourse, f: Frame, bodies: list[str], p: Phrase, gap: Amount | None) -> None:
     """Where one phrase says that things are."""
     others = things(p)
-    if p.mention is None or p.mention.attribute or not (others or p.mention.noun):
+    end = p.mention is not None and p.mention.part.endswith("end") and bool(others)  # of a seesaw
+    told = p.mention is not None and (end or not p.mention.attribute)
+    if p.mention is None or not told or not (others or p.mention.noun):
         _arrange(d, bodies, p)
     elif f.verb.lemma in _HANGING and p.prep in _HUNG_BY and _hangs(d, bodies, others):
         return
