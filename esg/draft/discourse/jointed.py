@@ -54,8 +54,7 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
     """What the table may call a thing, the most precise first."""
     head = head_of(e)
     head_here = rf"{re.escape(e.head)}s?\b"
-    told = rf"\b{head_here} of (?:an?|the|his|her|its|their|my) ((?:[\w-]+ ?){{1,4}})"
-    whole = re.search(told, text, re.IGNORECASE)
+    whole = _whole_told(text, e)
     if whole is not None:
         others = (x for x in scene.world.entities.values() if x is not e)
         others = (x for x in others if not _houses(x))  # whose front door stands by it
@@ -78,10 +77,24 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
     ]
 
 
-def _houses(e: Entity) -> bool:
-    return "fixed" in e.noun.traits and e.noun.kind not in _WHOLES and (
-        min(dimensions_of(e)[:2]) > _HOUSE_CM
+def of_a_house(scene: Scene, text: str, e: Entity) -> bool:
+    """ "The front door of a cottage": a leaf of its own only where that is told to move."""
+    whole = _whole_told(text, e)
+    others = (x for x in scene.world.entities.values() if x is not e)
+    return whole is not None and any(
+        _houses(x) and head_of(x) in whole[1].lower() for x in others
     )
+
+
+def _houses(e: Entity) -> bool:
+    wide = min(dimensions_of(e)[:2]) > _HOUSE_CM
+    return "fixed" in e.noun.traits and e.noun.kind not in _WHOLES and wide
+
+
+def _whole_told(text: str, e: Entity) -> re.Match[str] | None:
+    """What a thing is said to be of: "the door of a car"."""
+    of = rf"\b{re.escape(e.head)}s?\b of (?:an?|the|his|her|its|their|my) ((?:[\w-]+ ?){{1,4}})"
+    return re.search(of, text, re.IGNORECASE)
 
 
 def _below_ceiling(scene: Scene, e: Entity) -> bool:

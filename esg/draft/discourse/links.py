@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import entity_of, kind_of, mark_used
+from esg.draft.discourse.core import amounts_of, entity_of, kind_of, mark_used
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import Entity, head_of
@@ -196,7 +196,8 @@ def let_loose(d: Discourse, f: Frame) -> list[str]:
 
 def comes_off(d: Discourse, f: Frame) -> list[str]:
     """ "The chandelier tears loose from the ceiling": what hangs there and does so no more."""
-    if f.subject is None or f.verb.negated or f.verb.passive:
+    timed = any(a.dimension == "time" for _, a in amounts_of(d, f))  # it gives way at the start
+    if f.subject is None or f.verb.negated or f.verb.passive or timed:
         return []
     after = [w.strip(".,;") for w in d.text[f.verb.end :].lower().split()[:1]]
     below = [i for p in f.phrases if p.prep in ("from", "off") and p.mention is not None

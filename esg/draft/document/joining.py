@@ -10,7 +10,7 @@ import math
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.jointed import articulation_of
+from esg.draft.discourse.jointed import articulation_of, of_a_house
 from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.referents.parts import parts_of
 from esg.draft.discourse.referents.registry import add_entity
@@ -71,13 +71,16 @@ def join_parts(scene: Scene) -> list[str]:
         filled = f"{e.id}/inside" in entered and not _told_of_joint(scene, e)
         if row is None or e.whole or fixed or filled:
             continue
+        if of_a_house(scene, scene.text, e) and not _told_of_joint(scene, e):
+            continue
         if row.start and row.carries == "becomes" and not _told_of_joint(scene, e):
             continue
         _light_enough(scene, row, e)
         _toy_sized(scene, row, e)
         _weak_enough(scene, row, e)
         ratio = _become(e, row.becomes) if row.becomes else [1.0, 1.0, 1.0]
-        if e.id in scene.loosed and row.hangs_anywhere and _met(scene, e):
+        above = any(x.noun.kind == "ceiling" for x in scene.world.entities.values())
+        if e.id in scene.loosed and row.hangs_anywhere and (above or _met(scene, e)):
             reasons += _under_a_ceiling(scene, row, e)
         if e.id in scene.attached:
             row = replace(row, kind="ball") if not row.becomes else row

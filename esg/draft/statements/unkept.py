@@ -82,7 +82,11 @@ def missing(d: Discourse, clause: Clause) -> str:
     told = clause.told or again or bool(clause.movers)
     if told and not clause.movers and not again and _moves_nothing(d, f):
         return NOTHING_MOVES
-    borne = any(s.row.states is Predicate.CARRIED_BY for s in clause.said)
+    doers = [*f.subject.entities] if f.subject is not None else []
+    loads = [*f.object.entities] if f.object is not None else []
+    borne = any(s.row.states is Predicate.CARRIED_BY for s in clause.said) and any(
+        d.scene.supported_by.get(i) in doers for i in loads
+    )
     return "" if told or borne or f.verb.sense in _STATES else NOTHING_MOVES
 
 

@@ -17,8 +17,10 @@ from esg.draft.discourse.core import (
     quantity_of,
     structural,
 )
+from esg.draft.discourse.jointed import CRANES
 from esg.draft.discourse.places import RELATION_PREPS, hang, holds, place, towers
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.entities import head_of
 from esg.draft.discourse.referents.registry import apply_amount, current_id
 from esg.draft.discourse.scene import LIMBED, SELF_POWERED, Relation
 from esg.draft.events.acts import add_event, add_hit
@@ -360,8 +362,8 @@ def _pattern_of(d: Discourse, thing: str, pattern: str | None) -> None:
 
 @sense("carry")
 def read_carry(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    lifted = {n.participants[0] for n in d.timeline.nodes if n.event is NodeEvent.PICKED_UP}
-    if s and o and not {*o} <= lifted:  # "lifts a pallet, carries it over and sets it down"
+    # "a crane lifts a pallet, carries it over and sets it down"
+    if s and o and head_of(entity_of(d, s[0])) not in CRANES:
         place(d, o, s, "on")
     along = s and o and f.verb.lemma in ("carry", "transport") and not movable(d, s[0])
     if along and not turning(d, s[:1]):
