@@ -370,14 +370,9 @@ def _ground(d: Discourse) -> str:
     return d.world.entities.setdefault(GROUND, ground).id
 
 
-def how_often(d: Discourse, f: Frame) -> re.Match[str] | None:
-    """Where a clause says how often something happens."""
-    return _OFTEN.search(d.text, f.verb.end, f.verb.end + 40)
-
-
 def so_often(d: Discourse, f: Frame, node: str) -> None:
     """ "Three times", "twice": how often it happens."""
-    said, draft = how_often(d, f), d.timeline.node(node)
+    said, draft = _OFTEN.search(d.text, f.verb.end, f.verb.end + 40), d.timeline.node(node)
     if said is None or draft is None:
         return
     n = {"once": 1, "twice": 2, "thrice": 3}.get(said["n"].lower()) or parse_number(said[3] or "")

@@ -21,7 +21,7 @@ from esg.draft.events.hanging import thrown_up
 from esg.draft.events.motions import flies_itself, motion, own, start_motion, target_of
 from esg.draft.events.roles import doer_and_done, filling
 from esg.draft.events.senses.contact import hit_targets
-from esg.draft.events.senses.handling import bounces_on_ground, how_often
+from esg.draft.events.senses.handling import bounces_on_ground
 from esg.draft.events.senses.launch import aim_at, launch_by, motion_of_things, stand_by
 from esg.draft.events.senses.steer import turn
 from esg.draft.events.senses.topple import read_knock
@@ -247,8 +247,6 @@ def read_bounce(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     named = p is None or (p.mention is not None and not p.mention.attribute)
     if named and d.moves.last_hit is None and bounces_on_ground(d, f, s, things(p)):
         return
-    if p is None and (bed := _fell_on(d, f, s)) and bounces_on_ground(d, f, s, bed):
-        return
     kinematics(d, f, s, [])
     for actor in s:
         _rebound(d, f, actor, p)
@@ -260,13 +258,6 @@ def read_bounce(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if into is not None and into is not p and things(into):
         for actor in s:
             go_into(d, f, actor, things(into), into, None)
-
-
-def _fell_on(d: Discourse, f: Frame, s: list[str]) -> list[str]:
-    """ "Drops onto a trampoline and bounces three times": on what it came down on."""
-    last = d.moves.last_hit
-    often = how_often(d, f) is not None
-    return [last[1]] if last and often and last[0] in s and last[0] in d.moves.came_down else []
 
 
 def _rebound(d: Discourse, f: Frame, actor: str, p: Phrase | None) -> None:
