@@ -16,8 +16,6 @@ from esg.graph.models import EdgeEvent, NodeEvent
 
 OPENS_S = 1.5
 """How long something is opened or closed, where nobody says."""
-QUICKLY_S = 1.05
-"""The same for what something then drops into: it is let go at the start, from so high up."""
 FASTEST_MPS = 3.0
 """A slammed door, where it meets something (EN 1154 has closers stay below 0.5 m/s)."""
 HARDER = 2.0

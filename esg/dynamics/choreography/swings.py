@@ -7,7 +7,8 @@ import math
 from esg.dynamics.choreography.moves import plain
 from esg.dynamics.choreography.placing import join
 from esg.dynamics.choreography.stage import Encounter, Stage
-from esg.dynamics.choreography.sweeps import FASTEST_MPS, OPENS_S, QUICKLY_S, needed_speed
+from esg.dynamics.choreography.sweeps import FASTEST_MPS, OPENS_S, needed_speed
+from esg.dynamics.story.driving import QUICKLY_S
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.story import bounds
 from esg.dynamics.story.suspension import Suspension, joint_of, suspension

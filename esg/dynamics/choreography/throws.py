@@ -6,6 +6,7 @@ from collections.abc import Sequence
 import math
 
 from esg.dynamics.choreography.stage import Encounter, Stage
+from esg.dynamics.story.driving import QUICKLY_S
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.stagecraft import Prop, prop, release_height, support_of, top_surface
 from esg.dynamics.story.story import Phase, Story, bounds
@@ -290,7 +291,7 @@ def _past_the_lid(stage: Stage, node: TimelineNode, a: str) -> float:
     told = [*stage.story.nodes.values()]
     opens = [n for n in told[: told.index(node)] if n.event is NodeEvent.OPEN]
     lids = {j.child for j in stage.doc.spatial_relation_graph.joints or () if j.parent == owner}
-    opened = [stage.time[n.id] for n in opens if n.id in stage.time and lids & {*n.participants}]
+    opened = [stage.time.get(n.id, QUICKLY_S) for n in opens if lids & {*n.participants}]
     return fallen(max(opened) + IN_AFTER_S - stage.tracks[a].time) if opened else 0.0
 
 
