@@ -173,7 +173,9 @@ def test_a_wall_of_bricks_is_one_wall_and_is_knocked_apart():
 
 def test_loads_ride_on_what_goes_down_the_slope_and_not_on_the_slope():
     for with_it in ("a keg on it", "a keg riding on it"):
-        doc = draft(f"A cart rolls down a slope with {with_it}. It hits a post and the keg is thrown off.")
+        doc = draft(
+            f"A cart rolls down a slope with {with_it}. It hits a post and the keg is thrown off."
+        )
         assert told(doc) == [("Collision", "cart_1", "post_1"), ("Fall", "keg_1")]
         region = doc.spatial_relation_graph.nodes["keg_1"].semantic_region or ""
         assert region.startswith("cart_1")

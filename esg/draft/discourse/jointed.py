@@ -81,9 +81,7 @@ def of_a_house(scene: Scene, text: str, e: Entity) -> bool:
     """ "The front door of a cottage": a leaf of its own only where that is told to move."""
     whole = _whole_told(text, e)
     others = (x for x in scene.world.entities.values() if x is not e)
-    return whole is not None and any(
-        _houses(x) and head_of(x) in whole[1].lower() for x in others
-    )
+    return whole is not None and any(_houses(x) and head_of(x) in whole[1].lower() for x in others)
 
 
 def _houses(e: Entity) -> bool:

@@ -68,7 +68,8 @@ _ROUND = re.compile(
 )
 """How far something goes round, in words."""
 BACK_AND_FORTH = re.compile(
-    r"back and forth|to and fro|from side to side|up and down|out(?:,| and) back(?: and out again)?",
+    r"back and forth|to and fro|from side to side|up and down"
+    r"|out(?:,| and) back(?: and out again)?",
     re.IGNORECASE,
 )
 """How what hangs moves, in words."""
@@ -225,7 +226,7 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     if (f.verb.lemma in _TURNING or (turns and f.verb.lemma in _MAKING)) and turning(d, bodies):
         return "spin"
     after = d.text[f.verb.end :].lstrip()
-    if f.verb.lemma in _GOING and not f.verb.negated and f.object is None or f.verb.lemma == "go":
+    if (f.verb.lemma in _GOING and not f.verb.negated and f.object is None) or f.verb.lemma == "go":
         if _ROUND.match(after) and turning(d, bodies):
             return "spin"
         if BACK_AND_FORTH.match(after) and hanging(d, bodies):

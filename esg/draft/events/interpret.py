@@ -202,9 +202,7 @@ def _on_what_has_it(
 
     "A cart with a box lying on it rolls" tells the same with a participle.
     """
-    laden = {
-        id(m) for m, p in attachments if p.mention is not None and p.mention.pronoun == "it"
-    }
+    laden = {id(m) for m, p in attachments if p.mention is not None and p.mention.pronoun == "it"}
     for k, (m, p) in enumerate(attachments):
         if p.prep == "with" and id(p.mention) in laden:
             attachments[k] = (_who_takes_the_way(frames, m), p)

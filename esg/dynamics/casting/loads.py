@@ -71,8 +71,10 @@ def fit_fallen(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
     for node in story.nodes.values():
         name = node.participants[0] if node.event is NodeEvent.FALL else ""
         support = support_of(doc, name) if name else None
-        if support is None or support_of(doc, support) is not None:
+        if support is None:
             continue
+        if support_of(doc, support) is not None and support not in story.phases:
+            continue  # what comes off a tray on a table may fall to the floor
         key = doc.spatial_relation_graph.nodes[name].asset_id
         told = doc.asset_requirement[key]
         given = told.dimensions_are_prescribed or told.mass_is_prescribed

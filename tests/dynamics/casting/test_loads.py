@@ -114,6 +114,12 @@ def test_what_comes_off_a_low_deck_is_small_enough_to_fall(load: str, smaller: b
     assert _of(after, "handcart_1") == _of(before, "handcart_1")
 
 
+def test_a_cart_that_comes_down_a_slope_has_a_low_deck_all_the_same() -> None:
+    before, after = _cast("A cart rolls down a slope with a barrel on it. It hits a post and the "
+                          "barrel falls off.")  # fmt: skip
+    assert _of(after, "barrel_1").dimensions_cm[2] < _of(before, "barrel_1").dimensions_cm[2]
+
+
 def test_what_falls_off_a_table_keeps_its_size() -> None:
     before, after = _cast("A ball hits a vase on a table and the vase falls off the table.")
     assert _of(after, "vase_1") == _of(before, "vase_1")

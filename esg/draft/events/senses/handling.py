@@ -7,9 +7,9 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, mark_used, movable, structural
+from esg.draft.discourse.jointed import CRANES
 from esg.draft.discourse.places import carries, elevated, holds, place
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.jointed import CRANES
 from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED, SPEEDS
 from esg.draft.discourse.tracks import Motion
