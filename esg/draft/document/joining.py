@@ -105,6 +105,8 @@ def join_parts(scene: Scene) -> list[str]:
             _lower(scene, row, e, part)
             part.implied = not part.mentioned
             both = {e.id, part.id}
+            if row.carries == "becomes":
+                _at_the_whole(scene, part.id, e.id)
             scene.relations = [r for r in scene.relations if {r.source, r.target} != both]
             for places in (scene.supported_by, scene.inside_of, scene.marked):
                 if places.get(part.id) == e.id:
@@ -350,6 +352,18 @@ def _not_placed(scene: Scene, node: str) -> None:
     scene.relations = [r for r in scene.relations if node not in (r.source, r.target)]
     for places in (scene.supported_by, scene.inside_of, scene.marked):
         places.pop(node, None)
+
+
+def _at_the_whole(scene: Scene, part: str, whole: str) -> None:
+    """What is said to be by a part that moves is by what carries it: a rock by a catapult."""
+    scene.relations = [
+        replace(
+            r,
+            source=whole if r.source == part else r.source,
+            target=whole if r.target == part else r.target,
+        )
+        for r in scene.relations
+    ]
 
 
 def _joint(

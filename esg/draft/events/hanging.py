@@ -226,7 +226,7 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     if (f.verb.lemma in _TURNING or (turns and f.verb.lemma in _MAKING)) and turning(d, bodies):
         return "spin"
     after = d.text[f.verb.end :].lstrip()
-    if (f.verb.lemma in _GOING and not f.verb.negated and f.object is None) or f.verb.lemma == "go":
+    if f.verb.lemma in _GOING and not f.verb.negated:
         if _ROUND.match(after) and turning(d, bodies):
             return "spin"
         if BACK_AND_FORTH.match(after) and hanging(d, bodies):
