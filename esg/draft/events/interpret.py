@@ -230,7 +230,9 @@ def _on_what_has_it(
 def _who_takes_the_way(frames: list[Frame], m: Mention) -> Mention:
     """ "A cart rolls down a slope with a barrel on it": what goes there has it, not the slope."""
     for f in frames:
-        if f.subject is not None and any(p.mention is m and p.prep in _WAYS for p in f.phrases):
+        way = any(p.mention is m and p.prep in _WAYS for p in f.phrases)
+        way = way or (f.object is m and not m.entities)  # "makes a turn with a bear on it"
+        if f.subject is not None and way:
             return f.subject
     return m
 
