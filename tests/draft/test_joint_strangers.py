@@ -209,6 +209,7 @@ def test_the_arm_of_a_catapult_is_its_arm():
 def test_what_drops_onto_a_trampoline_bounces_there():
     doc = draft("A basketball drops onto a trampoline and bounces three times.")
     assert told(doc) == [("Bounce", "basketball_1", "trampoline_1")]
+    assert lost(doc) == []
 
 
 def test_a_sheet_of_ice_is_no_ground_and_breaks():
