@@ -63,17 +63,9 @@ def join_parts(scene: Scene) -> list[str]:
     """
     _weigh_down(scene)
     reasons: list[str] = []
-    acting = {i for n in scene.timeline.nodes for i in n.participants}
-    entered = {n.extra.get("region") for n in scene.timeline.nodes}
     for e in list(scene.world.entities.values()):
         row = articulation_of(scene, scene.text, e)
-        fixed = e.id in scene.attached and e.id not in acting  # nothing happens to it
-        filled = f"{e.id}/inside" in entered and not _told_of_joint(scene, e)
-        if row is None or e.whole or fixed or filled:
-            continue
-        if of_a_house(scene, scene.text, e) and not _told_of_joint(scene, e):
-            continue
-        if row.start and row.carries == "becomes" and not _told_of_joint(scene, e):
+        if row is None or _stays_whole(scene, row, e):
             continue
         _light_enough(scene, row, e)
         _toy_sized(scene, row, e)
@@ -120,6 +112,19 @@ def join_parts(scene: Scene) -> list[str]:
             _hand_over(scene, e.id, added[0].id)
     _seat_on_seesaws(scene)
     return reasons
+
+
+def _stays_whole(scene: Scene, row: Articulation, e: Entity) -> bool:
+    """Whether a thing that has a row is drawn as one body all the same."""
+    acting = {i for n in scene.timeline.nodes for i in n.participants}
+    entered = {n.extra.get("region") for n in scene.timeline.nodes}
+    moved = _told_of_joint(scene, e)
+    fixed = e.id in scene.attached and e.id not in acting  # nothing happens to it
+    filled = f"{e.id}/inside" in entered and not moved
+    in_use = row.start and row.carries == "becomes" and not moved
+    return bool(e.whole or fixed or filled or in_use) or (
+        not moved and of_a_house(scene, scene.text, e)
+    )
 
 
 def _told_of_joint(scene: Scene, e: Entity) -> bool:
