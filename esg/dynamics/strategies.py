@@ -17,10 +17,11 @@ from esg.dynamics.gradient.refine import COLLISIONS, Staged, staged_search
 from esg.dynamics.plan import Plan, build_scene, make_plan, ruled_out
 from esg.dynamics.search import REFERENCE_DT_S, Found, Panel
 from esg.dynamics.search.baselines import BASELINES, minimize
-from esg.dynamics.search.batched import search
+from esg.dynamics.search.batched import search, with_pieces
 from esg.dynamics.search.closedloop import close_loop
 from esg.dynamics.search.results import static_result, write_result
 from esg.engines.base import Engine
+from esg.engines.breaking import unbroken
 from esg.engines.registry import get_engine
 from esg.engines.scene import SimScene
 from esg.graph.canonical import document_hash, entropy
@@ -57,7 +58,8 @@ def optimize(
         device: Where the engines run.
         max_rounds: Batches of candidates after which the search gives up.
         rounds_closed: Rounds of the closed loop through the verify engine; 0 for none.
-        rollouts: Budget of a baseline, 320 if None; of `batched`, unbounded if None.
+        rollouts: Budget of a baseline, 320 if None; of `batched`, unbounded if None and nothing
+            breaks.
         collision: What bodies collide with during the search: exact (their parts), proxy (one
             sphere or box each) or sdf (that, then signed distance fields; `refine`).
         engines: Name and device -> engine.
@@ -196,12 +198,15 @@ def run_strategy(
         rng: Source of all draws.
         strategy: As of `optimize`.
         max_rounds: Batches of candidates.
-        rollouts: Budget of a baseline, 320 if None; of `batched`, unbounded if None.
+        rollouts: Budget of a baseline, 320 if None; of `batched`, unbounded if None and nothing
+            breaks.
         steps: Most gradient steps of a kind; three a round if None.
         barred: Events that physics rules out, for `batched`.
     """
     if strategy == "batched":
-        return search(plan, panel, rng, max_rounds, barred, rollouts)
+        bodies, whole = len(plan.scene.bodies), len(unbroken(plan.scene).bodies)
+        most = with_pieces(bodies, whole, rollouts)
+        return search(plan, panel, rng, max_rounds, barred, most)
     if strategy == "none":
         theta = plan.heuristic()
         nominal = panel.reference.assess(theta[None])

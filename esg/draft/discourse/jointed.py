@@ -8,6 +8,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.referents.registry import current_id
+from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import LIVING, Scene
 from esg.lexicon.articulations import Articulation, articulations, hangers
 
@@ -18,6 +19,12 @@ _WHOLES = frozenset(
     {"appliance", "box", "container", "electronics", "flyer", "furniture", "toyvehicle", "vehicle"}
 )
 """Kinds of things whose doors and lids are parts of them: a car door is no door of a room."""
+_HOUSE_CM = 200.0
+"""What is wider and longer is a house: its door is drawn beside it, in a frame of its own."""
+
+
+CRANES = frozenset(hangers()[LOAD].serves)
+"""What loads hang from."""
 
 
 def articulation_of(scene: Scene, text: str, e: Entity) -> Articulation | None:
@@ -47,10 +54,10 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
     """What the table may call a thing, the most precise first."""
     head = head_of(e)
     head_here = rf"{re.escape(e.head)}s?\b"
-    told = rf"\b{head_here} of (?:an?|the|his|her|its|their|my) ((?:[\w-]+ ?){{1,4}})"
-    whole = re.search(told, text, re.IGNORECASE)
+    whole = _whole_told(text, e)
     if whole is not None:
         others = (x for x in scene.world.entities.values() if x is not e)
+        others = (x for x in others if not _houses(x))  # whose front door stands by it
         things = {head_of(x) for x in others if "structural" not in x.noun.traits}
         named = [f"{x} {head}" for x in sorted(things) if x in whole[1].lower()]
         named = [*(f"{a} {head}" for a in e.adjectives), *named] if named else []
@@ -68,6 +75,24 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
         *([f"hanging {head}"] if _below_ceiling(scene, e) or e.id in scene.hung else []),
         head,
     ]
+
+
+def of_a_house(scene: Scene, text: str, e: Entity) -> bool:
+    """ "The front door of a cottage": a leaf of its own only where that is told to move."""
+    whole = _whole_told(text, e)
+    others = (x for x in scene.world.entities.values() if x is not e)
+    return whole is not None and any(_houses(x) and head_of(x) in whole[1].lower() for x in others)
+
+
+def _houses(e: Entity) -> bool:
+    wide = min(dimensions_of(e)[:2]) > _HOUSE_CM
+    return "fixed" in e.noun.traits and e.noun.kind not in _WHOLES and wide
+
+
+def _whole_told(text: str, e: Entity) -> re.Match[str] | None:
+    """What a thing is said to be of: "the door of a car"."""
+    of = rf"\b{re.escape(e.head)}s?\b of (?:an?|the|his|her|its|their|my) ((?:[\w-]+ ?){{1,4}})"
+    return re.search(of, text, re.IGNORECASE)
 
 
 def _below_ceiling(scene: Scene, e: Entity) -> bool:

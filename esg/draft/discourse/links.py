@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import entity_of, kind_of, mark_used
+from esg.draft.discourse.core import amounts_of, entity_of, kind_of, mark_used
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import Entity, head_of
@@ -165,7 +165,8 @@ def snapped(d: Discourse, f: Frame) -> bool:
     before = d.text[: f.verb.start].lower().split()[-1:] or [""]
     m = f.subject
     link = before[0] in LINKS or (m is not None and bool({*m.head.lower().split()[-1:]} & LINKS))
-    return link and f.verb.lemma in SNAPPING and not f.verb.negated
+    gives = f.verb.lemma in SNAPPING or (f.verb.lemma == "let" and f.object is None)
+    return link and gives and not f.verb.negated
 
 
 def held_by(d: Discourse, node: str) -> str:
@@ -191,6 +192,25 @@ def let_loose(d: Discourse, f: Frame) -> list[str]:
         only = [*tows] if len(tows) == 1 and not d.scene.hung else []
         return by_it or only
     return [i for i in m.entities if i in tows] if freed else []
+
+
+def comes_off(d: Discourse, f: Frame) -> list[str]:
+    """ "The chandelier tears loose from the ceiling": what hangs there and does so no more."""
+    timed = any(a.dimension == "time" for _, a in amounts_of(d, f))  # it gives way at the start
+    if f.subject is None or f.verb.negated or f.verb.passive or timed:
+        return []
+    after = [w.strip(".,;") for w in d.text[f.verb.end :].lower().split()[:1]]
+    below = [i for p in f.phrases if p.prep in ("from", "off") and p.mention is not None
+             for i in p.mention.entities if kind_of(d, i) == "ceiling"]  # fmt: skip
+    freed = f.verb.lemma in _COMING and bool(_FREE & {*f.adverbs, *after})
+    freed = freed or (bool(below) and f.verb.sense == "fall")
+    bodies = [i for i in f.subject.entities if i in d.world.entities and not is_link(d.scene, i)]
+    return [i for i in bodies if freed and (below or i in d.scene.hung or _below(d, i))]
+
+
+def _below(d: Discourse, node: str) -> bool:
+    host = d.scene.attached.get(node, "")
+    return host in d.world.entities and kind_of(d, host) == "ceiling"
 
 
 def _hangs(d: Discourse, node: str) -> bool:

@@ -5,8 +5,10 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.entities import head_of
 from esg.draft.discourse.scene import LIMBED, Relation
 from esg.graph.models import Quantity
+from esg.lexicon.articulations import articulations
 
 _PREPS = {
     "on": "on onto upon atop",
@@ -24,6 +26,7 @@ RELATION_PREPS: dict[str, str] = {p: k for k, words in _PREPS.items() for p in w
     "next to": "adjacent", "far from": "far_from", "in the middle of": "center_of",
 }  # fmt: skip
 """Spatial relations by preposition."""
+_ENDS = ("end", "side")
 _OPEN = frozenset({"watercraft", "cart", "sliding"})
 """Kinds of what is ridden in, and has no roof."""
 _CARRIES_ON_ITS_BACK = frozenset({"animal", "vehicle", "cart"})
@@ -45,6 +48,11 @@ def place(
     if kind is None or not others or d.scene.links & {*things, *others}:
         return
     other = others[0]
+    if part and kind == "on" and part.split()[-1] in _ENDS and _tips(d, other):
+        seated = [t for t in things if t in d.world.entities and t not in d.scene.supported_by]
+        d.scene.supported_by.update(dict.fromkeys(seated, other))
+        d.scene.at_ends += seated
+        return
     if part:
         kind = _at_part(d, kind, part.split()[-1], other)
     several = len([t for t in things if t != other]) > 1
@@ -76,6 +84,11 @@ def place(
         text = others[1] if kind == "between" else ""
         stated = distance if kind not in ("between", "surround") else None
         d.scene.relations.append(Relation(t, other, kind, stated, text))
+
+
+def _tips(d: Discourse, node: str) -> bool:
+    row = articulations().get(head_of(entity_of(d, node)))
+    return row is not None and row.tips
 
 
 def _at_part(d: Discourse, kind: str, word: str, other: str) -> str:

@@ -79,6 +79,8 @@ class Scene:
     """What is told to hang, and the rope that the prompt names for it, "" if none."""
     sprung: set[str] = field(default_factory=set[str])
     """What hangs on a spring."""
+    at_ends: list[str] = field(default_factory=list[str])
+    """What sits on the ends of seesaws, in the order of the text."""
     loosed: set[str] = field(default_factory=set[str])
     """What hangs on something that gives way."""
     links: set[str] = field(default_factory=set[str])

@@ -10,7 +10,7 @@ import math
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.jointed import articulation_of
+from esg.draft.discourse.jointed import articulation_of, of_a_house
 from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.referents.parts import parts_of
 from esg.draft.discourse.referents.registry import add_entity
@@ -48,6 +48,8 @@ TOY = 0.3
 """Size of a toy over that of what it is a toy of."""
 MEETS_CM = 12.0
 """What hangs reaches so far below the top of what it is told to meet, or four fifths of that."""
+_ENDS = ("front end", "back end")
+"""Mounts of a seesaw's board: the one that is down at the upper limit of its hinge, the other."""
 _MOTIONS = (EdgeEvent.DRIVE, EdgeEvent.RELEASE)
 _MODES = ("drive", "release")
 _TURNS = (NodeEvent.OPEN, NodeEvent.CLOSE)
@@ -59,22 +61,18 @@ def join_parts(scene: Scene) -> list[str]:
     What hangs on something that the prompt names, what is a part of it ("the door of a car") and
     what something else enters stays as it is.
     """
+    _weigh_down(scene)
     reasons: list[str] = []
-    acting = {i for n in scene.timeline.nodes for i in n.participants}
-    entered = {n.extra.get("region") for n in scene.timeline.nodes}
     for e in list(scene.world.entities.values()):
         row = articulation_of(scene, scene.text, e)
-        fixed = e.id in scene.attached and e.id not in acting  # nothing happens to it
-        filled = f"{e.id}/inside" in entered and not _told_of_joint(scene, e)
-        if row is None or e.whole or fixed or filled:
-            continue
-        if row.start and row.carries == "becomes" and not _told_of_joint(scene, e):
+        if row is None or _stays_whole(scene, row, e):
             continue
         _light_enough(scene, row, e)
         _toy_sized(scene, row, e)
         _weak_enough(scene, row, e)
         ratio = _become(e, row.becomes) if row.becomes else [1.0, 1.0, 1.0]
-        if e.id in scene.loosed and row.hangs_anywhere and _met(scene, e):
+        above = any(x.noun.kind == "ceiling" for x in scene.world.entities.values())
+        if e.id in scene.loosed and row.hangs_anywhere and (above or _met(scene, e)):
             reasons += _under_a_ceiling(scene, row, e)
         if e.id in scene.attached:
             row = replace(row, kind="ball") if not row.becomes else row
@@ -99,6 +97,8 @@ def join_parts(scene: Scene) -> list[str]:
             _lower(scene, row, e, part)
             part.implied = not part.mentioned
             both = {e.id, part.id}
+            if row.carries == "becomes":
+                _at_the_whole(scene, part.id, e.id)
             scene.relations = [r for r in scene.relations if {r.source, r.target} != both]
             for places in (scene.supported_by, scene.inside_of, scene.marked):
                 if places.get(part.id) == e.id:
@@ -112,6 +112,19 @@ def join_parts(scene: Scene) -> list[str]:
             _hand_over(scene, e.id, added[0].id)
     _seat_on_seesaws(scene)
     return reasons
+
+
+def _stays_whole(scene: Scene, row: Articulation, e: Entity) -> bool:
+    """Whether a thing that has a row is drawn as one body all the same."""
+    acting = {i for n in scene.timeline.nodes for i in n.participants}
+    entered = {n.extra.get("region") for n in scene.timeline.nodes}
+    moved = _told_of_joint(scene, e)
+    fixed = e.id in scene.attached and e.id not in acting  # nothing happens to it
+    filled = f"{e.id}/inside" in entered and not moved
+    in_use = row.start and row.carries == "becomes" and not moved
+    return bool(e.whole or fixed or filled or in_use) or (
+        not moved and of_a_house(scene, scene.text, e)
+    )
 
 
 def _told_of_joint(scene: Scene, e: Entity) -> bool:
@@ -269,14 +282,27 @@ def _tallest_below(scene: Scene, e: Entity) -> float:
 
 
 def _seat_on_seesaws(scene: Scene) -> None:
-    """Holds what sits on the low end of a tipped seesaw there until the board jolts it."""
+    """Holds what sits on the ends of a seesaw there until the board jolts it."""
+    taken: dict[str, int] = {}
     for node, board in scene.supported_by.items():
         row = articulation_of(scene, scene.text, scene.world.entities[board])
-        if row is None or not row.tips or not scene.openings.get(board):
+        seated = scene.openings.get(board) or node in scene.at_ends
+        if row is None or not row.tips or not seated:
             continue
         e = scene.world.entities[node]
         mass = e.mass_kg or e.noun.mass_kg
-        scene.joints.append(seat(node, board, "front end", round(JOLT_MPS * mass, 4)))
+        taken[board] = taken.get(board, -1) + 1
+        end = _ENDS[min(taken[board], len(_ENDS) - 1)]
+        scene.joints.append(seat(node, board, end, round(JOLT_MPS * mass, 4)))
+
+
+def _weigh_down(scene: Scene) -> None:
+    """Lowers the end of a seesaw on which something sits alone."""
+    boards = [scene.supported_by[i] for i in scene.at_ends if i in scene.supported_by]
+    for board in boards:
+        row = articulation_of(scene, scene.text, scene.world.entities[board])
+        if row is not None and boards.count(board) == 1:
+            scene.openings.setdefault(board, row.upper or 0.0)
 
 
 def _hand_over(scene: Scene, named: str, part: str) -> None:
@@ -331,6 +357,18 @@ def _not_placed(scene: Scene, node: str) -> None:
     scene.relations = [r for r in scene.relations if node not in (r.source, r.target)]
     for places in (scene.supported_by, scene.inside_of, scene.marked):
         places.pop(node, None)
+
+
+def _at_the_whole(scene: Scene, part: str, whole: str) -> None:
+    """What is said to be by a part that moves is by what carries it: a rock by a catapult."""
+    scene.relations = [
+        replace(
+            r,
+            source=whole if r.source == part else r.source,
+            target=whole if r.target == part else r.target,
+        )
+        for r in scene.relations
+    ]
 
 
 def _joint(

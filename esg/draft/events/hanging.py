@@ -60,6 +60,21 @@ _SWINGING = {
 }
 
 
+_LYING_SHUT = frozenset({"close", "shut"})
+_PUSHING, _WALKED_THROUGH = lex.word_set("pushing open"), lex.word_set("walked through")
+_ROUND = re.compile(
+    r"(?:all the way |right |fully |completely |once )*(?:a)?round(?: (?:once|twice|(\w+) times))?"
+    r"(?=\s*(?:[.,;]|and\b|$))",
+    re.IGNORECASE,
+)
+"""How far something goes round, in words."""
+BACK_AND_FORTH = re.compile(
+    r"back and forth|to and fro|from side to side|up and down"
+    r"|out(?:,| and) back(?: and out again)?",
+    re.IGNORECASE,
+)
+"""How what hangs moves, in words."""
+_GOING = frozenset({"go", "move", "come", "fly", "travel"})
 UNMET = "touched by nothing that is named"
 """Note of a verb that tells what is not touched on the way."""
 SENT_UP = "launched by the seesaw"
@@ -87,7 +102,9 @@ def turned_instead(d: Discourse, f: Frame, subject: list[str]) -> list[str]:
     """ "A coconut falls on the lid and it slams shut": what can of those named last."""
     m = f.subject
     pronoun = m is not None and m.pronoun in ("it", "that", "this", "which")
+    words = d.text[f.verb.start : f.verb.end].lower().split()
     so = f.verb.extra.get("result") in _OPENING or f.verb.lemma in SHUTTING
+    so = so or (f.verb.lemma in SWAYING and words[-1] in _OPENING)
     if not pronoun or not so or f.object is not None or openable(d, subject):
         return subject
     return next(([i] for i in recent(d) if openable(d, [i])), subject)
@@ -118,6 +135,22 @@ def _door_of(d: Discourse, body: str) -> str:
         return known
     name = row.nouns[0]
     return add_entity(d.world, lex.part(row.becomes), name, mentioned=False).id
+
+
+def lies_shut(d: Discourse, f: Frame, bodies: list[str]) -> bool:
+    """ "The door is shut. A man walks up to it": how it is at first, as nobody has opened it."""
+    told = f.verb.passive and f.verb.lemma in _LYING_SHUT and f.phrase("by") is None
+    words = d.text[f.verb.start : f.verb.end].lower().split()
+    return told and words[:1] == ["is"] and len(words) == 2 and all(
+        b not in d.timeline.tracks and b not in d.scene.openings for b in bodies
+    )  # fmt: skip
+
+
+def walks_into(d: Discourse, f: Frame, bodies: list[str]) -> bool:
+    """ "Pushes the gate open": who pushes a leaf goes through it, and meets it on the way."""
+    rows = [row_of(d, b) for b in bodies]
+    leaves = bool(rows) and all(row is not None and row.becomes in _WALKED_THROUGH for row in rows)
+    return leaves and f.verb.lemma in _PUSHING
 
 
 def named_parts(d: Discourse) -> None:
@@ -194,6 +227,10 @@ def turning(d: Discourse, bodies: list[str]) -> list[str]:
 
 def turns_told(d: Discourse, f: Frame) -> float | None:
     """How far something turns by what is told after its verb: "a quarter turn" [degrees]."""
+    told = _ROUND.match(d.text, f.verb.end + 1)
+    if told is not None:
+        d.scene.used[told.span()] = "how far it turns"
+        return 360.0 * (2.0 if "twice" in told[0].lower() else _TIMES.get(told[1] or "", 1.0))
     told = _TURNS.search(d.text, f.verb.end)
     if told is None or "." in d.text[f.verb.end : told.start()]:
         return None
@@ -216,6 +253,12 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     turns = turns or _TURNS.match(d.text[f.verb.end :].lstrip()) is not None  # "one full turn"
     if (f.verb.lemma in _TURNING or (turns and f.verb.lemma in _MAKING)) and turning(d, bodies):
         return "spin"
+    after = d.text[f.verb.end :].lstrip()
+    if f.verb.lemma in _GOING and not f.verb.negated:
+        if _ROUND.match(after) and turning(d, bodies):
+            return "spin"
+        if BACK_AND_FORTH.match(after) and hanging(d, bodies):
+            return "swing"
     if (f.verb.sense, f.verb.lemma) in _TIPPING and tipping(d, bodies[:1]):
         landed_on = not at_rest(d, bodies[0]) or OTHER_SIDE.search(d.text, f.verb.end)
         return "tip" if landed_on else None

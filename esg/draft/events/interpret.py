@@ -24,7 +24,15 @@ from esg.draft.discourse.core import (
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
 from esg.draft.discourse.jointed import loosen
-from esg.draft.discourse.links import drop_link, held_by, is_link, let_loose, snapped, take_links
+from esg.draft.discourse.links import (
+    comes_off,
+    drop_link,
+    held_by,
+    is_link,
+    let_loose,
+    snapped,
+    take_links,
+)
 from esg.draft.discourse.places import RELATION_PREPS, place
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, refer_all
@@ -104,6 +112,8 @@ _ANIMAL_VERBS = lex.word_set("animal verbs")
 _SENT = frozenset({"launch", "drop", "scatter", "pocket"})
 """Senses of which only the object moves."""
 _AGAINST = frozenset({"against", "into", "onto", "at", "past"})
+_WAYS = frozenset({"along", "down", "up"})
+"""What leads to the way that something takes: no place of a load."""
 _STUFF, _REFLEXIVE = lex.word_set("substances"), lex.word_set("reflexive")
 _SLOWER_GAITS, _FASTER_GAITS = lex.word_set("gaits, slow"), lex.word_set("gaits, fast")
 
@@ -193,6 +203,10 @@ def _on_what_has_it(
 
     "A cart with a box lying on it rolls" tells the same with a participle.
     """
+    laden = {id(m) for m, p in attachments if p.mention is not None and p.mention.pronoun == "it"}
+    for k, (m, p) in enumerate(attachments):
+        if p.prep == "with" and id(p.mention) in laden:
+            attachments[k] = (_who_takes_the_way(frames, m), p)
     owners = {id(p.mention): m for m, p in attachments if p.prep == "with"}
     withs = [(m, p.mention) for m, p in attachments if p.prep == "with" and p.mention is not None]
     for m, y in withs:
@@ -214,6 +228,16 @@ def _on_what_has_it(
             f.phrases[:] = [q for q in f.phrases if q.mention is not p.mention]
 
 
+def _who_takes_the_way(frames: list[Frame], m: Mention) -> Mention:
+    """ "A cart rolls down a slope with a barrel on it": what goes there has it, not the slope."""
+    for f in frames:
+        way = any(p.mention is m and p.prep in _WAYS for p in f.phrases)
+        way = way or (f.object is m and not m.entities)  # "makes a turn with a bear on it"
+        if f.subject is not None and way:
+            return f.subject
+    return m
+
+
 def _is_goal(f: Frame, p: Phrase) -> bool:
     """ "Drops a ball in a bowl", "puts a cup on a shelf": it is not there at first."""
     sent = f.verb.sense in ("drop", "launch") and f.object is not None and not f.reduced
@@ -222,7 +246,7 @@ def _is_goal(f: Frame, p: Phrase) -> bool:
 
 def _tells_of_hands(f: Frame) -> bool:
     """Whether a clause tells where something is put: not where it is at first."""
-    put = f.verb.sense == "park" or _HANDLED.get((f.verb.sense, f.verb.lemma)) == "put"
+    put = f.verb.sense in ("park", "put") or _HANDLED.get((f.verb.sense, f.verb.lemma)) == "put"
     put = put or f.verb.lemma in ("move", "shift")  # "move the cup to the left of the plate"
     return put and not f.verb.passive and not f.reduced and f.object is not None
 
@@ -473,6 +497,38 @@ def _breaks_away(d: Discourse, f: Frame, node: str) -> None:
     mark_used(d, f, "gives way")
 
 
+def _comes_off(d: Discourse, f: Frame, bodies: list[str]) -> None:
+    """What comes off the ceiling hangs below it until then, and falls."""
+    for body in bodies:
+        _by_a_rope(d, body)
+        d.scene.loosed.add(body)
+    mark_used(d, f, "gives way")
+    _then_falls(d, f, bodies)
+
+
+def _by_a_rope(d: Discourse, body: str) -> None:
+    """What is to come down hangs by a rope, and not on the ceiling itself."""
+    host = d.scene.attached.pop(body, "")
+    told = d.scene.relations
+    told[:] = [r for r in told if (r.source, r.target) != (body, host)]
+    d.scene.hung.setdefault(body, "")
+
+
+def _it_hung(d: Discourse, f: Frame, link: list[str], held: list[str]) -> None:
+    """ "The chain snaps and it falls": no chain, which is drawn as a joint."""
+    for g in d.told:
+        m = g.subject
+        if g.verb.start > f.verb.start and m is not None and m.pronoun and m.entities == link:
+            m.entities = d.world.resolved[id(m)] = [*held]
+
+
+def _then_falls(d: Discourse, f: Frame, bodies: list[str]) -> None:
+    """Lets what nothing holds any more fall, unless that is told next."""
+    later = [g.subject for g in d.told if g.verb.start > f.verb.start and _comes_down(g)]
+    if f.verb.sense == "fall" or not any({*bodies} & {*m.entities} for m in later if m is not None):
+        read_as(d, "fall", f, bodies, [])
+
+
 def _comes_down(f: Frame) -> bool:
     return f.verb.sense in ("fall", "drop")
 
@@ -481,16 +537,21 @@ def _gives_way(d: Discourse, f: Frame, parts: Parts) -> bool:
     """ "The rope snaps": what hangs by it comes down."""
     for node in (towed := let_loose(d, f)):
         _breaks_away(d, f, node)
+    if off := comes_off(d, f):
+        _comes_off(d, f, off)
+        return True
     if towed or not snapped(d, f):
         return bool(towed)
     held = [h for i in parts.subject if (h := held_by(d, i)) and h in d.scene.hung]
+    for body in held:
+        if kind_of(d, d.scene.attached.get(body, body)) == "ceiling":
+            _by_a_rope(d, body)
     if not held or not hanging(d, held):
         return False
+    _it_hung(d, f, parts.subject, held)
     d.scene.loosed.update(held)
     mark_used(d, f, "gives way")
-    later = [g.subject for g in d.told if g.verb.start > f.verb.start and _comes_down(g)]
-    if not any({*held} & {*m.entities} for m in later if m is not None):
-        read_as(d, "fall", f, held, [])
+    _then_falls(d, f, held)
     return True
 
 

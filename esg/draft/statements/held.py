@@ -73,6 +73,11 @@ def posture(book: Book, clause: Clause) -> None:
     if f.verb.lemma == "hover":
         for body in (i for i in ids(f.subject) if i in d.world.entities):
             book.add(Predicate.AIRBORNE, *span(f), object=(body,))
+    for p in f.phrases if f.verb.sense == "posture" else ():
+        seated = tuple(i for i in ids(f.subject) if i in d.scene.at_ends) if p.prep == "on" else ()
+        if seated and p.mention is not None:
+            book.add(Predicate.SUPPORTED_BY, start_of(p, d.text), p.mention.end, object=seated,
+                     target=(d.scene.supported_by[seated[0]],), when="start")  # fmt: skip
     says = _POSTURES.get(f.verb.lemma)
     held = f.phrase("from", "by") if says is Predicate.HANGS_FROM else f.phrase("on", "against")
     targets = [i for i in things(held) if i in d.world.entities][:1]

@@ -279,6 +279,8 @@ def _shows_an_end(a: Account, about: set[str], others: set[str]) -> bool:
     """ "Stands on the edge and falls off", "lands on one end of a seesaw": what follows shows."""
     comes_down = any(_takes_part(a, n, about) for n in (NodeEvent.FALL, NodeEvent.TOPPLE))
     jolted = any({j.child, j.parent} & others for j in a.d.scene.joints)
+    if about <= {*a.d.scene.at_ends}:
+        return True  # "sits on one end of a seesaw"
     return comes_down or (jolted and _takes_part(a, NodeEvent.COLLISION, others))
 
 

@@ -21,7 +21,7 @@ from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import adverbs_of
 from esg.draft.events.told import last_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
-from esg.graph.models import EdgeEvent, NodeEvent
+from esg.graph.models import EdgeEvent, NodeEvent, Predicate
 
 _NO_PICTURE = lex.word_set("no picture (statements)")
 _PICTURED = frozenset({"refuse"})
@@ -82,7 +82,12 @@ def missing(d: Discourse, clause: Clause) -> str:
     told = clause.told or again or bool(clause.movers)
     if told and not clause.movers and not again and _moves_nothing(d, f):
         return NOTHING_MOVES
-    return "" if told or f.verb.sense in _STATES else NOTHING_MOVES
+    doers = [*f.subject.entities] if f.subject is not None else []
+    loads = [*f.object.entities] if f.object is not None else []
+    borne = any(s.row.states is Predicate.CARRIED_BY for s in clause.said) and any(
+        d.scene.supported_by.get(i) in doers for i in loads
+    )
+    return "" if told or borne or f.verb.sense in _STATES else NOTHING_MOVES
 
 
 def _moves_nothing(d: Discourse, f: Frame) -> bool:
@@ -207,6 +212,14 @@ def _alone(d: Discourse, clause: Clause) -> bool:
     return acts and joined and first and f.subject.determiner == "the" and not met
 
 
+def _moved_by_none(d: Discourse, clause: Clause) -> bool:
+    """Whether who opens something is not told to meet it: a door moves by itself then."""
+    doers, about = {*_doers(clause.frame)}, {*clause.movers}
+    done = {*(clause.frame.object.entities if clause.frame.object is not None else [])} | about
+    hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
+    return not any({*n.participants[:1]} & doers and {*n.participants[1:]} & done for n in hits)
+
+
 _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "loose": lambda d, c: bool(c.movers) and _loose(d, c),
     "bumped": lambda d, c: c.frame.verb.form == "ing" and _bumped(d, c.frame),
@@ -220,6 +233,7 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     ),
     "alone": _alone,
     "agentless": lambda d, c: c.frame.verb.passive and c.frame.phrase("by") is None,
+    "untouched": _moved_by_none,
     "untied": lambda d, c: not _tied(d, c.frame),
 }
 """Conditions of a row that look at the scene or at the words around the verb."""

@@ -10,10 +10,12 @@ from __future__ import annotations
 from collections.abc import Iterator
 
 from esg.dynamics.casting.changes import resized
-from esg.dynamics.story.stagecraft import support_of
-from esg.graph.models import AssetConfiguration, EsgDocument
+from esg.dynamics.story.stagecraft import support_of, top_surface
+from esg.dynamics.story.story import Story
+from esg.graph.models import AssetConfiguration, EsgDocument, NodeEvent
 from esg.layout.problem.patterns import DOMINO_PITCH_OVER_HEIGHT, is_domino_like
 from esg.layout.problem.supports import FULL, SHELF_THICKNESS_CM
+from esg.thresholds import SAFE_FALLEN_BY
 
 LARGER, SMALLER = 2.0, 0.4
 """Most that a support grows and its load shrinks."""
@@ -52,6 +54,34 @@ def fit_loads(doc: EsgDocument) -> dict[str, AssetConfiguration]:
                 break
         for k in sorted(set(keys) - given) if shrink < 1.0 else ():
             out[k] = resized(doc, k, doc.asset_configurations[k], shrink)
+    return out
+
+
+def fit_fallen(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
+    """Smaller loads for what is so low that coming off it would be no fall: a keg on a handcart.
+
+    Args:
+        doc: A document with assets resolved.
+        story: What happens in it.
+
+    Returns:
+        Configurations of the loads, by asset.
+    """
+    out: dict[str, AssetConfiguration] = {}
+    for node in story.nodes.values():
+        name = node.participants[0] if node.event is NodeEvent.FALL else ""
+        support = support_of(doc, name) if name else None
+        if support is None:
+            continue
+        if support_of(doc, support) is not None and support not in story.phases:
+            continue  # what comes off a tray on a table may fall to the floor
+        key = doc.spatial_relation_graph.nodes[name].asset_id
+        told = doc.asset_requirement[key]
+        given = told.dimensions_are_prescribed or told.mass_is_prescribed
+        height = doc.asset_configurations[key].dimensions_cm[2]
+        share = top_surface(doc, support).center_cm[2] / (SAFE_FALLEN_BY * height)
+        if share < 1.0 and not given and told.shape != "capsule":
+            out[key] = resized(doc, key, doc.asset_configurations[key], max(share, SMALLER))
     return out
 
 

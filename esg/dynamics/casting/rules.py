@@ -11,7 +11,7 @@ from esg.dynamics.casting.changes import Configs, with_assets
 from esg.dynamics.casting.containers import fit_containers, fit_holders
 from esg.dynamics.casting.dominoes import fit_falling
 from esg.dynamics.casting.fragile import fit_fragile
-from esg.dynamics.casting.loads import fit_loads
+from esg.dynamics.casting.loads import fit_fallen, fit_loads
 from esg.dynamics.casting.masses import fit_pushes, fit_transfer
 from esg.dynamics.casting.motion import (
     fit_bouncy,
@@ -65,6 +65,7 @@ RULES = (
     *STANDING,
     Rule("rolling it would not reach what it shall hit", fit_reach),
     Rule("it drifts on to the next thing", lambda doc, _: let_go_sideways(doc)),
+    _of_assets("coming off what it stands on is a fall", fit_fallen),
     Rule("it is knocked over", fit_freed),
     Rule("lying flat it could not fall over", _upright),
     _of_assets("the timeline moves it", fit_movable),

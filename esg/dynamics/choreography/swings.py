@@ -8,10 +8,11 @@ from esg.dynamics.choreography.moves import plain
 from esg.dynamics.choreography.placing import join
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.choreography.sweeps import FASTEST_MPS, OPENS_S, needed_speed
+from esg.dynamics.story.driving import QUICKLY_S
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.story import bounds
 from esg.dynamics.story.suspension import Suspension, joint_of, suspension
-from esg.graph.models import EdgeEvent, TimelineNode
+from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
 
 MEETS_AT = 0.75
 """What a drawer is to hit stands in its way at this share of it."""
@@ -110,12 +111,22 @@ def swung(stage: Stage, node: TimelineNode) -> None:
         plain(stage, node)
 
 
+def _lets_in(stage: Stage, node: TimelineNode, actor: str) -> bool:
+    """Whether something enters what a lid has opened by then."""
+    joint = joint_of(stage.doc, actor)
+    owner = joint.parent if joint is not None else None
+    told = [*stage.story.nodes.values()]
+    later = (n.region or "" for n in told[told.index(node) + 1 :])
+    return node.event is NodeEvent.OPEN and any(r.partition("/")[0] == owner for r in later)
+
+
 def moved_by_joint(stage: Stage, node: TimelineNode) -> None:
     """Open, Close: a motor moves it along its joint, gravity does, or what hit it."""
     for actor, phase in stage.incoming(node):
         track, hangs = stage.tracks[actor], suspension(stage.doc, actor)
         if phase.edge.event is EdgeEvent.DRIVE and joint_of(stage.doc, actor) is not None:
-            low, high, _ = bounds(phase.edge.params.duration, (OPENS_S, OPENS_S))
+            usual = QUICKLY_S if _lets_in(stage, node, actor) else OPENS_S
+            low, high, _ = bounds(phase.edge.params.duration, (usual, usual))
             stage.nominal[f"{phase.edge.id}/duration"] = 0.5 * (low + high)
             track.straight(0.0, 0.5 * (low + high), 0.0)
             stage.time[node.id] = track.time

@@ -6,6 +6,7 @@ from collections.abc import Sequence
 import math
 
 from esg.dynamics.choreography.stage import Encounter, Stage
+from esg.dynamics.story.driving import QUICKLY_S
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.stagecraft import Prop, prop, release_height, support_of, top_surface
 from esg.dynamics.story.story import Phase, Story, bounds
@@ -19,6 +20,8 @@ HIGHEST_HAND_M = 1.7
 """Height up to which a throw starts level with its target."""
 LOW_DROP_M = 0.2
 """What is dropped from a height starts at least this far above its target."""
+IN_AFTER_S = 0.15
+"""From when a lid is open to when what drops past it is there."""
 SHORTEST_FALL_S, LONGEST_FALL_S = 0.2, 2.0
 """Of a drop whose height is open."""
 BY_THE_EAR, ARMS_UP = 1.0, 1.25
@@ -270,11 +273,26 @@ def drop(stage: Stage, e: Encounter) -> None:
         x, y = Frame(x, y, yaw or 0.0).apply(cx / 100.0, cy / 100.0)
     along, top = landing_place(stage.doc, stage.member(b)) or (0.0, pb.height)
     x, y = Frame(x, y, yaw or 0.0).apply(along, 0.0) if along else (x, y)
-    height = drop_height(stage, node, a, pb)
+    height = max(drop_height(stage, node, a, pb), _past_the_lid(stage, node, a))
     stage.places[a] = (x, y, 0.0)
     stage.frames[a] = Frame(x, y, 0.0)
     stage.heights[a] = top + height
     stage.tracks[a].time += math.sqrt(2.0 * height / GRAVITY_MPS2)
+
+
+def _past_the_lid(stage: Stage, node: TimelineNode, a: str) -> float:
+    """Height [m] from which a drop takes until what it falls into has opened; 0 if it is open.
+
+    It is let go at the start: nothing would hold it in the air.
+    """
+    owner = (node.region or "").partition("/")[0]
+    if stage.prescribed_time(node) is not None or asked_height(stage, node, a) is not None:
+        return 0.0
+    told = [*stage.story.nodes.values()]
+    opens = [n for n in told[: told.index(node)] if n.event is NodeEvent.OPEN]
+    lids = {j.child for j in stage.doc.spatial_relation_graph.joints or () if j.parent == owner}
+    opened = [stage.time.get(n.id, QUICKLY_S) for n in opens if lids & {*n.participants}]
+    return fallen(max(opened) + IN_AFTER_S - stage.tracks[a].time) if opened else 0.0
 
 
 def fallen(duration: float) -> float:

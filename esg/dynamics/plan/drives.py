@@ -24,6 +24,9 @@ RAMP_STEPS = 12
 """Steps in which a hinge that carries something gets up to speed."""
 STAYS = 1e-6
 """What is there already is not driven on [rad or m]."""
+SPEEDS_UP_S = 0.2
+"""A motor that swings a leaf back has the torque that gets a rod of its mass up to speed in that
+time, besides its friction."""
 SETTLED_S = 0.5
 """A motor has reached its place so long after it would at an even speed
 (`esg.engines.joint_rules.APPROACH_RATE`)."""
@@ -88,6 +91,27 @@ def driven(
     rest = (0.0, 0.0, 0.0)
     points = (_vec(first), _vec(first + (goal - here) * axis))
     return (GuideAlong(body.name, start, (0.0, lasts), points, (rest, rest)),)
+
+
+def drawn_to(
+    scene: SimScene, joint: Joint, start: float, goal: float, lasts: float
+) -> tuple[Primitive, ...]:
+    """What moves a joint's child to a position from wherever a blow has left it.
+
+    Args:
+        scene: Its scene; bodies as they start.
+        joint: Hinge with limits.
+        start: [s].
+        goal: Position of the joint [rad].
+        lasts: How long it takes from the limit that is farther away [s].
+    """
+    body = scene.body(joint.child)
+    ends = [e for e in (joint.lower, joint.upper) if e is not None]
+    rate = max((abs(e - goal) for e in ends), default=math.pi) / lasts
+    arm = np.asarray(body.position, float) - joint_ends(joint, *joint_poses(scene, joint))[1]
+    most = joint.friction + 4.0 / 3.0 * body.mass * float(arm @ arm) * rate / SPEEDS_UP_S
+    pulls = DriveJoint(joint.name, start, rate, goal, most)
+    return (pulls, DriveJoint(joint.name, start + lasts + SETTLED_S))
 
 
 def kept_shut(scene: SimScene, joint: Joint, time: float) -> tuple[Primitive, ...]:

@@ -16,7 +16,15 @@ from esg.dynamics.choreography.slopes import FASTEST_MPS
 from esg.dynamics.choreography.ways import arrives
 from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
-from esg.dynamics.plan.drives import driven, held_at, joint_of, kept_shut, let_go, reach_of
+from esg.dynamics.plan.drives import (
+    drawn_to,
+    driven,
+    held_at,
+    joint_of,
+    kept_shut,
+    let_go,
+    reach_of,
+)
 from esg.dynamics.plan.guides import Way
 from esg.dynamics.story.driving import goal_of
 from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
@@ -384,6 +392,12 @@ class Composer:
             # It is turned on and on.
             goal, lasts = here + (goal - here) * HELD_ON_S / lasts, HELD_ON_S
         ramp = self.nominal.get(f"{edge.id}/ramp", 0.0)
+        before = phases[: phases.index(leg.phase)]
+        if joint.kind == "hinge" and before and before[-1].edge.event is EdgeEvent.TOWARD:
+            # A blow has opened it as far as it did.
+            course.out += drawn_to(self.scene, joint, leg.start, goal, lasts)
+            course.clock, course.opening = leg.start + lasts, goal
+            return
         moved = driven(self.scene, joint, leg.start, here, goal, lasts, ramp)
         lasts = lasts + ramp if moved else 0.0
         course.out += moved

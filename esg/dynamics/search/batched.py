@@ -43,6 +43,9 @@ BROKEN = 1e6
 """Loss of a candidate that cannot be played."""
 REFERENCE_SHARE = 0.4
 """Rounds of the reference engine as a share of the surrogate's."""
+PIECE_ROLLOUTS = 3000
+"""Rollouts of the reference engine times bodies where things come apart: one of a wall in 24 pieces
+takes more than a second of a core, and rounds of them minutes."""
 AGREED = 1.2
 """Worst cases that differ by less than this factor (or `GOOD_LOSS`) say the same of a theta."""
 
@@ -133,6 +136,20 @@ def search(
     if shown <= 0:
         return best, "budget spent"
     return _polish(plan, panel, rng, best, rounds, shown)
+
+
+def with_pieces(bodies: int, whole: int, rollouts: int | None) -> int | None:
+    """Most rollouts of the reference engine where things come apart there.
+
+    Args:
+        bodies: Of its scene, pieces among them.
+        whole: Of the scene that is explored, in which nothing breaks.
+        rollouts: Most of any scene; None for as many as the rounds need.
+    """
+    if bodies == whole:
+        return rollouts
+    most = PIECE_ROLLOUTS // bodies
+    return most if rollouts is None else min(most, rollouts)
 
 
 def _affordable(panel: Panel, rounds: int, rollouts: int | None) -> tuple[int, int]:

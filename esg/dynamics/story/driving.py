@@ -18,6 +18,8 @@ from esg.units import quat_rotate
 OPENS_RAD = math.radians(75.0)
 """What has no limit, or a wider one, is opened so far."""
 OPENS_M = 0.3
+QUICKLY_S = 1.05
+"""How long a lid takes past which something drops: that is let go at the start, from so high up."""
 SURELY = 1.4
 """Of what is asked, an opening that states no position goes so many times as far."""
 GOES_ON_RAD = math.radians(30.0)

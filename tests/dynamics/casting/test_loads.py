@@ -100,3 +100,26 @@ def test_a_row_of_slabs_has_room_to_topple() -> None:
     assert len(books) == 10
     length, _, height = books[0].dimensions_cm
     assert max(shelf.dimensions_cm) >= 9 * DOMINO_PITCH_OVER_HEIGHT * height + length
+
+
+@pytest.mark.parametrize(
+    ("load", "smaller"), [("barrel", True), ("crate", True), ("barrel 80 cm high", False)]
+)
+def test_what_comes_off_a_low_deck_is_small_enough_to_fall(load: str, smaller: bool) -> None:
+    """A barrel of 90 cm that comes off a deck of 24 cm has not come down by half its height."""
+    before, after = _cast(f"A handcart with a {load} on it hits a post and the {load.split()[0]} "
+                          "falls off.")  # fmt: skip
+    name = f"{load.split()[0]}_1"
+    assert (_of(after, name).dimensions_cm[2] < _of(before, name).dimensions_cm[2]) is smaller
+    assert _of(after, "handcart_1") == _of(before, "handcart_1")
+
+
+def test_a_cart_that_comes_down_a_slope_has_a_low_deck_all_the_same() -> None:
+    before, after = _cast("A cart rolls down a slope with a barrel on it. It hits a post and the "
+                          "barrel falls off.")  # fmt: skip
+    assert _of(after, "barrel_1").dimensions_cm[2] < _of(before, "barrel_1").dimensions_cm[2]
+
+
+def test_what_falls_off_a_table_keeps_its_size() -> None:
+    before, after = _cast("A ball hits a vase on a table and the vase falls off the table.")
+    assert _of(after, "vase_1") == _of(before, "vase_1")

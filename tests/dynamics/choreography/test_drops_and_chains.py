@@ -135,3 +135,15 @@ def test_who_drops_something_stands_before_the_table_and_reaches_it(
     assert reach < 0.5 * tall
     on = 100.0 * prop(doc, f"{table}_1").height if table == "stove" else 0.0
     assert on + (spots[thing].z_cm or 0.0) < 1.25 * tall
+
+
+def test_what_drops_into_a_chest_comes_after_its_lid_is_open() -> None:
+    doc = cast("The lid of a chest swings up. A loaf of bread drops into the chest.")
+    lid = choreograph(doc).nominal["chest_1_moved/duration"]
+    top = doc.asset_configurations["chest_body_01"].dimensions_cm[2]
+    fall = math.sqrt(2.0 * ((places(doc)["loaf_of_bread_1"].z_cm or 0.0) - top) / 100.0
+                     / GRAVITY_MPS2)  # fmt: skip
+    assert lid < 1.2
+    assert fall > lid
+    alone = cast("A loaf of bread drops into an open chest.")
+    assert (places(alone)["loaf_of_bread_1"].z_cm or 0.0) - top < 150.0

@@ -1,11 +1,12 @@
 """What moves on joints is planned by them: opened, closed, let go, and met where it swings."""
 
+from dataclasses import replace
 import math
 
 import numpy as np
 import pytest
 
-from esg.dynamics.plan.drives import driven, held_at, let_go, reach_of
+from esg.dynamics.plan.drives import drawn_to, driven, held_at, let_go, reach_of
 from esg.dynamics.story.driving import goal_of
 from esg.dynamics.story.story import Phase
 from esg.dynamics.story.suspension import quarter_period
@@ -20,8 +21,6 @@ LEAF = Body("leaf", False, 20.0, UNIT, (Shape("box", (0.4, 0.02, 1.0)),), (0.4, 
 
 
 def hinged(**more) -> SimScene:
-    from dataclasses import replace
-
     joint = joint_between("h", "hinge", LEAF, None, at=(0.0, 0.0, 1.0), axis=(0.0, 0.0, 1.0))
     return SimScene("s", (LEAF,), joints=(replace(joint, **more),))
 
@@ -125,3 +124,20 @@ def test_quarter_of_a_period_by_the_elliptic_integral(degrees, longer):
     assert quarter_period(1.0, 9.81, math.radians(degrees)) == pytest.approx(
         small * longer, rel=1e-4
     )
+
+
+@pytest.mark.parametrize("blown", [40.0, 95.0, -70.0])
+def test_a_leaf_is_swung_back_from_wherever_a_blow_has_left_it(blown: float) -> None:
+    limit = math.radians(100.0)
+    leaf = replace(LEAF, position=(0.4, 0.0, 1.1))  # clear of the ground
+    made = joint_between("h", "hinge", leaf, None, at=(0.0, 0.0, 1.1), axis=(0.0, 0.0, 1.0))
+    joint = replace(made, lower=-limit, upper=limit, friction=1.5, damping=1.0)
+    scene = SimScene("s", (leaf,), joints=(joint,))
+    blow, back = math.radians(blown) / 0.5, 1.0
+    hit = HoldSpin("leaf", 0.0, 0.5, blow, (0.0, 0.0, 1.0))
+    program = Program((hit, *drawn_to(scene, joint, back, 0.0, 1.5)), 4.0)
+    rollout = get_engine("physx").rollout(scene, batch_programs([program], scene.names))
+    pose = rollout.position[0, :, 0], rollout.quaternion[0, :, 0]
+    angle = np.degrees(joint_state(joint, pose, None).position)
+    assert float(np.abs(angle).max()) > 0.5 * abs(blown)
+    assert abs(float(angle[-1])) < 2.0

@@ -9,7 +9,7 @@ import pytest
 
 from esg.dynamics.plan.build import build_scene
 from esg.dynamics.plan.planner import make_plan
-from esg.dynamics.search.batched import Explored, search, settled
+from esg.dynamics.search.batched import Explored, search, settled, with_pieces
 from esg.dynamics.search.panel import GOOD_LOSS, REFERENCE_DT_S, Panel
 from esg.dynamics.search.simulate import Simulator
 from esg.dynamics.strategies import optimize
@@ -150,3 +150,11 @@ def test_what_holds_under_every_perturbation_is_not_explored_any_further() -> No
     far = found.theta.copy()
     far[[v.name for v in plan.variables].index("brake/braking")] *= 1.5
     assert not panel.preview(far[None]).good.any()
+
+
+@pytest.mark.parametrize(
+    ("bodies", "whole", "asked", "most"),
+    [(4, 4, None, None), (4, 4, 500, 500), (28, 4, None, 107), (28, 4, 50, 50), (16, 4, None, 187)],
+)
+def test_rollouts_of_many_pieces_are_few(bodies, whole, asked, most) -> None:
+    assert with_pieces(bodies, whole, asked) == most

@@ -155,6 +155,7 @@ def balance_pans(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("rear pan", 1.5, (7, 7), (-28, 0))
     s.mount("pivot", (0.0, 0.0, 39.0), _ACROSS)
     s.mount("front end", (28.0, 0.0, 1.7), (0.0, 0.0, 1.0))
+    s.mount("back end", (-28.0, 0.0, 1.7), (0.0, 0.0, 1.0))
 
 
 @builder("balance_stand")

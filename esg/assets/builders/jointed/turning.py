@@ -29,6 +29,7 @@ def seesaw_board(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("rear seat", 5, (18, 14), (-130, 0))
     s.mount("pivot", (0.0, 0.0, 2.5), (0.0, 1.0, 0.0))
     s.mount("front end", (130.0, 0.0, 5.2), (0.0, 0.0, 1.0))
+    s.mount("back end", (-130.0, 0.0, 5.2), (0.0, 0.0, 1.0))
 
 
 @builder("seesaw_stand")

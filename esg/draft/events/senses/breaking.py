@@ -49,7 +49,9 @@ def sense_of_breaking(d: Discourse, f: Frame, subject: list[str], objects: list[
     if lemma in ("fall", "come", "go"):
         return "apart" in f.adverbs or (f.phrase("to", "in") is not None and _to_pieces(f))
     if lemma in _RUINING:
-        down = lemma != "knock" or {"over", "down"} & {*f.adverbs} or f.verb.sense == "topple"
+        down = (
+            lemma != "knock" or {"over", "down", "apart"} & {*f.adverbs} or f.verb.sense == "topple"
+        )
         return bool(down) and all(row.falls_apart for i in bodies if (row := row_of(d, i)))
     if lemma not in _BREAKING or "off" in (*f.adverbs, f.verb.extra.get("particle")):
         return False

@@ -7,9 +7,10 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, mark_used, movable, structural
+from esg.draft.discourse.jointed import CRANES
 from esg.draft.discourse.places import carries, elevated, holds, place
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.referents.entities import Entity
+from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED, SPEEDS
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, add_hit
@@ -33,13 +34,25 @@ _ELSEWHERE = frozenset({"in", "off", "on", "out", "down", "aboard", "aside", "aw
 """Adverbs that lead a leap somewhere else than back to the ground it left."""
 _HOPPED_ON = lex.word_set("hopped on")
 _ONTO = re.compile(r"\b(?:on ?to|upon)\b", re.IGNORECASE)
-_OFTEN = re.compile(r"\b(?:once|twice|thrice|(\w+)\s+times)\b", re.IGNORECASE)
+_OFTEN = re.compile(
+    r"\b(?P<least>at\s+least\s+)?(?P<n>once|twice|thrice|(\w+)\s+times)\b", re.IGNORECASE
+)
+_LIFTED_KG = 20000.0
+"""What a crane lifts: a loaded container weighs as much."""
 _DOWN = re.compile(r"(?:\w+\s+){1,4}?(?:back\s+)?down\b", re.IGNORECASE)
 
 
 def _loose(d: Discourse, bodies: list[str]) -> list[str]:
     """What a hand can take: what moves, and is no vehicle."""
     return [i for i in bodies if movable(d, i) and kind_of(d, i) not in ("vehicle", "person")]
+
+
+def _hoist(d: Discourse, agents: list[str], bodies: list[str]) -> None:
+    """What a crane lifts is not fixed: a bathtub, a shipping container."""
+    if not any(head_of(entity_of(d, a)) in CRANES for a in agents):
+        return
+    for e in (entity_of(d, i) for i in bodies if not structural(d, i)):
+        e.freed = e.freed or (e.mass_kg or e.noun.mass_kg) <= _LIFTED_KG
 
 
 def _from_where(d: Discourse, f: Frame, bodies: list[str]) -> None:
@@ -60,6 +73,7 @@ def _from_where(d: Discourse, f: Frame, bodies: list[str]) -> None:
 def read_pick(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "Picks up the mug", "lifts a crate off a truck": it rises, held."""
     agents, taken = doer_and_done(f, s, o or things(f.phrase("up")))
+    _hoist(d, agents, taken)
     taken = _loose(d, taken)
     if f.object is not None and f.object.part:
         ignore(d, f, "no physical meaning")  # "grasps the handle of the drawer"
@@ -370,7 +384,10 @@ def so_often(d: Discourse, f: Frame, node: str) -> None:
     said, draft = _OFTEN.search(d.text, f.verb.end, f.verb.end + 40), d.timeline.node(node)
     if said is None or draft is None:
         return
-    n = {"once": 1, "twice": 2, "thrice": 3}.get(said[0].lower()) or parse_number(said[1] or "")
+    n = {"once": 1, "twice": 2, "thrice": 3}.get(said["n"].lower()) or parse_number(said[3] or "")
     if isinstance(n, int | float) and 1 <= n <= 20:
         draft.extra["times"] = int(n)
-        d.scene.used.setdefault(said.span(), node)
+        d.scene.used.setdefault(said.span("n"), node)
+        for word in re.finditer(r"\w+", said["least"] or ""):  # nothing counts how often at most
+            start = said.start("least")
+            d.scene.used.setdefault((start + word.start(), start + word.end()), node)

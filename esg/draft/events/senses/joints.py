@@ -10,15 +10,18 @@ from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, add_hit
 from esg.draft.events.consequences import already_hit, struck_before
 from esg.draft.events.hanging import (
+    BACK_AND_FORTH,
     OTHER_SIDE,
     SHUTTING,
     hanging,
     let_go,
+    lies_shut,
     lowered,
     openable,
     row_of,
     row_parts,
     tipping,
+    walks_into,
 )
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.senses.contact import hit_targets
@@ -26,13 +29,10 @@ from esg.draft.events.senses.handling import so_often
 from esg.draft.events.stated import place_of
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import moved_by_others, time_of
-from esg.draft.events.told import at_rest
+from esg.draft.events.told import at_rest, last_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import ForceDirection, NodeEvent
 
-_BACK_AND_FORTH = re.compile(
-    r"back and forth|to and fro|from side to side|up and down", re.IGNORECASE
-)
 _TO_AND_FRO = 3
 """How often what swings back and forth passes its lowest point, at least."""
 PASSED_ON = 0.5
@@ -44,11 +44,16 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "The gate swings open", "a ball pushes the door open", "the drawer closes"."""
     doers, moved = doer_and_done(f, s, o) if o or f.verb.passive else ([], s)
     moved = openable(d, moved)
+    if lies_shut(d, f, moved):
+        f.verb.sense, f.verb.extra = "left_so", {**f.verb.extra, "result": "shut"}
+        read_as(d, "left_so", f, s, o)
+        return
     last = d.text[f.verb.start : f.verb.end].lower().split()[-1]
     shut = lowered(f) or bool({f.verb.extra.get("result", f.verb.lemma), last} & SHUTTING)
     event = NodeEvent.CLOSE if shut else NodeEvent.OPEN
     note = "opens or closes"
-    things = [i for i in doers if movable(d, i) and kind_of(d, i) != "person" and i not in moved]
+    things = [i for i in doers if movable(d, i) and i not in moved]
+    things = [i for i in things if kind_of(d, i) != "person" or walks_into(d, f, moved)]
     for body in moved:
         row = row_of(d, body)
         if row is not None and (shut or row.start) and body not in d.timeline.tracks:
@@ -56,7 +61,8 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if things and not already_hit(d, f, things, moved):
         add_hit(d, f, things[:1], moved, time_of(d, f))
     for body in moved:
-        if at_rest(d, body) and not moved_by_others(d, body):
+        still = at_rest(d, body) and not moved_by_others(d, body)
+        if still or (not things and _back_again(d, event, body)):
             d.timeline.move(body, Motion("drive"), ForceDirection.ANY_3D)
         note = add_event(d, event, (body,), f, time_of(d, f))
         d.timeline.track(body).motion = None
@@ -134,7 +140,7 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
                 continue
             note = node = add_event(d, NodeEvent.SWING, (body,), f, time_of(d, f))
             so_often(d, f, node)
-            draft, often = d.timeline.node(node), _BACK_AND_FORTH.search(d.text, f.verb.end)
+            draft, often = d.timeline.node(node), BACK_AND_FORTH.search(d.text, f.verb.end)
             if draft is not None and often is not None:
                 draft.extra.setdefault("times", _TO_AND_FRO)
                 words = re.finditer(r"\w+", often[0])
@@ -152,6 +158,12 @@ def read_let_go(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     let_go(d, f, hung)
     mark_used(d, f, "let go")
+
+
+def _back_again(d: Discourse, event: NodeEvent, body: str) -> bool:
+    """ "A cow pushes the gate open ... it swings shut behind her": no blow does that."""
+    last = last_of(d, body)
+    return last is not None and {last.event, event} == {NodeEvent.OPEN, NodeEvent.CLOSE}
 
 
 def _handed_on(d: Discourse, f: Frame, body: str) -> bool:

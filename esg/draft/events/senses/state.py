@@ -17,11 +17,14 @@ from esg.draft.discourse.core import (
     quantity_of,
     structural,
 )
+from esg.draft.discourse.jointed import CRANES
 from esg.draft.discourse.places import RELATION_PREPS, hang, holds, place, towers
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.entities import head_of
 from esg.draft.discourse.referents.registry import apply_amount, current_id
 from esg.draft.discourse.scene import LIMBED, SELF_POWERED, Relation
 from esg.draft.events.acts import add_event, add_hit
+from esg.draft.events.hanging import turning
 from esg.draft.events.lengths import starts_apart
 from esg.draft.events.motions import motion, sets_off_late
 from esg.draft.events.table import read_as, sense
@@ -290,7 +293,9 @@ def places(d: Discourse, f: Frame, bodies: list[str]) -> None:
 def _place_by(d: Discourse, f: Frame, bodies: list[str], p: Phrase, gap: Amount | None) -> None:
     """Where one phrase says that things are."""
     others = things(p)
-    if p.mention is None or p.mention.attribute or not (others or p.mention.noun):
+    end = p.mention is not None and p.mention.part.endswith("end") and bool(others)  # of a seesaw
+    told = p.mention is not None and (end or not p.mention.attribute)
+    if p.mention is None or not told or not (others or p.mention.noun):
         _arrange(d, bodies, p)
     elif f.verb.lemma in _HANGING and p.prep in _HUNG_BY and _hangs(d, bodies, others):
         return
@@ -357,9 +362,11 @@ def _pattern_of(d: Discourse, thing: str, pattern: str | None) -> None:
 
 @sense("carry")
 def read_carry(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if s and o:
+    # "a crane lifts a pallet, carries it over and sets it down"
+    if s and o and head_of(entity_of(d, s[0])) not in CRANES:
         place(d, o, s, "on")
-    if s and o and f.verb.lemma in ("carry", "transport") and not movable(d, s[0]):
+    along = s and o and f.verb.lemma in ("carry", "transport") and not movable(d, s[0])
+    if along and not turning(d, s[:1]):
         motion(d, f, o, "slide")  # "a conveyor carries a box past a guard"
     elif s and (quantity_of(d, f, "speed") or any(p.prep in _CARRIED_ALONG for p in f.phrases)):
         motion(d, f, s, None)

@@ -692,5 +692,7 @@ def _complete(c: Chunks, p: Place, j: int, m: Mention) -> int | None:
     owned, end = found  # "ball A's speed"
     owned.possessor, owned.start = m, m.start
     owned.determiner = owned.determiner or "the"
+    if m.single and not m.plural and owned.plural:  # "one of the cart's wheels"
+        owned.single, owned.count, m.single, m.count = True, 1, False, None
     c.elements.append(owned)
     return end

@@ -143,8 +143,9 @@ def _group(c: Chunks, j: int, m: Mention) -> int:
         skip, word = 1, second
     if word not in lex.GROUP_WORDS or low_at(c, j + 1 + skip) != "of":
         return j
-    if (match_noun(c, j) or (None, 1))[1] >= 3 and not lex.singular(low_at(c, j + 2))[1]:
-        return j  # "a pile of snow" is one thing, "a tower of blocks" several
+    one = word == "wall" or not lex.singular(low_at(c, j + 2))[1]
+    if (match_noun(c, j) or (None, 1))[1] >= 3 and one:
+        return j  # "a pile of snow", "a wall of bricks" is one thing, "a tower of blocks" several
     if word == "wall" and low_at(c, j + 2 + skip) in lex.DETERMINERS:
         return j
     if word == "load" and low_at(c, j + 2 + skip) in ("the", "its", "his", "her", "their"):
