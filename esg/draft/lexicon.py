@@ -122,6 +122,14 @@ def _noun(kind: Kind) -> Noun:
 
 
 @cache
+def stand_ins() -> dict[str, str]:
+    """Nouns of the lexicon that the library draws as something else, and as what."""
+    with open(DATA / "stand_ins.csv", encoding="utf-8", newline="") as file:
+        rows = csv.DictReader(file, delimiter=";")
+        return {noun: row["drawn"] for row in rows for noun in row["nouns"].split("|")}
+
+
+@cache
 def packed() -> dict[str, str]:
     """What stuff that hands take is packed in, by the stuff: nouns of the lexicon."""
     with open(DATA / "packed.csv", encoding="utf-8", newline="") as file:

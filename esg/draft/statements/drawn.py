@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from esg.draft import lexicon as lex
+from esg.draft.discourse.referents.entities import Entity
 from esg.draft.statements.book import Told
 from esg.graph.models import Predicate
 
@@ -17,10 +19,16 @@ def drawn_otherwise(t: Told) -> None:
     for m in sorted(d.mentions, key=lambda m: m.start):
         who = [i for i in d.world.resolved.get(id(m), m.entities) if i in d.world.entities]
         whole = [d.world.entities[i] for i in who if not d.world.entities[i].part]
-        shown = {e.noun.stand_in for e in whole if not e.lever} - {""}
+        shown = {_shown_as(e) for e in whole if not e.lever} - {""}
         if len(shown) != 1 or told & {*who}:
             continue
         told |= {*who}
         if not any(a < m.end and m.start < b for a, b in owned):
             note = f"a stand-in is drawn: {shown.pop()}"
             book.add(Predicate.NOT_REPRESENTED, m.start, m.end, object=tuple(who), note=note)
+
+
+def _shown_as(e: Entity) -> str:
+    """What is drawn for a thing that it is not; "" if it is drawn as what it is."""
+    own = lex.stand_ins().get(e.head) or lex.stand_ins().get(e.label) if e.known else None
+    return own or e.noun.stand_in

@@ -8,6 +8,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import GENTLE_BRAKE_CM_S2, HARD_BRAKE_CM_S2, chosen_pace, measurable
+from esg.draft.events.gaits import on_legs
 from esg.draft.events.hanging import SENT_UP
 from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.statements.book import Book, span
@@ -23,7 +24,12 @@ GENTLE_CM_S = 150.0
 
 
 def paced(book: Book, clause: Clause, s: Said, mover: str) -> None:
-    """ "Slowly", "races": no faster, or faster, than what the word leaves of its kind's speeds."""
+    """ "Slowly", "races": no faster, or faster, than what the word leaves of its kind's speeds.
+
+    "Walks" and "runs" without a word of pace are said of legs only.
+    """
+    if not s.row.pace and on_legs(entity_of(book.d, mover), clause.frame.verb.lemma) is None:
+        return
     if s.row.part == "braking":
         rate = HARD_BRAKE_CM_S2 if s.row.pace == "fast" else GENTLE_BRAKE_CM_S2
         book.add(s.row.states, s.start, s.end, object=(mover,), quantity="deceleration",
