@@ -8,7 +8,7 @@ from functools import partial
 from esg.draft.audit import owned_up
 from esg.draft.discourse.referents.resolution import new_world
 from esg.draft.document.build import build, is_restricted
-from esg.draft.document.comparisons import compare
+from esg.draft.document.comparisons import compare, contrast
 from esg.draft.document.coverage import account, in_prompt, stated_in_prompt
 from esg.draft.document.expand import expand
 from esg.draft.document.screening import contradictions, nothing_to_draw, screen, too_long, too_much
@@ -86,6 +86,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     scene.asked = asked
     scene.ignored.update({(v.start, v.end): "gerund" for v in clauses.nominal})
     compare(text, clauses.mentions, scene)
+    contrast(scene)
     space(text, clauses.mentions, scene)
     contradictions(scene)
     nothing_to_draw(scene)
