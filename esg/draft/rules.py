@@ -13,6 +13,7 @@ from esg.draft.document.coverage import account, in_prompt, stated_in_prompt
 from esg.draft.document.expand import expand
 from esg.draft.document.screening import contradictions, nothing_to_draw, screen, too_long, too_much
 from esg.draft.document.spacing import space
+from esg.draft.events.crossing import take_time
 from esg.draft.events.interpret import begin, interpret
 from esg.draft.grammar.clauses.builder import build_clauses
 from esg.draft.grammar.clauses.modality import mark_unreal
@@ -98,6 +99,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     timeline = scene.timeline.build(gaps)
     too_long(timeline)
     statements = state(discourse, clauses.frames, elements, tokens)
+    timeline = take_time(timeline, statements or (), scene)
     read = account(text, elements, clauses.mentions, scene, tokens)
     expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")
     placed = stated_in_prompt(statements, text, prompt)
