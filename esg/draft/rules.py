@@ -28,6 +28,7 @@ from esg.draft.grammar.rewrites.openings import join_results
 from esg.draft.grammar.rewrites.patterns import rewrite
 from esg.draft.grammar.rewrites.shares import count
 from esg.draft.statements import state
+from esg.draft.statements.drawn import drawn_otherwise
 from esg.draft.text.elements import Element
 from esg.draft.text.tagging import parsed, pos_tags
 from esg.draft.text.tokens import tokenize
@@ -109,11 +110,12 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
         doc = doc.model_copy(
             update={"provenance": (doc.provenance[0].model_copy(update=unaudited),)}
         )
-    missed = stated_in_prompt(
-        tuple(s for s in owned_up(text, doc, read, statements)
-              if not any(q.start <= s.start < q.end for q in asked)),
-        text, prompt,
+    found = tuple(
+        s for s in owned_up(text, doc, read, statements)
+        if not any(q.start <= s.start < q.end for q in asked)
     )  # fmt: skip
+    found += drawn_otherwise(discourse, (*(statements or ()), *found))
+    missed = stated_in_prompt(found, text, prompt)
     if not missed:
         return doc
     said = sorted((*(placed or ()), *missed), key=lambda s: s.start)

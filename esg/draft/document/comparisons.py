@@ -108,7 +108,7 @@ def compare(text: str, mentions: list[Mention], scene: Scene) -> None:
 
 
 def contrast(scene: Scene) -> None:
-    """Of a big and a little one of a kind the big one is drawn the larger, whatever each is made of.
+    """Draws the big one of a kind larger than the little one, whatever each is made of.
 
     "A big steel ball pushes a little wooden ball": steel balls are small, balls to play with are
     not. The little one gives way where its size is not stated, else the big one.

@@ -90,11 +90,13 @@ def _borne(t: Told) -> None:
         hosts = ids(p.mention) if p.prep in _CARRIED_ON else []
         for rider in about:
             bearer = d.scene.supported_by.get(rider, "")
-            words = (start_of(p, d.text), p.mention.end if p.mention is not None else 0)
-            if bearer in hosts and bearer != GROUND and _sets_off(d, rider):
+            if bearer not in hosts or p.mention is None:
+                continue
+            words = (start_of(p, d.text), p.mention.end)
+            if bearer != GROUND and _sets_off(d, rider):
                 book.add(Predicate.SUPPORTED_BY, *words, object=(rider,), target=(bearer,),
                          when="start")  # fmt: skip
-            if bearer not in hosts or rider in d.timeline.tracks or not bears(d.scene, bearer):
+            if rider in d.timeline.tracks or not bears(d.scene, bearer):
                 continue
             parted = borne_until(d.scene, rider, bearer)
             when = "throughout" if parted is None else f"start..{parted}"

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from esg.draft.discourse.core import amounts_of, entity_of, kind_of
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
@@ -13,6 +15,7 @@ from esg.draft.events.hanging import SENT_UP
 from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.statements.book import Book, span
 from esg.draft.statements.periods import period, segment_from, segments
+from esg.draft.verbphrases import verb_readings
 from esg.graph.models import EdgeEvent, Predicate, Quantity
 
 _CORNERED = ("box", "compound")
@@ -39,8 +42,17 @@ def paced(book: Book, clause: Clause, s: Said, mover: str) -> None:
         return
     value = _pace(book.d, clause, mover, s.row.states)
     if value is not None:
-        book.add(s.row.states, s.start, s.end, object=(mover,), quantity="speed", value=value,
+        start, end = (s.start, s.end) if s.row.pace else _gait_word(book.d, s)
+        book.add(s.row.states, start, end, object=(mover,), quantity="speed", value=value,
                  when=period(book.d, clause, mover))  # fmt: skip
+
+
+def _gait_word(d: Discourse, s: Said) -> tuple[int, int]:
+    """Where the verb itself stands: "run" of "run out", of which "out" says more."""
+    for word in re.finditer(r"\w+", d.text[s.start : s.end]):
+        if any(r.lemma in s.row.words for r in verb_readings(word[0].lower())):
+            return s.start + word.start(), s.start + word.end()
+    return s.start, s.end
 
 
 def _pace(d: Discourse, clause: Clause, mover: str, says: Predicate) -> float | None:

@@ -10,7 +10,6 @@ from esg.draft.events.stated import adverbs_of, place_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.account import Account
 from esg.draft.statements.book import Book, Told, span
-from esg.draft.statements.drawn import drawn_otherwise
 from esg.draft.statements.held import carried, driver, posture, support, tow
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
 from esg.draft.statements.manners import flown, gains, paced, plainly, rolled
@@ -169,7 +168,6 @@ WRITTEN: tuple[Callable[[Told], None], ...] = (
     *BESIDE_MOTIONS,
     _in_order,
     _own_up,
-    drawn_otherwise,
     *AT_REST,
 )
 """What is written down, in this order: what owns up to the rest sees what is stated before it."""

@@ -27,7 +27,7 @@ def _foot(s: Sketch, y: float, hip: float, size: float, c: Color) -> None:
 
 @builder("bird")
 def bird(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "songbird") -> None:
-    """A standing or flying bird: small and round, a hen with comb, a duck, or a goose-necked one."""
+    """A bird, standing or in flight: small and round, a hen with comb, or a duck."""
     hen, duck = kind == "hen", kind == "duck"
     k = {"songbird": 1.0, "hen": 2.3, "duck": 2.6}[kind]
     leg = {"songbird": 4.0, "hen": 4.6, "duck": 2.2}[kind] * k
@@ -97,7 +97,8 @@ def _spread_wing(s: Sketch, side: int, k: float, z: float, c: Color) -> None:
             for x, y, h in ((x0, y0, z0), (x0 - chords[0], y0, z0), (x1, y1, z1),
                             (x1 - chords[1], y1, z1))
         ]  # fmt: skip
-        prism(s, [(x, y, h + d * k) for x, y, h in edges for d in (0, 0.45)], shade(c, dark), rough=0.9)
+        corners = [(x, y, h + d * k) for x, y, h in edges for d in (0, 0.45)]
+        prism(s, corners, shade(c, dark), rough=0.9)
 
 
 @builder("frog")
