@@ -73,9 +73,10 @@ def _upright(t: Told) -> None:
             book.add(Predicate.STAYS_UPRIGHT, *span(f), object=stand)
 
 
-def _sets_off(d: Discourse, i: str) -> bool:
+def _sets_off(t: Told, i: str) -> bool:
     """ "A bird is perched on a fence, then it flies to a tree": whether it leaves by air."""
-    return i in d.timeline.tracks and flies_itself(d, i) and d.timeline.tracks[i].motion is not None
+    aloft = any(s.predicate is Predicate.AIRBORNE and i in s.object for s in t.book.items)
+    return aloft and flies_itself(t.d, i)
 
 
 def _borne(t: Told) -> None:
@@ -93,7 +94,7 @@ def _borne(t: Told) -> None:
             if bearer not in hosts or p.mention is None:
                 continue
             words = (start_of(p, d.text), p.mention.end)
-            if bearer != GROUND and _sets_off(d, rider):
+            if bearer != GROUND and _sets_off(t, rider):
                 book.add(Predicate.SUPPORTED_BY, *words, object=(rider,), target=(bearer,),
                          when="start")  # fmt: skip
             if rider in d.timeline.tracks or not bears(d.scene, bearer):
