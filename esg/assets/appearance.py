@@ -39,6 +39,8 @@ class Appearance:
 USUAL = Appearance()
 RIDDEN = "ridden"
 """The pose of a vehicle on which somebody is drawn."""
+FLYING = "fly"
+"""The pose of a bird with its wings spread."""
 
 
 @lru_cache(maxsize=4096)

@@ -14,7 +14,7 @@ import hashlib
 from pathlib import Path
 import re
 
-from esg.assets.appearance import RIDDEN, USUAL, Appearance
+from esg.assets.appearance import FLYING, RIDDEN, USUAL, Appearance
 from esg.assets.builders.living.beasts import GAITS
 from esg.assets.colors import find_color
 from esg.assets.configuration import parametric_entry, stated_material
@@ -232,6 +232,7 @@ def _poses(doc: EsgDocument) -> dict[str, str]:
     people = {n for n, b in builders.items() if b in _PEOPLE}
     beasts = {n for n, b in builders.items() if b == "quadruped"}
     ridden = _ridden(doc, {n for n, b in builders.items() if b in _RIDDEN}, people)
+    ridden |= _flying(doc, {n for n, b in builders.items() if b == "bird"})
     if not people | beasts:
         return ridden
     going = _moving(doc, people | beasts)
@@ -269,6 +270,12 @@ def _ridden(doc: EsgDocument, mounts: set[str], people: set[str]) -> dict[str, s
     under = (regions.get(nodes[n].semantic_region or "") for n in people)
     taken = {region.parent_object for region in under if region is not None}
     return dict.fromkeys(sorted((gone & mounts) - taken), RIDDEN)
+
+
+def _flying(doc: EsgDocument, birds: set[str]) -> dict[str, str]:
+    """Birds of which it is told that they are in the air: they spread their wings."""
+    aloft = (s for s in doc.statements or () if s.predicate is Predicate.AIRBORNE)
+    return dict.fromkeys(sorted(birds & {i for s in aloft for i in s.object}), FLYING)
 
 
 def _moving(doc: EsgDocument, walkers: set[str]) -> dict[str, str]:

@@ -46,6 +46,7 @@ class Noun:
             topples, incline; rolls (round about some axis, from the library's flags).
         description: Phrase for retrieval.
         like: What a noun outside the lexicon is shaped and sized like ("disc of 6 cm").
+        stand_in: What is drawn for a noun that is no such thing ("tire", for a pulley).
     """
 
     name: str
@@ -58,6 +59,7 @@ class Noun:
     description: str
     synonyms: tuple[str, ...] = ()
     like: str = ""
+    stand_in: str = ""
 
     @property
     def category(self) -> str:
@@ -117,6 +119,22 @@ def _noun(kind: Kind) -> Noun:
         description=kind.request,
         synonyms=kind.said_as,
     )
+
+
+@cache
+def stand_ins() -> dict[str, str]:
+    """Nouns of the lexicon that the library draws as something else, and as what."""
+    with open(DATA / "stand_ins.csv", encoding="utf-8", newline="") as file:
+        rows = csv.DictReader(file, delimiter=";")
+        return {noun: row["drawn"] for row in rows for noun in row["nouns"].split("|")}
+
+
+@cache
+def packed() -> dict[str, str]:
+    """What stuff that hands take is packed in, by the stuff: nouns of the lexicon."""
+    with open(DATA / "packed.csv", encoding="utf-8", newline="") as file:
+        rows = csv.DictReader(file, delimiter=";")
+        return {stuff: row["packed"] for row in rows for stuff in row["stuff"].split("|")}
 
 
 @cache

@@ -8,11 +8,12 @@ from functools import partial
 from esg.draft.audit import owned_up
 from esg.draft.discourse.referents.resolution import new_world
 from esg.draft.document.build import build, is_restricted
-from esg.draft.document.comparisons import compare
+from esg.draft.document.comparisons import compare, contrast
 from esg.draft.document.coverage import account, in_prompt, stated_in_prompt
 from esg.draft.document.expand import expand
 from esg.draft.document.screening import contradictions, nothing_to_draw, screen, too_long, too_much
 from esg.draft.document.spacing import space
+from esg.draft.events.crossing import take_time
 from esg.draft.events.interpret import begin, interpret
 from esg.draft.grammar.clauses.builder import build_clauses
 from esg.draft.grammar.clauses.modality import mark_unreal
@@ -27,6 +28,7 @@ from esg.draft.grammar.rewrites.openings import join_results
 from esg.draft.grammar.rewrites.patterns import rewrite
 from esg.draft.grammar.rewrites.shares import count
 from esg.draft.statements import state
+from esg.draft.statements.drawn import drawn_otherwise
 from esg.draft.text.elements import Element
 from esg.draft.text.tagging import parsed, pos_tags
 from esg.draft.text.tokens import tokenize
@@ -86,6 +88,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     scene.asked = asked
     scene.ignored.update({(v.start, v.end): "gerund" for v in clauses.nominal})
     compare(text, clauses.mentions, scene)
+    contrast(scene)
     space(text, clauses.mentions, scene)
     contradictions(scene)
     nothing_to_draw(scene)
@@ -97,6 +100,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     timeline = scene.timeline.build(gaps)
     too_long(timeline)
     statements = state(discourse, clauses.frames, elements, tokens)
+    timeline = take_time(timeline, statements or (), scene)
     read = account(text, elements, clauses.mentions, scene, tokens)
     expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")
     placed = stated_in_prompt(statements, text, prompt)
@@ -106,11 +110,12 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
         doc = doc.model_copy(
             update={"provenance": (doc.provenance[0].model_copy(update=unaudited),)}
         )
-    missed = stated_in_prompt(
-        tuple(s for s in owned_up(text, doc, read, statements)
-              if not any(q.start <= s.start < q.end for q in asked)),
-        text, prompt,
+    found = tuple(
+        s for s in owned_up(text, doc, read, statements)
+        if not any(q.start <= s.start < q.end for q in asked)
     )  # fmt: skip
+    found += drawn_otherwise(discourse, (*(statements or ()), *found))
+    missed = stated_in_prompt(found, text, prompt)
     if not missed:
         return doc
     said = sorted((*(placed or ()), *missed), key=lambda s: s.start)

@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from esg.engines.scene import Rollout, SimScene
 from esg.graph.models import EsgDocument
+from esg.units import quat_rotate
 from esg.view.camera import Camera, box_corners, frame_points
 from esg.view.moments import FAR_REACH, HAND_REACH, REACH, Moment, moments_of
 from esg.view.render import Renderer
@@ -27,6 +28,8 @@ SPECK = 20.0
 """What is so many times as large as what meets it is shown in part: else that is a few pixels."""
 ROOM_ALONE = 0.9
 """Room on every side of a single body, in its own sizes."""
+ELEVATIONS = ((24, 42), (58, 74))
+"""Heights of the viewpoints [deg]; the second ones where the first hide what a moment is about."""
 HIDDEN = 0.3
 """Share of its size below which what a moment is about counts as hidden."""
 
@@ -143,8 +146,11 @@ def viewpoint(
     best, best_score = (side, math.radians(24)), -math.inf
     # First, last and the middle moment stand for all: this is half of the work otherwise.
     moments = [moments[k] for k in sorted({0, len(moments) // 2, len(moments) - 1})]
-    for turn in (0, 30, -30, 60, -60, 180):
-        for elevation in (24, 42):
+    least = 0.0
+    for elevations in ELEVATIONS:
+        if least >= HIDDEN:
+            break  # only what lies at the bottom of something is looked at from above
+        for turn, elevation in itertools.product((0, 30, -30, 60, -60, 180), elevations):
             view = (side + math.radians(turn), math.radians(elevation))
             seen = []
             for moment in moments:
@@ -155,7 +161,7 @@ def viewpoint(
             preference = 0.0015 * abs(turn) + 0.004 * abs(elevation - 24)
             score = min(seen) + 0.5 * sum(seen) / len(seen) - preference
             if score > best_score + 1e-9:
-                best, best_score = view, score
+                best, best_score, least = view, score, min(seen)
     return best
 
 
@@ -234,6 +240,11 @@ def _motion_direction(
     if float(np.linalg.norm(moved[longest, :2])) > 0.2:
         return moved[longest, :2].astype(float)
     centers = rollout.position[0, 0, focus, :2].astype(float)
+    if len(focus) == 1:
+        # What stays where it is shows its side: a fox that jumps, not its tail.
+        front = quat_rotate(rollout.quaternion[0, 0, focus[0]], np.array([1.0, 0.0, 0.0]))
+        if float(np.linalg.norm(front[:2])) > 0.2:
+            return front[:2].astype(float)
     if len(focus) > 1:
         spread = centers - centers.mean(axis=0)
         return np.linalg.svd(spread)[2][0]

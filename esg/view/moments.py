@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+import math
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -13,6 +14,7 @@ from esg.assets.appearances import appearances
 from esg.assets.builders.living.poses import POSES
 from esg.engines.scene import Body, Rollout, SimScene
 from esg.graph.models import EsgDocument, RelationType
+from esg.units import GRAVITY_MPS2
 
 if TYPE_CHECKING:
     from esg.metrics.models import EventVerdict, SceneVerdict
@@ -77,7 +79,7 @@ def moments_of(
             mates = tuple(i for i in mates if _same_group(scene, i, bodies))
         moments.append(
             Moment(
-                min((event.time_s or 0.0) + 0.5 * _goes_on(event), end),
+                min((event.time_s or 0.0) + 0.5 * _goes_on(event) + _rises_for(event), end),
                 bodies,
                 mates,
                 f"{number}  {_title(scene, event)}",
@@ -92,6 +94,12 @@ def moments_of(
 def _goes_on(event: EventVerdict) -> float:
     """How long what an event began goes on [s], as far as it is waited for."""
     return min(event.measured.get("for_s", 0.0), SHOWN_S) if event.type in LASTING else 0.0
+
+
+def _rises_for(event: EventVerdict) -> float:
+    """How long after it has begun a jump is at its highest [s]."""
+    rise = event.measured.get("rise_m", 0.0) if event.type == "jumps" else 0.0
+    return math.sqrt(2.0 * max(rise, 0.0) / GRAVITY_MPS2)
 
 
 def as_seen(scene: SimScene, doc: EsgDocument) -> SimScene:

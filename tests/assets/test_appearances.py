@@ -44,6 +44,10 @@ def looks(prompt: str, seed: int = 0) -> dict[str, Appearance]:
         ("A horse gallops across a field.", "horse_1", "run"),
         ("A cat walks to a bowl.", "cat_1", "walk"),
         ("A ball hits a dog.", "dog_1", ""),
+        ("A bird is perched on a fence, then it flies off to the tree.", "bird_1", "fly"),
+        ("A duck flies over a pond.", "duck_1", "fly"),
+        ("A seagull flies past a lighthouse.", "seagull_1", "fly"),
+        ("A chicken walks to a bowl.", "chicken_1", ""),
     ],
 )
 def test_a_person_is_posed_by_what_he_does(prompt: str, node: str, pose: str) -> None:

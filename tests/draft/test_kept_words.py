@@ -31,7 +31,7 @@ def test_what_tips_over_later_is_not_said_to_stay_upright() -> None:
     ("prompt", "noun"),
     [
         ("A skateboard rolls down the ramp without a rider and strikes a hydrant.", "rider"),
-        ("The steamroller comes down the hill without a driver.", "driver"),
+        ("The lorry comes down the hill without a driver.", "driver"),
         ("A table without a lamp is hit by a ball.", "lamp"),
     ],
 )

@@ -20,7 +20,7 @@ from esg.assets.library.catalogue import Entry, entries_by_name, lexicon, normal
 from esg.lexicon.hypernyms import TABLE
 from esg.lexicon.wordnet import WordNet, above, read_wordnet
 
-_ANIMAL, _ARTIFACT, _FOOD, _OBJECT, _PERSON, _PLANT = 5, 6, 13, 17, 18, 20
+_ANIMAL, _ARTIFACT, _BODY, _FOOD, _OBJECT, _PERSON, _PLANT = 5, 6, 8, 13, 17, 18, 20
 _PHYSICAL = (_ANIMAL, _ARTIFACT, _FOOD, _OBJECT, _PERSON, _PLANT)
 _CLASSES = {"animal": _ANIMAL, "person": _PERSON, "plant": _PLANT, "food": _FOOD}
 _PEOPLE = [
@@ -52,6 +52,9 @@ _FLESH = re.compile(
     r"^\(?(lean |cooked |edible |fatty )*(flesh|meat|tentacles|roe) of|prepared as food"
 )
 """Animals as food come back as the animals themselves."""
+_DOER = re.compile(r"(?:er|or)$")
+_USUAL = 0.5
+"""Share of the weight of a noun's senses that are things from which on a sense is the usual one."""
 _WORDS = re.compile(r"[a-z][a-z' -]*")
 
 
@@ -83,6 +86,46 @@ def stated_anchors(net: WordNet) -> dict[str, tuple[str, str, str]]:
     }
 
 
+def proper(net: WordNet) -> dict[str, set[str]]:
+    """The concepts that a kind's own names mean: what is below one of them is such a thing."""
+    found: dict[str, set[str]] = {}
+    for term, name in lexicon().items():
+        kind = entries_by_name()[name]
+        for offset in net.senses.get(term.replace(" ", "_"), ()):
+            if net.concepts[offset].file in _files(kind) and not net.concepts[offset].instance:
+                found.setdefault(name, set()).add(offset)
+                break
+    return found
+
+
+def is_one(net: WordNet, word: str, used: str, kind: set[str]) -> bool:
+    """Whether a noun is such a thing in the sense in which it is used, and that is the usual one.
+
+    Persons named by what they do lose to things that do it ("checker", "mover").
+
+    Args:
+        net: The database.
+        word: The noun.
+        used: Offset of the sense.
+        kind: Offsets of the concepts that the kind's own names mean.
+    """
+    if not above(net, used) & kind:
+        return False
+    senses = net.senses[word]
+    files = [net.concepts[o].file for o in senses]
+    if net.concepts[used].file == _PERSON and _DOER.search(word) and _ARTIFACT in files:
+        return False
+    weights = [net.counts.get((word, n), 0) + 1.0 / n for n in range(1, len(senses) + 1)]
+    plant = net.concepts[used].file == _PLANT  # "poplar" is its wood, too
+    such = sum(
+        w
+        for w, o, f in zip(weights, senses, files, strict=True)
+        if above(net, o) & kind or (plant and f == _PLANT)
+    )
+    things = (w for w, f in zip(weights, files, strict=True) if f in (*_PHYSICAL, _BODY))
+    return such >= _USUAL * sum(things)
+
+
 def climb(net: WordNet, start: str, anchors: dict[str, tuple[str, str, str]]) -> str | None:
     """Offset of the nearest anchor above a concept, breadth first."""
     level, seen = [start], set()
@@ -108,12 +151,15 @@ def _usable(net: WordNet, word: str, offset: str, people: set[str]) -> bool:
 
 
 def table(net: WordNet) -> str:
-    """The shipped table: one line an anchor: kind, longest [cm], mass [kg], its word, nouns."""
-    stated = stated_anchors(net)
+    """The shipped table, one line an anchor.
+
+    Kind, longest [cm], mass [kg], its word, nouns of such things, nouns that it only stands for.
+    """
+    stated, kinds = stated_anchors(net), proper(net)
     anchors = own_anchors(net) | stated
     people = {net.find(p) for p in _PEOPLE}
     known = lexicon()
-    groups: dict[str, list[str]] = {}
+    groups: dict[str, tuple[list[str], list[str]]] = {}
     for word, offsets in sorted(net.senses.items()):
         text = word.replace("_", " ")
         if not _WORDS.fullmatch(text) or len(text.split()) > 3:
@@ -131,16 +177,22 @@ def table(net: WordNet) -> str:
                 net.concepts[o].file == _PLANT,
             )
         )
-        reached = next((a for o in usable if (a := climb(net, o, anchors)) is not None), None)
+        ways = ((o, climb(net, o, anchors)) for o in usable)
+        used, reached = next(((o, a) for o, a in ways if a is not None), ("", None))
         if single in known and reached not in {o for o in usable if o in stated}:
             continue  # the library knows better, unless the noun's own size is stated
         if reached is not None:
-            groups.setdefault(reached, []).append(single)
+            such = is_one(net, word, used, kinds.get(anchors[reached][0], set()))
+            groups.setdefault(reached, ([], []))[not such].append(single)
     lines = [
         "\t".join(
-            (*anchors[a], net.concepts[a].words[0].lower().replace("_", " "), ";".join(words))
+            (
+                *anchors[a],
+                net.concepts[a].words[0].lower().replace("_", " "),
+                *(";".join(words) for words in nouns),
+            )
         )
-        for a, words in groups.items()
+        for a, nouns in groups.items()
     ]
     return "\n".join(sorted(lines)) + "\n"
 

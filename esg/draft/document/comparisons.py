@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Container, Iterator, Sequence
+import itertools
 import math
 import re
 
@@ -39,6 +40,8 @@ _MORE = re.compile(
     r"(?!\s+than\s+(?:about\s+)?\S*\d)",
     re.IGNORECASE,
 )
+CONTRAST = 0.8
+"""Share of the ratio of their adjectives that a big and a little one differ by at least."""
 _NUMBER = re.compile(r"\s+(?:about\s+|roughly\s+)?\S*\d")
 _NO_MORE = re.compile(r"\b(?:no|not|any|a|an|the|one|its|his|her)\s+$", re.IGNORECASE)
 
@@ -102,6 +105,31 @@ def compare(text: str, mentions: list[Mention], scene: Scene) -> None:
         if only:
             told.attribute = True
             del scene.world.entities[right.id]
+
+
+def contrast(scene: Scene) -> None:
+    """Draws the big one of a kind larger than the little one, whatever each is made of.
+
+    "A big steel ball pushes a little wooden ball": steel balls are small, balls to play with are
+    not. The little one gives way where its size is not stated, else the big one.
+    """
+    things = [e for e in scene.world.entities.values() if "structural" not in e.noun.traits]
+    for big, little in itertools.permutations(things, 2):
+        if big.head.split()[-1:] != little.head.split()[-1:]:
+            continue
+        scales = [lex.SIZES[a] for a in big.adjectives if a in lex.SIZES]
+        others = [lex.SIZES[a] for a in little.adjectives if a in lex.SIZES]
+        if not scales or not others or min(scales) <= 1.0 or max(others) >= 1.0:
+            continue
+        own, other = (requirement(e).expected_dimensions_cm for e in (big, little))
+        least = min(scales) / max(others)
+        now = _measure("", own) / _measure("", other)
+        if now >= CONTRAST * least:
+            continue
+        if not little.dimensions_prescribed:
+            little.dimensions_cm = [x * now / least for x in other]
+        elif not big.dimensions_prescribed:
+            big.dimensions_cm = [x * least / now for x in own]
 
 
 def _measure(word: str, size: Sequence[float]) -> float:

@@ -9,9 +9,10 @@ from esg.draft.discourse.bearing import bears, borne_until
 from esg.draft.discourse.core import entity_of, kind_of
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.thinghood import without
-from esg.draft.discourse.scene import LIMBED
+from esg.draft.discourse.scene import GROUND, LIMBED
 from esg.draft.events.courses import oncoming
 from esg.draft.events.hanging import SENT_UP, UNMET, row_of
+from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import start_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.book import Told, ids, span, word_end
@@ -72,10 +73,16 @@ def _upright(t: Told) -> None:
             book.add(Predicate.STAYS_UPRIGHT, *span(f), object=stand)
 
 
+def _sets_off(t: Told, i: str) -> bool:
+    """ "A bird is perched on a fence, then it flies to a tree": whether it leaves by air."""
+    aloft = any(s.predicate is Predicate.AIRBORNE and i in s.object for s in t.book.items)
+    return aloft and flies_itself(t.d, i)
+
+
 def _borne(t: Told) -> None:
     """ "Stands on a turntable that spins": it stays there, and who stands or lives stays upright.
 
-    On a swing he leans as it does.
+    On a swing he leans as it does. What flies off was on it at the start.
     """
     d, book = t.d, t.book
     said = [(ids(m), p, False) for m, p in d.attached]
@@ -84,10 +91,15 @@ def _borne(t: Told) -> None:
         hosts = ids(p.mention) if p.prep in _CARRIED_ON else []
         for rider in about:
             bearer = d.scene.supported_by.get(rider, "")
-            if bearer not in hosts or rider in d.timeline.tracks or not bears(d.scene, bearer):
+            if bearer not in hosts or p.mention is None:
+                continue
+            words = (start_of(p, d.text), p.mention.end)
+            if bearer != GROUND and _sets_off(t, rider):
+                book.add(Predicate.SUPPORTED_BY, *words, object=(rider,), target=(bearer,),
+                         when="start")  # fmt: skip
+            if rider in d.timeline.tracks or not bears(d.scene, bearer):
                 continue
             parted = borne_until(d.scene, rider, bearer)
-            words = (start_of(p, d.text), p.mention.end if p.mention is not None else 0)
             when = "throughout" if parted is None else f"start..{parted}"
             book.add(Predicate.SUPPORTED_BY, *words, object=(rider,), target=(bearer,), when=when)
             row = row_of(d, bearer)

@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+import re
+
 from esg.draft.discourse.core import amounts_of, entity_of, kind_of
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import GENTLE_BRAKE_CM_S2, HARD_BRAKE_CM_S2, chosen_pace, measurable
+from esg.draft.events.gaits import on_legs
 from esg.draft.events.hanging import SENT_UP
 from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.statements.book import Book, span
 from esg.draft.statements.periods import period, segment_from, segments
+from esg.draft.verbphrases import verb_readings
 from esg.graph.models import EdgeEvent, Predicate, Quantity
 
 _CORNERED = ("box", "compound")
@@ -23,7 +27,12 @@ GENTLE_CM_S = 150.0
 
 
 def paced(book: Book, clause: Clause, s: Said, mover: str) -> None:
-    """ "Slowly", "races": no faster, or faster, than what the word leaves of its kind's speeds."""
+    """ "Slowly", "races": no faster, or faster, than what the word leaves of its kind's speeds.
+
+    "Walks" and "runs" without a word of pace are said of legs only.
+    """
+    if not s.row.pace and on_legs(entity_of(book.d, mover), clause.frame.verb.lemma) is None:
+        return
     if s.row.part == "braking":
         rate = HARD_BRAKE_CM_S2 if s.row.pace == "fast" else GENTLE_BRAKE_CM_S2
         book.add(s.row.states, s.start, s.end, object=(mover,), quantity="deceleration",
@@ -33,8 +42,17 @@ def paced(book: Book, clause: Clause, s: Said, mover: str) -> None:
         return
     value = _pace(book.d, clause, mover, s.row.states)
     if value is not None:
-        book.add(s.row.states, s.start, s.end, object=(mover,), quantity="speed", value=value,
+        start, end = (s.start, s.end) if s.row.pace else _gait_word(book.d, s)
+        book.add(s.row.states, start, end, object=(mover,), quantity="speed", value=value,
                  when=period(book.d, clause, mover))  # fmt: skip
+
+
+def _gait_word(d: Discourse, s: Said) -> tuple[int, int]:
+    """Where the verb itself stands: "run" of "run out", of which "out" says more."""
+    for word in re.finditer(r"\w+", d.text[s.start : s.end]):
+        if any(r.lemma in s.row.words for r in verb_readings(word[0].lower())):
+            return s.start + word.start(), s.start + word.end()
+    return s.start, s.end
 
 
 def _pace(d: Discourse, clause: Clause, mover: str, says: Predicate) -> float | None:

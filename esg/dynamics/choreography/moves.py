@@ -28,6 +28,8 @@ TURNED_RAD = math.radians(10.0)
 """A turn counts as made this far before its end: between the end of its tolerance and of itself."""
 AT_ONCE_S, USUAL_DROP_M = 0.02, 0.8
 """What is hit breaks so soon; what comes down breaks where a fall of that height ends."""
+SHORT_S = (1.2, 1.8)
+"""Time of a run to nowhere [s]."""
 USUAL_S = 2.0
 """Time of a segment where nothing says how long it lasts."""
 SLIDES_ON = 0.4
@@ -54,7 +56,8 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
             arrived.append(track.time)
             continue
         else:
-            duration = float(stage.rng.uniform(1.2, 1.8)) * stage.tight
+            least, most, _ = bounds(phase.edge.params.duration, SHORT_S)
+            duration = float(stage.rng.uniform(least, most)) * stage.tight
         if turns_back(stage.story, phase, lambda name: stage.prop(name).fixed):
             track.heading += math.pi
         _advance(stage, actor, phase, duration)

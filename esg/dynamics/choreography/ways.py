@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 import math
 
+from esg.dynamics.choreography.hovering import top_of
 from esg.dynamics.choreography.kerbs import kerb_passed
 from esg.dynamics.choreography.placing import comes_to_rest
 from esg.dynamics.choreography.stage import Stage
@@ -22,6 +23,8 @@ _BEHIND_M = 1.0
 """Gap to what something moves away from."""
 _BESIDE_M = 0.6
 """Gap to what something moves past or along, or gets beside."""
+RESTING_M = 0.002
+"""Gap under what rests on something at the start: less than what is measured as touching."""
 _SIDES: dict[Predicate, tuple[float, float]] = {
     Predicate.LEFT_OF: (1.0, 0.0),
     Predicate.RIGHT_OF: (-1.0, 0.0),
@@ -76,6 +79,8 @@ def place_by_the_way(stage: Stage) -> None:
         spot = _spot(stage, s, way, mover, other) if way is not None else None
         if spot is not None:
             stage.places[stage.key(other)] = spot
+            if s.predicate is Predicate.SUPPORTED_BY:
+                stage.heights[mover] = top_of(stage, other) + RESTING_M
 
 
 def arrives(doc: EsgDocument, actor: str) -> bool:
@@ -91,6 +96,8 @@ def ways_stated(doc: EsgDocument, story: Story) -> Iterator[Statement]:
     nodes = doc.spatial_relation_graph.nodes
     for s in doc.statements or ():
         ways = s.predicate is Predicate.MOVES or (s.predicate in _SIDES and s.when == "end")
+        perched = s.predicate is Predicate.SUPPORTED_BY and s.when == "start"
+        ways |= perched and s.object[0] in story.phases and story.soars(s.object[0])
         if not ways or len(s.object) != 1 or len(s.target) != 1:
             continue
         free = not nodes[s.target[0]].is_structural and s.target[0] not in story.phases
@@ -117,6 +124,8 @@ def _spot(
     """Where the other thing stands: x, y [m], yaw [rad] (None: any)."""
     start, end, heading = way
     mine, its = stage.prop(mover), stage.prop(other)
+    if s.predicate is Predicate.SUPPORTED_BY:
+        return (*start, heading + math.pi / 2)  # it leaves across what it sat on
     if s.predicate in _SIDES:
         yaw = stage.yaw or 0.0
         x, y = _SIDES[s.predicate]

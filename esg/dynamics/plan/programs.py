@@ -81,6 +81,10 @@ TIMED = (NodeEvent.TRIGGER, NodeEvent.REACH, NodeEvent.STOP, NodeEvent.MISS)
 Values = dict[str, float]
 
 
+STANDS_S = 4.0
+"""So long who has come to a halt keeps himself upright [s]; scenes end before."""
+
+
 @dataclass
 class _Course:
     """Where the program of an actor stands.
@@ -631,13 +635,16 @@ class Composer:
             course.out.append(AdjustProperties(actor, end, braking=self._brakes(course)))
 
     def _halts(self, course: _Course, time: float) -> HoldVelocity:
-        """It slows down within a step or two, and stands."""
+        """It slows down within a step or two, and stands on its feet until something touches it."""
         actor, speed = course.actor, abs(course.speed)
         rate = usual_halt(self.doc, actor, speed, held=True)
         lasts = max(speed / rate, LEAST_S)
+        ends = time + lasts + STANDS_S
+        others = tuple(n for n in self._others(actor) if not self.scene.body(n).static)
         return HoldVelocity(
-            actor, time, time + lasts, speed, course.heading, acceleration=-speed / lasts
-        )
+            actor, time, ends, speed, course.heading, acceleration=-speed / lasts,
+            until_contact=others,
+        )  # fmt: skip
 
     def _brakes(self, course: _Course) -> float:
         """How hard an actor usually brakes [m/s^2]."""

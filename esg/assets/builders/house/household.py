@@ -176,9 +176,10 @@ def plank(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
 @builder("toy_block", "free")
 def toy_block(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Letter block with framed faces."""
+    """Painted block with framed faces."""
     t = min(L, W, H) * 0.1
-    s.box((L - 0.1, W - 0.1, H - 0.1), (0, 0, H / 2), PALE_WOOD)
+    s.box((L - 0.1, W - 0.1, H - 0.1), (0, 0, H / 2), c)
+    c = shade(c, 0.72)
     for x in (-1, 1):
         for y in (-1, 1):
             s.slab(edge(x, L, t), edge(y, W, t), (0, H), c)

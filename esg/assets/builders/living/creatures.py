@@ -5,6 +5,7 @@ from __future__ import annotations
 import itertools
 import math
 
+from esg.assets.appearance import FLYING
 from esg.assets.builders import builder
 from esg.assets.builders.common import blob, bone, prism, shade, shift
 from esg.assets.geometry.sketch import DARK, RED, WHITE, YELLOW, Color, Sketch, rgb
@@ -26,7 +27,7 @@ def _foot(s: Sketch, y: float, hip: float, size: float, c: Color) -> None:
 
 @builder("bird")
 def bird(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "songbird") -> None:
-    """A standing bird: small and round, a hen with comb, a duck, or a goose-necked one."""
+    """A bird, standing or in flight: small and round, a hen with comb, or a duck."""
     hen, duck = kind == "hen", kind == "duck"
     k = {"songbird": 1.0, "hen": 2.3, "duck": 2.6}[kind]
     leg = {"songbird": 4.0, "hen": 4.6, "duck": 2.2}[kind] * k
@@ -54,6 +55,9 @@ def bird(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "songbir
         rough=0.9,
     )
     for side in (-1, 1):
+        if s.appearance.pose == FLYING:
+            _spread_wing(s, side, k, z + 1.4 * k, c)
+            continue
         s.ball(
             1,
             (-1.2 * k, side * 3.5 * k, z + 0.5 * k),
@@ -79,6 +83,22 @@ def bird(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "songbir
     shift(
         s, (0.5 if kind == "songbird" else 0.0) * k - (0.1 * k if hen else 0.2 * k if duck else 0)
     )
+
+
+def _spread_wing(s: Sketch, side: int, k: float, z: float, c: Color) -> None:
+    """One wing of a bird that flies, its legs tucked away: an arm, then a hand swept back."""
+    root, wrist, tip = (2.6, 2.6, z), (3.0, 9.5, z + 2.2 * k), (-3.4, 18.0, z + 1.2 * k)
+    for (x0, y0, z0), (x1, y1, z1), chords, dark in (
+        (root, wrist, (6.4, 5.6), 0.8),
+        (wrist, tip, (5.6, 1.2), 0.65),
+    ):
+        edges = [
+            (x * k, side * y * k, h)
+            for x, y, h in ((x0, y0, z0), (x0 - chords[0], y0, z0), (x1, y1, z1),
+                            (x1 - chords[1], y1, z1))
+        ]  # fmt: skip
+        corners = [(x, y, h + d * k) for x, y, h in edges for d in (0, 0.45)]
+        prism(s, corners, shade(c, dark), rough=0.9)
 
 
 @builder("frog")

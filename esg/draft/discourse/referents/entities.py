@@ -119,4 +119,5 @@ def nameless(head: str) -> lex.Noun:
         shape="box",
         traits=frozenset(),
         description=head,
+        stand_in="plain box",
     )

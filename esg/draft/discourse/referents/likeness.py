@@ -23,6 +23,7 @@ _ROOTED_KG = 100.0
 _OF_THE_GROUND = frozenset({"structural", "decal"})
 _SCENES = lex.word_set("scenes")
 _ALIKE = lex.word_set("behave alike")
+_NO_SUCH = lex.word_set("drawn as another")
 
 
 def unknown_noun(head: str, adjectives: list[str] | None = None) -> lex.Noun:
@@ -58,6 +59,7 @@ def _like(words: str, head: str) -> lex.Noun | None:
     if model.kind not in _ALIKE or place:
         model = replace(model, kind="generic")
     figures = above if own is None else None
+    none_such = words in _NO_SUCH if own is not None else above is not None and above.stands_in
     mass = figures.mass_kg if figures is not None else None
     if (mass or kind.mass_kg) < _ROOTED_KG:
         model = replace(model, traits=model.traits - {"fixed"})  # "a tumbleweed" is like a bush
@@ -74,6 +76,7 @@ def _like(words: str, head: str) -> lex.Noun | None:
         description=head,
         synonyms=(),
         like=f"{kind.name} of {max(length, width, height):g} cm",
+        stand_in=kind.name if none_such else "",
     )
 
 

@@ -343,6 +343,11 @@ def _apart(c: Chunks, i: int, words: tuple[str, ...]) -> bool:
     previous, after = element_before(c), low_at(c, i + len(words))
     if words[0] in ("left", "right"):
         return isinstance(previous, Verb) and previous.sense in ("turn", "swerve")
+    if words == ("a", "little"):
+        j = i + 2
+        while low_at(c, j) in lex.COLORS or low_at(c, j) in lex.MATERIALS or is_adjective(c, j):
+            j += 1
+        return match_noun(c, j) is not None  # "a little wooden ball"
     if words == ("back", "into"):
         return _many_reverse(c)  # "Two vans back into each other"
     if words[0] in ("at", "in", "on") and after in ("of", "to"):

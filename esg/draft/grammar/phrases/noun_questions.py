@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 from esg.draft import lexicon as lex
 from esg.draft.grammar.phrases.chunks import Chunks
 from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
@@ -262,14 +264,23 @@ def people_here(c: Chunks, j: int) -> bool:
 
 
 def packed(c: Chunks, word: str, m: Mention) -> lex.Noun | None:
-    """ "Pick up the milk", "puts the butter on a plate": what such stuff is sold in."""
+    """ "Pick up the milk", "puts the butter on a plate": what such stuff is sold in.
+
+    Of what no row tells it is a bottle or a packet, as a stand-in.
+    """
     verb, stuff = element_before(c), word in lex.SUBSTANCES | _FLUIDS
     taken = isinstance(verb, Verb) and verb.lemma in _TAKING and not verb.passive
     if not (taken and (stuff or no_things().get(word) == "substance")):
         return None
     if m.determiner not in _ARTICLES or m.amounts:
         return None
-    return lex.nouns()["bottle" if word in _FLUIDS else "carton of milk"]
+    rows = lex.packed()
+    before = [m.head] if m.head not in ("", word) else m.adjectives[-1:]
+    row = rows.get(" ".join([*before, word])) or rows.get(word)
+    noun = lex.nouns()[row or ("bottle" if word in _FLUIDS else "food packet")]
+    if row is None:
+        return replace(noun, stand_in=noun.name)
+    return replace(noun, name=row, description=row)
 
 
 def wisp(c: Chunks, j: int) -> int:

@@ -1,0 +1,57 @@
+"""How long who goes across a road takes: as long as its width needs at his pace."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable
+
+from esg.draft.discourse.referents.sizes import dimensions_of
+from esg.draft.discourse.scene import LIVING, Scene
+from esg.graph.models import NodeEvent, Predicate, Statement, TimelineSystem
+
+PART, ALL = 0.6, 1.2
+"""Shares of the width that are gone at least and at most: half of it is crossing."""
+BRISK_CM_S = 300.0
+"""What goes on foot at a speed that is left open goes no faster."""
+
+
+def take_time(
+    timeline: TimelineSystem | None, statements: Iterable[Statement], scene: Scene
+) -> TimelineSystem | None:
+    """The timeline in which who crosses something flat has the time to get to its other side.
+
+    Args:
+        timeline: Its open motions end after a second or so.
+        statements: Which of them lead across what.
+        scene: Sizes of what is crossed.
+    """
+    if timeline is None:
+        return None
+    graph, windows = timeline.sequence_graph, dict[str, tuple[float, float]]()
+    ends = {n.id: n for n in graph.nodes}
+    things = scene.world.entities
+    for s in statements:
+        across = s.predicate is Predicate.MOVES and s.direction == "across"
+        flat = [things[i] for i in s.target if i in things and "decal" in things[i].noun.traits]
+        if not across or not flat:
+            continue
+        width = min(dimensions_of(flat[0])[:2])
+        for e in graph.edges:
+            speed = e.params.speed
+            walks = e.actor in s.object and things[e.actor].noun.kind in LIVING
+            if walks and isinstance(speed, tuple) and e.params.elevation_deg is None:
+                pace = min(0.9 * speed[1], BRISK_CM_S)
+                windows[e.to] = (round(PART * width / pace, 2), round(ALL * width / pace, 2))
+    edges = tuple(
+        e.model_copy(update={"params": e.params.model_copy(update={"duration": windows[e.to]})})
+        if e.to in windows and ends[e.to].event is NodeEvent.TRIGGER
+        else e
+        for e in graph.edges
+    )
+    nodes = tuple(
+        n.model_copy(update={"window": windows[n.id]})
+        if n.id in windows and n.event is NodeEvent.TRIGGER and not n.time_is_prescribed
+        else n
+        for n in graph.nodes
+    )
+    graph = graph.model_copy(update={"nodes": nodes, "edges": edges})
+    return timeline.model_copy(update={"sequence_graph": graph})
