@@ -24,6 +24,11 @@ _UPWARD = lex.word_set("goes up")
 NAMED_BY = lex.word_set("sports that name things")
 _WAYS = ("backward", "up", "down")
 """Directions that a participle before a noun can state: "approaching" has an aim to find."""
+_SIDES = ("leftwards", "rightwards")
+_OTHER_WAY = re.compile(
+    r"(?:in )?the (?:other|opposite|reverse) (?:way|direction)\b", re.IGNORECASE
+)
+"""Words that a side may stand for (`rewrites.opposites`)."""
 _REACH = 160
 """How far from its verb an adverb may stand, in characters."""
 
@@ -123,6 +128,9 @@ def place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:
     low = max(0, f.verb.start - _REACH)
     found = re.finditer(rf"\b{re.escape(word)}\b", text[low : f.verb.end + _REACH], re.IGNORECASE)
     places = [(low + m.start(), low + m.end()) for m in found]
+    if not places and word in _SIDES:
+        found = _OTHER_WAY.finditer(text, f.verb.start, f.verb.end + _REACH)
+        places = [m.span() for m in found]
     return min(places, key=lambda at: abs(at[0] - f.verb.end), default=None)
 
 
