@@ -51,7 +51,7 @@ from esg.draft.events.motions import hold_back
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.breaking import gone_through, sense_of_breaking, who_breaks
 from esg.draft.events.senses.outcome import target_of_mates
-from esg.draft.events.senses.state import attachment, mass_of_load
+from esg.draft.events.senses.state import attachment, mass_of_load, stands_there
 from esg.draft.events.table import read_as
 from esg.draft.events.timing import hand_on, precedes, settle, time_of
 from esg.draft.events.told import (
@@ -71,6 +71,7 @@ from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Role
 from esg.lexicon.senses import no_things
 
+_IN_PLACE = lex.word_set("acts in place")
 _THINGS_DO = lex.word_set("things do")
 _THINGS_DO_TO = lex.word_set("things do to")
 _RIDERS_OWN = ("be", "posture", "weigh", "fall", "topple")
@@ -248,9 +249,12 @@ def read_frame(d: Discourse, f: Frame) -> None:
     handler = SENSES.get(sense)
     if handler is None:
         ignore(d, f, "no physical meaning")
+        stands_there(d, f, parts.subject)
         hand_on(d, f)
         return
     was = snapshot(d)
+    if f.verb.lemma in _IN_PLACE:
+        stands_there(d, f, parts.subject)  # "jumps next to a dog": there it starts
     handler(d, f, parts.subject, parts.objects)
     gone_through(d, f)
     d.scene.clauses += by_its_participle(d, f, was, parts.subject)

@@ -30,7 +30,9 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
 from esg.graph.models import NodeEvent, Quantity, Role
 
-_STOPPING_BY = ("in front of", "before", "next to", "near", "beside", "by", "at", "close to")
+_STOPPING_BY = (
+    "in front of", "before", "next to", "near", "beside", "by", "at", "close to", "for",
+)  # fmt: skip
 STOPS_BY_CM = (20.0, 120.0)
 """Gap that is left by what stops in front of or beside something [cm]."""
 _ROLLING = frozenset({"roll", "slide", "skid", "coast", "glide", "spin"})
