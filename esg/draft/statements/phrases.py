@@ -55,6 +55,7 @@ _SIDES = {
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
+_TOWARD = frozenset({"to", "toward", "towards"})
 _STOPPING = frozenset({"stop", "brake", "slow", "park"})
 _SIDED = frozenset({"to", "from", "at", "on"})
 _EXTREMES = frozenset({"end", "edge", "corner", "tip"})
@@ -431,6 +432,8 @@ def _happens(
         return False
     if n.id in own and any(c.to in others for c in n.constraints):
         return True  # "stops 1 m in front of a gate"
+    if prep in _TOWARD and n.event is NodeEvent.MISS and n.participants[0] in others:
+        return False  # "rolls toward a car": that the car gets by is something else
     inner = prep in _INNER and n.event is NodeEvent.PLACED
     closed = (kind_of(d, i) in _CLOSED or not _FLAT & traits_of(d, i) for i in others)
     if inner and any(closed):
