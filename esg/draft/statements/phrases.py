@@ -13,7 +13,7 @@ from functools import cache
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import kind_of, structural
+from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.levers import ACROSS
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, LIMBED, Relation
@@ -123,6 +123,7 @@ def phrases(a: Account) -> Iterator[Gap]:
             if not _side_of_a_turn(a.d, f, p):
                 asked.setdefault(id(p.mention), (p, f, set()))[2].update(about)
             about |= {*nodes_of(a.d, p.mention)}
+    lost = {id(p.mention) for f in a.lost for p in f.phrases}
     for f in a.lost:
         for p in f.phrases:
             if nodes_of(a.d, p.mention):
@@ -144,14 +145,20 @@ def phrases(a: Account) -> Iterator[Gap]:
             yield Gap(max(start_of(p, a.d.text), 0), m.end, NOTHING)  # of whom is not clear
         about -= others
         if about and not (_answered(a, about, others, p, f) if others else _no_place(a, about, p)):
-            missing = f'nothing in the scene stands for "{p.prep}"'
-            yield Gap(max(start_of(p, a.d.text), 0), m.end, missing, tuple(sorted(about))[:1])
+            start = max(start_of(p, a.d.text), 0)
+            end, words = m.end, p.prep
+            if id(m) in lost and start < m.start:  # of the noun more may be missing
+                end, words = start + len(p.prep.split()[0]), a.d.text[start : m.end].lower()
+            missing = f'nothing in the scene stands for "{words}"'
+            yield Gap(start, end, missing, tuple(sorted(about))[:1])
 
 
 def _waited_for(a: Account, p: Phrase, f: Frame | None) -> bool:
     """ "Stops for a woman", "brakes for a deer": she has to be where it stops."""
     stopping = f is not None and f.verb.sense in _STOPPING and p.prep == "for"
-    return stopping and any(not structural(a.d, i) for i in nodes_of(a.d, p.mention))
+    others = {i for i in nodes_of(a.d, p.mention) if not structural(a.d, i)}
+    asked = {c.to for n in a.d.timeline.nodes for c in n.constraints}
+    return stopping and bool(others) and not others & asked
 
 
 def adrift(a: Account) -> Iterator[Gap]:
@@ -170,7 +177,7 @@ def adrift(a: Account) -> Iterator[Gap]:
             continue
         if prep in _WHY or (prep in _WAYS and any(structural(d, i) for i in nodes)):
             continue
-        if nodes & told and _told_with_it(a, m, nodes, prep):
+        if nodes & told and (prep not in carriers() or _told_with_it(a, m, nodes, prep)):
             continue
         start = d.text.lower().rfind(prep, 0, m.start)
         missing = f'nothing in the scene stands for "{prep}"'
@@ -182,7 +189,8 @@ def _told_with_it(a: Account, m: Mention, nodes: set[str], prep: str) -> bool:
     start = max(a.d.text.rfind(mark, 0, m.start) for mark in (". ", "; ", "! ", "? ", "\n"))
     beside = (x for x in a.d.mentions if start < x.start < m.start)
     about = {i for x in beside for i in nodes_of(a.d, x)} - nodes
-    return not about or _answered(a, about, nodes, Phrase(prep, m), None)
+    asked = any(c.to in nodes for n in a.d.timeline.nodes for c in n.constraints)
+    return asked or not about or _answered(a, about, nodes, Phrase(prep, m), None)
 
 
 def _placed(a: Account) -> set[str]:
@@ -252,7 +260,8 @@ def _leaves(a: Account, about: set[str], m: Mention) -> bool:
     if not hosts or m.part not in EDGES:
         return not who or any(starts_somewhere(d, i) or i in d.timeline.tracks for i in who)
     named = (nodes_of(d, x) for x in reversed(d.mentions) if x.start < m.start)
-    boards = (i for ids in named for i in ids if elevated(d, i) and i not in fallen)
+    mates = {x for i in who for x in d.world.groups.get(entity_of(d, i).group or "", [])}
+    boards = (i for ids in named for i in ids if elevated(d, i) and i not in fallen | mates)
     last = next(boards, None)
     return last is None or last in hosts
 

@@ -46,6 +46,8 @@ def alone(a: Account) -> Iterator[Gap]:
         before = [f for f in told if f.verb.start <= w.start < f.verb.end + _NEAR]
         if not before or _stated(a, w) or before[-1].verb.end > w.start:
             continue
+        if before[-1].verb.lemma == "leave":  # "was left behind"
+            continue
         about = about_of(a.d, before[-1])
         if about and not _shown(a, w.low, about):
             yield Gap(w.start, w.end, NOTHING, tuple(sorted(about))[:1])

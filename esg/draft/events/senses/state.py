@@ -54,6 +54,7 @@ _LEANT_ON_CM = 60.0
 _LEANING = frozenset({"lean", "prop"})
 _CARRIES = ("carry", "haul", "lug")
 _ABREAST = frozenset({"in a row", "from left to right", "from right to left"})
+_LIGHT = lex.word_set("no acts (places)")
 _AT_REST = lex.word_set("places of acts")
 _HANGING = lex.word_set("hanging")
 _HUNG_BY = lex.word_set("hung by")
@@ -215,6 +216,8 @@ def stands_there(d: Discourse, f: Frame, bodies: list[str]) -> None:
     """
     if f.verb.negated or f.unreal or f.object is not None or f.verb.passive:
         return
+    if f.verb.lemma in _LIGHT:
+        return  # "takes on a rival", "gets on a bus"
     for p in f.phrases:
         others, prep = things(p), p.prep
         if prep == "out of" and others and holds(d, others[0]):

@@ -14,7 +14,7 @@ from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
 
 _THINGS = frozenset({"it", "itself"})
 _PEOPLE = frozenset({"him", "her", "himself", "herself"})
-_ALL = frozenset({"them"})
+_ALL = frozenset({"them", "both"})
 _OWN = {"its": "it", "his": "him", "her": "her", "their": "them"}
 _SIDES = {
     "left": "left of", "right": "right of", "front": "in front of", "back": "behind",
@@ -42,7 +42,7 @@ class _Told:
     """The pronoun of what it is beside."""
     end: int
     sided: bool = False
-    """Whether a side of its owner is named ("to its left")."""
+    """Whether a side of its owner is named ("to its left"), or it is beside several."""
 
 
 @dataclass
@@ -145,6 +145,7 @@ def _group(elements: list[Element], i: int) -> _Group | None:
     """The things from place i on with their places; None unless they end the sentence."""
     group = _Group()
     k = i + 1
+    k += getattr(elements[i], "low", "") == "," and getattr(element_at(elements, k), "low", "") == "with"
     while len(group.told) < _MOST:
         told = _one(elements, k)
         if told is None:
@@ -185,7 +186,7 @@ def _one(elements: list[Element], k: int) -> _Told | None:
     if not isinstance(prep, Word) or not isinstance(place, Mention):
         return None
     if place.pronoun and prep.low in _PLACES:
-        return _Told(parts, prep, place, place.pronoun, k + 2)
+        return _Told(parts, prep, place, place.pronoun, k + 2, place.pronoun in _ALL)
     side = place.part or place.head
     if place.attribute and side in _SIDES and prep.low in _TO_A_SIDE:
         owner = _OWN.get(place.determiner, "")
@@ -228,7 +229,9 @@ def _owners(
         people = [m for m in before if m.noun is not None and m.noun.kind == "person"]
         return people[:1] or topic  # "a snowman with a broom beside him"
     if told.by in _ALL:
-        return topic if topic and topic[0].plural else [*topic, *earlier]
+        if topic and topic[0].plural:
+            return topic
+        return [*topic, *earlier] if earlier else before[:2]
     return topic if told.by in _THINGS else []
 
 

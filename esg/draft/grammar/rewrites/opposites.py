@@ -13,6 +13,7 @@ _TOLD = {
 _BACK = {"left": "rightwards", "right": "leftwards"}
 _TO = frozenset({"to", "toward", "towards"})
 _STANDING = frozenset({"face", "be", "posture"})
+_TURNING = frozenset({"turn", "swerve"})
 _SENTENCES = 2
 """How many sentences back the course may be told."""
 
@@ -33,7 +34,7 @@ def oppose(elements: list[Element]) -> list[Element]:
         start = e.start
         if isinstance(out[-1], Word) and out[-1].low == "in":
             start = out.pop().start
-        turns = verb.sense in ("turn", "swerve")  # which have a side, and no course
+        turns = verb.sense in _TURNING  # which have a side, and no course
         out.append(Word(start, e.end, "adv", _BACK[side].removesuffix("wards" * turns)))
     return out
 
@@ -45,13 +46,18 @@ def _is_other_way(e: Element) -> bool:
 
 
 def _last_side(out: list[Element]) -> str:
-    """The side to which something was told to go last; empty if none was."""
+    """The side to which something was told to go last; empty if none was, or it turned there."""
     ended = 0
+    verb = next((v for v in reversed(out) if isinstance(v, Verb)), None)
+    turns = verb is not None and verb.sense in _TURNING
     for k in range(len(out) - 1, -1, -1):
         e = out[k]
         ended += isinstance(e, Word) and e.low in (".", "!", "?", "\n")
         if ended >= _SENTENCES:
             return ""
+        before = next((v for v in reversed(out[:k]) if isinstance(v, Verb)), None)
+        if before is not None and (before.sense in _TURNING) != turns:
+            continue
         if isinstance(e, Word) and e.kind == "adv" and e.low in _TOLD:
             return _TOLD[e.low]
         side = e.part or e.head if isinstance(e, Mention) and e.attribute else ""
