@@ -141,7 +141,8 @@ def _tell(doc: EsgDocument, json: bool) -> int:
         when += "".join(f", {_asked(c)}" for c in node.constraints)
         print(f"event:     {node.id}  {node.event.value}({', '.join(node.participants)}) {when}")
     for segment in timeline.sequence_graph.edges if timeline else ():
-        print(f"motion:    {segment.id}  {segment.actor} {segment.event.value}")
+        to = f" to {segment.target}" if segment.target else ""
+        print(f"motion:    {segment.id}  {segment.actor} {segment.event.value}{to}")
     if timeline is None:
         print("no timeline: a static scene")
     rows = [[i.text, i.kind, i.status, i.pointer or i.note] for i in doc.coverage.items]

@@ -52,6 +52,8 @@ _SIDES = {
     "rear": "behind",
     "left": "left_of",
     "right": "right_of",
+    "left side": "left_of",
+    "right side": "right_of",
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})

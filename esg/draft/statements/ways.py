@@ -91,6 +91,8 @@ def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
         direction = "across"  # "through a meadow", "through the park": it has no other side
     if structural(d, targets[0]) and direction not in _ON_THE_WAY:
         return
+    if direction == "around" and d.scene.supported_by.get(mover) in targets:
+        return  # "slides around a pan": about in it
     if direction in ("along", "across") and d.scene.supported_by.get(mover) in targets:
         return  # told as what carries it
     if direction == "between" and len(targets) == 1:  # "a cube left of a bin ... between them"

@@ -49,6 +49,8 @@ class _Told:
 class _Group:
     told: list[_Told] = field(default_factory=list[_Told])
     end: int = 0
+    with_: bool = False
+    """Whether "with" opens it."""
 
 
 def set_apart(elements: list[Element]) -> list[Element]:
@@ -61,7 +63,7 @@ def set_apart(elements: list[Element]) -> list[Element]:
     i = 0
     while i < len(elements):
         group = _group(elements, i) if _opens(elements, i, out) else None
-        if group is not None and not _told_of(group, elements[i], out):
+        if group is not None and not _told_of(group, out):
             group = None
         made = list(_sentences(group, out, elements[i])) if group is not None else []
         if group is not None and made:
@@ -125,11 +127,11 @@ def _opens(elements: list[Element], i: int, out: list[Element]) -> bool:
     return e.low in ("with", ",")
 
 
-def _told_of(group: _Group, opener: Element, out: list[Element]) -> bool:
+def _told_of(group: _Group, out: list[Element]) -> bool:
     """Whether things are told so: of what rests, or by a side; one alone not in a list."""
     verbs = [v for v in _clause(out) if isinstance(v, Verb)]
     rests = all(v.sense in _RESTING or v.form == "ing" for v in verbs)
-    alone = len(group.told) == 1 and getattr(opener, "low", "") == "," and not verbs
+    alone = len(group.told) == 1 and not group.with_ and not verbs
     return not alone and (rests or all(t.sided for t in group.told))
 
 
@@ -145,7 +147,8 @@ def _group(elements: list[Element], i: int) -> _Group | None:
     """The things from place i on with their places; None unless they end the sentence."""
     group = _Group()
     k = i + 1
-    k += getattr(elements[i], "low", "") == "," and getattr(element_at(elements, k), "low", "") == "with"
+    group.with_ = "with" in (getattr(e, "low", "") for e in elements[i : i + 2])
+    k += group.with_ and getattr(elements[i], "low", "") == ","
     while len(group.told) < _MOST:
         told = _one(elements, k)
         if told is None:
