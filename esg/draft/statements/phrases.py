@@ -15,10 +15,10 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.levers import ACROSS
+from esg.draft.discourse.places import elevated
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, LIMBED, Relation
 from esg.draft.discourse.windows import Draft
-from esg.draft.discourse.places import elevated
 from esg.draft.events.courses import measurable
 from esg.draft.events.ends import EDGES
 from esg.draft.events.stated import start_of
