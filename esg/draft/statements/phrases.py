@@ -62,6 +62,7 @@ _STOPPING = frozenset({"stop", "brake", "slow", "park"})
 _SIDED = frozenset({"to", "from", "at", "on"})
 _EXTREMES = frozenset({"end", "edge", "corner", "tip"})
 _ON = frozenset({"on", "onto", "upon"})
+_LEVELLED = frozenset({"same", "different", "various"})
 _LEVELS = frozenset({"height", "level", "altitude"})
 _BY_THE_EDGE = frozenset({"along", "alongside", "at", "near", "by", "close to", "beside"})
 _BEFORE = re.compile(r"\bbefore (?:an? |the )?$", re.IGNORECASE)
@@ -148,6 +149,7 @@ def phrases(a: Account) -> Iterator[Gap]:
         about -= others
         if about and not (_answered(a, about, others, p, f) if others else _no_place(a, about, p)):
             start = max(start_of(p, a.d.text), 0)
+            start -= 5 * (a.d.text[:start].lower().endswith("back "))  # "back into its lane"
             end, words = m.end, p.prep
             if id(m) in lost and start < m.start:  # of the noun more may be missing
                 end, words = start + len(p.prep.split()[0]), a.d.text[start : m.end].lower()
@@ -219,8 +221,8 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
     """Whether a phrase that names nothing in the scene need not be missed."""
     m = p.mention
     assert m is not None
-    if "same" in m.adjectives and m.head in _LEVELS:
-        return False  # nothing sees to it that two things start at one height
+    if _LEVELLED & {*m.adjectives} and m.head in _LEVELS:
+        return False  # nothing sees to it that two things start at one height, or at several
     if _in_pieces(a, about, m) or _names_nothing(a, p, m):
         return True
     if m.noun is not None and m.noun.kind == "region":  # "into the side pocket"
