@@ -28,6 +28,10 @@ _OFF = frozenset({"off", "out"})
 _WAYS = frozenset({"way", "distance"})
 _HOW_FAR = lex.word_set("how far (unclaimed)")
 _OTHER = frozenset({"other", "opposite"})
+_NEAR = 60
+"""How far behind its verb a place may stand, in characters."""
+_UP_AND_DOWN = re.compile(r"\s+(up and down)\b", re.IGNORECASE)
+_TO_AND_FRO = frozenset({NodeEvent.JUMP, NodeEvent.BOUNCE, NodeEvent.SWING})
 FROM_NOTHING = "it is on nothing that it could leave"
 ON_NOTHING = "nothing holds it up"
 HOW_FAR = "how far it gets is left open"
@@ -53,22 +57,16 @@ def alone(a: Account) -> Iterator[Gap]:
             yield Gap(w.start, w.end, NOTHING, tuple(sorted(about))[:1])
 
 
-_NEAR = 60
-"""How far behind its verb a place may stand, in characters."""
-
-
 def up_and_down(a: Account) -> Iterator[Gap]:
     """ "Jumps up and down": of what stays on the ground, "up" alone is no course."""
     for f in (*a.frames, *a.lost):
         at = _UP_AND_DOWN.match(a.d.text, f.verb.end)
         about = about_of(a.d, f)
-        shown = any(n.event in _TO_AND_FRO and about & {*n.participants} for n in a.d.timeline.nodes)
+        shown = any(
+            n.event in _TO_AND_FRO and about & {*n.participants} for n in a.d.timeline.nodes
+        )
         if at is not None and not shown and not about & {j.child for j in a.d.scene.joints}:
             yield Gap(at.start(1), at.end(1), NOTHING, tuple(sorted(about))[:1])
-
-
-_UP_AND_DOWN = re.compile(r"\s+(up and down)\b", re.IGNORECASE)
-_TO_AND_FRO = frozenset({NodeEvent.JUMP, NodeEvent.BOUNCE, NodeEvent.SWING})
 
 
 def _named_after(a: Account, w: Word) -> bool:
