@@ -24,6 +24,7 @@ _UPWARD = lex.word_set("goes up")
 NAMED_BY = lex.word_set("sports that name things")
 _WAYS = ("backward", "up", "down")
 """Directions that a participle before a noun can state: "approaching" has an aim to find."""
+_LEAPS = frozenset({"jump", "leap", "hop", "skip", "bound", "bounce"})
 _AND_DOWN = re.compile(r"\s+and\s+down\b", re.IGNORECASE)
 """After "up": to and fro, and no course."""
 _SIDES = ("leftwards", "rightwards")
@@ -86,7 +87,8 @@ def said(text: str, f: Frame) -> list[Said]:
         for row in _by_word().get((part, word), ()):
             at = place_of(word, text, f) or verb
             how = word == "right" and exactly(text, at[1])
-            how = how or (word == "up" and _AND_DOWN.match(text, at[1]) is not None)
+            leaps = word == "up" and f.verb.lemma in _LEAPS
+            how = how or (leaps and _AND_DOWN.match(text, at[1]) is not None)
             if not how and (word != "up" or _goes_up(f)):
                 out.append(Said(row, *at))
     for p in f.phrases:

@@ -52,11 +52,10 @@ _SIDES = {
     "rear": "behind",
     "left": "left_of",
     "right": "right_of",
-    "left side": "left_of",
-    "right side": "right_of",
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
+_BACK_TO = frozenset({"into", "to", "onto", "down", "toward", "towards"})
 _TOWARD = frozenset({"to", "toward", "towards"})
 _STOPPING = frozenset({"stop", "brake", "slow", "park"})
 _SIDED = frozenset({"to", "from", "at", "on"})
@@ -126,10 +125,9 @@ def phrases(a: Account) -> Iterator[Gap]:
             if not _side_of_a_turn(a.d, f, p):
                 asked.setdefault(id(p.mention), (p, f, set()))[2].update(about)
             about |= {*nodes_of(a.d, p.mention)}
-    lost = {id(p.mention) for f in a.lost for p in f.phrases}
     for f in a.lost:
         for p in f.phrases:
-            if nodes_of(a.d, p.mention):
+            if nodes_of(a.d, p.mention) and p.prep in carriers():
                 asked.setdefault(id(p.mention), (p, None, set()))[2].update(about_of(a.d, f))
     for m, p in a.d.attached:
         asked.setdefault(id(p.mention), (p, None, set()))[2].update(nodes_of(a.d, m))
@@ -149,18 +147,16 @@ def phrases(a: Account) -> Iterator[Gap]:
         about -= others
         if about and not (_answered(a, about, others, p, f) if others else _no_place(a, about, p)):
             start = max(start_of(p, a.d.text), 0)
-            start -= 5 * (a.d.text[:start].lower().endswith("back "))  # "back into its lane"
-            end, words = m.end, p.prep
-            if id(m) in lost and start < m.start:  # of the noun more may be missing
-                end, words = start + len(p.prep.split()[0]), a.d.text[start : m.end].lower()
-            missing = f'nothing in the scene stands for "{words}"'
-            yield Gap(start, end, missing, tuple(sorted(about))[:1])
+            back = p.prep in _BACK_TO and a.d.text[:start].lower().endswith(" back ")
+            missing = f'nothing in the scene stands for "{p.prep}"'
+            yield Gap(start - 5 * back, m.end, missing, tuple(sorted(about))[:1])
 
 
 def _waited_for(a: Account, p: Phrase, f: Frame | None) -> bool:
     """ "Stops for a woman", "brakes for a deer": she has to be where it stops."""
     stopping = f is not None and f.verb.sense in _STOPPING and p.prep == "for"
-    others = {i for i in nodes_of(a.d, p.mention) if not structural(a.d, i)}
+    thing = p.mention is not None and p.mention.noun is not None  # not "for a second"
+    others = {i for i in nodes_of(a.d, p.mention) if thing and not structural(a.d, i)}
     asked = {c.to for n in a.d.timeline.nodes for c in n.constraints}
     return stopping and bool(others) and not others & asked
 
@@ -345,6 +341,7 @@ def _answered_by_ground(a: Account, about: set[str], others: set[str], p: Phrase
         or (p.prep == "of" and GROUND in others and _definite(p))  # "the boards of the rink"
         or (p.prep in ("above", "over") and _aloft(a, about))
         or (p.prep == "from" and GROUND in others and _rises(a, about))
+        or (p.prep in ("from", "off") and GROUND in others and _taken_up(a.d, about))
         or _laid_out(a.d, about, others, p.prep)
     )
 
@@ -368,10 +365,13 @@ def _told_of_a_part(a: Account, about: set[str], others: set[str]) -> bool:
 def _carrier(d: Discourse, others: set[str], p: Phrase, part: str, f: Frame | None) -> Carriers:
     """What of a document may carry the meaning of a phrase."""
     by = carriers().get(p.prep, _ANY)
+    if p.prep == "with":  # "a truck with a car behind it": placed by that
+        by = replace(by, relations=by.relations | {*_OPPOSITE, "adjacent", "surround"})
     if p.prep == "with" and all(kind_of(d, i) in LIMBED for i in others):
         by = replace(by, relations=by.relations | {"near"})
-    if part in _SIDES:
-        by = replace(by, relations=frozenset({_SIDES[part]}))
+    side = _SIDES.get(part.removesuffix(" side"), "")
+    if side:
+        by = replace(by, relations=frozenset({side}))
     open_ = any(kind_of(d, i) in _ENTERED for i in others)
     leapt = f is not None and any(d.moves.upon.get(i) in others for i in about_of(d, f))
     if not leapt and f is not None and f.verb.sense in _OWN and (open_ or p.prep in ("on", "onto")):
@@ -391,6 +391,13 @@ def _aloft(a: Account, about: set[str]) -> bool:
 def _rises(a: Account, about: set[str]) -> bool:
     """ "A drone rises from the ground": where what rises is before."""
     return any(s.direction == "up" and about & {*s.object} for s in a.kept)
+
+
+def _taken_up(d: Discourse, about: set[str]) -> bool:
+    """ "Picks up a parcel from the lawn": there it lies."""
+    return any(
+        happened(d, NodeEvent.PICKED_UP, i) and i not in d.scene.supported_by for i in about
+    )
 
 
 def _laid_out(d: Discourse, about: set[str], others: set[str], prep: str) -> bool:

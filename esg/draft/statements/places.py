@@ -59,7 +59,7 @@ def alone(a: Account) -> Iterator[Gap]:
 
 def up_and_down(a: Account) -> Iterator[Gap]:
     """ "Jumps up and down": of what stays on the ground, "up" alone is no course."""
-    for f in (*a.frames, *a.lost):
+    for f in a.lost:
         at = _UP_AND_DOWN.match(a.d.text, f.verb.end)
         about = about_of(a.d, f)
         shown = any(

@@ -232,8 +232,9 @@ def _owners(
         people = [m for m in before if m.noun is not None and m.noun.kind == "person"]
         return people[:1] or topic  # "a snowman with a broom beside him"
     if told.by in _ALL:
-        if topic and topic[0].plural:
-            return topic
+        several = [m for m in before if m.plural or (m.count or 1) > 1]
+        if several and told.by != "both":
+            return several[:1]
         return [*topic, *earlier] if earlier else before[:2]
     return topic if told.by in _THINGS else []
 
