@@ -57,6 +57,7 @@ _SIDES = {
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
 _BACK_TO = frozenset({"into", "to", "onto", "down", "toward", "towards"})
 _TOWARD = frozenset({"to", "toward", "towards"})
+_GOING_FOR = frozenset({"reach", "lunge", "dive", "dash", "bolt"})
 _STOPPING = frozenset({"stop", "brake", "slow", "park"})
 _SIDED = frozenset({"to", "from", "at", "on"})
 _EXTREMES = frozenset({"end", "edge", "corner", "tip"})
@@ -153,8 +154,9 @@ def phrases(a: Account) -> Iterator[Gap]:
 
 
 def _waited_for(a: Account, p: Phrase, f: Frame | None) -> bool:
-    """ "Stops for a woman", "brakes for a deer": she has to be where it stops."""
-    stopping = f is not None and f.verb.sense in _STOPPING and p.prep == "for"
+    """ "Stops for a woman", "reaches for a mug": she has to be where it stops, it is gone for."""
+    stopping = f is not None and p.prep == "for"
+    stopping = stopping and (f.verb.sense in _STOPPING or f.verb.lemma in _GOING_FOR)
     thing = p.mention is not None and p.mention.noun is not None  # not "for a second"
     others = {i for i in nodes_of(a.d, p.mention) if thing and not structural(a.d, i)}
     asked = {c.to for n in a.d.timeline.nodes for c in n.constraints}
@@ -395,9 +397,7 @@ def _rises(a: Account, about: set[str]) -> bool:
 
 def _taken_up(d: Discourse, about: set[str]) -> bool:
     """ "Picks up a parcel from the lawn": there it lies."""
-    return any(
-        happened(d, NodeEvent.PICKED_UP, i) and i not in d.scene.supported_by for i in about
-    )
+    return any(happened(d, NodeEvent.PICKED_UP, i) and i not in d.scene.supported_by for i in about)
 
 
 def _laid_out(d: Discourse, about: set[str], others: set[str], prep: str) -> bool:

@@ -7,6 +7,7 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import movable
+from esg.draft.discourse.places import elevated
 from esg.draft.discourse.scene import GROUND
 from esg.draft.events.stated import start_of
 from esg.draft.grammar.clauses.frames import Frame
@@ -100,11 +101,27 @@ def from_nothing(a: Account) -> Iterator[Gap]:
         word = next((w for w in f.adverbs if w in _OFF), "")
         fallen = {i for g, n in d.times.of_frame if g.verb is f.verb for i in _falls(a, n)}
         moved = {c.since.get(i) for c in d.scene.clauses if c.frame.verb is f.verb for i in fallen}
-        if not word or not fallen or any(_was_on_something(a, i) for i in fallen) or None in moved:
+        if not fallen or any(_was_on_something(a, i) for i in fallen) or None in moved:
             continue
-        at = re.compile(rf"\b{word}\b").search(d.text, f.verb.start, f.verb.end + _NEAR)
+        if not word and not _beside_a_board(a, f, fallen):
+            continue
+        off = re.compile(rf"\b{word}\b") if word else re.compile("$^")
+        at = off.search(d.text, f.verb.start, f.verb.end + _NEAR)
         span = at.span() if at is not None else (f.verb.start, f.verb.end)
         yield Gap(*span, FROM_NOTHING, tuple(sorted(fallen)))
+
+
+def _beside_a_board(a: Account, f: Frame, fallen: set[str]) -> bool:
+    """ "The mug falls on the floor", and there is a table: on which it is not."""
+    d = a.d
+    floor = f.phrase("on", "onto", "to")
+    down = floor is not None and GROUND in nodes_of(d, floor.mention)
+    known = f.subject is not None and f.subject.determiner == "the"
+    moved = any(fallen & {*c.movers} for c in d.scene.clauses if c.frame.verb.start < f.verb.start)
+    hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
+    met = any(fallen & {*n.participants} for n in hits)  # it comes down from what it hit
+    boards = any(elevated(d, i) for i in d.world.entities)
+    return down and known and moved and boards and not met
 
 
 def _falls(a: Account, event: str) -> tuple[str, ...]:
