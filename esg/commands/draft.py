@@ -11,7 +11,7 @@ from cyclopts import Parameter
 from esg.commands.drafting import RULES, Drafting
 
 if TYPE_CHECKING:
-    from esg.graph.models import EsgDocument
+    from esg.graph.models import EsgDocument, EventConstraint, Statement
 
 
 def draft(
@@ -56,6 +56,11 @@ def draft(
 
 _ANY_WAY = 0.5
 """Confidence of the heading of what nothing is told of."""
+_UNITS = {
+    "speed_after": "cm/s", "speed_before": "cm/s", "time_since": "s", "time_to_stop": "s",
+    "distance": "cm", "height": "cm", "angle": "degrees",
+}  # fmt: skip
+"""Units of what point events are to measure."""
 _SIDES = {"+X": "left", "-X": "right", "+Y": "to the front", "-Y": "to the back"}
 
 
@@ -81,6 +86,22 @@ def _at_the_start(doc: EsgDocument) -> Iterator[str]:
         if edge.relation_type.value == "face" and edge.confidence > _ANY_WAY:
             way = _SIDES[edge.cardinal] if edge.cardinal else f"to {edge.to}"
             yield f"heading:   {edge.from_} {way}"
+
+
+def _asked(c: EventConstraint) -> str:
+    """What a point event is to measure: "distance to gate_1 20 to 120 cm"."""
+    low, high = c.value if isinstance(c.value, tuple) else (c.value, c.value)
+    value = f"{low:g}" if low == high else f"{low:g} to {high:g}"
+    to = f" to {c.to}" if c.to else f" since {c.since}" if c.since else ""
+    return f"{c.quantity}{to} {value} {_UNITS[c.quantity]}"
+
+
+def _of_whom(s: Statement) -> str:
+    """Of which things a statement is, and which way; nothing for what is lost."""
+    if s.predicate.value == "not_represented" or not s.object:
+        return ""
+    way = [*([s.direction] if s.direction else []), *s.target]
+    return f"  ({', '.join(s.object)}{': ' if way else ''}{' '.join(way)})"
 
 
 def _tell(doc: EsgDocument, json: bool) -> int:
@@ -117,16 +138,19 @@ def _tell(doc: EsgDocument, json: bool) -> int:
     timeline = doc.timeline_system
     for node in timeline.sequence_graph.nodes if timeline else ():
         when = f"at {node.timestamp} s" if node.timestamp is not None else f"in {node.window} s"
+        when += "".join(f", {_asked(c)}" for c in node.constraints)
         print(f"event:     {node.id}  {node.event.value}({', '.join(node.participants)}) {when}")
     for segment in timeline.sequence_graph.edges if timeline else ():
-        print(f"motion:    {segment.id}  {segment.actor} {segment.event.value}")
+        to = f" to {segment.target}" if segment.target else ""
+        print(f"motion:    {segment.id}  {segment.actor} {segment.event.value}{to}")
     if timeline is None:
         print("no timeline: a static scene")
     rows = [[i.text, i.kind, i.status, i.pointer or i.note] for i in doc.coverage.items]
     if rows:
         print("\n" + table(["words", "kind", "status", "became"], rows))
+    told = {s.id: s for s in doc.statements or ()}
     for row in statements:
-        print(f'statement: {row["id"]}  {row["says"]}  "{row["words"]}"')
+        print(f'statement: {row["id"]}  {row["says"]}  "{row["words"]}"{_of_whom(told[row["id"]])}')
     print("".join(f"{line}\n" for line in block(lost, "draft")), end="")
     for warning in doc.coverage.warnings:
         print(f"warning:   {warning}")

@@ -20,11 +20,13 @@ from esg.draft.grammar.clauses.modality import mark_unreal
 from esg.draft.grammar.phrases.chunker import chunk
 from esg.draft.grammar.phrases.modifiers import join_modifiers
 from esg.draft.grammar.questions import ask
+from esg.draft.grammar.rewrites.companions import set_apart
 from esg.draft.grammar.rewrites.denials import deny
 from esg.draft.grammar.rewrites.headings import headings
 from esg.draft.grammar.rewrites.inversions import straighten
 from esg.draft.grammar.rewrites.ones import name_ones
 from esg.draft.grammar.rewrites.openings import join_results
+from esg.draft.grammar.rewrites.opposites import oppose
 from esg.draft.grammar.rewrites.patterns import rewrite
 from esg.draft.grammar.rewrites.shares import count
 from esg.draft.statements import state
@@ -45,6 +47,8 @@ _REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
     ("light verbs and ways of telling around it", partial(rewrite, reading="tellings")),
     ("clefts", partial(rewrite, reading="order")),
     ("verbs before their subjects", straighten),
+    ("things beside one", set_apart),
+    ("the other way", oppose),
     ("asides", partial(rewrite, reading="asides")),
     ("clauses without a verb", partial(rewrite, reading="gaps")),
     ("nouns of events", partial(rewrite, reading="nominals")),

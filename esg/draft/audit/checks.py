@@ -385,7 +385,8 @@ def _doubtful(case: Case) -> Iterator[Finding]:
         asset = doc.asset_requirement[doc.spatial_relation_graph.nodes[name].asset_id]
         if doubt is None or asset.asset_category != doubt.drawn:
             continue
-        if singulars & doubt.cues and not case.facts.owns_up(start, end):
+        said = any(start <= a < end for a, _ in case.facts.said)  # of the noun, not of its place
+        if singulars & doubt.cues and not said:
             missing = f"a {doubt.drawn.replace('_', ' ')} is drawn, and {doubt.meant} is meant"
             yield Finding(start, end, missing, (name,))
 

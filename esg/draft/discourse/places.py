@@ -27,6 +27,8 @@ RELATION_PREPS: dict[str, str] = {p: k for k, words in _PREPS.items() for p in w
 }  # fmt: skip
 """Spatial relations by preposition."""
 _ENDS = ("end", "side")
+_HANDS = {"left side": "left_of", "right side": "right_of"}
+"""Sides of a thing that are the viewer's."""
 _OPEN = frozenset({"watercraft", "cart", "sliding"})
 """Kinds of what is ridden in, and has no roof."""
 _CARRIES_ON_ITS_BACK = frozenset({"animal", "vehicle", "cart"})
@@ -54,7 +56,7 @@ def place(
         d.scene.at_ends += seated
         return
     if part:
-        kind = _at_part(d, kind, part.split()[-1], other)
+        kind = _at_part(d, kind, part, other)
     several = len([t for t in things if t != other]) > 1
     if (kind == "surround" and not several) or (kind == "between" and len(others) < 2):
         kind = "near"
@@ -91,8 +93,11 @@ def _tips(d: Discourse, node: str) -> bool:
     return row is not None and row.tips
 
 
-def _at_part(d: Discourse, kind: str, word: str, other: str) -> str:
+def _at_part(d: Discourse, kind: str, part: str, other: str) -> str:
     """The relation to a thing of what is at one of its parts ("at the edge of the table")."""
+    word, side = part.split()[-1], _HANDS.get(part, "")
+    if side and "support" not in entity_of(d, other).noun.traits:
+        return side if kind in ("on", "near") else kind  # "on the right side of a laptop"
     if word in ("edge", "corner", "rim", "end") and "support" in entity_of(d, other).noun.traits:
         return "on"
     if word == "back" and kind == "on" and kind_of(d, other) in _CARRIES_ON_ITS_BACK:

@@ -33,7 +33,7 @@ from esg.draft.discourse.links import (
     snapped,
     take_links,
 )
-from esg.draft.discourse.places import RELATION_PREPS, place
+from esg.draft.discourse.places import RELATION_PREPS, holds, place
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, refer_all
 from esg.draft.discourse.referents.parts import has_counted_parts
@@ -60,10 +60,11 @@ from esg.draft.events.motions import hold_back
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.breaking import gone_through, sense_of_breaking, who_breaks
 from esg.draft.events.senses.outcome import target_of_mates
-from esg.draft.events.senses.state import attachment, mass_of_load
+from esg.draft.events.senses.state import attachment, mass_of_load, stands_there
 from esg.draft.events.table import read_as
 from esg.draft.events.timing import hand_on, precedes, settle, time_of
 from esg.draft.events.told import (
+    at_rest,
     constrain,
     ignore,
     last_event,
@@ -71,6 +72,7 @@ from esg.draft.events.told import (
     mates_of,
     moves,
     recent,
+    size_of,
     things,
     traits_of,
     unread,
@@ -80,6 +82,9 @@ from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Role
 from esg.lexicon.senses import no_things
 
+_IN_PLACE = lex.word_set("acts in place")
+_ABOUT = frozenset({"slide", "roll", "own", "spin", "coast"})
+_GONE_ROUND_IN = lex.word_set("gone round in")
 _THINGS_DO = lex.word_set("things do")
 _THINGS_DO_TO = lex.word_set("things do to")
 _RIDERS_OWN = ("be", "posture", "weigh", "fall", "topple")
@@ -273,9 +278,13 @@ def read_frame(d: Discourse, f: Frame) -> None:
     handler = SENSES.get(sense)
     if handler is None:
         ignore(d, f, "no physical meaning")
+        stands_there(d, f, parts.subject)
         hand_on(d, f)
         return
     was = snapshot(d)
+    _goes_round_in(d, f, parts.subject)
+    if f.verb.lemma in _IN_PLACE:
+        stands_there(d, f, parts.subject)  # "jumps next to a dog": there it starts
     handler(d, f, parts.subject, parts.objects)
     gone_through(d, f)
     d.scene.clauses += by_its_participle(d, f, was, parts.subject)
@@ -285,6 +294,17 @@ def read_frame(d: Discourse, f: Frame) -> None:
         span = precedes(d, a) or (p == "for" and sense in ("fall", "drop"))
         if a.dimension == "time" and span and unread(d, a):
             d.times.gap, d.times.gap_of = a, f  # "falls for 0.6 s before it hits a bucket"
+
+
+def _goes_round_in(d: Discourse, f: Frame, bodies: list[str]) -> None:
+    """ "Butter slides around a pan": about in it, and not around the outside."""
+    around = f.phrase("around", "round")
+    hosts = [i for i in things(around) if f.verb.sense in _ABOUT and i in d.world.entities]
+    hosts = [h for h in hosts if {*entity_of(d, h).head.split()} & _GONE_ROUND_IN]
+    inner = [i for i in bodies if at_rest(d, i) and i not in d.scene.supported_by]
+    inner = [i for i in inner if hosts and max(size_of(d, i)) <= max(size_of(d, hosts[0]))]
+    if hosts:
+        place(d, inner, hosts[:1], "in" if holds(d, hosts[0]) else "on")
 
 
 def _parts(d: Discourse, f: Frame) -> Parts:

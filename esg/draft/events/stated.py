@@ -24,6 +24,14 @@ _UPWARD = lex.word_set("goes up")
 NAMED_BY = lex.word_set("sports that name things")
 _WAYS = ("backward", "up", "down")
 """Directions that a participle before a noun can state: "approaching" has an aim to find."""
+_LEAPS = frozenset({"jump", "leap", "hop", "skip", "bound", "bounce"})
+_AND_DOWN = re.compile(r"\s+and\s+down\b", re.IGNORECASE)
+"""After "up": to and fro, and no course."""
+_SIDES = ("leftwards", "rightwards")
+_OTHER_WAY = re.compile(
+    r"(?:in )?the (?:other|opposite|reverse) (?:way|direction)\b", re.IGNORECASE
+)
+"""Words that a side may stand for (`rewrites.opposites`)."""
 _REACH = 160
 """How far from its verb an adverb may stand, in characters."""
 
@@ -79,6 +87,8 @@ def said(text: str, f: Frame) -> list[Said]:
         for row in _by_word().get((part, word), ()):
             at = place_of(word, text, f) or verb
             how = word == "right" and exactly(text, at[1])
+            leaps = word == "up" and f.verb.lemma in _LEAPS
+            how = how or (leaps and _AND_DOWN.match(text, at[1]) is not None)
             if not how and (word != "up" or _goes_up(f)):
                 out.append(Said(row, *at))
     for p in f.phrases:
@@ -123,6 +133,9 @@ def place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:
     low = max(0, f.verb.start - _REACH)
     found = re.finditer(rf"\b{re.escape(word)}\b", text[low : f.verb.end + _REACH], re.IGNORECASE)
     places = [(low + m.start(), low + m.end()) for m in found]
+    if not places and word in _SIDES:
+        found = _OTHER_WAY.finditer(text, f.verb.start, f.verb.end + _REACH)
+        places = [m.span() for m in found]
     return min(places, key=lambda at: abs(at[0] - f.verb.end), default=None)
 
 

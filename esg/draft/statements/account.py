@@ -42,6 +42,7 @@ class Account:
         tokens: Its words.
         said: Its statements.
         untold: Where adverbs of what does not happen stand.
+        lost: The clauses of which no verb is kept: what they name has a place all the same.
     """
 
     d: Discourse
@@ -50,6 +51,7 @@ class Account:
     tokens: list[Token]
     said: list[Statement]
     untold: set[tuple[int, int]] = field(default_factory=set[tuple[int, int]])
+    lost: list[Frame] = field(default_factory=list[Frame])
 
     @property
     def kept(self) -> list[Statement]:
@@ -86,3 +88,10 @@ def held(d: Discourse, about: set[str], others: set[str]) -> bool:
     pairs += [{node, tow.by} for node, tow in scene.tows.items()]
     pairs += [{j.child, j.parent or ""} for j in scene.joints]
     return any(pair & about and pair & others for pair in pairs)
+
+
+def starts_somewhere(d: Discourse, who: str) -> bool:
+    """Whether something holds or carries a thing at the start, or says how high it is."""
+    s = d.scene
+    held_ = any(who in at for at in (s.supported_by, s.inside_of, s.attached, s.hung, s.heights))
+    return held_ or who in s.loosed or who in s.tows or any(j.child == who for j in s.joints)

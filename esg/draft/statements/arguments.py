@@ -9,6 +9,7 @@ from esg.draft.discourse.core import entity_of, movable, structural
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.stated import start_of
 from esg.draft.events.told import happened
+from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.account import CHAINS, NOTHING, PASSED_OVER, Account, Gap, held, nodes_of
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Predicate
@@ -28,6 +29,7 @@ _ALONG = frozenset({"own", "tow", "carry"})
 """Senses of which who does it goes where the object goes."""
 _MET = frozenset({"past", "into", "against", "onto", "over", "off"})
 _AS_ONE = CHAINS | {"stack"}
+_FELLED = frozenset({"domino", "pin"})
 _LIFTED = lex.word_set("picks up")
 _NAMED_BEFORE = frozenset({"it", "him", "them"})
 NO_REFERENT = "nothing that was named before is meant"
@@ -121,6 +123,13 @@ def _a_pair(d: Discourse, m: Mention) -> bool:
     return "pair of" in d.text[max(0, m.start - 10) : m.end].lower()
 
 
+def _in_turn(d: Discourse, f: Frame, node: str) -> bool:
+    """Whether it is one of a row of which each fells the next: not of boxes that are pushed."""
+    e = entity_of(d, node)
+    pushed = f.verb.sense in _SENT and e.noun.kind not in _FELLED and "topples" not in e.noun.traits
+    return e.pattern in CHAINS and not pushed
+
+
 def idle(a: Account) -> Iterator[Gap]:
     """Clauses that tell of several things and move only some of them."""
     moving = {e.actor for e in a.d.timeline.edges}
@@ -132,6 +141,6 @@ def idle(a: Account) -> Iterator[Gap]:
         told = c.movers and f.verb.sense in _EACH and f.verb.auxiliary != "have"
         sent = f.object if f.verb.sense in _SENT and f.object and f.object.plural else f.subject
         group = nodes_of(a.d, sent) if told else []
-        idle = [i for i in group if i not in moving and entity_of(a.d, i).pattern not in CHAINS]
+        idle = [i for i in group if i not in moving and not _in_turn(a.d, f, i)]
         if 0 < len(idle) < len(group):
             yield Gap(f.verb.start, f.verb.end, "only one of them does", tuple(idle))

@@ -13,16 +13,28 @@ from functools import cache
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import kind_of, structural
+from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.levers import ACROSS
+from esg.draft.discourse.places import elevated
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, LIMBED, Relation
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.courses import measurable
+from esg.draft.events.ends import EDGES
 from esg.draft.events.stated import start_of
 from esg.draft.events.told import happened, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
-from esg.draft.statements.account import PASSED_OVER, Account, Gap, about_of, held, nodes_of, turns
+from esg.draft.statements.account import (
+    NOTHING,
+    PASSED_OVER,
+    Account,
+    Gap,
+    about_of,
+    held,
+    nodes_of,
+    starts_somewhere,
+    turns,
+)
 from esg.draft.statements.arranged import FILES, in_line
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Predicate, Statement, TimelineEdge
@@ -43,9 +55,16 @@ _SIDES = {
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
+_BACK_TO = frozenset({"into", "to", "onto", "down", "toward", "towards"})
+_TOWARD = frozenset({"to", "toward", "towards"})
+_GOING_FOR = frozenset({"reach", "lunge", "dive", "dash", "bolt"})
+_STOPPING = frozenset({"stop", "brake", "slow", "park"})
+_SIDED = frozenset({"to", "from", "at", "on"})
 _EXTREMES = frozenset({"end", "edge", "corner", "tip"})
 _ON = frozenset({"on", "onto", "upon"})
+_LEVELLED = frozenset({"same", "different", "various"})
 _LEVELS = frozenset({"height", "level", "altitude"})
+_BY_THE_EDGE = frozenset({"along", "alongside", "at", "near", "by", "close to", "beside"})
 _BEFORE = re.compile(r"\bbefore (?:an? |the )?$", re.IGNORECASE)
 _OWN = frozenset({"own", "fly", "reverse"})
 _INNER = frozenset({"in", "into", "inside", "within", "inside of"})
@@ -107,21 +126,41 @@ def phrases(a: Account) -> Iterator[Gap]:
             if not _side_of_a_turn(a.d, f, p):
                 asked.setdefault(id(p.mention), (p, f, set()))[2].update(about)
             about |= {*nodes_of(a.d, p.mention)}
+    for f in a.lost:
+        for p in f.phrases:
+            if nodes_of(a.d, p.mention) and p.prep in carriers():
+                asked.setdefault(id(p.mention), (p, None, set()))[2].update(about_of(a.d, f))
     for m, p in a.d.attached:
         asked.setdefault(id(p.mention), (p, None, set()))[2].update(nodes_of(a.d, m))
     for p, f, about in asked.values():
         m = p.mention
-        if m is None or p.amount is not None or m.amounts or p.prep in _WHY or m.count == 0:
+        if m is None or p.amount is not None or m.amounts or m.count == 0:
             continue  # "with no other cars": none is drawn
+        if p.prep in _WHY and not _waited_for(a, p, f):
+            continue
         if p.prep == "than" and any(0 <= m.start - b <= 1 for _, b in a.d.scene.compared):
             continue  # "is heavier than a ball": it is
         others = {*nodes_of(a.d, m)}
         if m.pronoun and "other" in m.adjectives and about and about <= others:
             yield Gap(max(start_of(p, a.d.text), 0), m.end, "there are no others in the scene")
+        if not about and p.prep in _SIDED and {m.head, m.part} & {"left", "right"}:
+            yield Gap(max(start_of(p, a.d.text), 0), m.end, NOTHING)  # of whom is not clear
         about -= others
         if about and not (_answered(a, about, others, p, f) if others else _no_place(a, about, p)):
+            start = max(start_of(p, a.d.text), 0)
+            back = p.prep in _BACK_TO and a.d.text[:start].lower().endswith(" back ")
             missing = f'nothing in the scene stands for "{p.prep}"'
-            yield Gap(max(start_of(p, a.d.text), 0), m.end, missing, tuple(sorted(about))[:1])
+            yield Gap(start - 5 * back, m.end, missing, tuple(sorted(about))[:1])
+
+
+def _waited_for(a: Account, p: Phrase, f: Frame | None) -> bool:
+    """ "Stops for a woman", "reaches for a mug": she has to be where it stops, it is gone for."""
+    stopping = f is not None and p.prep == "for"
+    stopping = stopping and (f.verb.sense in _STOPPING or f.verb.lemma in _GOING_FOR)
+    thing = p.mention is not None and p.mention.noun is not None  # not "for a second"
+    others = {i for i in nodes_of(a.d, p.mention) if thing and not structural(a.d, i)}
+    asked = {c.to for n in a.d.timeline.nodes for c in n.constraints}
+    return stopping and bool(others) and not others & asked
 
 
 def adrift(a: Account) -> Iterator[Gap]:
@@ -136,13 +175,24 @@ def adrift(a: Account) -> Iterator[Gap]:
         nodes = {*nodes_of(d, m)}
         conjunction = _BEFORE.search(d.text, 0, m.start)  # "stops before a crossing"
         prep = m.after_prep or ("before" if conjunction is not None else "")
-        if not prep or id(m) in taken or not nodes or nodes & told:
+        if not prep or id(m) in taken or not nodes:
             continue
         if prep in _WHY or (prep in _WAYS and any(structural(d, i) for i in nodes)):
+            continue
+        if nodes & told and (prep not in carriers() or _told_with_it(a, m, nodes, prep)):
             continue
         start = d.text.lower().rfind(prep, 0, m.start)
         missing = f'nothing in the scene stands for "{prep}"'
         yield Gap(start if start >= 0 else m.start, m.end, missing, tuple(sorted(nodes))[:1])
+
+
+def _told_with_it(a: Account, m: Mention, nodes: set[str], prep: str) -> bool:
+    """Whether the document tells of what a preposition names with anything in its sentence."""
+    start = max(a.d.text.rfind(mark, 0, m.start) for mark in (". ", "; ", "! ", "? ", "\n"))
+    beside = (x for x in a.d.mentions if start < x.start < m.start)
+    about = {i for x in beside for i in nodes_of(a.d, x)} - nodes
+    asked = any(c.to in nodes for n in a.d.timeline.nodes for c in n.constraints)
+    return asked or not about or _answered(a, about, nodes, Phrase(prep, m), None)
 
 
 def _placed(a: Account) -> set[str]:
@@ -169,8 +219,8 @@ def _no_place(a: Account, about: set[str], p: Phrase) -> bool:
     """Whether a phrase that names nothing in the scene need not be missed."""
     m = p.mention
     assert m is not None
-    if "same" in m.adjectives and m.head in _LEVELS:
-        return False  # nothing sees to it that two things start at one height
+    if _LEVELLED & {*m.adjectives} and m.head in _LEVELS:
+        return False  # nothing sees to it that two things start at one height, or at several
     if _in_pieces(a, about, m) or _names_nothing(a, p, m):
         return True
     if m.noun is not None and m.noun.kind == "region":  # "into the side pocket"
@@ -198,9 +248,24 @@ def _where_it_happens(a: Account, about: set[str], p: Phrase, m: Mention) -> boo
     if p.prep == "at" and m.head in _FEET and _below_a_slope(a, about):
         return True
     if p.prep in ("off", "over", "from") and _takes_part(a, NodeEvent.FALL, about):
-        return True  # "falls off the edge"
+        return _leaves(a, about, m)  # "falls off the edge"
     # "breaks upon impact"
     return m.head in _HITS and _takes_part(a, NodeEvent.COLLISION, about)
+
+
+def _leaves(a: Account, about: set[str], m: Mention) -> bool:
+    """Whether what falls off an edge is on something, and that was named last before the edge."""
+    d = a.d
+    fallen = {i for n in d.timeline.nodes if n.event is NodeEvent.FALL for i in n.participants}
+    who = [i for i in about & fallen if i in d.world.entities]
+    hosts = {d.scene.supported_by[i] for i in who if i in d.scene.supported_by}
+    if not hosts or m.part not in EDGES:
+        return not who or any(starts_somewhere(d, i) or i in d.timeline.tracks for i in who)
+    named = (nodes_of(d, x) for x in reversed(d.mentions) if x.start < m.start)
+    mates = {x for i in who for x in d.world.groups.get(entity_of(d, i).group or "", [])}
+    boards = (i for ids in named for i in ids if elevated(d, i) and i not in fallen | mates)
+    last = next(boards, None)
+    return last is None or last in hosts
 
 
 def _takes_part(a: Account, event: NodeEvent, about: set[str]) -> bool:
@@ -238,6 +303,8 @@ def _below_a_slope(a: Account, about: set[str]) -> bool:
 def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame | None) -> bool:
     """Whether something in the document is about both what a phrase names and who it is said of."""
     d, part = a.d, p.mention.part if p.mention is not None else ""
+    if p.prep in _BY_THE_EDGE and {*part.split()} & _EXTREMES and not _marked(part):
+        return False  # "rides along the right edge of the road": anywhere on it
     by = _carrier(d, others, p, part, f)
     if others and all(d.world.entities[i].lever == "fulcrum" for i in others):
         return p.prep in ACROSS and any(d.world.entities[i].lever for i in about)
@@ -263,6 +330,11 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
     )
 
 
+def _marked(part: str) -> bool:
+    """Whether a part is nothing but the place where something ends ("along the edge")."""
+    return part.split()[0] not in ("left", "right", "far", "near", "outer", "inner", "front")
+
+
 def _answered_by_ground(a: Account, about: set[str], others: set[str], p: Phrase) -> bool:
     """Whether the document is about the ground, or what is laid on it, as a phrase is."""
     return (
@@ -271,6 +343,7 @@ def _answered_by_ground(a: Account, about: set[str], others: set[str], p: Phrase
         or (p.prep == "of" and GROUND in others and _definite(p))  # "the boards of the rink"
         or (p.prep in ("above", "over") and _aloft(a, about))
         or (p.prep == "from" and GROUND in others and _rises(a, about))
+        or (p.prep in ("from", "off") and GROUND in others and _taken_up(a.d, about))
         or _laid_out(a.d, about, others, p.prep)
     )
 
@@ -296,10 +369,13 @@ def _told_of_a_part(a: Account, about: set[str], others: set[str]) -> bool:
 def _carrier(d: Discourse, others: set[str], p: Phrase, part: str, f: Frame | None) -> Carriers:
     """What of a document may carry the meaning of a phrase."""
     by = carriers().get(p.prep, _ANY)
+    if p.prep == "with":  # "a truck with a car behind it": placed by that
+        by = replace(by, relations=by.relations | {*_OPPOSITE, "adjacent", "surround"})
     if p.prep == "with" and all(kind_of(d, i) in LIMBED for i in others):
         by = replace(by, relations=by.relations | {"near"})
-    if part in _SIDES:
-        by = replace(by, relations=frozenset({_SIDES[part]}))
+    side = _SIDES.get(part.removesuffix(" side"), "")
+    if side:
+        by = replace(by, relations=frozenset({side}))
     open_ = any(kind_of(d, i) in _ENTERED for i in others)
     leapt = f is not None and any(d.moves.upon.get(i) in others for i in about_of(d, f))
     if not leapt and f is not None and f.verb.sense in _OWN and (open_ or p.prep in ("on", "onto")):
@@ -319,6 +395,11 @@ def _aloft(a: Account, about: set[str]) -> bool:
 def _rises(a: Account, about: set[str]) -> bool:
     """ "A drone rises from the ground": where what rises is before."""
     return any(s.direction == "up" and about & {*s.object} for s in a.kept)
+
+
+def _taken_up(d: Discourse, about: set[str]) -> bool:
+    """ "Picks up a parcel from the lawn": there it lies."""
+    return any(happened(d, NodeEvent.PICKED_UP, i) and i not in d.scene.supported_by for i in about)
 
 
 def _laid_out(d: Discourse, about: set[str], others: set[str], prep: str) -> bool:
@@ -373,6 +454,8 @@ def _happens(
         return False
     if n.id in own and any(c.to in others for c in n.constraints):
         return True  # "stops 1 m in front of a gate"
+    if prep in _TOWARD and n.event is NodeEvent.MISS and n.participants[0] in others:
+        return False  # "rolls toward a car": that the car gets by is something else
     inner = prep in _INNER and n.event is NodeEvent.PLACED
     closed = (kind_of(d, i) in _CLOSED or not _FLAT & traits_of(d, i) for i in others)
     if inner and any(closed):

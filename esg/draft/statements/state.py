@@ -97,14 +97,22 @@ def _own_up(t: Told) -> None:
     lost = [(s.start, s.end) for s in owned]
     gone = [(s.start, s.end) for s in owned if s.note not in _CAUSES]
     told = [f for f in t.frames if not f.unreal and not f.verb.negated]
+    lost_clauses = [f for f in told if _is_lost(d, f, gone)]
     told = [f for f in told if span(f) in d.scene.used and span(f) not in gone]
     untold = _of_what_does_not_happen(d, t.frames)
-    for gap in unclaimed(Account(d, told, t.elements, t.tokens, [*book.items], untold)):
+    said = [*book.items]
+    for gap in unclaimed(Account(d, told, t.elements, t.tokens, said, untold, lost_clauses)):
         asked = any(q.start <= gap.start < q.end for q in d.scene.asked)
         if not asked and not any(a < gap.end and gap.start < b for a, b in lost):
             lost.append((gap.start, gap.end))
             book.add(Predicate.NOT_REPRESENTED, gap.start, gap.end, object=gap.nodes,
                      note=gap.missing)  # fmt: skip
+
+
+def _is_lost(d: Discourse, f: Frame, gone: list[tuple[int, int]]) -> bool:
+    """Whether nothing was made of a verb, or not what it says: its places are asked for too."""
+    unread = span(f) not in d.scene.used and span(f) not in d.scene.ignored
+    return span(f) in gone or (unread and not f.times)
 
 
 def _of_what_does_not_happen(d: Discourse, frames: list[Frame]) -> set[tuple[int, int]]:

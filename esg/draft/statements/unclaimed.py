@@ -20,6 +20,7 @@ from esg.draft.statements.account import NOTHING, PASSED_OVER, Account, Gap, nod
 from esg.draft.statements.adverbs import adverbs
 from esg.draft.statements.arguments import arguments, idle, left_behind, some_of
 from esg.draft.statements.phrases import adrift, phrases
+from esg.draft.statements.places import alone, from_nothing, hung, lengths, up_and_down
 from esg.draft.text.elements import ONE_OF_THESE, Mention
 from esg.draft.verbphrases import verb_readings
 from esg.graph.models import NodeEvent, Predicate
@@ -192,4 +193,9 @@ _FINDERS: tuple[Callable[[Account], Iterator[Gap]], ...] = (
     _qualities,
     _left_out,
     _comparisons,
+    alone,
+    from_nothing,
+    hung,
+    lengths,
+    up_and_down,
 )

@@ -187,6 +187,12 @@ def _far(d: Discourse, clause: Clause) -> bool:
     )
 
 
+def _met_or_bounced(d: Discourse, body: str) -> bool:
+    """Whether it bounces, or is thrown back by what it meets."""
+    kinds = (NodeEvent.BOUNCE, NodeEvent.COLLISION)
+    return any(n.event in kinds and body in n.participants for n in d.timeline.nodes)
+
+
 def _way(d: Discourse, p: Phrase) -> bool:
     """ "Up a hill", "across the lawn", "down a street": not across a table."""
     named = [] if p.mention is None or p.prep not in _WAYS else p.mention.entities
@@ -227,6 +233,7 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "finite": lambda d, c: not (c.frame.verb.passive or c.frame.reduced),
     "shoved": _shoved,
     "flung": _flung,
+    "unbounced": lambda d, c: bool(c.movers) and not any(_met_or_bounced(d, i) for i in c.movers),
     "far": _far,
     "limbed": lambda d, c: any(
         kind_of(d, i) in LIMBED for i in _doers(c.frame) if i in d.world.entities

@@ -27,6 +27,8 @@ _SIDE_WORDS = {
     "behind": re.compile(r"\b(?:behind|back|rear)\b", re.IGNORECASE),
 }
 """The words of a side, of which the first in the text is where something starts."""
+_DOWN_DEG = -90.0
+_STRAIGHT_DOWN = "it falls straight down"
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
 
 
@@ -82,6 +84,9 @@ def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
         note = "it falls over whichever way it is pushed"
         book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=(mover,), note=note)
         return
+    if direction in ("left", "right") and _drops(d, mover):
+        book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=(mover,), note=_STRAIGHT_DOWN)
+        return
     if clause.frame.verb.sense in TURNING or "turn" in d.scene.used.get(span(clause.frame), ""):
         return
     if direction not in _TARGETED and direction != "between":
@@ -97,6 +102,8 @@ def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
         direction = "across"  # "through a meadow", "through the park": it has no other side
     if structural(d, targets[0]) and direction not in _ON_THE_WAY:
         return
+    if direction == "around" and d.scene.supported_by.get(mover) in targets:
+        return  # "slides around a pan": about in it
     if direction in ("along", "across") and d.scene.supported_by.get(mover) in targets:
         return  # told as what carries it
     if direction == "between" and len(targets) == 1:  # "a cube left of a bin ... between them"
@@ -108,6 +115,12 @@ def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
     some = tuple(targets) if direction == "between" else tuple(targets[:1])
     book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=some, direction=direction,
              when=where)  # fmt: skip
+
+
+def _drops(d: Discourse, mover: str) -> bool:
+    """Whether all that it does is fall: "they land one by one, from left to right"."""
+    ways = [e.params.elevation_deg for e in d.timeline.edges if e.actor == mover]
+    return bool(ways) and all(x == _DOWN_DEG for x in ways)
 
 
 def _slope(book: Book, s: Said, mover: str, where: str) -> None:

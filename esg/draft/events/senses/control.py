@@ -30,7 +30,10 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
 from esg.graph.models import NodeEvent, Quantity, Role
 
-_STOPPING_BY = ("in front of", "before", "next to", "near", "beside", "by", "at", "close to")
+_STOPPING_BY = (
+    "in front of", "before", "next to", "near", "beside", "by", "at", "close to", "for",
+)  # fmt: skip
+_STOPPED_FOR = LIMBED | {"vehicle", "toyvehicle", "cart"}
 STOPS_BY_CM = (20.0, 120.0)
 """Gap that is left by what stops in front of or beside something [cm]."""
 _ROLLING = frozenset({"roll", "slide", "skid", "coast", "glide", "spin"})
@@ -289,6 +292,8 @@ def _stops_by(d: Discourse, f: Frame, actor: str, node_id: str) -> None:
     """ "Stops in front of a gate": the gap that is left is small, and no hit comes of it."""
     node = d.timeline.node(node_id)
     beside = f.phrase(*_STOPPING_BY)
+    if beside is not None and beside.prep == "for":  # not "stops for a second"
+        beside = beside if any(kind_of(d, i) in _STOPPED_FOR for i in things(beside)) else None
     unmet = f.object.entities if f.object is not None and "before" in f.verb.extra else []
     others = [i for i in (*unmet, *things(beside)) if aimable(d, i) and i != actor]
     if node is None or not others or node.constraints or f.verb.sense not in ("stop", "park"):

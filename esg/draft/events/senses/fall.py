@@ -22,7 +22,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING
 from esg.draft.events.acts import add_event, add_hit, goes_in
 from esg.draft.events.consequences import landing_of, met_in_its_row, struck_before
-from esg.draft.events.ends import off_the_edge
+from esg.draft.events.ends import EDGES, off_the_edge
 from esg.draft.events.hanging import hanging
 from esg.draft.events.motions import (
     flies_itself,
@@ -41,7 +41,7 @@ from esg.draft.events.timing import (
     representatives,
     time_of,
 )
-from esg.draft.events.told import ignore, last_of, recent, size_of, things, traits_of
+from esg.draft.events.told import ignore, last_of, mates_of, recent, size_of, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
@@ -109,8 +109,26 @@ def _held_up(d: Discourse, body: str) -> bool:
     return body in d.scene.supported_by or body in d.scene.heights
 
 
+def _lies_before_its_edge(d: Discourse, f: Frame, actors: list[str]) -> None:
+    """ "Pushes blocks toward the edge of a table until one drops off": there they lie."""
+    loose = [a for a in actors if a not in d.scene.supported_by]
+    if "off" not in f.adverbs or not loose or things(f.phrase("off", "from", "out of")):
+        return
+    for g in d.told:
+        named = {i for m in (g.subject, g.object) if m is not None for i in m.entities}
+        if g.verb.start >= f.verb.start or f.sentence - g.sentence > 1 or not named & {*loose}:
+            continue
+        edges = [p for p in g.phrases if p.mention and p.mention.part.split()[-1:]]
+        edges = [p for p in edges if p.mention and p.mention.part.split()[-1] in EDGES]
+        hosts = [i for p in edges for i in things(p) if elevated(d, i)]
+        mates = [i for a in loose if a in named for i in (mates_of(d, a) or [a])]
+        if hosts and hosts[0] not in named:
+            place(d, mates, hosts[:1], "on")
+
+
 def drop(d: Discourse, f: Frame, bodies: list[str]) -> None:
     """Lets bodies fall: off what the clause names, or from where they are."""
+    _lies_before_its_edge(d, f, bodies)
     moved = representatives(d, bodies, []) if len(bodies) > 2 else bodies
     moved = [t for t in moved if movable(d, t)]
     source = f.phrase("off", "from")
@@ -178,6 +196,7 @@ def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     set_free(d, [x for x in s if kind_of(d, x) in ("post", "plant", "wall", "street")])
     set_free(d, [x for x in s if x in d.scene.attached])  # what hangs there comes down
     actors = representatives(d, s, [])
+    _lies_before_its_edge(d, f, actors)
     jolted_off(d, f, actors)
     fresh = [a for a in actors if a not in d.timeline.tracks]
     floor = things(f.phrase("to"))

@@ -57,6 +57,8 @@ _LEANT_ON_CM = 60.0
 _LEANING = frozenset({"lean", "prop"})
 _CARRIES = ("carry", "haul", "lug")
 _ABREAST = frozenset({"in a row", "from left to right", "from right to left"})
+_LIGHT = lex.word_set("no acts (places)")
+_AT_REST = lex.word_set("places of acts")
 _HANGING = lex.word_set("hanging")
 _HUNG_BY = lex.word_set("hung by")
 _BESIDE = ("on", "against", "at", "by")
@@ -210,6 +212,30 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         read_be(d, f, s, o)
 
 
+def stands_there(d: Discourse, f: Frame, bodies: list[str]) -> None:
+    """ "A dog barks beside a car", "grows in a pot": no act is shown, and yet a place is told.
+
+    Where things are that have not moved; "waves at a boy" is no place.
+    """
+    if f.verb.negated or f.unreal or f.object is not None or f.verb.passive:
+        return
+    if f.verb.lemma in _LIGHT:
+        return  # "takes on a rival", "gets on a bus"
+    for p in f.phrases:
+        others, prep = things(p), p.prep
+        if prep == "out of" and others and holds(d, others[0]):
+            prep = "in"  # "grows out of a pot"
+        told = prep in _AT_REST and others and not structural(d, others[0])
+        here = [i for i in bodies if at_rest(d, i) and movable(d, i) and i not in others]
+        here = [i for i in here if not _related(d, i, others[0])] if told else []
+        if here and p.mention is not None:
+            place(d, here, others, prep, p.mention.part)
+
+
+def _related(d: Discourse, body: str, other: str) -> bool:
+    return any({r.source, r.target} == {body, other} for r in d.scene.relations)
+
+
 @sense("unknown")
 def read_unknown(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """An unknown verb is a motion if its phrases are; it is reported either way."""
@@ -218,6 +244,8 @@ def read_unknown(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if s and told and f.object is None:  # "pours milk into a cup" moves nobody
         motion(d, f, s, None)
         d.scene.used.pop((f.verb.start, f.verb.end), None)
+    elif not told:
+        stands_there(d, f, s)
 
 
 @sense("acquire")

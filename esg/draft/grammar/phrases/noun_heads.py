@@ -257,6 +257,8 @@ def _made_of(c: Chunks, j: int, m: Mention) -> int:
 
 def _stands(c: Chunks, j: int, m: Mention, plural: bool) -> int:
     """ "the car behind", "the one in front of it", "the crate on top of the stack"."""
+    if m.noun is not None and "structural" in m.noun.traits:
+        return j  # "crosses the road in front of it": there is no other road
     low, the = low_at(c, j), m.determiner == "the"
     new = m.determiner in ("a", "an") and low == "behind"  # "a couch behind him": a place
     if low in ("behind", "following") and low_at(c, j + 1) in _THEM and not new:

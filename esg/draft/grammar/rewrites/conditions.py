@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+import itertools
 
 from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import finite_ahead
@@ -21,6 +22,10 @@ _ELAPSED = ("passed", "elapsed", "gone by", "gone")
 _PEOPLE = ("er", "or", "ist", "ian", "ee", "man", "woman", "boy", "girl")
 _LABELLED = lex.word_set("labelled")
 _NO_ACTS = frozenset({"be", "have", "park"})
+_MOVES_THINGS = frozenset({"launch", "roll", "slide", "tow", "carry", "knock", "fly"})
+"""Senses of which the object goes somewhere."""
+_MOVING = _MOVES_THINGS | lex.word_set("moving (frames)") | {"pass", "bounce", "reverse"}
+_ALONG = lex.word_set("ways (sides)")
 _APPROACHES = frozenset({"approach", "own", "roll", "slide", "reach"})
 
 
@@ -276,6 +281,18 @@ def _after_verb(senses: frozenset[str]) -> Place:
     return after
 
 
+def _on_its_way(elements: list[Element], i: int, out: list[Element]) -> bool:
+    """ "Slides along the table", "pushes the cup": the side that follows is where to."""
+    before = out[-1] if out and getattr(elements[i], "pronoun", "") != "one" else None
+    along = is_word(before, *_ALONG)
+    verb = before if isinstance(before, Verb) else None
+    if along:
+        told = itertools.takewhile(lambda e: not is_word(e, *STOPS), reversed(out))
+        verb = next((e for e in told if isinstance(e, Verb)), None)
+    moving = verb is not None and verb.sense in _MOVING and not verb.passive
+    return moving and (along or (verb is not None and verb.sense in _MOVES_THINGS))
+
+
 def _turned(elements: list[Element], i: int, out: list[Element]) -> bool:
     """Nothing or only a place and a time follow "left"."""
     w = word_at(elements, i)
@@ -301,6 +318,7 @@ PLACES: dict[str, Place] = {
     "alone": _after_verb(lex.word_set("alone")),
     "on things": _after_verb(lex.word_set("on things")),
     "turned": _turned,
+    "on its way": _on_its_way,
     "goes on": lambda elements, i, out: breaks(elements, i, out) or bool(verb_at(elements, i)),
     "no phrase": lambda elements, i, _: i >= len(elements) or not is_word(elements[i], *_GOES_ON),
     "of": lambda elements, i, _: i < len(elements) and is_word(elements[i], "of"),
