@@ -305,8 +305,8 @@ def _of_the_noun(c: Clauses, s: State, f: Frame, phrase: Phrase, m: Mention, i: 
     if f.object is not noun and not s.last_after_prep:
         return False
     c.attachments.append((noun, phrase))
-    if f.verb.sense in _ALSO_OF_VERBS:
-        f.phrases.append(phrase)
+    if f.verb.sense in _ALSO_OF_VERBS and noun.after_prep != "with":
+        f.phrases.append(phrase)  # not "a clock hangs on a wall with a lamp to the right of it"
     return True
 
 

@@ -18,6 +18,7 @@ from esg.draft.grammar.phrases.reader import (
     acts_on_something,
     element_before,
     is_adjective,
+    noun_soon,
     thing_named,
     unknown_verb,
     verb_ahead,
@@ -347,6 +348,8 @@ def _apart(c: Chunks, i: int, words: tuple[str, ...]) -> bool:
         return _many_reverse(c)  # "Two vans back into each other"
     if words[0] in ("at", "in", "on") and after in ("of", "to"):
         return True  # "at the end of the ramp", "on the way to the door"
+    if words == ("a", "little") and noun_soon(c, i + 2):
+        return True  # "pushes a little wooden ball"
     if words[-1] in ("that", "this") and after in lex.RETOLD_NOUNS:
         return True  # "because of that bump"
     if words == ("at", "the", "end") and isinstance(previous, Mention):

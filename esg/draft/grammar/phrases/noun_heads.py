@@ -127,10 +127,8 @@ def _noun_here(c: Chunks, j: int, m: Mention) -> NounMatch | None:
     noun = match_noun(c, j) if j < len(c.tokens) else None
     if noun is None:
         return None
-    if (
-        noun[3] in ("corner", "entrance", "exit", "rim", "step", "rung")
-        and low_at(c, j + 1) == "of"
-    ):
+    own = m.determiner in _OWN or low_at(c, j + 1) == "of"
+    if noun[3] in ("corner", "entrance", "exit", "rim", "step", "rung") and own:
         return None  # of a room or a table, not of the street; a tunnel has no door
     if noun[3] == "path" and m.determiner and low_at(c, j + 1) == "of":
         return None  # "into the path of a tram": no footpath
@@ -138,9 +136,18 @@ def _noun_here(c: Chunks, j: int, m: Mention) -> NounMatch | None:
         return None  # "orange sky"
     if noun[3] in lex.PARTS and low_at(c, j + 1) == "of" and _of_a_vehicle(c, j + 2):
         return None  # "the bed of a truck"
+    if _acts_after_stuff(c, j, noun, m):
+        return None  # "a stone skips"
     if m.determiner in ("both", "all", "the") and many_do(c, j, m):
         return None  # "and both slide into a bale", "the two stick together"
     return noun
+
+
+def _acts_after_stuff(c: Chunks, j: int, noun: NounMatch, m: Mention) -> bool:
+    """Whether a plural after "a" and a noun of stuff is what that does, and no thing."""
+    finite = any(r.form == "s" for r in verb_readings(low_at(c, j)))
+    one = m.determiner in _SINGULAR and m.count in (None, 1)
+    return one and noun[2] and finite and bool(m.adjectives) and m.adjectives[-1] in lex.nouns()
 
 
 def _color_of(c: Chunks, j: int) -> bool:
@@ -259,13 +266,14 @@ def _stands(c: Chunks, j: int, m: Mention, plural: bool) -> int:
     """ "the car behind", "the one in front of it", "the crate on top of the stack"."""
     low, the = low_at(c, j), m.determiner == "the"
     new = m.determiner in ("a", "an") and low == "behind"  # "a couch behind him": a place
+    flat = m.noun is not None and "structural" in m.noun.traits  # "crosses the road in front of it"
     if low in ("behind", "following") and low_at(c, j + 1) in _THEM and not new:
         m.adjectives.append("rear")
         j += 2
     elif low == "behind" and the and _ends_or_acts(c, j + 1):
         m.adjectives += ["rear", *_absolute(c, j + 1, m)]
         j += 1
-    elif (low, low_at(c, j + 1)) == ("in", "front") and the and _of_it(c, j + 2):
+    elif (low, low_at(c, j + 1)) == ("in", "front") and the and _of_it(c, j + 2) and not flat:
         j += 4 if low_at(c, j + 2) == "of" else 2
         m.adjectives += ["front", *_absolute(c, j, m)]
     on_top = 2 if low_at(c, j + 1) == "top" else 3 if low_at(c, j + 2) == "top" else 0

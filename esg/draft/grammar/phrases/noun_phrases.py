@@ -230,9 +230,9 @@ def _names_one(low: str) -> bool:
 
 
 def _tells_one(c: Chunks, j: int, m: Mention) -> bool:
-    """ "the rubber one": a material before "one" is no thing of its own."""
+    """ "the rubber one", "an orange one": a material or a colour there is no thing of its own."""
     made = m.determiner == "the" and low_at(c, j) in lex.MATERIALS
-    return made and low_at(c, j + 1) in ("one", "ones")
+    return (made or low_at(c, j) in lex.COLORS) and low_at(c, j + 1) in ("one", "ones")
 
 
 def _amount(c: Chunks, i: int, j: int, m: Mention) -> int:
