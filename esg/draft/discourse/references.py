@@ -17,6 +17,7 @@ from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
 
+_FILMING = lex.word_set("filming")
 RIDDEN = lex.word_set("ridden")
 _NO_WAY = frozenset({"unknown", "noop", "launch"})
 """Senses of verbs that lead nobody into water or out of it."""
@@ -39,11 +40,13 @@ def refer_all(d: Discourse, frames: list[Frame]) -> None:
     items += [(m.start, m.start, m) for m in d.mentions if id(m) not in d.framed]
     items.sort(key=lambda item: item[:2])
     attached_levers(d)
+    hosts = {id(p.mention): m for m, p in d.attached}
     for _, _, item in items:
         if isinstance(item, Frame):
             refer(d, item)
         elif id(item) not in d.world.resolved and (item.head or item.pronoun) and item.count != 0:
-            resolve(d.world, item)
+            host = hosts.get(id(item)) if item.pronoun in ("them", "both") else None
+            resolve(d.world, item, avoid=host.entities if host is not None else None)
 
 
 def refer(d: Discourse, f: Frame) -> None:
@@ -93,6 +96,15 @@ def _one_each(f: Frame, subject: list[str]) -> None:
         ridden.count = len(subject)
 
 
+def _who_films(d: Discourse, f: Frame, m: Mention | None) -> bool:
+    """ "Drives towards the camera as a bike drives away from it": the camera, and no thing."""
+    if m is None or m.pronoun != "it" or m.after_prep not in _FILMING:
+        return False
+    earlier = [x for x in d.mentions if x.start < m.start and x is not f.subject]
+    last = max(earlier, key=lambda x: x.start, default=None)
+    return last is not None and last.head == "camera" and last.after_prep in _FILMING
+
+
 def _others(d: Discourse, f: Frame, subject: list[str], phrases: list[Mention]) -> list[str]:
     """Resolves all but the subject in the order of the text; returns what the object means."""
     objects: list[str] = []
@@ -111,6 +123,10 @@ def _others(d: Discourse, f: Frame, subject: list[str], phrases: list[Mention]) 
 def _it(d: Discourse, f: Frame, m: Mention | None, avoid: list[str]) -> None:
     """Gives an "it" of a clause its meaning, if the clauses before tell of anything."""
     if m is None or m.pronoun != "it" or id(m) in d.world.resolved:
+        return
+    if _who_films(d, f, m):
+        m.head, m.pronoun, m.attribute = "camera", "", True
+        d.world.resolved[id(m)] = m.entities = []
         return
     if found := it_means(d, f, m, avoid) or _of_the_title(d, f, m, avoid):
         for other in m.coordinated:

@@ -33,6 +33,8 @@ _THEY = frozenset(
     {"they", "them", "themselves", "these", "those", "both", "ones", "all", "each", "some"}
     | {"many", "several"}
 )
+_PLACES = frozenset({"right of", "left of", "in front of", "behind", "beside", "next to", "above"}
+                    | {"below", "under", "between", "near", "by"})  # fmt: skip
 _WAYS = frozenset({"stairs", "ramp"})
 _GROWN_UP = frozenset({"person", "he", "she", "man", "woman"})
 """Persons for whom "it" is no word; a child is one."""
@@ -143,6 +145,9 @@ def _several(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     keep = m.count if p == "ones" and not m.adjectives else keep  # "eleven run out"
     named = [i for ids in reversed(world.salience) for i in ids if is_solid(world, i)]
     named = [i for i in named if world.entities[i].noun.kind not in _WAYS or not subject]
+    if not subject and p in ("them", "both") and m.after_prep in _PLACES:
+        # "a clock above a frame, with a lamp to the right of both": not of itself
+        named = [i for i in named if i not in avoid] or named
     if two := _two_subjects(world, p, named) if subject else []:
         return two
     if two := _two_acted_on(world, m, avoid) if not subject else []:

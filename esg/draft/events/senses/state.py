@@ -56,6 +56,11 @@ _CARRIES = ("carry", "haul", "lug")
 _ABREAST = frozenset({"in a row", "from left to right", "from right to left"})
 _HANGING = lex.word_set("hanging")
 _HUNG_BY = lex.word_set("hung by")
+_NAMED_BEFORE = ("it", "them", "him", "her", "both")
+_APART = frozenset({"in front of", "behind", "beside", "next to", "left of", "right of", "near"}
+                   | {"above", "under", "below"})  # fmt: skip
+"""Prepositions of what is outside of what it goes with."""
+_BESIDE_IT, _OWN = ("left", "right"), ("its", "his", "her", "their")
 _BESIDE = ("on", "against", "at", "by")
 _FILLING = ("cover", "load", "fill", "stack", "set")
 _MEASURES = ("tall", "high", "wide", "long", "thick", "deep")
@@ -93,12 +98,23 @@ def _beside_others(d: Discourse, owners: list[str], p: Phrase, m: Mention) -> No
             place(d, [o for o in loose if movable(d, o)], owners[:1], "on")
     elif p.prep == "with":
         # "a table with bottles on it": the on-phrase places them; else they rest on a support
-        attachment_with(d, owners, loose)
+        attachment_with(d, owners, [o for o in loose if not _placed_apart(d, o, p)])
     else:
         if p.prep == "on" and m.head in lex.BODY_PARTS:
             # "slides down a ramp on its belly": how it lies, not where the ramp is
             owners = [o for o in owners if movable(d, o) and not _bears(d, o)]
         place(d, owners, others, p.prep, m.part)
+        if m.pronoun in ("both", "them") and p.prep in _APART and len(others) == 2:
+            place(d, owners, others[1:], p.prep, m.part)  # "to the right of both"
+
+
+def _placed_apart(d: Discourse, node: str, p: Phrase) -> bool:
+    """ "A pot with a spoon to its right and a lemon in front of them": not in the pot."""
+    phrases = [q for m, q in d.attached if q is not p and node in m.entities[:1] and q.mention]
+    its = [q for q in phrases if q.mention is not None and q.mention.pronoun in _NAMED_BEFORE]
+    sides = [q.mention for q in phrases if q.mention is not None and q.mention.head in _BESIDE_IT]
+    apart = any(q.prep in _APART for q in its) or any(m.determiner in _OWN for m in sides)
+    return apart
 
 
 def _bears(d: Discourse, node: str) -> bool:

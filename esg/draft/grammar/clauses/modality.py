@@ -48,10 +48,20 @@ _WISHES = lex.word_set("wishes")
 _ATTEMPTS = lex.word_set("attempts")
 _TRIED_IS_DONE = lex.word_set("tried is done")
 _EVENTS = lex.word_set("events (modality)")
+_HOW_FILMED = lex.word_set("how it is filmed")
 _SHOWING = lex.word_set("showing (modality)")
 _DOES = lex.word_set("does")
 _TOUCHES = lex.word_set("touches")
 _SPEAKERS = lex.word_set("speakers")
+
+
+def _films(f: Frame, text: str) -> bool:
+    """ "The camera pans", "the camera is fixed": how it is filmed, and no camera that is seen."""
+    if f.verb.lemma in _SHOWING or f.verb.lemma in _HOW_FILMED:
+        return True
+    after = re.match(r"\s+(?:\w+ly\s+|completely\s+|all\s+)?([\w-]+)", text[f.verb.end :])
+    state = f.verb.sense in ("be", "posture", "left_so")
+    return state and after is not None and after[1].lower() in _HOW_FILMED
 
 
 def mark_unreal(frames: list[Frame], text: str) -> None:
@@ -64,7 +74,7 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
     told = sorted(frames, key=lambda f: f.verb.start)
     for k, f in enumerate(told):
         seen = f.subject is not None and f.subject.head in ("camera", "viewer", "video", "shot")
-        if seen and f.subject is not None and f.verb.lemma in _SHOWING:
+        if seen and f.subject is not None and _films(f, text):
             f.subject.attribute, f.unreal = True, "how it is filmed"
             continue
         earlier = [g for g in told[:k] if g.sentence == f.sentence]
