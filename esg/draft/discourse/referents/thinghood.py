@@ -115,7 +115,8 @@ def _date(world: World, m: Mention, subject: bool) -> bool:
 
 def _of_a_machine(world: World, m: Mention, subject: bool) -> bool:
     """ "Raises its forks": what who acts has, and is no thing of its own."""
-    return m.head in _ACTING_PARTS and m.determiner == "its" and not subject and not m.after_prep
+    own = m.head in _ACTING_PARTS and m.determiner == "its" and not subject
+    return own and (not m.after_prep or m.plural)  # "slips off its forks"
 
 
 def _its_parts(world: World, m: Mention, subject: bool) -> bool:

@@ -143,7 +143,8 @@ def _after_parenthesis(elements: list[Element], i: int) -> int:
         if isinstance(e, Word) and e.low == ",":
             rest = [x for x in elements[k + 1 : k + 3] if getattr(x, "kind", "") != "adv"]
             verb = rest[0] if rest else None
-            now = isinstance(verb, Verb) and verb.form in ("s", "past") and not verb.infinitive
+            now = isinstance(verb, Verb) and not verb.infinitive
+            now = now and (verb.form in ("s", "past") or bool(verb.auxiliary))  # "is tipped over"
             return k + 1 if now else i
     return i
 

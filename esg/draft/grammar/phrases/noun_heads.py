@@ -624,6 +624,16 @@ def _count_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
         return OTHER
     if m.determiner not in ("the", "this", "that") and p.at != p.first + 1:
         return None
+    if m.count > 1 and {r.form for r in verb_readings(p.low)} == {"s"} and not m.determiner:
+        found = _owner(c, p.at + 2) if low_at(c, p.at + 1) == "of" else None
+        if found is not None:  # "two slices of bread": no two that slice
+            owner, after = found
+            owner.start, owner.count, owner.plural = m.start, m.count, True
+            c.elements.append(owner)
+            return Head(after, complete=True)
+        m.head, m.plural = lex.singular(p.low)
+        m.known, m.attribute = False, names_no_thing(m.head)
+        return Head(p.at + 1)
     m.pronoun = "ones" if m.count > 1 else "one"
     return Head(p.at)
 
