@@ -217,7 +217,7 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     if NEIGHBOUR in m.adjectives and (beside := _beside(world, m, avoid)):
         return beside
     solid = _solids(world)
-    row = [world.entities[i] for i in last_group(world)]
+    row = [world.entities[i] for i in (_of_the_subject(world, m, subject) or last_group(world))]
     told = _told(world)
     near = list({e.id: e for e in told if e.id not in avoid}.values())
     among = _of_one_kind(world, solid, avoid) or row or solid
@@ -240,6 +240,13 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     if words or other or "next" in m.adjectives:
         return _one_more_like(world, m, words, subject, avoid)
     return [e.id for e in near][-1:]
+
+
+def _of_the_subject(world: World, m: Mention, subject: bool) -> list[str]:
+    """ "Three kids on sledges race, and the one on the red sledge wins": one of the kids."""
+    last = world.subjects[-1] if world.subjects and subject else []
+    told = m.determiner != "the" or m.adjectives or len(last) < 2
+    return [] if told else world.groups.get(world.entities[last[0]].group or "", [])
 
 
 def _second_of_two(world: World, row: list[Entity], avoid: list[str]) -> list[str]:

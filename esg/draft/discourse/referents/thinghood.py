@@ -123,8 +123,10 @@ def _its_parts(world: World, m: Mention, subject: bool) -> bool:
     """ "A car brakes, tires screeching": the parts of what is named, drawn with it."""
     whose = m.determiner in ("", "the", "its", "their")
     all_of_them = m.plural and m.count is None and not m.group_word and m.possessor is None
-    wholes = (e.noun.kind for e in world.entities.values())
-    return whose and all_of_them and m.head in _RUN and bool({*wholes} & _HAVE_PARTS)
+    has = m.after_prep == "with" and not m.plural and m.determiner in ("a", "an", "one")
+    wholes = {e.noun.kind for e in world.entities.values()}
+    has = has and m.noun is None  # "a truck with a broken headlight"
+    return (whose and all_of_them or has) and m.head in _RUN and bool(wholes & _HAVE_PARTS)
 
 
 def _load_bed(world: World, m: Mention, subject: bool) -> bool:

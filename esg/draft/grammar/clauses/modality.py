@@ -48,6 +48,7 @@ _WISHES = lex.word_set("wishes")
 _ATTEMPTS = lex.word_set("attempts")
 _TRIED_IS_DONE = lex.word_set("tried is done")
 _EVENTS = lex.word_set("events (modality)")
+_CAST = lex.word_set("cast (noun heads)")
 _HOW_FILMED = lex.word_set("how it is filmed")
 _SHOWING = lex.word_set("showing (modality)")
 _DOES = lex.word_set("does")
@@ -77,6 +78,9 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
         if seen and f.subject is not None and _films(f, text):
             f.subject.attribute, f.unreal = True, "how it is filmed"
             continue
+        if f.subject is not None and f.subject.attribute and f.subject.head in _CAST:
+            f.unreal = "light and weather are not simulated"
+            continue  # "its shadow moves across the roofs": it does not
         earlier = [g for g in told[:k] if g.sentence == f.sentence]
         later = [g for g in told[k + 1 :] if g.sentence == f.sentence]
         true = _comes_true(f, told[k + 1 : k + 2], text)

@@ -11,6 +11,7 @@ from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
 _OCCASIONS = lex.word_set("occasions")
 _THIS = lex.word_set("this")
 _OF_NOUNS = lex.word_set("prepositions of nouns")
+_BESIDE = frozenset({"left of", "right of", "in front of", "behind", "beside", "next to", "near"})
 _GONE_WITH = frozenset({"it", "him", "her", "them", "both"})
 _WITH = frozenset({"with", ".", ";", "!", "?", ":"})
 _ALSO_OF_VERBS = lex.word_set("senses with the place of their object")
@@ -327,7 +328,8 @@ def _of_the_noun(c: Clauses, s: State, f: Frame, phrase: Phrase, m: Mention, i: 
     if f.object is not noun and not s.last_after_prep:
         return False
     c.attachments.append((noun, phrase))
-    if f.verb.sense in _ALSO_OF_VERBS and noun.after_prep != "with":
+    beside = noun.after_prep == "with" and phrase.prep in _BESIDE
+    if f.verb.sense in _ALSO_OF_VERBS and not beside:
         f.phrases.append(phrase)  # not "a clock hangs on a wall with a lamp to the right of it"
     return True
 

@@ -67,6 +67,8 @@ _OWN = ("his", "her", "its", "their")
 _HANDS = frozenset({"left", "left-hand", "right", "right-hand"})
 _DOING = frozenset({"do", "does", "did", "perform", "execute", "attempt"})
 _PAVED = lex.word_set("paved (nouns)")
+_CAST = lex.word_set("cast (noun heads)")
+_PICKING = frozenset({"left", "right", "front", "rear", "middle", "top", "bottom"})
 _NOT_ONE = frozenset({"light", "dark", "cold"})
 """Adjectives that are nouns, too: "the light" is no light one."""
 _NO_NOUNS = lex.ADVERBS | lex.PREPOSITIONS | lex.DETERMINERS | lex.SUBORDINATORS
@@ -410,6 +412,10 @@ def _part(c: Chunks, p: Place, m: Mention) -> Head | None:
     if found is None:
         return Head(j)
     owner, after = found
+    if part in _PICKING and (owner.count or 1) > 1 and not owner.determiner:
+        owner.pick, owner.start = part, m.start  # "the left of two lamps"
+        c.elements.append(owner)
+        return Head(after, complete=True)
     owner.part = f"{' '.join(m.adjectives)} {m.part}" if m.adjectives else m.part
     owner.start = m.start
     c.elements.append(owner)
@@ -478,6 +484,9 @@ def _determiner_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
     if p.at != p.first + 1 or (m.determiner == "another" and unknown_noun(c, p.at)):
         return OTHER
     if m.determiner in lex.PRONOUNS and not m.adjectives and m.count is None:
+        if p.low in _CAST and m.determiner in _OWN:
+            m.head, m.attribute = p.low, True  # "its shadow"
+            return Head(p.at + 1)
         m.pronoun = m.determiner
         return None if m.determiner in (*_OWN, "my", "our", "your") else Head(p.at)
     if m.determiner in ("both", "each", "all", "some", "many", "several", "another"):

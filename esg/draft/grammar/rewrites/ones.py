@@ -20,7 +20,9 @@ def name_ones(elements: list[Element]) -> list[Element]:
 
 def _stands_for(m: Mention, before: list[Element]) -> None:
     """ "a standing one", "a second one": one more of what was named before."""
-    if m.pronoun != "one" or m.determiner not in ("a", "an") or not m.adjectives or m.coordinated:
+    several = m.pronoun == "ones" and (m.count or 0) > 1 and not m.determiner
+    one = m.pronoun == "one" and m.determiner in ("a", "an")
+    if not (one or several) or not m.adjectives or m.coordinated:
         return
     named = [
         e
@@ -30,8 +32,8 @@ def _stands_for(m: Mention, before: list[Element]) -> None:
     if not named or {"other", "next"} & {*m.adjectives}:
         return
     like = named[-1]
-    several = any(e.plural or (e.count or 1) > 1 for e in named)
-    if several or (like.noun is not None and like.noun.kind in ("region", "ground")):
+    if any(e.plural or (e.count or 1) > 1 for e in named) or (like.noun is not None and like.noun.kind in ("region", "ground")):
         return
     m.pronoun, m.head, m.noun, m.known = "", like.head, like.noun, like.known
+    m.plural = several  # "two brown ones"
     m.text = f"{' '.join(a for a in m.adjectives if a[0] != '@')} {like.head}"
