@@ -206,7 +206,12 @@ def _on_what_has_it(
             f.subject = y if its else f.subject
     for m, p in attachments:
         owner = owners.get(id(m))
-        if owner is None or p.mention is None or p.mention.pronoun not in ("it", "them"):
+        if owner is None or p.mention is None:
+            continue
+        if p.mention.determiner in ("its", "his", "her") and {*p.mention.entities} <= {*m.entities}:
+            p.mention.entities = d.world.resolved[id(p.mention)] = [*owner.entities]
+            continue  # "a car with two bikes on its roof"
+        if p.mention.pronoun not in ("it", "them"):
             continue
         if p.mention.pronoun == "them" and len(owner.entities) == 1:
             continue  # "a pot with a spoon beside it and a lemon in front of them"

@@ -150,7 +150,7 @@ def read_follow(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             mark_used(d, gap[1], "distance")
         else:
             place(d, [actor], o, "behind")
-        for other in [i for i in o if i == o[0] or entity_of(d, i).group is not None]:
+        for other in [i for i in o if i == o[0] or movable(d, i)]:
             track = d.timeline.tracks.get(other)  # "chases two cats": both run
             if track is None or (track.motion is not None and same):
                 start_motion(d, f, [other])

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from esg.draft.grammar.rewrites.conditions import is_word
 from esg.draft.text.elements import Element, Mention
 
@@ -18,6 +20,14 @@ def name_ones(elements: list[Element]) -> list[Element]:
     return elements
 
 
+def _in_the_same_phrase(before: list[Element], named: list[Mention]) -> Mention | None:
+    """ "A woman with a red umbrella passes a man with a blue one": no blue man."""
+    if not is_word(before[-1], "with"):
+        return None
+    alike = [e for b, e in pairwise(before) if is_word(b, "with") and e in named]
+    return next((e for e in alike if isinstance(e, Mention) and e.adjectives), None)
+
+
 def _stands_for(m: Mention, before: list[Element]) -> None:
     """ "a standing one", "a second one": one more of what was named before."""
     several = m.pronoun == "ones" and (m.count or 0) > 1 and not m.determiner
@@ -31,7 +41,7 @@ def _stands_for(m: Mention, before: list[Element]) -> None:
     ]
     if not named or {"other", "next"} & {*m.adjectives}:
         return
-    like = named[-1]
+    like = _in_the_same_phrase(before, named) or named[-1]
     if any(e.plural or (e.count or 1) > 1 for e in named) or (like.noun is not None and like.noun.kind in ("region", "ground")):
         return
     m.pronoun, m.head, m.noun, m.known = "", like.head, like.noun, like.known
