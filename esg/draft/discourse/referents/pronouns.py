@@ -129,7 +129,7 @@ def _others(world: World, m: Mention, avoid: list[str]) -> list[str]:
     """ "the other two", "the rest": the members of a plural that were not told of."""
     mates = world.groups.get(world.entities[avoid[0]].group or "", []) if avoid else []
     rest = [i for i in mates if i not in avoid]
-    if m.pronoun == "ones" and m.determiner == "the" and not m.adjectives and 1 < (m.count or 0):
+    if m.pronoun == "ones" and m.determiner == "the" and not m.adjectives and (m.count or 0) > 1:
         return rest[: m.count] if len(rest) >= (m.count or 0) and not m.after_prep else []
     if m.pronoun != "ones" or "other" not in m.adjectives:
         return []

@@ -126,7 +126,7 @@ def _its_parts(world: World, m: Mention, subject: bool) -> bool:
     has = m.after_prep == "with" and not m.plural and m.determiner in ("a", "an", "one")
     wholes = {e.noun.kind for e in world.entities.values()}
     has = has and m.noun is None  # "a truck with a broken headlight"
-    return (whose and all_of_them or has) and m.head in _RUN and bool(wholes & _HAVE_PARTS)
+    return ((whose and all_of_them) or has) and m.head in _RUN and bool(wholes & _HAVE_PARTS)
 
 
 def _load_bed(world: World, m: Mention, subject: bool) -> bool:

@@ -197,7 +197,7 @@ def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 
 def _tumbles_on(d: Discourse, f: Frame, s: list[str]) -> bool:
-    """ "Throws dice onto a table, tumbling", "a can rolls, tumbling along": no fall off anything."""
+    """ "Throws dice onto a table, tumbling", "rolls, tumbling along": no fall."""
     on = f.verb.lemma == "tumble" and f.verb.form == "ing" and not f.relative
     ways = f.phrase("off", "from", "out of", "down", "over", "into", "in", "onto", "to")
     tracks = [d.timeline.tracks.get(i) for i in s]

@@ -42,7 +42,9 @@ def _stands_for(m: Mention, before: list[Element]) -> None:
     if not named or {"other", "next"} & {*m.adjectives}:
         return
     like = _in_the_same_phrase(before, named) or named[-1]
-    if any(e.plural or (e.count or 1) > 1 for e in named) or (like.noun is not None and like.noun.kind in ("region", "ground")):
+    if any(e.plural or (e.count or 1) > 1 for e in named) or (
+        like.noun is not None and like.noun.kind in ("region", "ground")
+    ):
         return
     m.pronoun, m.head, m.noun, m.known = "", like.head, like.noun, like.known
     m.plural = several  # "two brown ones"
