@@ -45,6 +45,7 @@ _LIFTED = lex.word_set("picks up")
 _NAMED_BEFORE = frozenset({"it", "him", "them"})
 NO_REFERENT = "nothing that was named before is meant"
 SOME = "only some of them do"
+FEWER = "only some of them do in the scene"
 NO_EVENT = "nothing of the kind happens in the scene"
 
 
@@ -144,7 +145,7 @@ def fewer(a: Account) -> Iterator[Gap]:
             ids = [i for i in nodes_of(d, m) if apart or entity_of(d, i).pattern not in _AS_ONE]
             rest = tuple(i for i in ids if i not in acting)
             if m is not None and not m.single and not _a_pair(d, m) and 0 < len(rest) < len(ids):
-                yield Gap(f.verb.start, f.verb.end, SOME, rest)
+                yield Gap(f.verb.start, f.verb.end, FEWER, rest)
 
 
 def others_of(a: Account) -> Iterator[Gap]:
