@@ -56,6 +56,7 @@ def refer(d: Discourse, f: Frame) -> None:
         m.after_prep = "to"  # "arrives at the depot": no scene, but where to
     if _of_another_clause(d, f):
         f.subject = None
+    _other_end(d, f)
     subject = _subject(d, f, phrases)
     _between(d, f, subject)
     no_way = f.verb.sense in _NO_WAY or f.verb.lemma == "splash"
@@ -77,6 +78,17 @@ def _of_another_clause(d: Discourse, f: Frame) -> bool:
     m = f.subject
     later = m is not None and m.pronoun == "it" and f.verb.form == "ing" and m.start > f.verb.end
     return later and m is not None and bool(_THEN.search(d.text, f.verb.end, m.start))
+
+
+def _other_end(d: Discourse, f: Frame) -> None:
+    """ "A bear steps onto one end and the other goes up": no other bear."""
+    m = f.subject
+    if m is None or m.pronoun not in ("other", "one") or "other" not in (m.pronoun, *m.adjectives):
+        return
+    earlier = [x for x in d.mentions if x.end < m.start and not d.text.count(".", x.end, m.start)]
+    last = max(earlier, key=lambda x: x.start, default=None)
+    if last is not None and last.head in lex.PARTS and last.count == 1 and last.attribute:
+        m.pronoun, m.head, m.attribute = "", last.head, True
 
 
 def _between(d: Discourse, f: Frame, subject: list[str]) -> None:

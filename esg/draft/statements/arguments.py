@@ -41,6 +41,7 @@ _SHARE = re.compile(
     re.IGNORECASE,
 )
 _COMES_OFF = frozenset({"fall", "drop", "roll", "slide", "topple", "launch", "fly", "breaking"})
+_LOOSENED = frozenset({"head", "tip", "wing", "foot", "hull"})
 _LIFTED = lex.word_set("picks up")
 _NAMED_BEFORE = frozenset({"it", "him", "them"})
 NO_REFERENT = "nothing that was named before is meant"
@@ -179,7 +180,7 @@ def parts_alone(a: Account) -> Iterator[Gap]:
     """ "The lid of a pot falls off": the pot does, with its lid."""
     for f in a.frames:
         m = f.subject if f.verb.sense in _COMES_OFF else None
-        if m is not None and m.part in lex.OWN_PARTS and nodes_of(a.d, m):
+        if m is not None and m.part in lex.OWN_PARTS | _LOOSENED and nodes_of(a.d, m):
             missing = f"all of it does, and not its {m.part}"
             yield Gap(f.verb.start, f.verb.end, missing, tuple(nodes_of(a.d, m)))
 

@@ -12,6 +12,7 @@ _OCCASIONS = lex.word_set("occasions")
 _THIS = lex.word_set("this")
 _OF_NOUNS = lex.word_set("prepositions of nouns")
 _BESIDE = frozenset({"left of", "right of", "in front of", "behind", "beside", "next to", "near"})
+_PLACED = _BESIDE | {"on", "in", "under", "above", "on top of", "inside"}
 _GONE_WITH = frozenset({"it", "him", "her", "them", "both"})
 _WITH = frozenset({"with", ".", ";", "!", "?", ":"})
 _ALSO_OF_VERBS = lex.word_set("senses with the place of their object")
@@ -267,7 +268,7 @@ def _attach(c: Clauses, s: State, phrase: Phrase, i: int) -> None:
     """Gives a phrase to the verb, to the noun before it, or to what is to come."""
     m = phrase.mention
     assert m is not None
-    if _goes_with_it(c, s, phrase, m, i):
+    if _goes_with_it(c, s, phrase, m, i) or _gapped(c, s, phrase, i):
         return
     if s.frame is None:
         _attach_to_noun(c, s, phrase, m)
@@ -294,6 +295,21 @@ def _goes_with_it(c: Clauses, s: State, phrase: Phrase, m: Mention, i: int) -> b
     for x in c.mentions:
         x.coordinated[:] = [z for z in x.coordinated if z is not y]
     c.attachments += [(owner, Phrase("with", y)), (y, phrase)]
+    return True
+
+
+def _gapped(c: Clauses, s: State, phrase: Phrase, i: int) -> bool:
+    """ "A spoon lies in a red cup and a fork next to a blue one": the fork is there."""
+    y, link = element_at(c.elements, i - 2), element_at(c.elements, i - 3)
+    if s.frame is None or s.frame.verb.sense != "posture" or not isinstance(y, Mention):
+        return False
+    new = y.determiner in ("a", "an", "one") and not y.after_prep and not y.attribute
+    joined = getattr(link, "low", "") == "and" and isinstance(element_at(c.elements, i - 4), Mention)
+    if not (new and joined and phrase.prep in _PLACED) or finite_ahead(c.elements, i + 1):
+        return False
+    for x in c.mentions:
+        x.coordinated[:] = [z for z in x.coordinated if z is not y]
+    c.attachments.append((y, phrase))
     return True
 
 
