@@ -208,7 +208,8 @@ def _on_what_has_it(
         owner = owners.get(id(m))
         if owner is None or p.mention is None:
             continue
-        if p.mention.determiner in ("its", "his", "her") and {*p.mention.entities} <= {*m.entities}:
+        its = p.mention.determiner in ("its", "his", "her") and bool(p.mention.entities)
+        if its and {*p.mention.entities} <= {*m.entities}:
             p.mention.entities = d.world.resolved[id(p.mention)] = [*owner.entities]
             continue  # "a car with two bikes on its roof"
         if p.mention.pronoun not in ("it", "them"):

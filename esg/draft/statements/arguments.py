@@ -33,7 +33,7 @@ _SEEN = frozenset(
     {NodeEvent.COLLISION, NodeEvent.MISS, NodeEvent.FALL, NodeEvent.TOPPLE, NodeEvent.ENTER_REGION}
 )
 """Events of which each of several things needs its own."""
-_PASSED = frozenset({"overtake", "pass", "miss", "avoid"})
+_PASSED = frozenset({"overtake", "pass"})
 """Senses of which no member of a row passes on what is done to it."""
 _TRIED = "an attempt"
 _SHARE = re.compile(
@@ -41,7 +41,7 @@ _SHARE = re.compile(
     re.IGNORECASE,
 )
 _COMES_OFF = frozenset({"fall", "drop", "roll", "slide", "topple", "launch", "fly", "breaking"})
-_LOOSENED = frozenset({"head", "tip", "wing", "foot", "hull"})
+_LOOSENED = frozenset({"head", "wing"})
 _LIFTED = lex.word_set("picks up")
 _NAMED_BEFORE = frozenset({"it", "him", "them"})
 NO_REFERENT = "nothing that was named before is meant"
@@ -144,6 +144,7 @@ def fewer(a: Account) -> Iterator[Gap]:
         for m in (f.subject, f.object) if acting else ():
             apart = f.verb.sense in _PASSED
             ids = [i for i in nodes_of(d, m) if apart or entity_of(d, i).pattern not in _AS_ONE]
+            ids = [i for i in ids if entity_of(d, i).group not in d.world.vague]
             rest = tuple(i for i in ids if i not in acting)
             if m is not None and not m.single and not _a_pair(d, m) and 0 < len(rest) < len(ids):
                 yield Gap(f.verb.start, f.verb.end, FEWER, rest)

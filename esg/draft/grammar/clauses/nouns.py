@@ -303,8 +303,12 @@ def _gapped(c: Clauses, s: State, phrase: Phrase, i: int) -> bool:
     y, link = element_at(c.elements, i - 2), element_at(c.elements, i - 3)
     if s.frame is None or s.frame.verb.sense != "posture" or not isinstance(y, Mention):
         return False
+    if s.frame.object is not None or not any(p.prep in _PLACED for p in s.frame.phrases):
+        return False
     new = y.determiner in ("a", "an", "one") and not y.after_prep and not y.attribute
-    joined = getattr(link, "low", "") == "and" and isinstance(element_at(c.elements, i - 4), Mention)
+    joined = getattr(link, "low", "") == "and" and isinstance(
+        element_at(c.elements, i - 4), Mention
+    )
     if not (new and joined and phrase.prep in _PLACED) or finite_ahead(c.elements, i + 1):
         return False
     for x in c.mentions:
