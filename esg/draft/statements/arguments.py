@@ -41,7 +41,7 @@ _SHARE = re.compile(
     re.IGNORECASE,
 )
 _COMES_OFF = frozenset({"fall", "drop", "roll", "slide", "topple", "launch", "fly", "breaking"})
-_LOOSENED = frozenset({"head", "wing"})
+_LOOSENED = frozenset({"head"})
 _LIFTED = lex.word_set("picks up")
 _NAMED_BEFORE = frozenset({"it", "him", "them"})
 NO_REFERENT = "nothing that was named before is meant"
@@ -139,8 +139,11 @@ def fewer(a: Account) -> Iterator[Gap]:
         told = d.timeline.node(node)
         if told is not None and told.event in _SEEN:
             made.setdefault(f.verb.start, set()).update(told.participants)
+    ever = set[str]().union(*made.values())
     for f in a.frames:
         acting = made.get(f.verb.start, set())
+        if f.verb.sense in _COMES_OFF and acting:
+            acting = ever  # "two cubes are dropped; one lands on a sponge": it was dropped
         for m in (f.subject, f.object) if acting else ():
             apart = f.verb.sense in _PASSED
             ids = [i for i in nodes_of(d, m) if apart or entity_of(d, i).pattern not in _AS_ONE]
@@ -156,7 +159,8 @@ def others_of(a: Account) -> Iterator[Gap]:
     for m in d.mentions:
         ids = nodes_of(d, m)
         of = _SHARE.match(d.text, m.start) if ids and m.noun is not None else None
-        if of is None or m.head in lex.OWN_PARTS | lex.BODY_PARTS:
+        none = d.text[: m.start].lower().endswith("not ")
+        if of is None or none or m.head in lex.OWN_PARTS | lex.BODY_PARTS:
             continue
         alike = {e.id for e in d.world.entities.values() if e.noun == entity_of(d, ids[0]).noun}
         if alike <= {*ids}:
@@ -180,7 +184,7 @@ def attempts(a: Account) -> Iterator[Gap]:
 def parts_alone(a: Account) -> Iterator[Gap]:
     """ "The lid of a pot falls off": the pot does, with its lid."""
     for f in a.frames:
-        m = f.subject if f.verb.sense in _COMES_OFF else None
+        m = f.subject if f.verb.sense in _COMES_OFF and f.object is None else None
         if m is not None and m.part in lex.OWN_PARTS | _LOOSENED and nodes_of(a.d, m):
             missing = f"all of it does, and not its {m.part}"
             yield Gap(f.verb.start, f.verb.end, missing, tuple(nodes_of(a.d, m)))

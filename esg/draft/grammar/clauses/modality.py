@@ -56,6 +56,12 @@ _TOUCHES = lex.word_set("touches")
 _SPEAKERS = lex.word_set("speakers")
 
 
+def _none_of(text: str, start: int) -> bool:
+    """ "None of the pins", "not one of the pins"."""
+    one = text[:start].lower().endswith("not ") and text.lower().startswith("one of", start)
+    return one or _NONE_OF.match(text, start) is not None
+
+
 def _films(f: Frame, text: str) -> bool:
     """ "The camera pans", "the camera is fixed": how it is filmed, and no camera that is seen."""
     if f.verb.lemma in _SHOWING or f.verb.lemma in _HOW_FILMED:
@@ -90,7 +96,7 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
         met = [p.mention for p in f.phrases if p.prep in ("into", "against")]
         met = [f.object, *met] if f.verb.sense in _TOUCHES else []
         none = (f.subject if not f.relative else None, *met)
-        if any(m is not None and _NONE_OF.match(text, m.start) for m in none):
+        if any(m is not None and _none_of(text, m.start) for m in none):
             f.verb.negated = True
         if f.verb.sense == "stop" and _STOPS_DOING.match(text, f.verb.end):
             f.unreal = "it stops doing something, not moving"
