@@ -17,6 +17,7 @@ from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
 
+_AFOOT = lex.word_set("afoot (references)")
 _FILMING = lex.word_set("filming")
 RIDDEN = lex.word_set("ridden")
 _NO_WAY = frozenset({"unknown", "noop", "launch"})
@@ -167,6 +168,8 @@ def _subject(d: Discourse, f: Frame, phrases: list[Mention]) -> list[str]:
     thrown = f.verb.sense in ("fall", "land", "launch", "topple")
     if thrown and m.role in ("rider", "cyclist"):
         m.role = ""  # who falls is the rider, not what is ridden
+    if m.role and f.verb.lemma in _AFOOT:
+        m.role = ""  # "its driver walks beside it": no car
     if m.pronoun:
         for p in phrases:  # "Of four stacked tins, the top one is hit"
             if p.start < m.start and not p.pronoun:

@@ -35,6 +35,7 @@ _THEY = frozenset(
 )
 _PLACES = frozenset({"right of", "left of", "in front of", "behind", "beside", "next to", "above"}
                     | {"below", "under", "between", "near", "by"})  # fmt: skip
+_FACING = {"left": "right", "right": "left"}
 _WAYS = frozenset({"stairs", "ramp"})
 _GROWN_UP = frozenset({"person", "he", "she", "man", "woman"})
 """Persons for whom "it" is no word; a child is one."""
@@ -229,6 +230,8 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
         return having[:1]
     if found := ranked(world, m, row or near, avoid) or at_place(world, m, among):
         return found
+    if facing := [e for e in solid if e.group is None and e.place == _FACING.get(place_word(m))]:
+        return one_more(world, facing[-1], [place_word(m)], m)  # "the left robot ... the right one"
     words = [a for a in m.adjectives if _tells(a)]
     if having := [e for e in solid if _has(e, words) or same_quantity(m, e, world.facts)]:
         return [max(having, key=lambda e: (e.id not in avoid, solid.index(e))).id]

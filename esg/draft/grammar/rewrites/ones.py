@@ -5,7 +5,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 from esg.draft.grammar.rewrites.conditions import is_word
-from esg.draft.text.elements import Element, Mention
+from esg.draft.text.elements import Element, Mention, Word
 
 
 def name_ones(elements: list[Element]) -> list[Element]:
@@ -22,10 +22,11 @@ def name_ones(elements: list[Element]) -> list[Element]:
 
 def _in_the_same_phrase(before: list[Element], named: list[Mention]) -> Mention | None:
     """ "A woman with a red umbrella passes a man with a blue one": no blue man."""
-    if not is_word(before[-1], "with"):
+    prep = before[-1]
+    if not isinstance(prep, Word) or prep.kind != "prep":
         return None
-    alike = [e for b, e in pairwise(before) if is_word(b, "with") and e in named]
-    return next((e for e in alike if isinstance(e, Mention) and e.adjectives), None)
+    alike = [e for b, e in pairwise(before) if is_word(b, prep.low) and isinstance(e, Mention)]
+    return next((e for e in reversed(alike) if e in named), None)
 
 
 def _stands_for(m: Mention, before: list[Element]) -> None:
