@@ -230,8 +230,8 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
         return having[:1]
     if found := ranked(world, m, row or near, avoid) or at_place(world, m, among):
         return found
-    if facing := [e for e in solid if e.group is None and e.place == _FACING.get(place_word(m))]:
-        return one_more(world, facing[-1], [place_word(m)], m)  # "the left robot ... the right one"
+    if facing := _facing(world, m, solid):
+        return facing
     words = [a for a in m.adjectives if _tells(a)]
     if having := [e for e in solid if _has(e, words) or same_quantity(m, e, world.facts)]:
         return [max(having, key=lambda e: (e.id not in avoid, solid.index(e))).id]
@@ -247,6 +247,15 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     if words or other or "next" in m.adjectives:
         return _one_more_like(world, m, words, subject, avoid)
     return [e.id for e in near][-1:]
+
+
+def _facing(world: World, m: Mention, solid: list[Entity]) -> list[str]:
+    """ "The left robot hands a box to the right one": one more, on the other side."""
+    side = place_word(m)
+    alone = [e for e in solid if e.group is None and side in _FACING]
+    there = [e.id for e in alone if e.place == side]
+    other = [e for e in alone if e.place == _FACING.get(side)]
+    return there[-1:] or (one_more(world, other[-1], [side], m) if other else [])
 
 
 def _of_the_subject(world: World, m: Mention, subject: bool) -> list[str]:
