@@ -5,7 +5,7 @@ from __future__ import annotations
 import pytest
 
 from esg.draft import draft
-from esg.graph.models import EsgDocument, NodeEvent, Predicate
+from esg.graph.models import EsgDocument, NodeEvent, Predicate, TimelineNode
 from tests.draft.told import drawn, events, owned, stated
 
 
@@ -241,3 +241,57 @@ def test_all_move_that_are_chased() -> None:
 
 def test_who_follows_at_the_end_of_a_sentence() -> None:
     assert ("gull_1", "behind", "boat_1") in related(draft("A boat sails by, a gull following it."))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [("The left robot hands a box to the right one.", {"left_robot_1", "right_robot_1", "box_1"}),
+     ("The left lamp falls and the right one stands. The left one rolls.",
+      {"left_lamp_1", "right_lamp_1"}),
+     ("A plank lies on a log; a bear steps onto one end and the other goes up.",
+      {"plank_1", "log_1", "bear_1"}),
+     ("An orange cat sleeps on a grey sofa and a black cat on an orange one.",
+      {"orange_cat_1", "black_cat_1", "grey_sofa_1", "orange_sofa_1"}),
+     ("A forklift lifts a crate, and it slips off its forks.", {"forklift_1", "crate_1"}),
+     ("A truck with a broken headlight follows a bus.", {"truck_1", "bus_1"}),
+     ("Three sheets of paper lie on a desk.",
+      {"sheet_of_paper_1", "sheet_of_paper_2", "sheet_of_paper_3", "desk_1"})],
+)  # fmt: skip
+def test_what_is_drawn_is_what_is_named(prompt: str, things: set[str]) -> None:
+    assert drawn(draft(prompt)) == things
+
+
+def test_a_gapped_place_is_of_its_own_thing() -> None:
+    doc = draft("A spoon lies in a red cup and a fork next to a blue cup.")
+    assert related(doc) == {("fork_1", "adjacent", "blue_cup_1")}
+    assert held(doc) == {"spoon_1": "red_cup_1"}
+
+
+def test_a_driver_who_walks_is_a_person() -> None:
+    doc = draft("A truck tows a car while its driver walks beside it.")
+    assert "driver_1" in acting(doc)
+    assert "car_1" not in acting(doc)
+
+
+def test_one_of_a_plural_subject() -> None:
+    doc = draft("Three kids on sledges race down a hill and the one on the red sledge falls.")
+    assert "hill_1" not in held(doc)
+    assert [n.participants for n in _told(doc, "Fall")] == [("kid_1",)]
+
+
+def _told(doc: EsgDocument, kind: str) -> list[TimelineNode]:
+    assert doc.timeline_system is not None
+    return [n for n in doc.timeline_system.sequence_graph.nodes if n.event.value == kind]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "event"),
+    [("Not one of the bowling pins is touched by the ball.", "Miss"),
+     ("The ball hits not one of the cones.", "Miss")],
+)  # fmt: skip
+def test_not_one_of_them_is_hit(prompt: str, event: str) -> None:
+    assert kinds(draft(prompt)) & {"Miss", "Collision"} == {event}
+
+
+def test_a_ball_that_drops_on_her_side_does_not_topple() -> None:
+    assert "Topple" not in kinds(draft("A ball hits the net and drops on her side."))
