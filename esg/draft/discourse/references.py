@@ -17,6 +17,8 @@ from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
 
+_AFOOT = lex.word_set("afoot (references)")
+_FILMING = lex.word_set("filming")
 RIDDEN = lex.word_set("ridden")
 _NO_WAY = frozenset({"unknown", "noop", "launch"})
 """Senses of verbs that lead nobody into water or out of it."""
@@ -39,11 +41,13 @@ def refer_all(d: Discourse, frames: list[Frame]) -> None:
     items += [(m.start, m.start, m) for m in d.mentions if id(m) not in d.framed]
     items.sort(key=lambda item: item[:2])
     attached_levers(d)
+    hosts = {id(p.mention): m for m, p in d.attached}
     for _, _, item in items:
         if isinstance(item, Frame):
             refer(d, item)
         elif id(item) not in d.world.resolved and (item.head or item.pronoun) and item.count != 0:
-            resolve(d.world, item)
+            host = hosts.get(id(item)) if item.pronoun in ("them", "both") else None
+            resolve(d.world, item, avoid=host.entities if host is not None else None)
 
 
 def refer(d: Discourse, f: Frame) -> None:
@@ -53,6 +57,7 @@ def refer(d: Discourse, f: Frame) -> None:
         m.after_prep = "to"  # "arrives at the depot": no scene, but where to
     if _of_another_clause(d, f):
         f.subject = None
+    _other_end(d, f)
     subject = _subject(d, f, phrases)
     _between(d, f, subject)
     no_way = f.verb.sense in _NO_WAY or f.verb.lemma == "splash"
@@ -76,6 +81,17 @@ def _of_another_clause(d: Discourse, f: Frame) -> bool:
     return later and m is not None and bool(_THEN.search(d.text, f.verb.end, m.start))
 
 
+def _other_end(d: Discourse, f: Frame) -> None:
+    """ "A bear steps onto one end and the other goes up": no other bear."""
+    m = f.subject
+    if m is None or m.pronoun not in ("other", "one") or "other" not in (m.pronoun, *m.adjectives):
+        return
+    earlier = [x for x in d.mentions if x.end < m.start and not d.text.count(".", x.end, m.start)]
+    last = max(earlier, key=lambda x: x.start, default=None)
+    if last is not None and last.head in lex.PARTS and last.count == 1 and last.attribute:
+        m.pronoun, m.head, m.attribute = "", last.head, True
+
+
 def _between(d: Discourse, f: Frame, subject: list[str]) -> None:
     """What stands between a subject and its verb, in no clause of its own."""
     for m in d.mentions:
@@ -91,6 +107,15 @@ def _one_each(f: Frame, subject: list[str]) -> None:
     ridden = f.object if f.verb.lemma in _RIDES and len(subject) > 1 else None
     if ridden is not None and ridden.plural and ridden.count is None and not ridden.determiner:
         ridden.count = len(subject)
+
+
+def _who_films(d: Discourse, f: Frame, m: Mention | None) -> bool:
+    """ "Drives towards the camera as a bike drives away from it": the camera, and no thing."""
+    if m is None or m.pronoun != "it" or m.after_prep not in _FILMING:
+        return False
+    earlier = [x for x in d.mentions if x.start < m.start and x is not f.subject]
+    last = max(earlier, key=lambda x: x.start, default=None)
+    return last is not None and last.head == "camera" and last.after_prep in _FILMING
 
 
 def _others(d: Discourse, f: Frame, subject: list[str], phrases: list[Mention]) -> list[str]:
@@ -111,6 +136,10 @@ def _others(d: Discourse, f: Frame, subject: list[str], phrases: list[Mention]) 
 def _it(d: Discourse, f: Frame, m: Mention | None, avoid: list[str]) -> None:
     """Gives an "it" of a clause its meaning, if the clauses before tell of anything."""
     if m is None or m.pronoun != "it" or id(m) in d.world.resolved:
+        return
+    if _who_films(d, f, m):
+        m.head, m.pronoun, m.attribute = "camera", "", True
+        d.world.resolved[id(m)] = m.entities = []
         return
     if found := it_means(d, f, m, avoid) or _of_the_title(d, f, m, avoid):
         for other in m.coordinated:
@@ -139,6 +168,8 @@ def _subject(d: Discourse, f: Frame, phrases: list[Mention]) -> list[str]:
     thrown = f.verb.sense in ("fall", "land", "launch", "topple")
     if thrown and m.role in ("rider", "cyclist"):
         m.role = ""  # who falls is the rider, not what is ridden
+    if m.role and f.verb.lemma in _AFOOT:
+        m.role = ""  # "its driver walks beside it": no car
     if m.pronoun:
         for p in phrases:  # "Of four stacked tins, the top one is hit"
             if p.start < m.start and not p.pronoun:

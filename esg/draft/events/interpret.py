@@ -216,18 +216,26 @@ def _on_what_has_it(
     withs = [(m, p.mention) for m, p in attachments if p.prep == "with" and p.mention is not None]
     for m, y in withs:
         for f in frames:
-            follows = f.verb.start > m.end and not d.text[y.end : f.verb.start].strip()
+            follows = f.verb.start >= y.end > m.end and not d.text[y.end : f.verb.start].strip()
             if f.verb.form != "ing" or not follows:
                 continue
-            its = [q.mention for q in f.phrases if q.prep in RELATION_PREPS and q.mention]
-            its = [q for q in its if q.pronoun in ("it", "them")]
+            its = [q.mention for q in f.phrases if q.mention is not None]
+            its = [q for q in its if q.pronoun in ("it", "him", "her", "them")]
             for q in its:
                 q.entities = d.world.resolved[id(q)] = [*m.entities]
             f.subject = y if its else f.subject
     for m, p in attachments:
         owner = owners.get(id(m))
-        if owner is None or p.mention is None or p.mention.pronoun not in ("it", "them"):
+        if owner is None or p.mention is None:
             continue
+        its = p.mention.determiner in ("its", "his", "her") and bool(p.mention.entities)
+        if its and {*p.mention.entities} <= {*m.entities}:
+            p.mention.entities = d.world.resolved[id(p.mention)] = [*owner.entities]
+            continue  # "a car with two bikes on its roof"
+        if p.mention.pronoun not in ("it", "them"):
+            continue
+        if p.mention.pronoun == "them" and len(owner.entities) == 1:
+            continue  # "a pot with a spoon beside it and a lemon in front of them"
         p.mention.entities = d.world.resolved[id(p.mention)] = [*owner.entities]
         for f in frames:
             f.phrases[:] = [q for q in f.phrases if q.mention is not p.mention]

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, movable, structural
@@ -30,10 +31,24 @@ _ALONG = frozenset({"own", "tow", "carry"})
 _MET = frozenset({"past", "into", "against", "onto", "over", "off"})
 _AS_ONE = CHAINS | {"stack"}
 _FELLED = frozenset({"domino", "pin"})
+_SEEN = frozenset(
+    {NodeEvent.COLLISION, NodeEvent.MISS, NodeEvent.FALL, NodeEvent.TOPPLE, NodeEvent.ENTER_REGION}
+)
+"""Events of which each of several things needs its own."""
+_PASSED = frozenset({"overtake", "pass"})
+"""Senses of which no member of a row passes on what is done to it."""
+_TRIED = "an attempt"
+_SHARE = re.compile(
+    r"(?:one|two|three|four|five|some|many|few|several) of (?:the|its|his|her|their|these|those)\b",
+    re.IGNORECASE,
+)
+_COMES_OFF = frozenset({"fall", "drop", "roll", "slide", "topple", "launch", "fly", "breaking"})
+_LOOSENED = frozenset({"head"})
 _LIFTED = lex.word_set("picks up")
 _NAMED_BEFORE = frozenset({"it", "him", "them"})
 NO_REFERENT = "nothing that was named before is meant"
 SOME = "only some of them do"
+FEWER = "only some of them do in the scene"
 NO_EVENT = "nothing of the kind happens in the scene"
 
 
@@ -116,6 +131,65 @@ def some_of(a: Account) -> Iterator[Gap]:
                 yield Gap(m.start, m.end, SOME, stand_by)
             else:
                 yield Gap(f.verb.start, f.verb.end, SOME, stand_by)
+
+
+def fewer(a: Account) -> Iterator[Gap]:
+    """ "A car overtakes them", "two dice are thrown onto a table": what is made of it has one."""
+    d = a.d
+    made: dict[int, set[str]] = {}
+    for f, node in d.times.of_frame:
+        told = d.timeline.node(node)
+        if told is not None and told.event in _SEEN:
+            made.setdefault(f.verb.start, set()).update(told.participants)
+    ever = set[str]().union(*made.values())
+    for f in a.frames:
+        acting = made.get(f.verb.start, set())
+        if f.verb.sense in _COMES_OFF and acting:
+            acting = ever  # "two cubes are dropped; one lands on a sponge": it was dropped
+        for m in (f.subject, f.object) if acting else ():
+            apart = f.verb.sense in _PASSED
+            ids = [i for i in nodes_of(d, m) if apart or entity_of(d, i).pattern not in _AS_ONE]
+            ids = [i for i in ids if entity_of(d, i).group not in d.world.vague]
+            rest = tuple(i for i in ids if i not in acting)
+            if m is not None and not m.single and not _a_pair(d, m) and 0 < len(rest) < len(ids):
+                yield Gap(f.verb.start, f.verb.end, FEWER, rest)
+
+
+def others_of(a: Account) -> Iterator[Gap]:
+    """ "A lorry loses one of its barrels": there are more of them."""
+    d = a.d
+    for m in d.mentions:
+        ids = nodes_of(d, m)
+        of = _SHARE.match(d.text, m.start) if ids and m.noun is not None else None
+        none = d.text[: m.start].lower().endswith("not ")
+        if of is None or none or m.head in lex.OWN_PARTS | lex.BODY_PARTS:
+            continue
+        alike = {e.id for e in d.world.entities.values() if e.noun == entity_of(d, ids[0]).noun}
+        if alike <= {*ids}:
+            yield Gap(m.start, m.end, "there are no others in the scene", tuple(ids))
+
+
+def attempts(a: Account) -> Iterator[Gap]:
+    """ "Tries to push the peg into the hole": nothing happens between the two."""
+    d = a.d
+    for f in d.told:
+        who, whom = {*nodes_of(d, f.subject)}, {*nodes_of(d, f.object)}
+        if f.unreal != _TRIED or not who:
+            continue
+        met = {*whom}.union(*({*nodes_of(d, p.mention)} for p in f.phrases)) - who
+        acts = [{*n.participants} for n in d.timeline.nodes]
+        acts += [{e.actor, e.target or ""} for e in d.timeline.edges]
+        if not any(who & act and (act & whom or (not whom and act & met)) for act in acts):
+            yield Gap(f.verb.start, f.verb.end, "nothing of what is tried is shown", tuple(who))
+
+
+def parts_alone(a: Account) -> Iterator[Gap]:
+    """ "The lid of a pot falls off": the pot does, with its lid."""
+    for f in a.frames:
+        m = f.subject if f.verb.sense in _COMES_OFF and f.object is None else None
+        if m is not None and m.part in lex.OWN_PARTS | _LOOSENED and nodes_of(a.d, m):
+            missing = f"all of it does, and not its {m.part}"
+            yield Gap(f.verb.start, f.verb.end, missing, tuple(nodes_of(a.d, m)))
 
 
 def _a_pair(d: Discourse, m: Mention) -> bool:

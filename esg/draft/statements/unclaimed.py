@@ -18,7 +18,16 @@ from esg.draft.document.comparisons import not_compared
 from esg.draft.events.stated import NAMED_BY
 from esg.draft.statements.account import NOTHING, PASSED_OVER, Account, Gap, nodes_of, turns
 from esg.draft.statements.adverbs import adverbs
-from esg.draft.statements.arguments import arguments, idle, left_behind, some_of
+from esg.draft.statements.arguments import (
+    arguments,
+    attempts,
+    fewer,
+    idle,
+    left_behind,
+    others_of,
+    parts_alone,
+    some_of,
+)
 from esg.draft.statements.phrases import adrift, phrases
 from esg.draft.statements.places import alone, from_nothing, hung, lengths, up_and_down
 from esg.draft.text.elements import ONE_OF_THESE, Mention
@@ -188,6 +197,10 @@ _FINDERS: tuple[Callable[[Account], Iterator[Gap]], ...] = (
     left_behind,
     idle,
     some_of,
+    fewer,
+    others_of,
+    parts_alone,
+    attempts,
     adverbs,
     _particles,
     _qualities,

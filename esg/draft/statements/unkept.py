@@ -239,6 +239,7 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
         kind_of(d, i) in LIMBED for i in _doers(c.frame) if i in d.world.entities
     ),
     "alone": _alone,
+    "driven": lambda d, c: "driven" in c.frame.verb.extra,
     "agentless": lambda d, c: c.frame.verb.passive and c.frame.phrase("by") is None,
     "untouched": _moved_by_none,
     "untied": lambda d, c: not _tied(d, c.frame),

@@ -84,6 +84,9 @@ def unseen(
     for found in _CONTENTS.finditer(d.text):
         if any(start < found.start() < end for start, end in drawn):
             yield found.start(), found.end(), FLUIDS  # "a bowl of water"
+    for m in d.mentions:
+        if m.head == "camera" and m.attribute and m.text.lower() == "it":
+            yield m.start, m.end, _KINDS[1][1]  # "toward the camera ... away from it"
     known = [*(start for start, _, _ in told), *(end - 1 for _, end in lies)]
     yield from _unseen_of_nouns(d, setting, drawn, known)
 

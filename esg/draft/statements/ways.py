@@ -40,9 +40,11 @@ def moved(book: Book, clause: Clause, s: Said, mover: str) -> None:
     if s.row.part != "verb":
         _direction(book, clause, s, mover, period(book.d, clause, mover))
         return
-    d = book.d
-    others = [i for i in ids(clause.frame.object) if i != mover and i in d.world.entities][:1]
+    d, acted_on = book.d, ids(clause.frame.object)
     targeted = s.row.direction in _TARGETED
+    if targeted and mover in acted_on:
+        return  # "chases two cats": neither chases the other
+    others = [i for i in acted_on if i != mover and i in d.world.entities][:1]
     if not targeted or (others and not is_told(d, mover, others)):
         target = tuple(others) if targeted else ()
         book.add(s.row.states, s.start, s.end, object=(mover,), target=target,

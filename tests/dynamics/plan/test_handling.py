@@ -135,9 +135,7 @@ def test_what_finds_no_room_beside_something_is_put_elsewhere_on_the_table() -> 
     doc = doc.model_copy(update={"layout_result": layout})
     scene = build_scene(doc)
     plan = make_plan(doc, scene)
-    guided = next(
-        p for p in plan.compile(plan.initial()).primitives if isinstance(p, GuideAlong)
-    )
+    guided = next(p for p in plan.compile(plan.initial()).primitives if isinstance(p, GuideAlong))
     low, high = body_bounds(scene.body("table_1"))
     end = np.array(guided.points[-1])
     assert (end[:2] > low[:2]).all() and (end[:2] < high[:2]).all()

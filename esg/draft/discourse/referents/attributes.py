@@ -92,6 +92,8 @@ def _having(world: World, word: str, things: list[Entity]) -> list[Entity]:
         free = [e for e in things if not _ENDS.keys() & {*e.adjectives}]
         end = (free or things)[0]  # "Two boxes ... the small one": only this tells them apart
         end.adjectives.append(word)
+    if end is None and len(fit) == 1 and len(things) == 2:
+        return fit  # "the smaller in front of the larger"
     return [end] if end is not None and end in fit else []
 
 

@@ -37,8 +37,17 @@ HYPERNYMS: dict[str, frozenset[str]] = {
     "projectile": frozenset({"ball", "rock", "projectile"}),
     "person": frozenset({"person"}),
     "child": frozenset({"person"}),
+    "robot": frozenset({"robot"}),
+    "aircraft": frozenset({"flyer"}),
+    "machine": frozenset({"robot", "appliance", "excavator", "bulldozer", "forklift", "tractor"})
+    | frozenset({"crane", "bus", "truck"}),
+    "boat": frozenset({"watercraft"}),
+    "ship": frozenset({"watercraft"}),
+    "vessel": frozenset({"watercraft"}),
 }
-"""Kinds of what a wider noun can name."""
+"""Kinds, or names of nouns, of what a wider noun can name."""
+_NEW_IF_BARE = frozenset({"robot", "aircraft", "machine", "boat", "ship", "vessel"})
+"""Wider nouns that name something else unless they are definite ("a yacht passes a boat")."""
 _NUMBER = "one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen"
 _NUMBERS = {*_NUMBER.split(), *map(str, range(1, 16))}
 _DISTINCT = lex.word_set("distinct")
@@ -75,9 +84,10 @@ def same_kind(m: Mention, e: Entity) -> bool:
     """Whether a thing goes by a noun: its own, a synonym, a wider or a shorter one."""
     if m.head in _ANYTHING:
         return "structural" not in e.noun.traits
-    if e.noun.kind in HYPERNYMS.get(m.head, ()) or m.head == e.head:
-        return True
     definite = m.determiner in _THE
+    wider = HYPERNYMS.get(m.head, ()) if definite or m.head not in _NEW_IF_BARE else ()
+    if {e.noun.kind, e.noun.name} & {*wider} or m.head == e.head:
+        return True
     if m.noun is None and not m.determiner and m.head in e.adjectives:
         return True  # "the ego vehicle ... ego stops"
     if m.noun is None and definite and e.known and m.head == e.noun.name.split()[-1]:

@@ -33,6 +33,9 @@ _THEY = frozenset(
     {"they", "them", "themselves", "these", "those", "both", "ones", "all", "each", "some"}
     | {"many", "several"}
 )
+_PLACES = frozenset({"right of", "left of", "in front of", "behind", "beside", "next to", "above"}
+                    | {"below", "under", "between", "near", "by"})  # fmt: skip
+_FACING = {"left": "right", "right": "left"}
 _WAYS = frozenset({"stairs", "ramp"})
 _GROWN_UP = frozenset({"person", "he", "she", "man", "woman"})
 """Persons for whom "it" is no word; a child is one."""
@@ -125,6 +128,10 @@ def _being(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
 
 def _others(world: World, m: Mention, avoid: list[str]) -> list[str]:
     """ "the other two", "the rest": the members of a plural that were not told of."""
+    mates = world.groups.get(world.entities[avoid[0]].group or "", []) if avoid else []
+    rest = [i for i in mates if i not in avoid]
+    if m.pronoun == "ones" and m.determiner == "the" and not m.adjectives and (m.count or 0) > 1:
+        return rest[: m.count] if len(rest) >= (m.count or 0) and not m.after_prep else []
     if m.pronoun != "ones" or "other" not in m.adjectives:
         return []
     for ids in [avoid, *reversed(world.salience)] if avoid else reversed(world.salience):
@@ -143,6 +150,9 @@ def _several(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     keep = m.count if p == "ones" and not m.adjectives else keep  # "eleven run out"
     named = [i for ids in reversed(world.salience) for i in ids if is_solid(world, i)]
     named = [i for i in named if world.entities[i].noun.kind not in _WAYS or not subject]
+    if not subject and p in ("them", "both") and m.after_prep in _PLACES:
+        # "a clock above a frame, with a lamp to the right of both": not of itself
+        named = [i for i in named if i not in avoid] or named
     if two := _two_subjects(world, p, named) if subject else []:
         return two
     if two := _two_acted_on(world, m, avoid) if not subject else []:
@@ -212,7 +222,7 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     if NEIGHBOUR in m.adjectives and (beside := _beside(world, m, avoid)):
         return beside
     solid = _solids(world)
-    row = [world.entities[i] for i in last_group(world)]
+    row = [world.entities[i] for i in (_of_the_subject(world, m, subject) or last_group(world))]
     told = _told(world)
     near = list({e.id: e for e in told if e.id not in avoid}.values())
     among = _of_one_kind(world, solid, avoid) or row or solid
@@ -220,6 +230,8 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
         return having[:1]
     if found := ranked(world, m, row or near, avoid) or at_place(world, m, among):
         return found
+    if facing := _facing(world, m, solid):
+        return facing
     words = [a for a in m.adjectives if _tells(a)]
     if having := [e for e in solid if _has(e, words) or same_quantity(m, e, world.facts)]:
         return [max(having, key=lambda e: (e.id not in avoid, solid.index(e))).id]
@@ -235,6 +247,22 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     if words or other or "next" in m.adjectives:
         return _one_more_like(world, m, words, subject, avoid)
     return [e.id for e in near][-1:]
+
+
+def _facing(world: World, m: Mention, solid: list[Entity]) -> list[str]:
+    """ "The left robot hands a box to the right one": one more, on the other side."""
+    side = place_word(m)
+    alone = [e for e in solid if e.group is None and side in _FACING]
+    there = [e.id for e in alone if e.place == side]
+    other = [e for e in alone if e.place == _FACING.get(side)]
+    return there[-1:] or (one_more(world, other[-1], [side], m) if other else [])
+
+
+def _of_the_subject(world: World, m: Mention, subject: bool) -> list[str]:
+    """ "Three kids on sledges race, and the one on the red sledge wins": one of the kids."""
+    last = world.subjects[-1] if world.subjects and subject else []
+    told = m.determiner != "the" or m.adjectives or len(last) < 2
+    return [] if told else world.groups.get(world.entities[last[0]].group or "", [])
 
 
 def _second_of_two(world: World, row: list[Entity], avoid: list[str]) -> list[str]:

@@ -115,15 +115,18 @@ def _date(world: World, m: Mention, subject: bool) -> bool:
 
 def _of_a_machine(world: World, m: Mention, subject: bool) -> bool:
     """ "Raises its forks": what who acts has, and is no thing of its own."""
-    return m.head in _ACTING_PARTS and m.determiner == "its" and not subject and not m.after_prep
+    own = m.head in _ACTING_PARTS and m.determiner == "its" and not subject
+    return own and (not m.after_prep or m.plural)  # "slips off its forks"
 
 
 def _its_parts(world: World, m: Mention, subject: bool) -> bool:
     """ "A car brakes, tires screeching": the parts of what is named, drawn with it."""
     whose = m.determiner in ("", "the", "its", "their")
     all_of_them = m.plural and m.count is None and not m.group_word and m.possessor is None
-    wholes = (e.noun.kind for e in world.entities.values())
-    return whose and all_of_them and m.head in _RUN and bool({*wholes} & _HAVE_PARTS)
+    has = m.after_prep == "with" and not m.plural and m.determiner in ("a", "an", "one")
+    wholes = {e.noun.kind for e in world.entities.values()}
+    has = has and m.noun is None  # "a truck with a broken headlight"
+    return ((whose and all_of_them) or has) and m.head in _RUN and bool(wholes & _HAVE_PARTS)
 
 
 def _load_bed(world: World, m: Mention, subject: bool) -> bool:

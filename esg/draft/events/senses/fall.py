@@ -193,6 +193,9 @@ def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """What "falls" means for who does, from the most special reading to a plain fall."""
     if _comes(d, f, s, o):
         return
+    if _tumbles_on(d, f, s):
+        read_as(d, "roll", f, s, o)
+        return
     set_free(d, [x for x in s if kind_of(d, x) in ("post", "plant", "wall", "street")])
     set_free(d, [x for x in s if x in d.scene.attached])  # what hangs there comes down
     actors = representatives(d, s, [])
@@ -210,6 +213,15 @@ def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     on_what_was_hit(d, f, fresh)
     if not any(read(d, fall) for read in _FALLS):
         _plain_fall(d, fall)
+
+
+def _tumbles_on(d: Discourse, f: Frame, s: list[str]) -> bool:
+    """ "Throws dice onto a table, tumbling", "rolls, tumbling along": no fall."""
+    on = f.verb.lemma == "tumble" and f.verb.form == "ing" and not f.relative
+    ways = f.phrase("off", "from", "out of", "down", "over", "into", "in", "onto", "to")
+    tracks = [d.timeline.tracks.get(i) for i in s]
+    under_way = any(t is not None and (t.motion is not None or t.hit) for t in tracks)
+    return on and ways is None and not {"off", "down", "over", "out"} & {*f.adverbs} and under_way
 
 
 def _comes(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:

@@ -34,7 +34,7 @@ from esg.draft.events.timing import (
     representatives,
     time_of,
 )
-from esg.draft.events.told import moves, things, traits_of
+from esg.draft.events.told import at_rest, moves, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
@@ -42,6 +42,8 @@ _HOVERING = ("float", "hover", "levitate")
 _RIDES = lex.word_set("rides")
 _ON_FOOT = lex.word_set("on foot")
 _TURNING = ("go", "move", "drive", "head", "run", "walk", "ride")
+_BRANCHES = ("at", "into", "onto")
+"""Prepositions of where a way turns off: "goes left at the lights"; else it is the way it comes."""
 _AT_A_TARGET = ("charge", "lunge", "leap", "pounce", "spring", "fly", "dive")
 
 _ANYHOW = frozenset(
@@ -62,7 +64,11 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         d.moves.flying.update(actors)
     kind = kind_of(d, actors[0]) if actors else ""
     sides = [x for x in f.adverbs if x in ("left", "right")]
-    if sides and kind in SELF_POWERED and f.verb.lemma in _TURNING and not _a_course(d, f, actors):
+    beside = f.verb.form == "ing" or "absolute" in f.verb.extra
+    under_way = not all(at_rest(d, a) for a in actors) and not beside
+    changes = under_way or f.phrase(*_BRANCHES) is not None  # but not "follows a cat, walking left"
+    turns = sides and changes and kind in SELF_POWERED and f.verb.lemma in _TURNING
+    if turns and not _a_course(d, f, actors):
         for side in sides:
             turn(d, f, actors, side, 90.0)
         return
@@ -156,9 +162,10 @@ def read_follow(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             mark_used(d, gap[1], "distance")
         else:
             place(d, [actor], o, "behind")
-        track = d.timeline.tracks.get(o[0])
-        if track is None or (track.motion is not None and same):
-            start_motion(d, f, o[:1])
+        for other in [i for i in o if i == o[0] or movable(d, i)]:
+            track = d.timeline.tracks.get(other)  # "chases two cats": both run
+            if track is None or (track.motion is not None and same):
+                start_motion(d, f, [other])
 
 
 @sense("coast")

@@ -61,6 +61,11 @@ _LIGHT = lex.word_set("no acts (places)")
 _AT_REST = lex.word_set("places of acts")
 _HANGING = lex.word_set("hanging")
 _HUNG_BY = lex.word_set("hung by")
+_NAMED_BEFORE = ("it", "them", "him", "her", "both")
+_APART = frozenset({"in front of", "behind", "beside", "next to", "left of", "right of", "near"}
+                   | {"above", "under", "below"})  # fmt: skip
+"""Prepositions of what is outside of what it goes with."""
+_BESIDE_IT, _OWN = ("left", "right"), ("its", "his", "her", "their")
 _BESIDE = ("on", "against", "at", "by")
 _FILLING = ("cover", "load", "fill", "stack", "set")
 _MEASURES = ("tall", "high", "wide", "long", "thick", "deep")
@@ -98,12 +103,35 @@ def _beside_others(d: Discourse, owners: list[str], p: Phrase, m: Mention) -> No
             place(d, [o for o in loose if movable(d, o)], owners[:1], "on")
     elif p.prep == "with":
         # "a table with bottles on it": the on-phrase places them; else they rest on a support
-        attachment_with(d, owners, loose)
+        attachment_with(d, owners, [o for o in loose if not _placed_apart(d, o, p)])
     else:
         if p.prep == "on" and m.head in lex.BODY_PARTS:
             # "slides down a ramp on its belly": how it lies, not where the ramp is
             owners = [o for o in owners if movable(d, o) and not _bears(d, o)]
+        if p.prep in ("on", "in") and _one_each(d, owners, others, m):
+            for one, other in zip(owners, others, strict=True):
+                place(d, [one], [other], p.prep, m.part)  # "three kids on sledges"
+            return
         place(d, owners, others, p.prep, m.part)
+        if m.pronoun in ("both", "them") and p.prep in _APART and len(others) == 2:
+            place(d, owners, others[1:], p.prep, m.part)  # "to the right of both"
+
+
+def _one_each(d: Discourse, owners: list[str], others: list[str], m: Mention) -> bool:
+    """ "Three kids on sledges", "two cups on two plates": one on each."""
+    if len(owners) != len(others) or len(owners) < 2 or m.pronoun or m.determiner == "the":
+        return False
+    groups = [{entity_of(d, i).group for i in ids} for ids in (owners, others)]
+    return all(len(g) == 1 and None not in g for g in groups) and groups[0] != groups[1]
+
+
+def _placed_apart(d: Discourse, node: str, p: Phrase) -> bool:
+    """ "A pot with a spoon to its right and a lemon in front of them": not in the pot."""
+    phrases = [q for m, q in d.attached if q is not p and node in m.entities and q.mention]
+    its = [q for q in phrases if q.mention is not None and q.mention.pronoun in _NAMED_BEFORE]
+    sides = [q.mention for q in phrases if q.mention is not None and q.mention.head in _BESIDE_IT]
+    apart = any(q.prep in _APART for q in its) or any(m.determiner in _OWN for m in sides)
+    return apart
 
 
 def _bears(d: Discourse, node: str) -> bool:

@@ -19,6 +19,11 @@ from esg.graph.models import ForceDirection, NodeEvent
 
 _LEAST_TURN_S = 0.01
 """A turn told to last less has no rate of its own."""
+_IN_PLACE = frozenset({"on", "atop", "on top of", "under", "above", "over", "behind", "in front of"}
+                     | {"beside", "next to", "near", "with", "above", "against"})  # fmt: skip
+"""Prepositions of where something turns that goes nowhere."""
+_COURSES = frozenset({"left", "right", "around", "round", "back", "away", "over", "over again"})
+"""Adverbs of a turn to a side, or out of the way."""
 _SIDES = {
     **dict.fromkeys(("left", "anticlockwise", "counterclockwise"), "left"),
     **dict.fromkeys(("right", "clockwise"), "right"),
@@ -59,8 +64,9 @@ def read_turn(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     side = _side(d, f)
     wheels = s and not o and not any(kind_of(d, a) in SELF_POWERED for a in s)
-    if wheels and all(at_rest(d, a) for a in s) and not (f.phrases or f.adverbs or f.verb.extra):
-        read_as(d, "spin", f, s, o)  # "a fan turns"
+    placed = all(p.prep in _IN_PLACE for p in f.phrases) and not {*f.adverbs} & _COURSES
+    if wheels and all(at_rest(d, a) for a in s) and placed and not f.verb.extra:
+        read_as(d, "spin", f, s, o)  # "a fan turns", "a disc turns on a table"
         return
     degrees = 180.0 if f.verb.extra.get("dir") in ("u", "around", "back") else 90.0
     angles = [a for _, a in amounts_of(d, f) if a.dimension == "angle"]

@@ -82,6 +82,9 @@ def read_topple(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if f.phrase("off", "out of") is not None and not o and s and not f.verb.passive:
         read_as(d, "fall", f, s, o)  # "a pallet tips off a forklift"
         return
+    if s and not o and f.verb.lemma == "drop" and all("round" in traits_of(d, i) for i in s):
+        read_as(d, "fall", f, s, o)  # "the ball drops on her side": of the net
+        return
     set_free(d, o or s)
     s, o = _knocker(d, f, s, o)
     movers = [m for m in s if kind_of(d, m) != "person"] or s

@@ -143,7 +143,9 @@ def _after_parenthesis(elements: list[Element], i: int) -> int:
         if isinstance(e, Word) and e.low == ",":
             rest = [x for x in elements[k + 1 : k + 3] if getattr(x, "kind", "") != "adv"]
             verb = rest[0] if rest else None
-            now = isinstance(verb, Verb) and verb.form in ("s", "past") and not verb.infinitive
+            if not isinstance(verb, Verb) or verb.infinitive:
+                return i
+            now = verb.form in ("s", "past") or verb.auxiliary  # "is tipped over"
             return k + 1 if now else i
     return i
 

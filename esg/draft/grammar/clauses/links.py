@@ -12,6 +12,7 @@ UNCHANGED = lex.word_set("unchanged")
 _AMONG_VEHICLES = lex.word_set("among vehicles")
 _ASKING = lex.word_set("asking (links)")
 _SHOWING = lex.word_set("showing (links)")
+_AWAITING = lex.word_set("awaiting (links)")
 _FAILING = lex.word_set("failing")
 _DOWN = frozenset({"topple", "fall"})
 _LEAVING = _DOWN | {"own", "fly", "roll", "slide"}
@@ -205,8 +206,10 @@ def infinitive(c: Clauses, s: State, frame: Frame, previous: Frame) -> None:
         it = previous.subject is not None and previous.subject.pronoun == "it"
         if it and previous.verb.lemma == "take" and previous.object is not None:
             frame.subject = previous.object  # "it takes the tram 6 s to stop"
-        if it and previous.verb.lemma == "take" and (whom := previous.phrase("for")):
-            frame.subject = whom.mention  # "it takes 2 s for a tram to stop"
+        if it and previous.verb.lemma == "take" and (phrase := previous.phrase("for")):
+            frame.subject = phrase.mention  # "it takes 2 s for a tram to stop"
+        if whom is not None and previous.verb.lemma in _AWAITING:
+            frame.subject, frame.reduced = whom, True  # "waits for a lorry to cross"
         frame.link = "purpose"
         frame.parent = previous
         frame.verb.negated = frame.verb.negated or previous.verb.lemma in _FAILING

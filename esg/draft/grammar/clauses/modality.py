@@ -48,10 +48,27 @@ _WISHES = lex.word_set("wishes")
 _ATTEMPTS = lex.word_set("attempts")
 _TRIED_IS_DONE = lex.word_set("tried is done")
 _EVENTS = lex.word_set("events (modality)")
+_CAST = lex.word_set("cast (noun heads)")
+_HOW_FILMED = lex.word_set("how it is filmed")
 _SHOWING = lex.word_set("showing (modality)")
 _DOES = lex.word_set("does")
 _TOUCHES = lex.word_set("touches")
 _SPEAKERS = lex.word_set("speakers")
+
+
+def _none_of(text: str, start: int) -> bool:
+    """ "None of the pins", "not one of the pins"."""
+    one = text[:start].lower().endswith("not ") and text.lower().startswith("one of", start)
+    return one or _NONE_OF.match(text, start) is not None
+
+
+def _films(f: Frame, text: str) -> bool:
+    """ "The camera pans", "the camera is fixed": how it is filmed, and no camera that is seen."""
+    if f.verb.lemma in _SHOWING or f.verb.lemma in _HOW_FILMED:
+        return True
+    after = re.match(r"\s+(?:\w+ly\s+|completely\s+|all\s+)?([\w-]+)", text[f.verb.end :])
+    state = f.verb.sense in ("be", "posture", "left_so")
+    return state and after is not None and after[1].lower() in _HOW_FILMED
 
 
 def mark_unreal(frames: list[Frame], text: str) -> None:
@@ -64,9 +81,12 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
     told = sorted(frames, key=lambda f: f.verb.start)
     for k, f in enumerate(told):
         seen = f.subject is not None and f.subject.head in ("camera", "viewer", "video", "shot")
-        if seen and f.subject is not None and f.verb.lemma in _SHOWING:
+        if seen and f.subject is not None and _films(f, text):
             f.subject.attribute, f.unreal = True, "how it is filmed"
             continue
+        if f.subject is not None and f.subject.attribute and f.subject.head in _CAST:
+            f.unreal = "light and weather are not simulated"
+            continue  # "its shadow moves across the roofs": it does not
         earlier = [g for g in told[:k] if g.sentence == f.sentence]
         later = [g for g in told[k + 1 :] if g.sentence == f.sentence]
         true = _comes_true(f, told[k + 1 : k + 2], text)
@@ -76,7 +96,7 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
         met = [p.mention for p in f.phrases if p.prep in ("into", "against")]
         met = [f.object, *met] if f.verb.sense in _TOUCHES else []
         none = (f.subject if not f.relative else None, *met)
-        if any(m is not None and _NONE_OF.match(text, m.start) for m in none):
+        if any(m is not None and _none_of(text, m.start) for m in none):
             f.verb.negated = True
         if f.verb.sense == "stop" and _STOPS_DOING.match(text, f.verb.end):
             f.unreal = "it stops doing something, not moving"

@@ -11,6 +11,10 @@ from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
 _OCCASIONS = lex.word_set("occasions")
 _THIS = lex.word_set("this")
 _OF_NOUNS = lex.word_set("prepositions of nouns")
+_BESIDE = frozenset({"left of", "right of", "in front of", "behind", "beside", "next to", "near"})
+_PLACED = _BESIDE | {"on", "in", "under", "above", "on top of", "inside"}
+_GONE_WITH = frozenset({"it", "him", "her", "them", "both"})
+_WITH = frozenset({"with", ".", ";", "!", "?", ":"})
 _ALSO_OF_VERBS = lex.word_set("senses with the place of their object")
 
 
@@ -264,6 +268,8 @@ def _attach(c: Clauses, s: State, phrase: Phrase, i: int) -> None:
     """Gives a phrase to the verb, to the noun before it, or to what is to come."""
     m = phrase.mention
     assert m is not None
+    if _goes_with_it(c, s, phrase, m, i) or _gapped(c, s, phrase, i):
+        return
     if s.frame is None:
         _attach_to_noun(c, s, phrase, m)
     elif _of_the_verb(s, s.frame, phrase, m):
@@ -272,6 +278,43 @@ def _attach(c: Clauses, s: State, phrase: Phrase, i: int) -> None:
         s.loose.append(phrase)
     elif not _of_the_noun(c, s, s.frame, phrase, m, i):
         s.frame.phrases.append(phrase)
+
+
+def _goes_with_it(c: Clauses, s: State, phrase: Phrase, m: Mention, i: int) -> bool:
+    """ "A tent with a flag behind it and a pot in front of it": the pot is there."""
+    y, link = element_at(c.elements, i - 2), element_at(c.elements, i - 3)
+    if m.pronoun not in _GONE_WITH or not isinstance(y, Mention) or y.after_prep or y.pronoun:
+        return False
+    if getattr(link, "low", "") not in ("and", ",") or s.subject is y:
+        return False
+    k = next((k for k in range(i - 4, 0, -1) if getattr(c.elements[k], "low", "") in _WITH), 0)
+    owner = element_at(c.elements, k - 1)
+    owner = element_at(c.elements, k - 2) if getattr(owner, "low", "") == "," else owner
+    if getattr(c.elements[k], "low", "") != "with" or not isinstance(owner, Mention):
+        return False
+    for x in c.mentions:
+        x.coordinated[:] = [z for z in x.coordinated if z is not y]
+    c.attachments += [(owner, Phrase("with", y)), (y, phrase)]
+    return True
+
+
+def _gapped(c: Clauses, s: State, phrase: Phrase, i: int) -> bool:
+    """ "A spoon lies in a red cup and a fork next to a blue one": the fork is there."""
+    y, link = element_at(c.elements, i - 2), element_at(c.elements, i - 3)
+    if s.frame is None or s.frame.verb.sense != "posture" or not isinstance(y, Mention):
+        return False
+    if s.frame.object is not None or not any(p.prep in _PLACED for p in s.frame.phrases):
+        return False
+    new = y.determiner in ("a", "an", "one") and not y.after_prep and not y.attribute
+    joined = getattr(link, "low", "") == "and" and isinstance(
+        element_at(c.elements, i - 4), Mention
+    )
+    if not (new and joined and phrase.prep in _PLACED) or finite_ahead(c.elements, i + 1):
+        return False
+    for x in c.mentions:
+        x.coordinated[:] = [z for z in x.coordinated if z is not y]
+    c.attachments.append((y, phrase))
+    return True
 
 
 def _of_the_verb(s: State, f: Frame, phrase: Phrase, m: Mention) -> bool:
@@ -305,8 +348,9 @@ def _of_the_noun(c: Clauses, s: State, f: Frame, phrase: Phrase, m: Mention, i: 
     if f.object is not noun and not s.last_after_prep:
         return False
     c.attachments.append((noun, phrase))
-    if f.verb.sense in _ALSO_OF_VERBS:
-        f.phrases.append(phrase)
+    beside = noun.after_prep == "with" and phrase.prep in _BESIDE
+    if f.verb.sense in _ALSO_OF_VERBS and not beside:
+        f.phrases.append(phrase)  # not "a clock hangs on a wall with a lamp to the right of it"
     return True
 
 
@@ -325,5 +369,6 @@ def _attach_to_noun(c: Clauses, s: State, phrase: Phrase, m: Mention) -> None:
     if owner is None or s.boundary:
         s.loose.append(phrase)
     else:
-        near = last if phrase.prep in _OF_NOUNS and last is not None else owner
+        its_side = m.head in ("left", "right") and m.determiner in ("its", "his", "her", "their")
+        near = last if (its_side or phrase.prep in _OF_NOUNS) and last is not None else owner
         c.attachments.append((near, phrase))

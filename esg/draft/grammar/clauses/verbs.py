@@ -241,6 +241,9 @@ def _relative_goes_on(c: Clauses, s: State, o: _Opening) -> bool:
         return False
     if previous.verb.sense in _STATES or of_a_vehicle(previous, v):
         return False
+    done = previous.verb.auxiliary in ("has", "have", "had") and not v.auxiliary
+    if done and v.form in ("s", "base"):
+        return False  # "passes a man who has fallen and stops beside him"
     o.frame.subject, o.frame.relative, o.frame.reduced = previous.subject, True, True
     o.frame.parent = previous.parent
     return True

@@ -61,6 +61,10 @@ def _subordinator(c: Clauses, s: State, w: Word, i: int) -> None:
 def _preposition(c: Clauses, s: State, w: Word, i: int) -> None:
     nxt = element_at(c.elements, i + 1)
     small = nxt if isinstance(nxt, Word) else None
+    plain = small is not None and small.end - small.start == len(small.low)
+    if small is not None and small.kind == "adv" and plain and w.low in _PARTICLES:
+        rest = element_at(c.elements, i + 2)  # "yanks it out sideways and the rest falls"
+        small = rest if isinstance(rest, Word) and _ends_phrase(rest) else small
     if nxt is None or (small is not None and _ends_phrase(small)):
         if small is not None and small.kind == "rel" and small.low in ("which", "whom"):
             s.relative_prep = w.low  # "a rack from which a box falls"

@@ -18,6 +18,7 @@ from esg.draft.grammar.phrases.reader import (
     acts_on_something,
     element_before,
     is_adjective,
+    noun_soon,
     thing_named,
     unknown_verb,
     verb_ahead,
@@ -338,6 +339,13 @@ def _multiword(c: Chunks, i: int) -> int | None:
     return None
 
 
+def _of_several(c: Chunks) -> bool:
+    """Whether the phrase named last in the text so far is of several things."""
+    last = next((e for e in reversed(c.elements) if isinstance(e, Mention)), None)
+    several = ("they", "all", "both", "ones")
+    return last is not None and (last.plural or last.pronoun in several)
+
+
 def _apart(c: Chunks, i: int, words: tuple[str, ...]) -> bool:
     """Whether words that stand together do not belong together here."""
     previous, after = element_before(c), low_at(c, i + len(words))
@@ -352,6 +360,10 @@ def _apart(c: Chunks, i: int, words: tuple[str, ...]) -> bool:
         return _many_reverse(c)  # "Two vans back into each other"
     if words[0] in ("at", "in", "on") and after in ("of", "to"):
         return True  # "at the end of the ramp", "on the way to the door"
+    if words == ("to", "a", "man") and not _of_several(c):
+        return True  # "runs to a man who has fallen"
+    if words == ("a", "little") and noun_soon(c, i + 2):
+        return True  # "pushes a little wooden ball"
     if words[-1] in ("that", "this") and after in lex.RETOLD_NOUNS:
         return True  # "because of that bump"
     if words == ("at", "the", "end") and isinstance(previous, Mention):

@@ -67,6 +67,8 @@ _OWN = ("his", "her", "its", "their")
 _HANDS = frozenset({"left", "left-hand", "right", "right-hand"})
 _DOING = frozenset({"do", "does", "did", "perform", "execute", "attempt"})
 _PAVED = lex.word_set("paved (nouns)")
+_CAST = lex.word_set("cast (noun heads)")
+_PICKING = frozenset({"left", "right", "front", "rear", "middle", "top", "bottom"})
 _NOT_ONE = frozenset({"light", "dark", "cold"})
 """Adjectives that are nouns, too: "the light" is no light one."""
 _NO_NOUNS = lex.ADVERBS | lex.PREPOSITIONS | lex.DETERMINERS | lex.SUBORDINATORS
@@ -127,10 +129,8 @@ def _noun_here(c: Chunks, j: int, m: Mention) -> NounMatch | None:
     noun = match_noun(c, j) if j < len(c.tokens) else None
     if noun is None:
         return None
-    if (
-        noun[3] in ("corner", "entrance", "exit", "rim", "step", "rung")
-        and low_at(c, j + 1) == "of"
-    ):
+    own = m.determiner in _OWN or low_at(c, j + 1) == "of"
+    if noun[3] in ("corner", "entrance", "exit", "rim", "step", "rung") and own:
         return None  # of a room or a table, not of the street; a tunnel has no door
     if noun[3] == "path" and m.determiner and low_at(c, j + 1) == "of":
         return None  # "into the path of a tram": no footpath
@@ -138,9 +138,18 @@ def _noun_here(c: Chunks, j: int, m: Mention) -> NounMatch | None:
         return None  # "orange sky"
     if noun[3] in lex.PARTS and low_at(c, j + 1) == "of" and _of_a_vehicle(c, j + 2):
         return None  # "the bed of a truck"
+    if _acts_after_stuff(c, j, noun, m):
+        return None  # "a stone skips"
     if m.determiner in ("both", "all", "the") and many_do(c, j, m):
         return None  # "and both slide into a bale", "the two stick together"
     return noun
+
+
+def _acts_after_stuff(c: Chunks, j: int, noun: NounMatch, m: Mention) -> bool:
+    """Whether a plural after "a" and a noun of stuff is what that does, and no thing."""
+    finite = any(r.form == "s" for r in verb_readings(low_at(c, j)))
+    one = m.determiner in _SINGULAR and m.count in (None, 1)
+    return one and noun[2] and finite and bool(m.adjectives) and m.adjectives[-1] in lex.nouns()
 
 
 def _color_of(c: Chunks, j: int) -> bool:
@@ -261,13 +270,14 @@ def _stands(c: Chunks, j: int, m: Mention, plural: bool) -> int:
         return j  # "crosses the road in front of it": there is no other road
     low, the = low_at(c, j), m.determiner == "the"
     new = m.determiner in ("a", "an") and low == "behind"  # "a couch behind him": a place
+    flat = m.noun is not None and "structural" in m.noun.traits  # "crosses the road in front of it"
     if low in ("behind", "following") and low_at(c, j + 1) in _THEM and not new:
         m.adjectives.append("rear")
         j += 2
     elif low == "behind" and the and _ends_or_acts(c, j + 1):
         m.adjectives += ["rear", *_absolute(c, j + 1, m)]
         j += 1
-    elif (low, low_at(c, j + 1)) == ("in", "front") and the and _of_it(c, j + 2):
+    elif (low, low_at(c, j + 1)) == ("in", "front") and the and _of_it(c, j + 2) and not flat:
         j += 4 if low_at(c, j + 2) == "of" else 2
         m.adjectives += ["front", *_absolute(c, j, m)]
     on_top = 2 if low_at(c, j + 1) == "top" else 3 if low_at(c, j + 2) == "top" else 0
@@ -404,6 +414,10 @@ def _part(c: Chunks, p: Place, m: Mention) -> Head | None:
     if found is None:
         return Head(j)
     owner, after = found
+    if part in _PICKING and (owner.count or 1) > 1 and not owner.determiner:
+        owner.pick, owner.start = part, m.start  # "the left of two lamps"
+        c.elements.append(owner)
+        return Head(after, complete=True)
     owner.part = f"{' '.join(m.adjectives)} {m.part}" if m.adjectives else m.part
     owner.start = m.start
     c.elements.append(owner)
@@ -472,6 +486,9 @@ def _determiner_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
     if p.at != p.first + 1 or (m.determiner == "another" and unknown_noun(c, p.at)):
         return OTHER
     if m.determiner in lex.PRONOUNS and not m.adjectives and m.count is None:
+        if p.low in _CAST and m.determiner in _OWN:
+            m.head, m.attribute = p.low, True  # "its shadow"
+            return Head(p.at + 1)
         m.pronoun = m.determiner
         return None if m.determiner in (*_OWN, "my", "our", "your") else Head(p.at)
     if m.determiner in ("both", "each", "all", "some", "many", "several", "another"):
@@ -618,6 +635,16 @@ def _count_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
         return OTHER
     if m.determiner not in ("the", "this", "that") and p.at != p.first + 1:
         return None
+    if m.count > 1 and {r.form for r in verb_readings(p.low)} == {"s"} and not m.determiner:
+        found = _owner(c, p.at + 2) if low_at(c, p.at + 1) == "of" else None
+        if found is not None:  # "two slices of bread": no two that slice
+            owner, after = found
+            owner.start, owner.count, owner.plural = m.start, m.count, True
+            c.elements.append(owner)
+            return Head(after, complete=True)
+        m.head, m.plural = lex.singular(p.low)
+        m.known, m.attribute = False, names_no_thing(m.head)
+        return Head(p.at + 1)
     m.pronoun = "ones" if m.count > 1 else "one"
     return Head(p.at)
 

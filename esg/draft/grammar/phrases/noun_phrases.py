@@ -231,10 +231,9 @@ def _names_one(low: str) -> bool:
 
 
 def _tells_one(c: Chunks, j: int, m: Mention) -> bool:
-    """ "the rubber one", "an orange one": what is before "one" is no thing of its own."""
+    """ "the rubber one", "an orange one": a material or a colour there is no thing of its own."""
     made = m.determiner == "the" and low_at(c, j) in lex.MATERIALS
-    tinted = (m.determiner != "" or m.count is not None) and low_at(c, j) in lex.COLORS
-    return (made or tinted) and low_at(c, j + 1) in ("one", "ones")
+    return (made or low_at(c, j) in lex.COLORS) and low_at(c, j + 1) in ("one", "ones")
 
 
 def _amount(c: Chunks, i: int, j: int, m: Mention) -> int:
@@ -308,12 +307,23 @@ def _adjective(c: Chunks, i: int, j: int, m: Mention) -> int:
     if not is_adjective(c, j):
         return 0
     if not (low_at(c, j + 1) in ("one", "ones") and _names_one(low)):
-        follows = noun_soon(c, j + 1) or parts_of(c, j + 1)
+        follows = (noun_soon(c, j + 1) or parts_of(c, j + 1)) and not _acts_there(c, i, j)
         small = low in _ALSO_ADVERBS and not m.determiner and not parts_of(c, j + 1)
         if not follows and (low in lex.PARTS or small):
             return _STOP
     m.adjectives.append(low)
     return j + 1
+
+
+def _acts_there(c: Chunks, i: int, j: int) -> bool:
+    """ "The one in the middle flies off": no flies of the middle."""
+    at, who = (c.elements[-1:] or [None])[0], (c.elements[-2:-1] or [None])[0]
+    if low_at(c, j) not in lex.PARTS or j != i + 1 or not isinstance(at, Word) or at.kind != "prep":
+        return False
+    one = isinstance(who, Mention) and who.determiner == "the" and not who.plural
+    acts = any(r.form == "s" for r in verb_readings(low_at(c, j + 1)))
+    after = low_at(c, j + 2)
+    return one and acts and (not after or after in lex.PREPOSITIONS | lex.DETERMINERS | {".", ","})
 
 
 def _verb_form(c: Chunks, i: int, j: int, m: Mention) -> int:

@@ -35,6 +35,8 @@ def _find_noun(c: Chunks, i: int) -> NounMatch | None:
     if not 0 <= i < len(c.tokens) or _modal(c, i) or _picks_up(c, i):
         return None
     most = lex.longest_nouns().get(c.tokens[i].low, 1)
+    if low_at(c, i + 1) == "of":
+        most = max(most, lex.longest_nouns().get(lex.singular(c.tokens[i].low)[0], 1))
     for n in range(min(most, len(c.tokens) - i), 0, -1):
         window = c.tokens[i : i + n]
         if any(t.kind != "word" and (t.kind != "number" or n == 1) for t in window):
@@ -59,6 +61,11 @@ def _entry(c: Chunks, i: int, words: list[str]) -> tuple[NounMatch | None, bool]
         counted = parse_number(words[0]) is not None  # "eight balls" are not "the eight ball"
         if not (n > 1 and plural and (counted or _subject_and_verb(c, i, words))):
             return (table[single], n, plural or words[-1] == "billiards", single), False
+    if n > 2 and words[1] == "of":  # "two blocks of ice"
+        first, several = lex.singular(words[0])
+        piece = " ".join([first, *words[1:]])
+        if several and piece in table:
+            return (table[piece], n, True, piece), False
     dashed = "-".join(words)
     return ((table[dashed], n, False, dashed) if n > 1 and dashed in table else None), False
 

@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 from esg.draft.grammar.rewrites.conditions import is_word
-from esg.draft.text.elements import Element, Mention
+from esg.draft.text.elements import Element, Mention, Word
 
 
 def name_ones(elements: list[Element]) -> list[Element]:
@@ -18,9 +20,20 @@ def name_ones(elements: list[Element]) -> list[Element]:
     return elements
 
 
+def _in_the_same_phrase(before: list[Element], named: list[Mention]) -> Mention | None:
+    """ "A woman with a red umbrella passes a man with a blue one": no blue man."""
+    prep = before[-1]
+    if not isinstance(prep, Word) or prep.kind != "prep":
+        return None
+    alike = [e for b, e in pairwise(before) if is_word(b, prep.low) and isinstance(e, Mention)]
+    return next((e for e in reversed(alike) if e in named), None)
+
+
 def _stands_for(m: Mention, before: list[Element]) -> None:
     """ "a standing one", "a second one": one more of what was named before."""
-    if m.pronoun != "one" or m.determiner not in ("a", "an") or not m.adjectives or m.coordinated:
+    several = m.pronoun == "ones" and (m.count or 0) > 1 and not m.determiner
+    one = m.pronoun == "one" and m.determiner in ("a", "an")
+    if not (one or several) or not m.adjectives or m.coordinated:
         return
     named = [
         e
@@ -29,9 +42,11 @@ def _stands_for(m: Mention, before: list[Element]) -> None:
     ]
     if not named or {"other", "next"} & {*m.adjectives}:
         return
-    like = named[-1]
-    several = any(e.plural or (e.count or 1) > 1 for e in named)
-    if several or (like.noun is not None and like.noun.kind in ("region", "ground")):
+    like = _in_the_same_phrase(before, named) or named[-1]
+    if any(e.plural or (e.count or 1) > 1 for e in named) or (
+        like.noun is not None and like.noun.kind in ("region", "ground")
+    ):
         return
     m.pronoun, m.head, m.noun, m.known = "", like.head, like.noun, like.known
+    m.plural = several  # "two brown ones"
     m.text = f"{' '.join(a for a in m.adjectives if a[0] != '@')} {like.head}"
