@@ -203,7 +203,7 @@ def test_a_draft_shows_colours_and_who_a_statement_is_about(
 
     assert draft("A red ball of steel rolls to the left. Five cups stand behind a white tent.") == 0
     lines = capsys.readouterr().out.splitlines()
-    assert 'object:    red_ball_1  "red ball", red, steel' in lines
+    assert 'object:    red_ball_1  "red ball of steel", red, steel' in lines
     assert any(line.startswith("object:    cup_1 ... cup_5 (5)  ") for line in lines)
     assert 'statement: s2  moves(red_ball_1) left  "to the left"' in lines
     assert not any("ground_1" in line for line in lines if line.startswith("object:"))
