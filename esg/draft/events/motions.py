@@ -33,6 +33,8 @@ from esg.graph.models import ForceDirection, NodeEvent, Quantity
 _AIRBORNE = lex.word_set("airborne")
 _ONCE = frozenset({"after", "once", "when", "whenever", "as soon as"})
 THEN = lex.word_set("then")
+ROLLING = "rolling"
+"""Adjective of what is on its way round and round."""
 AFTER_THAT = r"\bafter (?:that|this|which)\b"
 _SLOW, _FAST = (0.0, 0.25), (0.5, 1.0)
 """The parts of the range of plausible speeds that are slow and fast."""
@@ -277,7 +279,9 @@ def natural(d: Discourse, actor: str) -> str:
         return "own"
     if kind in _AIRBORNE:
         return "throw"
-    return "roll" if "round" in entity_of(d, actor).noun.traits else "slide"
+    e = entity_of(d, actor)
+    told = ROLLING in e.adjectives and can_roll(d, actor)  # "a rolling can hits a candle"
+    return "roll" if told or "round" in e.noun.traits else "slide"
 
 
 def target_of(d: Discourse, f: Frame, avoid: list[str]) -> list[str]:
