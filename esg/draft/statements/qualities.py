@@ -97,8 +97,8 @@ def _lost(a: Account, t: Token, later: str, e: Entity, moving: set[str]) -> bool
 
 def _going(a: Account, word: str, e: Entity, moving: set[str]) -> bool:
     """Whether a participle tells of what its thing does not do, and of no kind of things."""
-    if word in _GOINGS_ON:
-        return True
+    if word in _GOINGS_ON or word in NAMED_BY:
+        return word in _GOINGS_ON  # "a running shoe", "a racing pigeon"
     if _manner(word):
         return not any(_SHOWN_BY[s](a, {e.id}) for s in _senses(word) & {*_SHOWN_BY})
     if _motion(word):

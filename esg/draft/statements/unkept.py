@@ -155,6 +155,15 @@ def _tied(d: Discourse, f: Frame) -> bool:
     return bool({*acted_on, *hosts} & {*d.scene.tows})
 
 
+def _restless(d: Discourse, clause: Clause) -> bool:
+    """Whether one of those who wait is on its way, and at no time told to stand still."""
+    who = [i for i in _doers(clause.frame) if i in d.world.entities]
+    who += [d.scene.supported_by[i] for i in who if i in d.scene.supported_by]
+    stands = {i for n in d.timeline.nodes if n.event is NodeEvent.STOP for i in n.participants}
+    stands |= {e.actor for e in d.timeline.edges if e.params.speed == 0.0}
+    return any(e.actor in who and e.actor not in stands for e in d.timeline.edges)
+
+
 def _goes_down(d: Discourse, clause: Clause) -> bool:
     verb = clause.frame.verb
     return "down" in d.text[verb.start : verb.end + 5].lower().split()
@@ -211,6 +220,7 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "loose": lambda d, c: bool(c.movers) and _loose(d, c),
     "bumped": lambda d, c: c.frame.verb.form == "ing" and _bumped(d, c.frame),
     "down": _goes_down,
+    "restless": _restless,
     "finite": lambda d, c: not (c.frame.verb.passive or c.frame.reduced),
     "shoved": _shoved,
     "flung": _flung,

@@ -192,7 +192,10 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if _STILL.match(d.text, f.verb.start) and not f.unreal:
         d.moves.stays.update((a, f.verb.start) for a in s if movable(d, a))
     if f.verb.lemma in _PATIENT and lasting is None and not f.reduced and not f.unreal:
-        d.moves.patient.update(a for a in s if kind_of(d, a) in SELF_POWERED and at_rest(d, a))
+        waiting = [*s, *(d.scene.supported_by.get(a, a) for a in s)]  # "a cyclist on a bike waits"
+        d.moves.patient.update(
+            a for a in waiting if kind_of(d, a) in SELF_POWERED and at_rest(d, a)
+        )
     for actor in [a for a in s if waits and kind_of(d, a) in SELF_POWERED]:
         if moves(d, actor):
             add_event(d, NodeEvent.TRIGGER, (actor,), f, None)  # "drives for 4 s, waits"
