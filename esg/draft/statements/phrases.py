@@ -270,7 +270,7 @@ def _answered_by_ground(a: Account, about: set[str], others: set[str], p: Phrase
         or (p.prep == "into" and GROUND not in others)
         or (p.prep == "of" and GROUND in others and _definite(p))  # "the boards of the rink"
         or (p.prep in ("above", "over") and _aloft(a, about))
-        or (p.prep == "from" and GROUND in others and _rises(a, about))
+        or (p.prep in ("from", "off") and GROUND in others and _rises(a, about))
         or _laid_out(a.d, about, others, p.prep)
     )
 
@@ -315,8 +315,8 @@ def _aloft(a: Account, about: set[str]) -> bool:
 
 
 def _rises(a: Account, about: set[str]) -> bool:
-    """ "A drone rises from the ground": where what rises is before."""
-    return any(s.direction == "up" and about & {*s.object} for s in a.kept)
+    """ "A drone rises from the ground", "picks it up from the lawn": where it is before."""
+    return _takes_part(a, NodeEvent.PICKED_UP, about) or any(s.direction == "up" and about & {*s.object} for s in a.kept)
 
 
 def _laid_out(d: Discourse, about: set[str], others: set[str], prep: str) -> bool:
