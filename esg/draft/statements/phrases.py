@@ -19,6 +19,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, LIMBED, Relation
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.courses import measurable
+from esg.draft.events.roles import is_tool
 from esg.draft.events.stated import start_of
 from esg.draft.events.told import happened, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
@@ -55,8 +56,13 @@ _FLAT = frozenset({"support", "structural"})
 _ENTERED = frozenset({"building", "structure"})
 _ENDS = frozenset({"ends_on", "ends_in", "ends_near", "above", "under"})
 _HITS = frozenset({"impact", "contact", "collision", "crash"})
+IDLE = "nobody has it in hand: it takes no part"
 _TO_PIECES = lex.word_set("to pieces")
 _FEET = frozenset({"bottom", "foot"})
+_PLACES = frozenset(
+    {Predicate.BEHIND, Predicate.IN_FRONT_OF, Predicate.LEFT_OF, Predicate.RIGHT_OF}
+    | {Predicate.ABOVE, Predicate.UNDER, Predicate.SUPPORTED_BY, Predicate.INSIDE}
+)
 _OPPOSITE = {
     "left_of": "right_of", "right_of": "left_of", "in_front_of": "behind",
     "behind": "in_front_of", "above": "under", "under": "above",
@@ -109,8 +115,12 @@ def phrases(a: Account) -> Iterator[Gap]:
             about |= {*nodes_of(a.d, p.mention)}
     for m, p in a.d.attached:
         asked.setdefault(id(p.mention), (p, None, set()))[2].update(nodes_of(a.d, m))
+    tools = {id(p.mention) for m, p in a.d.attached if is_tool(a.d, m, p)}
     for p, f, about in asked.values():
         m = p.mention
+        if id(m) in tools and m is not None and not _acts(a, {*nodes_of(a.d, m)}):
+            yield Gap(max(start_of(p, a.d.text), 0), m.end, IDLE, tuple(nodes_of(a.d, m)))
+            continue
         if m is None or p.amount is not None or m.amounts or p.prep in _WHY or m.count == 0:
             continue  # "with no other cars": none is drawn
         if p.prep == "than" and any(0 <= m.start - b <= 1 for _, b in a.d.scene.compared):
@@ -122,6 +132,12 @@ def phrases(a: Account) -> Iterator[Gap]:
         if about and not (_answered(a, about, others, p, f) if others else _no_place(a, about, p)):
             missing = f'nothing in the scene stands for "{p.prep}"'
             yield Gap(max(start_of(p, a.d.text), 0), m.end, missing, tuple(sorted(about))[:1])
+
+
+def _acts(a: Account, who: set[str]) -> bool:
+    """Whether something takes part in an event or moves."""
+    acting = {i for n in a.d.timeline.nodes for i in n.participants}
+    return bool(who & (acting | {e.actor for e in a.d.timeline.edges}))
 
 
 def adrift(a: Account) -> Iterator[Gap]:
@@ -254,6 +270,8 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
     ):
         return False  # "sits on one end of a plank": it is anywhere on it
     own = {node for g, node in d.times.of_frame if f is not None and g.verb is f.verb}
+    if p.prep == "with" and _at_rest(f) and _has_a_place(a, about, others):
+        return True
     return (
         (by.holds and held(d, about, others))
         or _related(d, about, others, by)
@@ -261,6 +279,21 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
         or any(_happens(d, n, about, others, p.prep, by, own) for n in d.timeline.nodes)
         or any(_aims(e, about, others, by.aims) for e in d.timeline.edges)
     )
+
+
+def _at_rest(f: Frame | None) -> bool:
+    """Whether a phrase belongs to a noun, or to a verb of what only is somewhere."""
+    return f is None or f.verb.sense in ("be", "posture", "have")
+
+
+def _has_a_place(a: Account, about: set[str], others: set[str]) -> bool:
+    """ "A tent with a flag behind it", "a woman with a stick": where they are is told."""
+    told = {r.source for r in a.d.scene.relations if r.kind not in ("near", "structural")}
+    told |= {i for s in a.kept if s.predicate in _PLACES for i in s.object}
+    told |= {i for at in (a.d.scene.supported_by, a.d.scene.inside_of) for i in at}
+    near = {r.source for r in a.d.scene.relations if r.target in about}
+    in_hand = all(kind_of(a.d, i) in LIMBED for i in about) and not _acts(a, about)
+    return bool(others) and others <= (told | near if in_hand else told)
 
 
 def _answered_by_ground(a: Account, about: set[str], others: set[str], p: Phrase) -> bool:
@@ -316,7 +349,9 @@ def _aloft(a: Account, about: set[str]) -> bool:
 
 def _rises(a: Account, about: set[str]) -> bool:
     """ "A drone rises from the ground", "picks it up from the lawn": where it is before."""
-    return _takes_part(a, NodeEvent.PICKED_UP, about) or any(s.direction == "up" and about & {*s.object} for s in a.kept)
+    return _takes_part(a, NodeEvent.PICKED_UP, about) or any(
+        s.direction == "up" and about & {*s.object} for s in a.kept
+    )
 
 
 def _laid_out(d: Discourse, about: set[str], others: set[str], prep: str) -> bool:
