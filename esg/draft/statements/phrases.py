@@ -59,6 +59,7 @@ _HITS = frozenset({"impact", "contact", "collision", "crash"})
 IDLE = "nobody has it in hand: it takes no part"
 _TO_PIECES = lex.word_set("to pieces")
 _FEET = frozenset({"bottom", "foot"})
+_BESIDE = frozenset({"left_of", "right_of", "in_front_of", "behind", "above", "under"})
 _PLACES = frozenset(
     {Predicate.BEHIND, Predicate.IN_FRONT_OF, Predicate.LEFT_OF, Predicate.RIGHT_OF}
     | {Predicate.ABOVE, Predicate.UNDER, Predicate.SUPPORTED_BY, Predicate.INSIDE}
@@ -288,9 +289,10 @@ def _at_rest(f: Frame | None) -> bool:
 
 def _has_a_place(a: Account, about: set[str], others: set[str]) -> bool:
     """ "A tent with a flag behind it", "a woman with a stick": where they are is told."""
-    told = {r.source for r in a.d.scene.relations if r.kind not in ("near", "structural")}
+    told = {r.source for r in a.d.scene.relations if r.kind in _BESIDE}
     told |= {i for s in a.kept if s.predicate in _PLACES for i in s.object}
-    told |= {i for at in (a.d.scene.supported_by, a.d.scene.inside_of) for i in at}
+    holders = (a.d.scene.supported_by, a.d.scene.inside_of)
+    told |= {i for at in holders for i, host in at.items() if host not in about}
     near = {r.source for r in a.d.scene.relations if r.target in about}
     in_hand = all(kind_of(a.d, i) in LIMBED for i in about) and not _acts(a, about)
     return bool(others) and others <= (told | near if in_hand else told)

@@ -185,8 +185,9 @@ def _restless(d: Discourse, clause: Clause) -> bool:
     who = [i for i in _doers(clause.frame) if i in d.world.entities]
     who += [d.scene.supported_by[i] for i in who if i in d.scene.supported_by]
     stands = {i for n in d.timeline.nodes if n.event is NodeEvent.STOP for i in n.participants}
-    stands |= {e.actor for e in d.timeline.edges if e.params.speed == 0.0}
-    return any(e.actor in who and e.actor not in stands for e in d.timeline.edges)
+    legs = [e for e in d.timeline.edges if e.event is not EdgeEvent.INERTIAL_CONNECTOR]
+    stands |= {e.actor for e in legs if e.params.speed == 0.0}
+    return any(e.actor in who and e.actor not in stands for e in legs)
 
 
 def _parted(d: Discourse, clause: Clause) -> bool:

@@ -24,9 +24,9 @@ from esg.draft.discourse.scene import LIMBED, SELF_POWERED, Relation
 from esg.draft.events.acts import add_event, add_hit
 from esg.draft.events.lengths import starts_apart
 from esg.draft.events.motions import motion, sets_off_late
+from esg.draft.events.roles import is_tool
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import speed_after, start_height, time_of
-from esg.draft.events.roles import is_tool
 from esg.draft.events.told import amount, at_rest, ignore, moves, size_of, things, traits_of, unread
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.grammar.rewrites.shares import dealt
