@@ -31,7 +31,8 @@ def fit(scene: Scene) -> None:
     """
     for body, vessel, covered in _held(scene):
         free = body.noun.kind in _ANY_SIZE and not body.dimensions_prescribed
-        if not free or "container" not in vessel.noun.traits or "support" in vessel.noun.traits:
+        lid = covered and vessel.noun.kind in _ANY_SIZE  # one crate of a stack
+        if not free or lid or "container" not in vessel.noun.traits:
             continue
         mine, room = dimensions_of(body), dimensions_of(vessel)
         factor = _FREE * min(room[:2]) / max(mine[:2])
