@@ -279,9 +279,13 @@ def natural(d: Discourse, actor: str) -> str:
         return "own"
     if kind in _AIRBORNE:
         return "throw"
+    return "roll" if would_roll(d, actor) else "slide"
+
+
+def would_roll(d: Discourse, actor: str) -> bool:
+    """Whether it is a ball, or is called rolling and can ("a rolling can hits a candle")."""
     e = entity_of(d, actor)
-    told = ROLLING in e.adjectives and can_roll(d, actor)  # "a rolling can hits a candle"
-    return "roll" if told or "round" in e.noun.traits else "slide"
+    return "round" in e.noun.traits or (ROLLING in e.adjectives and can_roll(d, actor))
 
 
 def target_of(d: Discourse, f: Frame, avoid: list[str]) -> list[str]:

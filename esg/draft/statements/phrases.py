@@ -13,7 +13,7 @@ from functools import cache
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import kind_of, structural
+from esg.draft.discourse.core import kind_of, movable, structural
 from esg.draft.discourse.levers import ACROSS
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, LIMBED, Relation
@@ -117,6 +117,9 @@ def phrases(a: Account) -> Iterator[Gap]:
     for m, p in a.d.attached:
         asked.setdefault(id(p.mention), (p, None, set()))[2].update(nodes_of(a.d, m))
     tools = {id(p.mention) for m, p in a.d.attached if is_tool(a.d, m, p)}
+    for p in _of_lost_verbs(a):
+        tools.add(id(p.mention))
+        asked.setdefault(id(p.mention), (p, None, set()))
     for p, f, about in asked.values():
         m = p.mention
         if id(m) in tools and m is not None and not _acts(a, {*nodes_of(a.d, m)}):
@@ -133,6 +136,16 @@ def phrases(a: Account) -> Iterator[Gap]:
         if about and not (_answered(a, about, others, p, f) if others else _no_place(a, about, p)):
             missing = f'nothing in the scene stands for "{p.prep}"'
             yield Gap(max(start_of(p, a.d.text), 0), m.end, missing, tuple(sorted(about))[:1])
+
+
+def _of_lost_verbs(a: Account) -> Iterator[Phrase]:
+    """ "With its suction cup, the robot picks boxes off a belt": nothing was made of the verb."""
+    for f in a.d.told:
+        lost = (f.verb.start, f.verb.end) in a.d.scene.ignored and not (f.unreal or f.verb.negated)
+        for p in f.phrases if lost else ():
+            loose = [i for i in nodes_of(a.d, p.mention) if movable(a.d, i)]
+            if p.prep == "with" and loose and all(kind_of(a.d, i) not in LIMBED for i in loose):
+                yield p
 
 
 def _acts(a: Account, who: set[str]) -> bool:

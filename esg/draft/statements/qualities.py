@@ -41,6 +41,8 @@ _SHADES = frozenset({"light", "dark", "bright", "pale", "deep"})
 """Words that tell a colour after them more closely."""
 _WORDS = frozenset({"ADJ", "NOUN", "PROPN"})
 """Parts of speech of words that tell of something."""
+_LOOKS = frozenset({"look", "appear", "feel", "sound"})
+"""Verbs of which a quality says what is meant ("looks angry")."""
 _DOWN = (NodeEvent.TOPPLE, NodeEvent.FALL)
 _DONE = {
     **dict.fromkeys(("fallen", "toppled", "overturned", "upset", "upended"), _DOWN),
@@ -130,7 +132,8 @@ def said_of_it(a: Account) -> Iterator[Gap]:
         elif x.kind == "unknown" and x.start not in measured and x.low not in has:
             used = (x.start, x.end) in a.d.scene.used or not x.low[1:].isalpha()
             if not used and _tells(a, x, tags.get(x.start, ""), before, k):
-                yield Gap(x.start, x.end, NOTHING)
+                looks = before is not None and before.lemma in _LOOKS
+                yield Gap(before.start if before and looks else x.start, x.end, NOTHING)
 
 
 def _within(a: Account, verb: Verb, has: set[str]) -> Iterator[Gap]:

@@ -171,6 +171,14 @@ def _bumped(d: Discourse, f: Frame) -> bool:
     return any(n is not None and n.event is NodeEvent.COLLISION for n in told)
 
 
+def _rammed(d: Discourse, clause: Clause) -> bool:
+    """Whether who is to pull a thing runs into it."""
+    doers, f = {*_doers(clause.frame)}, clause.frame
+    pulled = {*(f.object.entities if f.object is not None and not f.verb.passive else ())}
+    hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
+    return any({*n.participants} & doers and {*n.participants} & pulled for n in hits)
+
+
 def _tied(d: Discourse, f: Frame) -> bool:
     """Whether what a clause acts on, or what that rides in, is joined to what draws it."""
     acted_on = [] if f.object is None else f.object.entities
@@ -258,6 +266,7 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "down": _goes_down,
     "parted": _parted,
     "restless": _restless,
+    "rammed": _rammed,
     "finite": lambda d, c: not (c.frame.verb.passive or c.frame.reduced),
     "shoved": _shoved,
     "flung": _flung,
