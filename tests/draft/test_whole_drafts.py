@@ -303,7 +303,8 @@ NOTHING = "nothing in the scene stands for it"
 def test_notes_warnings_and_lost_events_own_up() -> None:
     assert owned_up(draft(FALL)) == []
     assert owned_up(_with(draft(FALL), OWNS_UP)) == [(OWNS_UP["note"], "words")]
-    assert owned_up(draft("The can has a dent.")) == [(NOTHING, "dent")]
+    told = 'The word "…" was not understood.'
+    assert owned_up(draft("The can has a dent.")) == [(NOTHING, "dent"), (told, "dent")]
 
     def lose(raw: Json) -> None:
         item = {"text": "Rolls", "start": 7, "end": 12, "kind": "event"}

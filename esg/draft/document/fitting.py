@@ -31,8 +31,9 @@ def fit(scene: Scene) -> None:
     """
     for body, vessel, covered in _held(scene):
         free = body.noun.kind in _ANY_SIZE and not body.dimensions_prescribed
-        lid = covered and vessel.noun.kind in _ANY_SIZE  # one crate of a stack
-        if not free or lid or "container" not in vessel.noun.traits:
+        stacked = body.noun.name == vessel.noun.name  # crates of a stack
+        lid = covered and vessel.noun.kind in _ANY_SIZE
+        if not free or stacked or lid or "container" not in vessel.noun.traits:
             continue
         mine, room = dimensions_of(body), dimensions_of(vessel)
         factor = _FREE * min(room[:2]) / max(mine[:2])

@@ -32,7 +32,7 @@ from esg.draft.events.ends import (
     touches_later,
 )
 from esg.draft.events.hanging import openable, turning
-from esg.draft.events.motions import natural, own, speed_of, start_motion, would_roll
+from esg.draft.events.motions import natural, own, speed_of, start_motion
 from esg.draft.events.roles import role
 from esg.draft.events.timing import (
     PUSHING,
@@ -160,7 +160,7 @@ def _leaves_from(d: Discourse, actor: str, f: Frame) -> None:
         return
     speed = track.motion.speed if track.motion.prescribed else None
     track.motion, track.direction = None, None
-    start_motion(d, f, [actor], "roll" if would_roll(d, actor) else "slide")
+    start_motion(d, f, [actor], "roll" if "round" in traits_of(d, actor) else "slide")
     if speed is not None and track.motion is not None:
         track.motion.speed, track.motion.prescribed = speed, True
 

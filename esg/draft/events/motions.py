@@ -250,6 +250,7 @@ def start_motion(
             let_go(d, f, [actor])
             continue
         chosen = mode or natural(d, actor)
+        chosen = "roll" if chosen == "slide" and called_rolling(d, actor) else chosen
         if f.verb.lemma in _IN_THE_AIR and flies_itself(d, actor):
             d.moves.flying.add(actor)
         speed, prescribed = speed_of(d, f, [actor], chosen)
@@ -279,13 +280,12 @@ def natural(d: Discourse, actor: str) -> str:
         return "own"
     if kind in _AIRBORNE:
         return "throw"
-    return "roll" if would_roll(d, actor) else "slide"
+    return "roll" if "round" in entity_of(d, actor).noun.traits else "slide"
 
 
-def would_roll(d: Discourse, actor: str) -> bool:
-    """Whether it is a ball, or is called rolling and can ("a rolling can hits a candle")."""
-    e = entity_of(d, actor)
-    return "round" in e.noun.traits or (ROLLING in e.adjectives and can_roll(d, actor))
+def called_rolling(d: Discourse, actor: str) -> bool:
+    """ "A rolling can hits a candle": it is round about some axis, too."""
+    return ROLLING in entity_of(d, actor).adjectives and can_roll(d, actor)
 
 
 def target_of(d: Discourse, f: Frame, avoid: list[str]) -> list[str]:
