@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated
 from cyclopts import Parameter
 
 from esg.commands.drafting import RULES, Drafting
+from esg.fidelity import NOT_REPRESENTED
 
 if TYPE_CHECKING:
     from esg.graph.models import EsgDocument, EventConstraint, Statement
@@ -61,7 +62,37 @@ _UNITS = {
     "distance": "cm", "height": "cm", "angle": "degrees",
 }  # fmt: skip
 """Units of what point events are to measure."""
+_LISTED = 3
+"""So many alike things are listed by name, of more the first and the last."""
 _SIDES = {"+X": "left", "-X": "right", "+Y": "to the front", "-Y": "to the back"}
+
+
+def _looks(doc: EsgDocument) -> Iterator[str]:
+    """What things are called, what they are drawn as, their colours and materials."""
+    alike: dict[str, list[str]] = {}
+    for name, node in doc.spatial_relation_graph.nodes.items():
+        if node.is_structural and not node.mentioned:
+            continue
+        asset = doc.asset_requirement[node.asset_id]
+        kind = asset.asset_category.replace("_", " ")
+        drawn = kind if kind not in node.label.lower() else None
+        told = [f'"{node.label}"', *filter(None, (drawn, asset.color, asset.material))]
+        alike.setdefault(", ".join(told), []).append(name)
+    for said, names in alike.items():
+        who = names if len(names) <= _LISTED else [names[0], "...", names[-1], f"({len(names)})"]
+        yield f"object:    {' '.join(who)}  {said}"
+
+
+def _statements(doc: EsgDocument) -> Iterator[str]:
+    """What is stated: of what, toward what, which way, how much, when, by which words."""
+    for s in doc.statements or ():
+        if s.predicate.value == NOT_REPRESENTED:
+            continue  # the block of what is lost has it
+        about = ", ".join(filter(None, (" ".join(s.object), " ".join(s.target), s.noun)))
+        amount = f"{s.value} {s.quantity or ''}".strip() if s.value is not None else None
+        when = s.when if s.when != "throughout" else None
+        more = [f" {word}" for word in (s.direction, s.side, amount, when) if word is not None]
+        yield f'statement: {s.id}  {s.predicate.value}({about}){"".join(more)}  "{s.text}"'
 
 
 def _at_the_start(doc: EsgDocument) -> Iterator[str]:
@@ -130,8 +161,8 @@ def _tell(doc: EsgDocument, json: bool) -> int:
         return 3 if violations else 0
     graph = doc.spatial_relation_graph
     print(f"scene {doc.scene_definition.scene_id}")
-    print("objects:   " + ", ".join(graph.nodes))
-    print("".join(f"{line}\n" for line in _at_the_start(doc)), end="")
+    for line in (*_looks(doc), *_at_the_start(doc)):
+        print(line)
     for edge in graph.edges.binary_relations:
         if edge.relation_type.value != "face":
             print(f"relation:  {edge.from_} {edge.relation_type.value} {edge.to}")
@@ -141,16 +172,15 @@ def _tell(doc: EsgDocument, json: bool) -> int:
         when += "".join(f", {_asked(c)}" for c in node.constraints)
         print(f"event:     {node.id}  {node.event.value}({', '.join(node.participants)}) {when}")
     for segment in timeline.sequence_graph.edges if timeline else ():
-        to = f" to {segment.target}" if segment.target else ""
-        print(f"motion:    {segment.id}  {segment.actor} {segment.event.value}{to}")
+        aim = f" to {segment.target}" if segment.target else ""
+        print(f"motion:    {segment.id}  {segment.actor} {segment.event.value}{aim}")
     if timeline is None:
         print("no timeline: a static scene")
     rows = [[i.text, i.kind, i.status, i.pointer or i.note] for i in doc.coverage.items]
     if rows:
         print("\n" + table(["words", "kind", "status", "became"], rows))
-    told = {s.id: s for s in doc.statements or ()}
-    for row in statements:
-        print(f'statement: {row["id"]}  {row["says"]}  "{row["words"]}"{_of_whom(told[row["id"]])}')
+    for line in _statements(doc):
+        print(line)
     print("".join(f"{line}\n" for line in block(lost, "draft")), end="")
     for warning in doc.coverage.warnings:
         print(f"warning:   {warning}")

@@ -11,6 +11,7 @@ from esg.draft.document.build import build, is_restricted
 from esg.draft.document.comparisons import compare, contrast
 from esg.draft.document.coverage import account, in_prompt, stated_in_prompt
 from esg.draft.document.expand import expand
+from esg.draft.document.fitting import fit
 from esg.draft.document.screening import contradictions, nothing_to_draw, screen, too_long, too_much
 from esg.draft.document.spacing import space
 from esg.draft.events.crossing import take_time
@@ -94,6 +95,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     compare(text, clauses.mentions, scene)
     contrast(scene)
     space(text, clauses.mentions, scene)
+    fit(scene)
     contradictions(scene)
     nothing_to_draw(scene)
     too_much(scene)

@@ -196,6 +196,19 @@ def test_a_draft_says_what_it_does_not_hold(
     assert [r["words"] for r in told["not_kept"]] == ["straight up"]
 
 
+def test_a_draft_shows_colours_and_who_a_statement_is_about(
+    capsys: pytest.CaptureFixture[str],
+) -> None:
+    from esg.commands.draft import draft
+
+    assert draft("A red ball of steel rolls to the left. Five cups stand behind a white tent.") == 0
+    lines = capsys.readouterr().out.splitlines()
+    assert 'object:    red_ball_1  "red ball of steel", red, steel' in lines
+    assert any(line.startswith("object:    cup_1 ... cup_5 (5)  ") for line in lines)
+    assert 'statement: s2  moves(red_ball_1) left  "to the left"' in lines
+    assert not any("ground_1" in line for line in lines if line.startswith("object:"))
+
+
 def test_strict_counts_partial_scenes_as_failed(tmp_path: Path) -> None:
     from esg.failures import FILE, report_failures
     from esg.outcomes import Outcome

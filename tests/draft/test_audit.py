@@ -141,7 +141,7 @@ def test_says_the_same_twice_and_numbers_on() -> None:
 
 def test_finds_the_words_in_marked_up_text() -> None:
     """Place what is found where it was typed."""
-    prompt = "A crowded <b>escalator</b> carries shoppers <i>up</i>."
+    prompt = "A steep <b>escalator</b> carries shoppers <i>up</i>."
     found = [s for s in draft(prompt).statements or () if s.note == checks.NOTHING]
     assert [prompt[s.start : s.end] for s in found] == ["up"]
 

@@ -172,7 +172,7 @@ def test_a_participle_that_nothing_shows_is_owned_up_to(prompt: str, lost: str) 
     "prompt",
     [
         "A racing car hits a wall.",
-        "A car hits a sleeping dog.",
+        "A measuring tape hits a walking stick.",
         "A ball rolls into a swinging gate and knocks it open.",
         "A reversing van hits a bin.",
         "A ball rolls down an inclined plank.",

@@ -297,10 +297,14 @@ def test_the_hit_of_a_bounce_is_no_invention_but_missing_the_bounce_is() -> None
     assert not told.invented and told.missing == (label,)
 
 
+NOTHING = "nothing in the scene stands for it"
+
+
 def test_notes_warnings_and_lost_events_own_up() -> None:
     assert owned_up(draft(FALL)) == []
     assert owned_up(_with(draft(FALL), OWNS_UP)) == [(OWNS_UP["note"], "words")]
-    assert owned_up(draft("The can has a dent.")) == [('The word "…" was not understood.', "dent")]
+    told = 'The word "…" was not understood.'
+    assert owned_up(draft("The can has a dent.")) == [(NOTHING, "dent"), (told, "dent")]
 
     def lose(raw: Json) -> None:
         item = {"text": "Rolls", "start": 7, "end": 12, "kind": "event"}

@@ -42,7 +42,7 @@ class Facts:
     spans: tuple[tuple[int, int, str], ...]
     """Where things are named: start, end, node."""
     said: tuple[tuple[int, int], ...]
-    """Words that are owned up to."""
+    """Words that are owned up to, without adjectives of what is drawn."""
     held: tuple[tuple[int, int], ...]
     """Words of statements that the document holds."""
     read: frozenset[int] = frozenset()
@@ -108,7 +108,8 @@ def facts_of(doc: EsgDocument, coverage: Coverage, statements: tuple[Statement, 
         for s in kept
         if s.predicate not in (Predicate.BEFORE, Predicate.SAME_TIME)
     ]
-    said = [(s.start, s.end) for s in statements if s.predicate is Predicate.NOT_REPRESENTED]
+    lost = [(s.start, s.end) for s in statements if s.predicate is Predicate.NOT_REPRESENTED]
+    said = [(a, b) for a, b in lost if not any(x <= a and b < y for x, y, _ in spans)]
     said += [(i.start, i.end) for i in coverage.items if i.status == "not_understood"]
     held = tuple((s.start, s.end) for s in kept)
     read = [i.start for i in coverage.items if i.kind == "event" and i.status == "used"]

@@ -67,6 +67,7 @@ def account(
     """The coverage record, in order of the text."""
     amounts = [t.amount for t in tokens if t.amount is not None]
     acts = _acts(tokens)
+    qualities = {word for e in scene.world.entities.values() for word in e.adjectives}
     fates: list[tuple[Mention | Verb | Word | Amount, _Fate]] = [
         *((m, _mention(m, text[m.start : m.end], scene)) for m in mentions),
         *((a, _quantity(a, mentions, scene)) for a in amounts),
@@ -75,6 +76,8 @@ def account(
         words = text[e.start : e.end]
         if isinstance(e, Verb):
             fates.append((e, _verb(e, words, scene)))
+        elif isinstance(e, Word) and (e.kind, e.low in qualities) == ("unknown", True):
+            fates.append((e, _Fate("modifier", note="property of the object")))
         elif isinstance(e, Word) and (fate := _word(e, words, scene, e.start in acts)) is not None:
             fates.append((e, fate))
     items = [

@@ -33,7 +33,7 @@ from esg.draft.discourse.links import (
     snapped,
     take_links,
 )
-from esg.draft.discourse.places import RELATION_PREPS, holds, place
+from esg.draft.discourse.places import holds, place
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, refer_all
 from esg.draft.discourse.referents.parts import has_counted_parts

@@ -34,6 +34,8 @@ from esg.graph.models import ForceDirection, NodeEvent, Quantity
 _AIRBORNE = lex.word_set("airborne")
 _ONCE = frozenset({"after", "once", "when", "whenever", "as soon as"})
 THEN = lex.word_set("then")
+ROLLING = "rolling"
+"""Adjective of what is on its way round and round."""
 AFTER_THAT = r"\bafter (?:that|this|which)\b"
 _SLOW, _FAST = (0.0, 0.25), (0.5, 1.0)
 """The parts of the range of plausible speeds that are slow and fast."""
@@ -252,6 +254,7 @@ def start_motion(
             let_go(d, f, [actor])
             continue
         chosen = mode or natural(d, actor)
+        chosen = "roll" if chosen == "slide" and called_rolling(d, actor) else chosen
         if f.verb.lemma in _IN_THE_AIR and flies_itself(d, actor):
             d.moves.flying.add(actor)
         speed, prescribed = speed_of(d, f, [actor], chosen)
@@ -282,6 +285,11 @@ def natural(d: Discourse, actor: str) -> str:
     if kind in _AIRBORNE:
         return "throw"
     return "roll" if "round" in entity_of(d, actor).noun.traits else "slide"
+
+
+def called_rolling(d: Discourse, actor: str) -> bool:
+    """ "A rolling can hits a candle": it is round about some axis, too."""
+    return ROLLING in entity_of(d, actor).adjectives and can_roll(d, actor)
 
 
 def target_of(d: Discourse, f: Frame, avoid: list[str]) -> list[str]:

@@ -8,10 +8,22 @@ from __future__ import annotations
 
 import csv
 from functools import cache
+import re
 
 from esg.draft import lexicon as lex
+from esg.draft.discourse.core import kind_of, movable
+from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.scene import LIMBED
 from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.text.elements import Mention
+
+_WITH_TOOLS = lex.word_set("acts with tools")
+_PLACED = re.compile(
+    r"\s+(?:on|in|inside|under|beside|behind|next|to|above|at|standing|hanging|lying)\b",
+    re.IGNORECASE,
+)
+"""Where a thing is ("hits a table with a vase on it"): it is no tool."""
 
 
 @cache
@@ -49,3 +61,19 @@ def filling(f: Frame, name: str) -> list[str]:
 def doer_and_done(f: Frame, s: list[str], o: list[str]) -> tuple[list[str], list[str]]:
     """Who acts, and on what: of "a crate is hit by a van" the van, and the crate."""
     return (filling(f, "agent"), s) if f.verb.passive else (s, o)
+
+
+def is_tool(d: Discourse, m: Mention, p: Phrase) -> bool:
+    """ "Wipes the table with a sponge": what somebody acts with, and no part of what he acts on.
+
+    Args:
+        d: The discourse.
+        m: A noun phrase.
+        p: A phrase behind it.
+    """
+    f = next((f for f in d.told if f.object is m and f.verb.lemma in _WITH_TOOLS), None)
+    if f is None or p.prep != "with" or p.mention is None or _PLACED.match(d.text, p.mention.end):
+        return False
+    doers = [] if f.subject is None else f.subject.entities
+    tools = [i for i in things(p) if movable(d, i) and kind_of(d, i) not in LIMBED]
+    return bool(tools) and all(kind_of(d, i) in LIMBED for i in doers if i in d.world.entities)

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 import re
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of
 from esg.draft.events.stated import exactly
 from esg.draft.statements.account import (
@@ -23,6 +24,7 @@ from esg.graph.models import EdgeEvent, NodeEvent
 _TURNS = frozenset(
     {"left", "right", "clockwise", "counterclockwise", "anticlockwise", "around", "round"}
 )
+_ALWAYS = lex.word_set("all the time (adverbs)")
 _BACK_AND_FORTH = frozenset({"back", "forth", "fro"})
 HALF_TURN_DEG = 180.0
 NO_EDGE = "all that moves stays in the picture"
@@ -98,6 +100,8 @@ def _says_how(a: Account, w: Word) -> bool:
     if f is None:
         return False
     about = about_of(a.d, f)
+    if w.low in _ALWAYS and f.verb.sense in ("be", "posture"):  # "is stationary throughout"
+        return not any(e.actor in about for e in a.d.timeline.edges)
     if w.low == "from behind":
         ways = [e for e in a.d.timeline.edges if e.actor in about and e.target in about]
         ends = {(r.source, r.target) for r in a.d.scene.relations if r.kind == "behind"}

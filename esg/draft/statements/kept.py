@@ -10,13 +10,14 @@ from esg.draft.discourse.core import entity_of, kind_of
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.thinghood import without
 from esg.draft.discourse.scene import GROUND, LIMBED
-from esg.draft.events.courses import oncoming
+from esg.draft.discourse.windows import START
+from esg.draft.events.courses import measurable, oncoming
 from esg.draft.events.hanging import SENT_UP, UNMET, row_of
-from esg.draft.events.motions import flies_itself
+from esg.draft.events.motions import ROLLING, can_roll, flies_itself
 from esg.draft.events.stated import start_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.book import Told, ids, span, word_end
-from esg.draft.statements.periods import is_told, since_the_jolt
+from esg.draft.statements.periods import is_told, segment_from, since_the_jolt
 from esg.draft.statements.struck import struck
 from esg.graph.models import NodeEvent, Predicate
 
@@ -137,6 +138,20 @@ def _sent_up(t: Told) -> None:
                      note=_STAND)  # fmt: skip
 
 
+def _rolling(t: Told) -> None:
+    """ "A rolling can hits a candle": until what it is on its way to, unless a verb says so."""
+    d, book = t.d, t.book
+    rolls = {i for s in book.items if s.predicate is Predicate.ROLLS for i in s.object}
+    for m in (m for m in d.mentions if ROLLING in m.adjectives):
+        at = d.text.lower().find(ROLLING, m.start, m.end)
+        for body in [i for i in ids(m) if i in d.world.entities and i not in rolls and at >= 0]:
+            leg = segment_from(d, body, START)
+            end = d.timeline.node(leg.to) if leg is not None and can_roll(d, body) else None
+            if leg is not None and leg.params.spin == "roll" and end is not None:
+                when = f"start..{end.id}" if measurable(end.event) else "throughout"
+                book.add(Predicate.ROLLS, at, at + len(ROLLING), object=(body,), when=when)
+
+
 def _unmanned(t: Told) -> None:
     """ "A cart with nobody in it": no person is drawn, unless another is told of."""
     d, book = t.d, t.book
@@ -197,6 +212,7 @@ def _stays(t: Told) -> None:
 BESIDE_MOTIONS: tuple[Callable[[Told], None], ...] = (
     _sides_struck,
     _upright,
+    _rolling,
     _borne,
     _unmet,
     _unmanned,

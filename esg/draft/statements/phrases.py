@@ -13,7 +13,7 @@ from functools import cache
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.core import entity_of, kind_of, structural
+from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.levers import ACROSS
 from esg.draft.discourse.places import elevated
 from esg.draft.discourse.record import Discourse
@@ -21,6 +21,7 @@ from esg.draft.discourse.scene import GROUND, LIMBED, Relation
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.courses import measurable
 from esg.draft.events.ends import EDGES
+from esg.draft.events.roles import is_tool
 from esg.draft.events.stated import start_of
 from esg.draft.events.told import happened, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
@@ -74,8 +75,14 @@ _FLAT = frozenset({"support", "structural"})
 _ENTERED = frozenset({"building", "structure"})
 _ENDS = frozenset({"ends_on", "ends_in", "ends_near", "above", "under"})
 _HITS = frozenset({"impact", "contact", "collision", "crash"})
+IDLE = "nobody has it in hand: it takes no part"
 _TO_PIECES = lex.word_set("to pieces")
 _FEET = frozenset({"bottom", "foot"})
+_BESIDE = frozenset({"left_of", "right_of", "in_front_of", "behind", "above", "under"})
+_PLACES = frozenset(
+    {Predicate.BEHIND, Predicate.IN_FRONT_OF, Predicate.LEFT_OF, Predicate.RIGHT_OF}
+    | {Predicate.ABOVE, Predicate.UNDER, Predicate.SUPPORTED_BY, Predicate.INSIDE}
+)
 _OPPOSITE = {
     "left_of": "right_of", "right_of": "left_of", "in_front_of": "behind",
     "behind": "in_front_of", "above": "under", "under": "above",
@@ -132,8 +139,15 @@ def phrases(a: Account) -> Iterator[Gap]:
                 asked.setdefault(id(p.mention), (p, None, set()))[2].update(about_of(a.d, f))
     for m, p in a.d.attached:
         asked.setdefault(id(p.mention), (p, None, set()))[2].update(nodes_of(a.d, m))
+    tools = {id(p.mention) for m, p in a.d.attached if is_tool(a.d, m, p)}
+    for p in _of_lost_verbs(a):
+        tools.add(id(p.mention))
+        asked.setdefault(id(p.mention), (p, None, set()))
     for p, f, about in asked.values():
         m = p.mention
+        if id(m) in tools and m is not None and not _acts(a, {*nodes_of(a.d, m)}):
+            yield Gap(max(start_of(p, a.d.text), 0), m.end, IDLE, tuple(nodes_of(a.d, m)))
+            continue
         if m is None or p.amount is not None or m.amounts or m.count == 0:
             continue  # "with no other cars": none is drawn
         if p.prep in _WHY and not _waited_for(a, p, f):
@@ -161,6 +175,22 @@ def _waited_for(a: Account, p: Phrase, f: Frame | None) -> bool:
     others = {i for i in nodes_of(a.d, p.mention) if thing and not structural(a.d, i)}
     asked = {c.to for n in a.d.timeline.nodes for c in n.constraints}
     return stopping and bool(others) and not others & asked
+
+
+def _of_lost_verbs(a: Account) -> Iterator[Phrase]:
+    """ "With its suction cup, the robot picks boxes off a belt": nothing was made of the verb."""
+    for f in a.d.told:
+        lost = (f.verb.start, f.verb.end) in a.d.scene.ignored and not (f.unreal or f.verb.negated)
+        for p in f.phrases if lost else ():
+            loose = [i for i in nodes_of(a.d, p.mention) if movable(a.d, i)]
+            if p.prep == "with" and loose and all(kind_of(a.d, i) not in LIMBED for i in loose):
+                yield p
+
+
+def _acts(a: Account, who: set[str]) -> bool:
+    """Whether something takes part in an event or moves."""
+    acting = {i for n in a.d.timeline.nodes for i in n.participants}
+    return bool(who & (acting | {e.actor for e in a.d.timeline.edges}))
 
 
 def adrift(a: Account) -> Iterator[Gap]:
@@ -321,6 +351,8 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
     ):
         return False  # "sits on one end of a plank": it is anywhere on it
     own = {node for g, node in d.times.of_frame if f is not None and g.verb is f.verb}
+    if p.prep == "with" and _at_rest(f) and _has_a_place(a, about, others):
+        return True
     return (
         (by.holds and held(d, about, others))
         or _related(d, about, others, by)
@@ -335,6 +367,22 @@ def _marked(part: str) -> bool:
     return part.split()[0] not in ("left", "right", "far", "near", "outer", "inner", "front")
 
 
+def _at_rest(f: Frame | None) -> bool:
+    """Whether a phrase belongs to a noun, or to a verb of what only is somewhere."""
+    return f is None or f.verb.sense in ("be", "posture", "have")
+
+
+def _has_a_place(a: Account, about: set[str], others: set[str]) -> bool:
+    """ "A tent with a flag behind it", "a woman with a stick": where they are is told."""
+    told = {r.source for r in a.d.scene.relations if r.kind in _BESIDE}
+    told |= {i for s in a.kept if s.predicate in _PLACES for i in s.object}
+    holders = (a.d.scene.supported_by, a.d.scene.inside_of)
+    told |= {i for at in holders for i, host in at.items() if host not in about}
+    near = {r.source for r in a.d.scene.relations if r.target in about}
+    in_hand = all(kind_of(a.d, i) in LIMBED for i in about) and not _acts(a, about)
+    return bool(others) and others <= (told | near if in_hand else told)
+
+
 def _answered_by_ground(a: Account, about: set[str], others: set[str], p: Phrase) -> bool:
     """Whether the document is about the ground, or what is laid on it, as a phrase is."""
     return (
@@ -342,8 +390,7 @@ def _answered_by_ground(a: Account, about: set[str], others: set[str], p: Phrase
         or (p.prep == "into" and GROUND not in others)
         or (p.prep == "of" and GROUND in others and _definite(p))  # "the boards of the rink"
         or (p.prep in ("above", "over") and _aloft(a, about))
-        or (p.prep == "from" and GROUND in others and _rises(a, about))
-        or (p.prep in ("from", "off") and GROUND in others and _taken_up(a.d, about))
+        or (p.prep in ("from", "off") and GROUND in others and _rises(a, about))
         or _laid_out(a.d, about, others, p.prep)
     )
 
@@ -393,13 +440,10 @@ def _aloft(a: Account, about: set[str]) -> bool:
 
 
 def _rises(a: Account, about: set[str]) -> bool:
-    """ "A drone rises from the ground": where what rises is before."""
-    return any(s.direction == "up" and about & {*s.object} for s in a.kept)
-
-
-def _taken_up(d: Discourse, about: set[str]) -> bool:
-    """ "Picks up a parcel from the lawn": there it lies."""
-    return any(happened(d, NodeEvent.PICKED_UP, i) and i not in d.scene.supported_by for i in about)
+    """ "A drone rises from the ground", "picks it up from the lawn": where it is before."""
+    return _takes_part(a, NodeEvent.PICKED_UP, about) or any(
+        s.direction == "up" and about & {*s.object} for s in a.kept
+    )
 
 
 def _laid_out(d: Discourse, about: set[str], others: set[str], prep: str) -> bool:

@@ -15,13 +15,13 @@ from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
 from esg.draft.statements.manners import flown, gains, paced, plainly, rolled
 from esg.draft.statements.order import ALONE, UNKEPT, orders, started_alone
 from esg.draft.statements.unclaimed import unclaimed
-from esg.draft.statements.unkept import BY_ITSELF, UNTOUCHED, dropped, missing
+from esg.draft.statements.unkept import BY_ITSELF, UNCARRIED, UNTOUCHED, dropped, missing
 from esg.draft.statements.unseen import unseen
 from esg.draft.statements.ways import goal, landed, leapt, moved
 from esg.draft.text.elements import Element, Token
 from esg.graph.models import Predicate, Statement
 
-_CAUSES = frozenset({ALONE, BY_ITSELF, UNTOUCHED})
+_CAUSES = frozenset({ALONE, BY_ITSELF, UNCARRIED, UNTOUCHED})
 """What is owned up to of a verb whose motion is shown: only nothing brings it about."""
 
 

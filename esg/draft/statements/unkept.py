@@ -21,6 +21,7 @@ from esg.draft.events.motions import flies_itself
 from esg.draft.events.stated import adverbs_of
 from esg.draft.events.told import last_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.statements.account import held
 from esg.graph.models import EdgeEvent, NodeEvent, Predicate
 
 _NO_PICTURE = lex.word_set("no picture (statements)")
@@ -37,9 +38,12 @@ _STATES = frozenset(
 """Senses that may add nothing to a scene: states, and what other clauses tell."""
 _SETS_IN_MOTION = frozenset({"drop", "launch", "roll", "slide", "knock", "scatter", "pocket"})
 """Senses of which the object moves."""
+_GUIDED = frozenset({"picked up", "put"})
+"""What became of verbs whose object is guided, by nobody who is there."""
 _WAYS = frozenset({"along", "across", "through", "up", "down", "around", "past"})
 NOTHING_MOVES = "nothing of the kind happens in the scene"
 UNTOUCHED = "nothing touches it: it sets off by itself"
+UNCARRIED = "it moves by itself: nothing carries it"
 BY_ITSELF = "nothing makes it fall: it falls by itself, and at any time"
 
 
@@ -76,6 +80,8 @@ def missing(d: Discourse, clause: Clause) -> str:
         if row.names(f) and _applies(d, row.voice, clause):
             return row.missing
     note = d.scene.used.get((f.verb.start, f.verb.end), "")
+    if note in _GUIDED and _goes_with_it(d, clause):
+        return UNCARRIED
     if note == "let go" and f.verb.passive:
         return ""  # "is released and rolls"
     again = any(n.id == note for n in d.timeline.nodes)
@@ -88,6 +94,25 @@ def missing(d: Discourse, clause: Clause) -> str:
         d.scene.supported_by.get(i) in doers for i in loads
     )
     return "" if told or borne or f.verb.sense in _STATES else NOTHING_MOVES
+
+
+def _goes_with_it(d: Discourse, clause: Clause) -> bool:
+    """ "A drone picks up a parcel and flies off": who has it goes, and nothing takes it along.
+
+    Who stands beside it has it in hand; a flyer has no hand that reaches it.
+    """
+    who = {i for i in _doers(clause.frame) if i in d.world.entities} - {*clause.movers}
+    if not clause.movers or not who or held(d, {*clause.movers}, who):
+        return False
+    acts = [c for c in d.scene.clauses if {*c.movers} & {*clause.movers}]
+    at = next(k for k, c in enumerate(acts) if c is clause)
+    put = d.scene.used.get((clause.frame.verb.start, clause.frame.verb.end)) == "put"
+    begin, end = (acts[at - 1 : at], [clause]) if put else ([clause], acts[at + 1 : at + 2])
+    spans = [c.frame.verb.start for c in (*begin, *end)]
+    low, high = (spans[0], spans[-1]) if len(spans) > 1 else (spans[0], len(d.text))
+    goes = (c for c in d.scene.clauses if low < c.frame.verb.start < high and who & {*c.movers})
+    held_on = len(spans) > 1 or not put
+    return any(flies_itself(d, i) for i in who) or (held_on and any(goes))
 
 
 def _moves_nothing(d: Discourse, f: Frame) -> bool:
@@ -151,6 +176,14 @@ def _bumped(d: Discourse, f: Frame) -> bool:
     return any(n is not None and n.event is NodeEvent.COLLISION for n in told)
 
 
+def _rammed(d: Discourse, clause: Clause) -> bool:
+    """Whether who is to pull a thing runs into it."""
+    doers, f = {*_doers(clause.frame)}, clause.frame
+    pulled = {*(f.object.entities if f.object is not None and not f.verb.passive else ())}
+    hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
+    return any({*n.participants} & doers and {*n.participants} & pulled for n in hits)
+
+
 def _tied(d: Discourse, f: Frame) -> bool:
     """Whether what a clause acts on, or what that rides in, is joined to what draws it."""
     acted_on = [] if f.object is None else f.object.entities
@@ -158,6 +191,26 @@ def _tied(d: Discourse, f: Frame) -> bool:
         places.get(i, "") for i in acted_on for places in (d.scene.supported_by, d.scene.inside_of)
     )
     return bool({*acted_on, *hosts} & {*d.scene.tows})
+
+
+def _restless(d: Discourse, clause: Clause) -> bool:
+    """Whether one of those who wait is on its way, and at no time told to stand still."""
+    who = [i for i in _doers(clause.frame) if i in d.world.entities]
+    who += [d.scene.supported_by[i] for i in who if i in d.scene.supported_by]
+    stands = {i for n in d.timeline.nodes if n.event is NodeEvent.STOP for i in n.participants}
+    legs = [e for e in d.timeline.edges if e.event is not EdgeEvent.INERTIAL_CONNECTOR]
+    stands |= {e.actor for e in legs if e.params.speed == 0.0}
+    return any(e.actor in who and e.actor not in stands for e in legs)
+
+
+def _parted(d: Discourse, clause: Clause) -> bool:
+    """ "Grabs a fish and carries it to its nest": who carries it goes, and it does not."""
+    f = clause.frame
+    taken = [] if f.object is None or f.verb.passive else f.object.entities
+    left = {i for i in taken if i in d.world.entities and movable(d, i)} - {*clause.movers}
+    going = {*clause.movers} & {e.actor for e in d.timeline.edges}
+    later = {e.actor for e in d.timeline.edges if e.event is EdgeEvent.GUIDE and e.target}
+    return bool(going and left) and not (left & later) and not held(d, left, going)
 
 
 def _goes_down(d: Discourse, clause: Clause) -> bool:
@@ -230,6 +283,9 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "loose": lambda d, c: bool(c.movers) and _loose(d, c),
     "bumped": lambda d, c: c.frame.verb.form == "ing" and _bumped(d, c.frame),
     "down": _goes_down,
+    "parted": _parted,
+    "restless": _restless,
+    "rammed": _rammed,
     "finite": lambda d, c: not (c.frame.verb.passive or c.frame.reduced),
     "shoved": _shoved,
     "flung": _flung,
@@ -249,8 +305,10 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
 
 def _leads_to_an_event(d: Discourse, clause: Clause) -> bool:
     """Whether an event that one could see is told of what a clause moves."""
-    about = {*clause.movers}
-    own = d.scene.used.get((clause.frame.verb.start, clause.frame.verb.end))
+    f, about = clause.frame, {*clause.movers}
+    own = d.scene.used.get((f.verb.start, f.verb.end))
+    if f.verb.sense == "posture" and f.object is not None and not f.verb.passive:
+        about &= {*f.object.entities}  # "pushes a crate and sets the vase on it": not the pusher
     told = [n.event for n in d.timeline.nodes if about & {*n.participants} or n.id == own]
     return any(measurable(event) for event in told)
 

@@ -26,6 +26,7 @@ _SHORTENED = re.compile(
 _CONTRACTED = re.compile(
     r"(?:there|that(?!'s (?:how|why|where|when|what|the way))|he|she|here|who|what"
     r"|it(?='s\s+(?:an?|the|in|on|at|not|been|being|about|just|now"
+    r"|gone|come|fallen|left|done|broken|over|clear|open|empty|full|still|safe|so|too|very"
     r"|one|two|three|four|five|\d\S*|\w+ing|\w+ed|hit|struck|thrown)\b))'s\b",
     re.IGNORECASE,
 )

@@ -27,6 +27,7 @@ from esg.draft.events.acts import add_event, add_hit
 from esg.draft.events.hanging import turning
 from esg.draft.events.lengths import starts_apart
 from esg.draft.events.motions import motion, sets_off_late
+from esg.draft.events.roles import is_tool
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import speed_after, start_height, time_of
 from esg.draft.events.told import amount, at_rest, ignore, moves, size_of, things, traits_of, unread
@@ -87,10 +88,10 @@ def attachment(d: Discourse, m: Mention, p: Phrase) -> None:
         listed = [p.mention, *[c for c in p.mention.coordinated if c.attribute]]
         _tell(d, owners, [a for c in listed for a in c.amounts], p.mention.head, p.prep)
     elif p.mention is not None:
-        _beside_others(d, owners, p, p.mention)
+        _beside_others(d, m, owners, p, p.mention)
 
 
-def _beside_others(d: Discourse, owners: list[str], p: Phrase, m: Mention) -> None:
+def _beside_others(d: Discourse, owned: Mention, owners: list[str], p: Phrase, m: Mention) -> None:
     """Where things are with respect to what a phrase of theirs names."""
     others = m.entities or ids_of(d, m, avoid=owners)
     loose = [o for o in others if o not in d.scene.supported_by and o not in owners]
@@ -101,9 +102,11 @@ def _beside_others(d: Discourse, owners: list[str], p: Phrase, m: Mention) -> No
             place(d, [o for o in loose if movable(d, o)], owners[:1], "in")
         elif owners and ("support" in traits_of(d, owners[0]) or kind_of(d, owners[0]) == "cart"):
             place(d, [o for o in loose if movable(d, o)], owners[:1], "on")
-    elif p.prep == "with":
+    elif p.prep == "with" and not is_tool(d, owned, p):
         # "a table with bottles on it": the on-phrase places them; else they rest on a support
         attachment_with(d, owners, [o for o in loose if not _placed_apart(d, o, p)])
+    elif p.prep == "with":
+        return  # "wipes the table with a sponge": it is no table with a sponge on it
     else:
         if p.prep == "on" and m.head in lex.BODY_PARTS:
             # "slides down a ramp on its belly": how it lies, not where the ramp is
@@ -225,7 +228,10 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if _STILL.match(d.text, f.verb.start) and not f.unreal:
         d.moves.stays.update((a, f.verb.start) for a in s if movable(d, a))
     if f.verb.lemma in _PATIENT and lasting is None and not f.reduced and not f.unreal:
-        d.moves.patient.update(a for a in s if kind_of(d, a) in SELF_POWERED and at_rest(d, a))
+        waiting = [*s, *(d.scene.supported_by.get(a, a) for a in s)]  # "a cyclist on a bike waits"
+        d.moves.patient.update(
+            a for a in waiting if kind_of(d, a) in SELF_POWERED and at_rest(d, a)
+        )
     for actor in [a for a in s if waits and kind_of(d, a) in SELF_POWERED]:
         if moves(d, actor):
             add_event(d, NodeEvent.TRIGGER, (actor,), f, None)  # "drives for 4 s, waits"

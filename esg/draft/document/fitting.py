@@ -1,0 +1,57 @@
+"""Sizes of what is told to lie in a vessel, or under one: it has to fit.
+
+A ball, a box and a block come in any size, so that one which no number is told of is as small as
+the cup that holds or covers it asks for. All else keeps the size of its kind.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+import re
+
+from esg.draft.discourse.referents.entities import Entity
+from esg.draft.discourse.referents.sizes import dimensions_of
+from esg.draft.discourse.scene import Scene
+
+_ANY_SIZE = frozenset({"ball", "box", "block"})
+"""Kinds of things that come in any size."""
+_FREE = 0.6
+"""Share of a vessel's width that what lies in it or under it takes up at most."""
+_FULL = 0.8
+"""Share of a vessel's width up to which a thing fits as it is."""
+_OVER = re.compile(r"\bover an? |\bover the ", re.IGNORECASE)
+"""Says that a vessel covers a thing, which "above" does not."""
+
+
+def fit(scene: Scene) -> None:
+    """Makes what vessels hold or cover small enough, where its size is free.
+
+    Args:
+        scene: Everything that has been read; sizes of its things are changed.
+    """
+    for body, vessel, covered in _held(scene):
+        free = body.noun.kind in _ANY_SIZE and not body.dimensions_prescribed
+        stacked = body.noun.name == vessel.noun.name  # crates of a stack
+        lid = covered and vessel.noun.kind in _ANY_SIZE
+        if not free or stacked or lid or "container" not in vessel.noun.traits:
+            continue
+        mine, room = dimensions_of(body), dimensions_of(vessel)
+        factor = _FREE * min(room[:2]) / max(mine[:2])
+        if covered:
+            factor = min(factor, _FREE * room[2] / mine[2])
+        if factor < _FREE / _FULL:
+            body.dimensions_cm = [factor * x for x in mine]
+
+
+def _held(scene: Scene) -> Iterator[tuple[Entity, Entity, bool]]:
+    """A thing, the vessel that holds or covers it, and whether that covers it."""
+    things = scene.world.entities
+    pairs = [(body, host, False) for body, host in scene.inside_of.items()]
+    for r in scene.relations:
+        if r.kind == "under":
+            pairs.append((r.source, r.target, True))
+        if r.kind == "above" and _OVER.search(scene.text):
+            pairs.append((r.target, r.source, True))
+    for body, host, covered in pairs:
+        if body in things and host in things:
+            yield things[body], things[host], covered
