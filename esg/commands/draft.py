@@ -127,14 +127,6 @@ def _asked(c: EventConstraint) -> str:
     return f"{c.quantity}{to} {value} {_UNITS[c.quantity]}"
 
 
-def _of_whom(s: Statement) -> str:
-    """Of which things a statement is, and which way; nothing for what is lost."""
-    if s.predicate.value == "not_represented" or not s.object:
-        return ""
-    way = [*([s.direction] if s.direction else []), *s.target]
-    return f"  ({', '.join(s.object)}{': ' if way else ''}{' '.join(way)})"
-
-
 def _tell(doc: EsgDocument, json: bool) -> int:
     """Prints a draft; returns the exit code."""
     from esg.commands.console import emit, table
