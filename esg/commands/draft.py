@@ -12,7 +12,7 @@ from esg.commands.drafting import RULES, Drafting
 from esg.fidelity import NOT_REPRESENTED
 
 if TYPE_CHECKING:
-    from esg.graph.models import EsgDocument, EventConstraint, Statement
+    from esg.graph.models import EsgDocument, EventConstraint
 
 
 def draft(
