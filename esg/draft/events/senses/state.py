@@ -30,7 +30,17 @@ from esg.draft.events.motions import motion, sets_off_late
 from esg.draft.events.roles import is_tool
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import speed_after, start_height, time_of
-from esg.draft.events.told import amount, at_rest, ignore, moves, size_of, things, traits_of, unread
+from esg.draft.events.told import (
+    amount,
+    at_rest,
+    happened,
+    ignore,
+    moves,
+    size_of,
+    things,
+    traits_of,
+    unread,
+)
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.grammar.rewrites.shares import dealt
 from esg.draft.text.elements import Mention
@@ -425,7 +435,8 @@ def _pattern_of(d: Discourse, thing: str, pattern: str | None) -> None:
 @sense("carry")
 def read_carry(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     # "a crane lifts a pallet, carries it over and sets it down"
-    if s and o and head_of(entity_of(d, s[0])) not in CRANES:
+    hoists = bool(s and o) and head_of(entity_of(d, s[0])) in CRANES
+    if s and o and not (hoists and happened(d, NodeEvent.PICKED_UP, o[0])):
         place(d, o, s, "on")
     along = s and o and f.verb.lemma in ("carry", "transport") and not movable(d, s[0])
     if along and not turning(d, s[:1]):
