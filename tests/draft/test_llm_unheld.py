@@ -83,9 +83,9 @@ def lost(doc: EsgDocument) -> dict[str, str]:
 
 
 CONTENTS = (
-    ("A cork lies in a bucket filled with water.", "cork", "bucket", "water"),
+    ("A ball lies in a bucket filled with water.", "ball", "bucket", "water"),
     ("A spoon lies in a cup full of tea.", "spoon", "cup", "tea"),
-    ("A pea lies in a bowl of soup.", "pea", "bowl", "soup"),
+    ("An apple lies in a bowl of soup.", "apple", "bowl", "soup"),
 )
 
 

@@ -346,6 +346,16 @@ def test_a_motion_is_shown_under_way() -> None:
     assert [m.time for m in moments_of(scene(), rollout(), verdict(moves), DOC)] == [0.0, 0.6, 1.0]
 
 
+def test_a_jump_is_shown_at_its_height() -> None:
+    """Half way up and down again: sqrt(2 h / g) after it has begun."""
+    rise = 0.5 * 9.81 * 0.25**2
+    jump = EVENT.model_copy(update={
+        "type": "jumps", "bodies": ("ball_1",), "time_s": 0.1, "measured": {"rise_m": rise},
+    })  # fmt: skip
+    shown = moments_of(scene(), rollout(), verdict(jump), DOC)[1]
+    assert shown.time == pytest.approx(0.35)
+
+
 def test_who_is_fixed_to_a_participant_is_in_its_picture() -> None:
     played = scene()
     seat = joint_between("seat", "fixed", *played.bodies[:2], at=played.bodies[0].position)

@@ -31,7 +31,8 @@ def paced(book: Book, clause: Clause, s: Said, mover: str) -> None:
 
     "Walks" and "runs" without a word of pace are said of legs only.
     """
-    if not s.row.pace and on_legs(entity_of(book.d, mover), clause.frame.verb.lemma) is None:
+    legs = on_legs(entity_of(book.d, mover), clause.frame.verb.lemma)
+    if not s.row.pace and legs is None:
         return
     if s.row.part == "braking":
         rate = HARD_BRAKE_CM_S2 if s.row.pace == "fast" else GENTLE_BRAKE_CM_S2
@@ -42,7 +43,10 @@ def paced(book: Book, clause: Clause, s: Said, mover: str) -> None:
         return
     value = _pace(book.d, clause, mover, s.row.states)
     if value is not None:
-        start, end = (s.start, s.end) if s.row.pace else _gait_word(book.d, s)
+        start, end = s.start, s.end
+        if not s.row.pace and legs is not None:
+            (start, end), slow = _gait_word(book.d, s), s.row.states is Predicate.SLOWER_THAN
+            value = round(1.1 * legs[1] if slow else 0.9 * legs[0], 2)
         book.add(s.row.states, start, end, object=(mover,), quantity="speed", value=value,
                  when=period(book.d, clause, mover))  # fmt: skip
 

@@ -67,6 +67,12 @@ _UP_OR_DOWN = {
     "up": (NodeEvent.JUMP, NodeEvent.PICKED_UP, NodeEvent.BOUNCE),
 }
 """Point events that show a direction."""
+_PACES = (Predicate.SLOWER_THAN, Predicate.FASTER_THAN)
+_GAITS = frozenset(
+    word
+    for word, forms in lex.verb_forms().items()
+    if any(f.lemma in ("run", "walk") for f in forms)
+)
 _NO_EVENTS = (NodeEvent.SCENE_START, NodeEvent.TRIGGER)
 """Point events that show nothing by themselves."""
 
@@ -225,6 +231,8 @@ class _Book:
     def kind(self, gap: Statement) -> str:
         """What sort of words a statement of the rules is about: a key of `_HOLDS`."""
         if gap.predicate is not Predicate.NOT_REPRESENTED:
+            if gap.predicate in _PACES and gap.text.lower() in _GAITS:
+                return "elsewhere"  # a motion of its own tells that somebody walks
             said = gap.predicate is Predicate.MOVES or gap.predicate in _MANNERS
             return "stated" if said else "elsewhere"
         if (gap.start, gap.end) in self._verbs:
