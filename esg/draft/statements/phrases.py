@@ -172,7 +172,8 @@ def _waited_for(a: Account, p: Phrase, f: Frame | None) -> bool:
     if f is None or p.prep != "for":
         return False
     stopping = f.verb.sense in _STOPPING or f.verb.lemma in _GOING_FOR
-    thing = p.mention is not None and p.mention.noun is not None  # not "for a second"
+    m = p.mention
+    thing = m is not None and bool(m.noun or m.pronoun)  # not "for a second"
     others = {i for i in nodes_of(a.d, p.mention) if thing and not structural(a.d, i)}
     asked = {c.to for n in a.d.timeline.nodes for c in n.constraints}
     return stopping and bool(others) and not others & asked
