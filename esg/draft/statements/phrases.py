@@ -42,6 +42,7 @@ _SIDES = {
     "right": "right_of",
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
+_BORNE = frozenset({"inside_of", "on"})
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
 _EXTREMES = frozenset({"end", "edge", "corner", "tip"})
 _ON = frozenset({"on", "onto", "upon"})
@@ -296,6 +297,8 @@ def _carrier(d: Discourse, others: set[str], p: Phrase, part: str, f: Frame | No
     by = carriers().get(p.prep, _ANY)
     if p.prep == "with" and all(kind_of(d, i) in LIMBED for i in others):
         by = replace(by, relations=by.relations | {"near"})
+    if p.prep == "with" and p.mention is not None and p.mention.pronoun:
+        by = replace(by, relations=_BORNE)  # "the cup slides and the ball goes with it"
     if part in _SIDES:
         by = replace(by, relations=frozenset({_SIDES[part]}))
     open_ = any(kind_of(d, i) in _ENTERED for i in others)
