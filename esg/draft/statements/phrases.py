@@ -55,6 +55,7 @@ _SIDES = {
     "right": "right_of",
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
+_BORNE = frozenset({"inside_of", "on"})
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
 _BACK_TO = frozenset({"into", "to", "onto", "down", "toward", "towards"})
 _TOWARD = frozenset({"to", "toward", "towards"})
@@ -422,6 +423,8 @@ def _carrier(d: Discourse, others: set[str], p: Phrase, part: str, f: Frame | No
         by = replace(by, relations=by.relations | {*_OPPOSITE, "adjacent", "surround"})
     if p.prep == "with" and all(kind_of(d, i) in LIMBED for i in others):
         by = replace(by, relations=by.relations | {"near"})
+    if p.prep == "with" and p.mention is not None and p.mention.pronoun:
+        by = replace(by, relations=_BORNE)  # "the cup slides and the ball goes with it"
     side = _SIDES.get(part.removesuffix(" side"), "")
     if side:
         by = replace(by, relations=frozenset({side}))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import (
     aimable,
@@ -42,6 +44,9 @@ _HOVERING = ("float", "hover", "levitate")
 _RIDES = lex.word_set("rides")
 _ON_FOOT = lex.word_set("on foot")
 _TURNING = ("go", "move", "drive", "head", "run", "walk", "ride")
+_LEFT_THEN_RIGHT = re.compile(
+    r"\s+(?:left|right)\b,?\s+(?:and\s+|then\s+)+(?:left|right)\b", re.IGNORECASE
+)
 _BRANCHES = ("at", "into", "onto")
 """Prepositions of where a way turns off: "goes left at the lights"; else it is the way it comes."""
 _AT_A_TARGET = ("charge", "lunge", "leap", "pounce", "spring", "fly", "dive")
@@ -67,6 +72,7 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     beside = f.verb.form == "ing" or "absolute" in f.verb.extra
     under_way = not all(at_rest(d, a) for a in actors) and not beside
     changes = under_way or f.phrase(*_BRANCHES) is not None  # but not "follows a cat, walking left"
+    changes = changes or _LEFT_THEN_RIGHT.match(d.text, f.verb.end) is not None
     turns = sides and changes and kind in SELF_POWERED and f.verb.lemma in _TURNING
     if turns and not _a_course(d, f, actors):
         for side in sides:
