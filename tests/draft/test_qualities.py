@@ -29,6 +29,7 @@ def size_of(doc: EsgDocument, node: str) -> tuple[float, float, float]:
         ("The stove is dirty.", ["dirty"]),
         ("A nurse who looks sad sits on a chair.", ["looks sad"]),
         ("A girl is thirsty.", ["thirsty"]),
+        ("A crying baby sits in a chair.", ["crying"]),
     ],
 )
 def test_a_quality_that_nothing_shows_is_owned_up_to(prompt: str, words: list[str]) -> None:

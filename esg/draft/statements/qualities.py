@@ -149,7 +149,10 @@ def _tells(a: Account, x: Word, tag: str, before: Verb | None, k: int) -> bool:
         return True
     if x.low in lex.PLAIN_ADJECTIVES:
         return before is not None and before.sense in _SAYS_SO
-    after = element_at(a.elements, k + 1)
+    after, first = element_at(a.elements, k + 1), element_at(a.elements, k - 1)
+    if tag == "VERB":  # "a stolen van"
+        opens = isinstance(first, Word) and first.low in lex.DETERMINERS
+        return opens and isinstance(after, Mention) and bool(nodes_of(a.d, after))
     kind = tag != "ADJ" and isinstance(after, Mention) and nodes_of(a.d, after)
     return tag in _WORDS and not kind  # "a shed door" is a door
 
