@@ -110,7 +110,7 @@ def test_who_rides_waits_with_what_he_rides() -> None:
     "prompt",
     [
         "A car drives to a gate, waits there and drives on.",
-        "A van reaches a bridge and pauses.",
+        "A van drives past a bridge and pauses.",
         "A taxi comes to a crossing. The taxi waits while a bus turns left.",
     ],
 )
