@@ -215,7 +215,3 @@ _SHOWN_BY: dict[str, Callable[[Account, set[str]], bool]] = {
     "dangle": _hangs,
 }
 """What shows a participle by its sense: a van that is reversing has to go backward."""
-
-
-def _shows(a: Account, word: str, ids: set[str]) -> bool:
-    return any(_SHOWN_BY[s](a, ids) for s in _senses(word) & {*_SHOWN_BY})
