@@ -29,6 +29,7 @@ def size_of(doc: EsgDocument, node: str) -> tuple[float, float, float]:
         ("The stove is dirty.", ["dirty"]),
         ("A nurse who looks sad sits on a chair.", ["looks sad"]),
         ("A girl is thirsty.", ["thirsty"]),
+        ("A crying baby sits in a chair.", ["crying"]),
     ],
 )
 def test_a_quality_that_nothing_shows_is_owned_up_to(prompt: str, words: list[str]) -> None:
@@ -109,7 +110,7 @@ def test_who_rides_waits_with_what_he_rides() -> None:
     "prompt",
     [
         "A car drives to a gate, waits there and drives on.",
-        "A van reaches a bridge and pauses.",
+        "A van drives past a bridge and pauses.",
         "A taxi comes to a crossing. The taxi waits while a bus turns left.",
     ],
 )

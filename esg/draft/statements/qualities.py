@@ -149,7 +149,10 @@ def _tells(a: Account, x: Word, tag: str, before: Verb | None, k: int) -> bool:
         return True
     if x.low in lex.PLAIN_ADJECTIVES:
         return before is not None and before.sense in _SAYS_SO
-    after = element_at(a.elements, k + 1)
+    after, first = element_at(a.elements, k + 1), element_at(a.elements, k - 1)
+    if tag == "VERB":  # "a stolen van"
+        opens = isinstance(first, Word) and first.low in lex.DETERMINERS
+        return opens and isinstance(after, Mention) and bool(nodes_of(a.d, after))
     kind = tag != "ADJ" and isinstance(after, Mention) and nodes_of(a.d, after)
     return tag in _WORDS and not kind  # "a shed door" is a door
 
@@ -212,7 +215,3 @@ _SHOWN_BY: dict[str, Callable[[Account, set[str]], bool]] = {
     "dangle": _hangs,
 }
 """What shows a participle by its sense: a van that is reversing has to go backward."""
-
-
-def _shows(a: Account, word: str, ids: set[str]) -> bool:
-    return any(_SHOWN_BY[s](a, ids) for s in _senses(word) & {*_SHOWN_BY})

@@ -200,6 +200,10 @@ def _restless(d: Discourse, clause: Clause) -> bool:
     stands = {i for n in d.timeline.nodes if n.event is NodeEvent.STOP for i in n.participants}
     legs = [e for e in d.timeline.edges if e.event is not EdgeEvent.INERTIAL_CONNECTOR]
     stands |= {e.actor for e in legs if e.params.speed == 0.0}
+    at = next(k for k, c in enumerate(d.scene.clauses) if c is clause)
+    goes_on = {i for c in d.scene.clauses[at + 1 :] for i in c.movers}
+    arrived = {n.id for n in d.timeline.nodes if n.event is NodeEvent.REACH}
+    stands |= {e.actor for e in legs if e.to in arrived} - goes_on  # "goes to a table and waits"
     return any(e.actor in who and e.actor not in stands for e in legs)
 
 
