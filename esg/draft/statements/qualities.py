@@ -102,7 +102,7 @@ def _going(a: Account, word: str, e: Entity, moving: set[str]) -> bool:
     if word in _GOINGS_ON or word in NAMED_BY:
         return word in _GOINGS_ON  # "a running shoe", "a racing pigeon"
     if _manner(word):
-        return not _shows(a, word, {e.id})
+        return not any(_SHOWN_BY[s](a, {e.id}) for s in _senses(word) & {*_SHOWN_BY})
     if _motion(word):
         goes = word == "moving" or movable(a.d, e.id)
         return goes and e.id not in moving and word not in _PASS
