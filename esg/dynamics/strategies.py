@@ -58,8 +58,7 @@ def optimize(
         device: Where the engines run.
         max_rounds: Batches of candidates after which the search gives up.
         rounds_closed: Rounds of the closed loop through the verify engine; 0 for none.
-        rollouts: Budget of a baseline, 320 if None; of `batched`, unbounded if None and nothing
-            breaks.
+        rollouts: Budget of a baseline, 320 if None; of `batched`, unbounded if None.
         collision: What bodies collide with during the search: exact (their parts), proxy (one
             sphere or box each) or sdf (that, then signed distance fields; `refine`).
         engines: Name and device -> engine.
@@ -198,8 +197,7 @@ def run_strategy(
         rng: Source of all draws.
         strategy: As of `optimize`.
         max_rounds: Batches of candidates.
-        rollouts: Budget of a baseline, 320 if None; of `batched`, unbounded if None and nothing
-            breaks.
+        rollouts: Budget of a baseline, 320 if None; of `batched`, unbounded if None.
         steps: Most gradient steps of a kind; three a round if None.
         barred: Events that physics rules out, for `batched`.
     """
