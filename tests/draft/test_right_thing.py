@@ -295,3 +295,8 @@ def test_not_one_of_them_is_hit(prompt: str, event: str) -> None:
 
 def test_a_ball_that_drops_on_her_side_does_not_topple() -> None:
     assert "Topple" not in kinds(draft("A ball hits the net and drops on her side."))
+
+
+def test_what_stands_by_a_thing_does_not_go_with_it() -> None:
+    doc = draft("A cup is above a ball. The cup slides along a table and the ball goes with it.")
+    assert "with it" in owned(doc)
