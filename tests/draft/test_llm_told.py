@@ -98,7 +98,7 @@ def test_a_schema_says_nothing_twice() -> None:
 JOINTED = (
     "A door opens.",
     "A pendulum swings and hits a box.",
-    "A black drawer is closed.",
+    "A black drawer closes.",
     "A chest opens.",
     "A Newton's cradle swings.",
     "A wrecking ball hits a wall.",

@@ -216,7 +216,7 @@ KEPT = [
     "A ball bounces off a wall.",
     "The ball hits the shelf and falls to the floor.",
     "A ball falls and bounces twice.",
-    "A tram brakes and comes to a stop 3 m before a fallen tree.",
+    "A tram brakes and comes to a stop 3 m before a tree.",
     "A car stops for a woman.",
     "A girl walks along the left side of the street.",
     "A mug stands on a desk with a book to its left.",

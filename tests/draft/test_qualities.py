@@ -20,7 +20,7 @@ def size_of(doc: EsgDocument, node: str) -> tuple[float, float, float]:
     [
         ("A cold spoon lies on a warm plate.", ["cold", "warm"]),
         ("A striped ball hits a dented bucket.", ["striped", "dented"]),
-        ("A sneezing clown stands behind a wobbling pile.", ["sneezing", "wobbling"]),
+        ("A sneezing clown stands behind a wobbling box.", ["sneezing", "wobbling"]),
         ("A box lies on a moving conveyor belt.", ["moving"]),
         ("A square ball lies beside a tall sphere.", ["square", "tall"]),
         ("An overturned chair stands next to a cracked mirror.", ["overturned", "cracked"]),
@@ -121,7 +121,7 @@ def test_who_waits_on_his_way_is_owned_up_to(prompt: str) -> None:
 @pytest.mark.parametrize(
     ("prompt", "words"),
     [
-        ("A drone picks up a parcel and sets it down on a roof.", ["picks up", "sets"]),
+        ("A drone picks up a parcel and sets it down on a table.", ["picks up", "sets"]),
         ("A robot picks up a box, drives 3 m and puts the box on a table.", ["picks up", "puts"]),
         ("A forklift lifts a pallet and drives to a truck.", ["lifts"]),
         ("An eagle grabs a fish from a rock and carries it to a nest.", ["grabs", "carries"]),
@@ -134,11 +134,10 @@ def test_what_is_carried_off_by_nobody_is_owned_up_to(prompt: str, words: list[s
     assert owned(draft(prompt)) == words
 
 
-def test_what_is_set_beside_a_thing_is_there_from_the_start() -> None:
+def test_what_is_set_beside_a_thing_is_put_there() -> None:
     doc = draft("A robot hits a box and then sets a vase beside the sink.")
-    assert [(s.text, s.note) for s in stated(doc, Predicate.NOT_REPRESENTED)] == [
-        ("sets", "shown as if it were there from the start")
-    ]
+    assert not stated(doc, Predicate.NOT_REPRESENTED)
+    assert [s.text for s in stated(doc, Predicate.ENDS_NEAR)] == ["beside the sink"]
 
 
 @pytest.mark.parametrize(

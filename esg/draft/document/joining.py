@@ -25,6 +25,8 @@ _OPEN = {"open": 1.0, "opened": 1.0, "wide-open": 1.0, "half-open": 0.5, "ajar":
 """Share of how far a thing opens at which it starts, by what it is called."""
 
 _SHUT = frozenset({"closed", "shut"})
+STANDS_OPEN = _SHUT | {*_OPEN}
+"""Words of how far a door or a lid is open."""
 
 GIVES_WAY_MPS = 1e-3
 """Change of speed that a snapped rope still bears: far less than gravity's in a step."""

@@ -15,6 +15,8 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.slopes import ASLANT
 from esg.draft.discourse.scene import LIMBED
+from esg.draft.document.joining import STANDS_OPEN
+from esg.draft.events.hanging import row_of
 from esg.draft.events.motions import ROLLING
 from esg.draft.events.stated import NAMED_BY
 from esg.draft.events.told import happened
@@ -37,6 +39,8 @@ _TOLD = (
 _ROUND, _ANGULAR = lex.word_set("round shapes"), lex.word_set("angular shapes")
 _OF_A_QUALITY = frozenset({"ADJ", "VERB"})
 """Parts of speech of words that tell a quality; a noun before a noun tells its kind."""
+_TILTED = frozenset({"raised", "lowered", "upper", "lower"})
+"""Words of an end of a seesaw."""
 _SHADES = frozenset({"light", "dark", "bright", "pale", "deep"})
 """Words that tell a colour after them more closely."""
 _WORDS = frozenset({"ADJ", "NOUN", "PROPN"})
@@ -78,6 +82,10 @@ def qualities(a: Account) -> Iterator[Gap]:
 def _lost(a: Account, t: Token, later: str, e: Entity, moving: set[str]) -> bool:
     """Whether a word before a noun asks for something that the thing has not."""
     word, noun = t.low, e.noun
+    if word in STANDS_OPEN and row_of(a.d, e.id) is not None:
+        return False
+    if word in _TILTED and e.id in a.d.scene.openings:
+        return False  # "on the raised end of a seesaw"
     if word in _UNSEEN:
         return True
     if word in noun.name.split() or (later in lex.COLORS and word in _SHADES):

@@ -87,7 +87,7 @@ def _formation(world: World, m: Mention, subject: bool) -> bool:
 
 def _who_films(world: World, m: Mention, subject: bool) -> bool:
     """ "shot with a static camera", "towards the camera", "static camera", "out of the frame"."""
-    if m.head == "camera":
+    if m.head in ("camera", "viewer"):
         bare = not (m.determiner or m.plural or m.count or m.letters or m.possessor)
         return m.after_prep in _FILMING or bare
     if m.head == "screen" and not (m.part or m.after_prep in _ACROSS):

@@ -73,8 +73,7 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     under_way = not all(at_rest(d, a) for a in actors) and not beside
     changes = under_way or f.phrase(*_BRANCHES) is not None  # but not "follows a cat, walking left"
     changes = changes or _LEFT_THEN_RIGHT.match(d.text, f.verb.end) is not None
-    turns = sides and changes and kind in SELF_POWERED and f.verb.lemma in _TURNING
-    if turns and not _a_course(d, f, actors):
+    if sides and changes and kind in SELF_POWERED and f.verb.lemma in _TURNING:
         for side in sides:
             turn(d, f, actors, side, 90.0)
         return
@@ -87,17 +86,6 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     motion(d, f, actors, "own" if by_itself or afoot else None)
     if f.verb.lemma in _AT_A_TARGET:
         aim_at(d, f, actors, next(iter(target_of(d, f, actors)), None))
-
-
-def _a_course(d: Discourse, f: Frame, actors: list[str]) -> bool:
-    """ "Two elephants, both walking left": no turn of what sets off, at no corner and only once."""
-    at = next((k for k, g in enumerate(d.told) if g.verb is f.verb), 0)
-    others = [g for g in d.told[at + 1 :] if {"left", "right"} & {*g.adverbs}]
-    mine = {i for g in others if g.subject is not None for i in g.subject.entities}
-    once = len([x for x in f.adverbs if x in ("left", "right")]) == 1 and not mine & {*actors}
-    # "a calf follows a cow, both walking left": it is the same motion
-    moved = [e for e in d.timeline.edges if e.actor in actors]
-    return once and not moved and not f.phrases and "straight" not in f.adverbs
 
 
 def _sets_going(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
