@@ -241,3 +241,11 @@ def test_who_stops_for_somebody_stops_near() -> None:
 def test_who_is_waited_for_does_what_is_waited_for() -> None:
     doc = draft("A sedan waits for a lorry to cross from left to right, and then turns left.")
     assert _ways(doc) == {("lorry_1", "right")}
+
+
+def test_beside_a_pile_is_beside_what_stands_on_the_ground() -> None:
+    doc = draft("A red cube lies on a blue cube, and a ball lies to the left of them.")
+    told = doc.spatial_relation_graph.edges.binary_relations
+    assert [(r.from_, r.to) for r in told if r.relation_type.value == "left_of"] == [
+        ("ball_1", "blue_cube_1")
+    ]

@@ -300,3 +300,10 @@ def test_a_ball_that_drops_on_her_side_does_not_topple() -> None:
 def test_what_stands_by_a_thing_does_not_go_with_it() -> None:
     doc = draft("A cup is above a ball. The cup slides along a table and the ball goes with it.")
     assert "with it" in owned(doc)
+
+
+def test_who_tries_is_listed_in_order() -> None:
+    """The same bytes whatever the order of sets in a process."""
+    doc = draft("A barrel is rolling down a street. People try to stop it.")
+    told = [s for s in doc.statements or () if s.text == "try to stop"]
+    assert [s.object for s in told] == [("person_1", "person_2", "person_3")]

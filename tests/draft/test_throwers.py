@@ -28,6 +28,18 @@ from tests.draft.told import events
             "A boy throws a ball at a can but misses. He throws a second ball and hits it.",
             [("Miss", "ball_1", "can_1"), ("Collision", "second_ball_1", "can_1")],
         ),
+        (
+            "A catapult hurls a stone at a box and hits it.",
+            [("Collision", "stone_1", "box_1")],
+        ),
+        (
+            "A cannon fires a ball at a wall and hits it.",
+            [("Collision", "ball_1", "wall_1")],
+        ),
+        (
+            "A robot arm throws a can at a bin. It misses it.",
+            [("Miss", "can_1", "bin_1")],
+        ),
     ],
 )
 def test_what_the_thrower_misses_or_hits(prompt: str, told: list[tuple[Any, ...]]) -> None:

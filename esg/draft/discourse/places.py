@@ -49,7 +49,8 @@ def place(
     kind = RELATION_PREPS.get(prep)
     if kind is None or not others or d.scene.links & {*things, *others}:
         return
-    other = others[0]
+    carried = d.scene.supported_by  # "left of them" is beside the lower one of two
+    other = next((o for o in others if carried.get(o) not in others), others[0])
     if part and kind == "on" and part.split()[-1] in _ENDS and _tips(d, other):
         seated = [t for t in things if t in d.world.entities and t not in d.scene.supported_by]
         d.scene.supported_by.update(dict.fromkeys(seated, other))

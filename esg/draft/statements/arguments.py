@@ -180,7 +180,8 @@ def attempts(a: Account) -> Iterator[Gap]:
         acts = [{*n.participants} for n in d.timeline.nodes]
         acts += [{e.actor, e.target or ""} for e in d.timeline.edges]
         if not any(who & act and (act & whom or (not whom and act & met)) for act in acts):
-            yield Gap(f.verb.start, f.verb.end, "nothing of what is tried is shown", tuple(who))
+            tried = tuple(nodes_of(d, f.subject))
+            yield Gap(f.verb.start, f.verb.end, "nothing of what is tried is shown", tried)
 
 
 def parts_alone(a: Account) -> Iterator[Gap]:

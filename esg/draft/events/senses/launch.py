@@ -240,8 +240,9 @@ def motion_of_things(d: Discourse, f: Frame, bodies: list[str], mode: str) -> No
     distance(d, f, moved, aim)
     if f.subject is not None:
         d.refs.thrown[id(f.subject)] = moved
-        people = [i for i in f.subject.entities if kind_of(d, i) == "person"]
-        d.refs.launched_by.update((i, moved) for i in people)
+        kinds = ((i, kind_of(d, i)) for i in f.subject.entities)
+        throwers = [i for i, k in kinds if k == "person" or k not in SELF_POWERED]  # a catapult
+        d.refs.launched_by.update((i, moved) for i in throwers)
     if mode == "throw" and aim is None:
         _at_the_ground(d, f, moved)
     outcomes(d, f, moved)
