@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from functools import lru_cache
 import re
 
 from esg.draft import lexicon as lex
@@ -25,6 +26,8 @@ _HOUSE_CM = 200.0
 
 CRANES = frozenset(hangers()[LOAD].serves)
 """What loads hang from."""
+_OWNED = re.compile(r"(?:\bits|\bwith an?|['’]s)", re.IGNORECASE)
+"""What is before a part: "its door", "with a lid"."""
 
 
 def articulation_of(scene: Scene, text: str, e: Entity) -> Articulation | None:
@@ -53,7 +56,6 @@ def articulation_of(scene: Scene, text: str, e: Entity) -> Articulation | None:
 def _names(scene: Scene, text: str, e: Entity) -> list[str]:
     """What the table may call a thing, the most precise first."""
     head = head_of(e)
-    head_here = rf"{re.escape(e.head)}s?\b"
     whole = _whole_told(text, e)
     if whole is not None:
         others = (x for x in scene.world.entities.values() if x is not e)
@@ -62,7 +64,7 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
         named = [f"{x} {head}" for x in sorted(things) if x in whole[1].lower()]
         named = [*(f"{a} {head}" for a in e.adjectives), *named] if named else []
         return named or [head]  # "the gate of a paddock", which is no thing
-    if re.search(rf"(?:\bits|\bwith an?|['’]s) (?:[\w-]+ )?{head_here}", text, re.IGNORECASE):
+    if _OWNED.search(text) and _owned_by(e.head).search(text):
         others = [x for x in scene.world.entities.values() if x is not e]
         if its := [name for x in others if (name := f"{head_of(x)} {head}") in articulations()]:
             return its  # "A clock stands there. Its pendulum swings."
@@ -91,8 +93,18 @@ def _houses(e: Entity) -> bool:
 
 def _whole_told(text: str, e: Entity) -> re.Match[str] | None:
     """What a thing is said to be of: "the door of a car"."""
-    of = rf"\b{re.escape(e.head)}s?\b of (?:an?|the|his|her|its|their|my) ((?:[\w-]+ ?){{1,4}})"
-    return re.search(of, text, re.IGNORECASE)
+    return _part_of(e.head).search(text) if " of " in text.lower() else None
+
+
+@lru_cache(maxsize=4096)
+def _part_of(head: str) -> re.Pattern[str]:
+    of = rf"\b{re.escape(head)}s?\b of (?:an?|the|his|her|its|their|my) ((?:[\w-]+ ?){{1,4}})"
+    return re.compile(of, re.IGNORECASE)
+
+
+@lru_cache(maxsize=4096)
+def _owned_by(head: str) -> re.Pattern[str]:
+    return re.compile(rf"{_OWNED.pattern} (?:[\w-]+ )?{re.escape(head)}s?\b", re.IGNORECASE)
 
 
 def _below_ceiling(scene: Scene, e: Entity) -> bool:

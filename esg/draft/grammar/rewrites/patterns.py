@@ -64,11 +64,10 @@ def rewrite(elements: list[Element], reading: str) -> list[Element]:
         elements: Noun phrases, verbs and small words in the order of the text.
         reading: Which rows of the table apply; the first that matches at a place decides.
     """
-    rows = table().get(reading, ())
     out: list[Element] = []
     i = 0
     while i < len(elements):
-        for row in rows:
+        for row in _starting_with(reading, type(elements[i])):
             spans = match(row, elements, i, out)
             if spans is not None:
                 out += [e for made in row.made for e in make(made, elements, spans, out)]
@@ -87,6 +86,12 @@ def match(row: Row, elements: list[Element], i: int, out: list[Element]) -> Span
         return None
     spans["all"] = (i, spans["all"][1])
     return spans
+
+
+@cache
+def _starting_with(reading: str, first: type) -> tuple[Row, ...]:
+    """The rows of a reading that may begin with an element of a type, in their order."""
+    return tuple(row for row in table().get(reading, ()) if issubclass(first, row.starts))
 
 
 @cache
