@@ -249,3 +249,25 @@ def test_beside_a_pile_is_beside_what_stands_on_the_ground() -> None:
     assert [(r.from_, r.to) for r in told if r.relation_type.value == "left_of"] == [
         ("ball_1", "blue_cube_1")
     ]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "way", "words"),
+    [
+        ("A dog runs toward the camera.", "front", "toward the camera"),
+        ("A red ball rolls towards the viewer.", "front", "towards the viewer"),
+        ("A drone flies away from the camera.", "back", "away from the camera"),
+        ("A train moves into the distance.", "back", "into the distance"),
+    ],
+)
+def test_the_viewer_is_where_the_front_is(prompt: str, way: str, words: str) -> None:
+    """No camera is drawn, and what comes nearer moves to the front of the picture."""
+    doc = draft(prompt)
+    told = [s for s in stated(doc, Predicate.MOVES) if s.direction == way]
+    assert [s.text for s in told] == [words] and not owned(doc)
+    assert not {"camera_1", "viewer_1"} & {*doc.spatial_relation_graph.nodes}
+
+
+def test_it_after_the_camera_is_the_camera() -> None:
+    doc = draft("A white truck drives towards the camera as a motorcycle drives away from it.")
+    assert owned(doc) == ["it"]

@@ -19,6 +19,8 @@ from esg.draft.text.elements import Mention
 
 _AFOOT = lex.word_set("afoot (references)")
 _FILMING = lex.word_set("filming")
+_BY_THE_CAMERA = re.compile(r"\b(?:from|to|at|towards?) the (?:camera|viewer)\b", re.IGNORECASE)
+"""Ways that the reader takes as one adverb."""
 RIDDEN = lex.word_set("ridden")
 _NO_WAY = frozenset({"unknown", "noop", "launch"})
 """Senses of verbs that lead nobody into water or out of it."""
@@ -115,6 +117,9 @@ def _who_films(d: Discourse, f: Frame, m: Mention | None) -> bool:
         return False
     earlier = [x for x in d.mentions if x.start < m.start and x is not f.subject]
     last = max(earlier, key=lambda x: x.start, default=None)
+    by = max((x.end() for x in _BY_THE_CAMERA.finditer(d.text, 0, m.start)), default=-1)
+    if by > (last.end if last is not None else -1):
+        return True
     return last is not None and last.head == "camera" and last.after_prep in _FILMING
 
 

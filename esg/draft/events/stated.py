@@ -28,6 +28,19 @@ _LEAPS = frozenset({"jump", "leap", "hop", "skip", "bound", "bounce"})
 _AND_DOWN = re.compile(r"\s+and\s+down\b", re.IGNORECASE)
 """After "up": to and fro, and no course."""
 _SIDES = ("leftwards", "rightwards")
+_OF_THE_VIEWER = {
+    "frontwards": re.compile(
+        r"\b(?:(?:straight |closer |nearer )?(?:to|at|towards?) the (?:camera|viewer)"
+        r"|to the front of the (?:scene|picture)|out of the background)\b",
+        re.IGNORECASE,
+    ),
+    "rearwards": re.compile(
+        r"\b(?:away from the (?:camera|viewer)|into the (?:distance|background)"
+        r"|to the back of the (?:scene|picture))\b",
+        re.IGNORECASE,
+    ),
+}
+"""The words of these ways, which the reader takes as one adverb each."""
 _OTHER_WAY = re.compile(
     r"(?:in )?the (?:other|opposite|reverse) (?:way|direction)\b", re.IGNORECASE
 )
@@ -133,6 +146,9 @@ def place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:
     low = max(0, f.verb.start - _REACH)
     found = re.finditer(rf"\b{re.escape(word)}\b", text[low : f.verb.end + _REACH], re.IGNORECASE)
     places = [(low + m.start(), low + m.end()) for m in found]
+    if not places and word in _OF_THE_VIEWER:
+        found = _OF_THE_VIEWER[word].finditer(text, f.verb.end, f.verb.end + _REACH)
+        places = [m.span() for m in found]
     if not places and word in _SIDES:
         found = _OTHER_WAY.finditer(text, f.verb.start, f.verb.end + _REACH)
         places = [m.span() for m in found]

@@ -125,9 +125,13 @@ def carriers() -> dict[str, Carriers]:
     return out
 
 
-def phrases(a: Account) -> Iterator[Gap]:
-    """Phrases of clauses and nouns ("passes under a bridge", "a cart of laundry")."""
-    asked: dict[int, tuple[Phrase, Frame | None, set[str]]] = {}
+Asked = dict[int, tuple[Phrase, Frame | None, set[str]]]
+"""Phrases by the identity of what they name, with their clause and whom they are about."""
+
+
+def _asked(a: Account) -> tuple[Asked, set[int]]:
+    """The phrases to ask, and which of them name a tool."""
+    asked: Asked = {}
     for f in a.frames:
         about = about_of(a.d, f)
         for p in f.phrases:
@@ -144,6 +148,12 @@ def phrases(a: Account) -> Iterator[Gap]:
     for p in _of_lost_verbs(a):
         tools.add(id(p.mention))
         asked.setdefault(id(p.mention), (p, None, set()))
+    return asked, tools
+
+
+def phrases(a: Account) -> Iterator[Gap]:
+    """Phrases of clauses and nouns ("passes under a bridge", "a cart of laundry")."""
+    asked, tools = _asked(a)
     for p, f, about in asked.values():
         m = p.mention
         if id(m) in tools and m is not None and not _acts(a, {*nodes_of(a.d, m)}):

@@ -49,7 +49,7 @@ _CONTENTS = re.compile(
     rf"\b(?:of|with)\s+(?:\w+\s+)?(?:{'|'.join(map(re.escape, sorted(_KINDS[0][0])))})\b",
     re.IGNORECASE,
 )
-_EDGES = frozenset({"out of view", "into view"})
+_EDGES = frozenset({"out of view", "into view", "frontwards", "rearwards"})
 """Adverbs of motions: no camera is meant."""
 _MOODS = lex.word_set("unseen attributes")
 _UNDERSTOOD = (lex.ATTRIBUTES - _MOODS) | lex.word_set("understood without a thing")

@@ -67,17 +67,19 @@ def _back(book: Book, clause: Clause, s: Said, mover: str) -> None:
                  direction=s.row.direction, when=period(d, clause, mover))  # fmt: skip
 
 
+def _no_way(d: Discourse, clause: Clause, s: Said, mover: str) -> bool:
+    """ "Puts a bag by the fence", "a dog slides over the ice": where it is, not what it passes."""
+    prep = s.phrase.prep if s.phrase is not None else ""
+    put = prep == "by" and d.scene.used.get(span(clause.frame)) == "put"
+    grounded = clause.frame.verb.sense in ("slide", "roll") and kind_of(d, mover) == "animal"
+    flies = mover in d.moves.flying or flies_itself(d, mover)
+    return put or (prep == "over" and (grounded or not flies))
+
+
 def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> None:
     d, direction = book.d, s.row.direction
-    if (
-        s.phrase is not None
-        and s.phrase.prep == "by"
-        and d.scene.used.get(span(clause.frame)) == "put"
-    ):
-        return  # where it is put, not what it passes
     over = s.phrase is not None and s.phrase.prep == "over"
-    grounded = clause.frame.verb.sense in ("slide", "roll") and kind_of(d, mover) == "animal"
-    if over and (grounded or not (mover in d.moves.flying or flies_itself(d, mover))):
+    if _no_way(d, clause, s, mover):
         return
     if s.phrase is not None and direction in ("up", "down"):
         _slope(book, s, mover, where)

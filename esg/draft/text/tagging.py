@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import cache, lru_cache
+from importlib import import_module
 import sys
 from types import ModuleType
 from typing import Any
@@ -45,9 +46,7 @@ def _spacy() -> Any:
 
 
 def _info(*asked: Any, **more: Any) -> Any:
-    from spacy.cli.info import info
-
-    return info(*asked, **more)
+    return import_module("spacy.cli.info").info(*asked, **more)
 
 
 def _word_by_word(model: Any) -> bool:
