@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.scene import Rollout, SimScene
-from esg.graph.models import EsgDocument
+from esg.graph.models import EsgDocument, Predicate
 from esg.units import quat_rotate
 from esg.view.camera import Camera, box_corners, frame_points
 from esg.view.moments import FAR_REACH, HAND_REACH, REACH, Moment, moments_of
@@ -134,15 +134,35 @@ def camera_for(
     return frame_points(corners, azimuth, elevation, PANEL_PX[0] / PANEL_PX[1])
 
 
+def told_side(doc: EsgDocument) -> float | None:
+    """Azimuth from which left, right, front and back are as the prompt says; None if it does not.
+
+    The viewer stands at +Y: from elsewhere a dog that runs toward the camera runs past it.
+    """
+    told = doc.statements or ()
+    ways = (s for s in told if s.predicate is Predicate.MOVES and s.direction in _VIEWERS_WAYS)
+    sides = (s for s in told if s.predicate.value in _VIEWERS_SIDES)
+    relations = doc.spatial_relation_graph.edges.binary_relations
+    places = (r for r in relations if r.relation_type.value in _VIEWERS_SIDES)
+    said = any(True for _ in itertools.chain(ways, sides, places))
+    return math.pi / 2 if said else None
+
+
 def viewpoint(
-    scene: SimScene, rollout: Rollout, moments: list[Moment], renderer: Renderer
+    scene: SimScene,
+    rollout: Rollout,
+    moments: list[Moment],
+    renderer: Renderer,
+    told: float | None = None,
 ) -> tuple[float, float]:
     """Azimuth and elevation from which the cast is seen best over all moments.
 
     The natural place is beside the motion, on the viewer's (+Y) side; other directions compete by
-    how much of every framed body is visible at every moment.
+    how much of every framed body is visible at every moment. Where the prompt speaks of left and
+    right (`told_side`), the viewer's own direction takes that place, and only near ones compete.
     """
-    side = _beside(_motion_direction(scene, rollout, moments))
+    side = _beside(_motion_direction(scene, rollout, moments)) if told is None else told
+    turns = (0, 30, -30, 60, -60, 180) if told is None else (0, 30, -30)
     best, best_score = (side, math.radians(24)), -math.inf
     # First, last and the middle moment stand for all: this is half of the work otherwise.
     moments = [moments[k] for k in sorted({0, len(moments) // 2, len(moments) - 1})]
@@ -150,7 +170,7 @@ def viewpoint(
     for elevations in ELEVATIONS:
         if least >= HIDDEN:
             break  # only what lies at the bottom of something is looked at from above
-        for turn, elevation in itertools.product((0, 30, -30, 60, -60, 180), elevations):
+        for turn, elevation in itertools.product(turns, elevations):
             view = (side + math.radians(turn), math.radians(elevation))
             seen = []
             for moment in moments:
@@ -287,8 +307,15 @@ def action_points(
 def facing_side(
     scene: SimScene, rollout: Rollout, verdict: SceneVerdict | None, doc: EsgDocument
 ) -> float:
-    """Azimuth beside the motion, on the viewer's (+Y) side [rad]."""
+    """Azimuth that the prompt tells, or beside the motion, on the viewer's (+Y) side [rad]."""
+    told = told_side(doc)
+    if told is not None:
+        return told
     return _beside(_motion_direction(scene, rollout, moments_of(scene, rollout, verdict, doc)))
+
+
+_VIEWERS_WAYS = ("left", "right", "front", "back")
+_VIEWERS_SIDES = ("left_of", "right_of", "in_front_of", "behind")
 
 
 def _beside(along: NDArray[np.float64]) -> float:

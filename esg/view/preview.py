@@ -26,6 +26,7 @@ from esg.view.framing import (
     corners_of,
     frame_at,
     pose,
+    told_side,
     viewpoint,
 )
 from esg.view.moments import as_seen, failures, moments_of
@@ -81,7 +82,7 @@ def preview(
     moments = moments_of(scene, rollout, verdict, doc)
     scenery = scenery_of(scene, rollout, doc)
     finder = Renderer(scenery.parts, scenery.n_bodies, *PANEL_PX)
-    view = viewpoint(scene, rollout, moments, finder)
+    view = viewpoint(scene, rollout, moments, finder, told_side(doc))
     shots: list[Shot] = []
     for moment in moments:
         frame = frame_at(rollout, moment.time)

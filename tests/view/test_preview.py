@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+import math
 import os
 from pathlib import Path
 
@@ -40,6 +41,7 @@ from esg.view.framing import (
     frame_at,
     points_in_view,
     pose,
+    told_side,
 )
 from esg.view.moments import as_seen, failures, moments_of
 from esg.view.pieces import Movers, Part
@@ -391,3 +393,18 @@ def test_boxes_reach_as_far_as_what_is_drawn() -> None:
 
 def ball_of(name: str) -> Body:
     return replace(scene().bodies[0], name=name)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "told"),
+    [
+        ("A dog runs toward the camera.", True),
+        ("A ball rolls to the left.", True),
+        ("A vase stands to the right of a laptop.", True),
+        ("A dog runs.", False),
+        ("A ball hits a box.", False),
+    ],
+)
+def test_left_and_front_are_seen_from_where_the_viewer_stands(prompt: str, told: bool) -> None:
+    """He stands at +Y; of other scenes the side of the motion is as good."""
+    assert told_side(draft(prompt)) == (pytest.approx(math.pi / 2) if told else None)

@@ -98,10 +98,12 @@ def _places(
     jitter = math.radians(float(rng.uniform(-9, 9))) if seed else 0.0
     mirror = -1.0 if seed % 2 else 1.0
     way = action.heading()
-    side = _beside(way)
+    told = action.side if not apart else None
+    side = _beside(way) if told is None else told
+    turns = TURNS_DEG if told is None else TURNS_DEG[:3]
     first = RISES_DEG[action.human][0] or 6.0
     options: list[tuple[float, View]] = []
-    for turn, rise in itertools.product(TURNS_DEG, RISES_DEG[action.human]):
+    for turn, rise in itertools.product(turns, RISES_DEG[action.human]):
         azimuth = side + mirror * math.radians(turn) + jitter
         view = View(
             azimuth,
