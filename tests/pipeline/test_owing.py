@@ -33,8 +33,8 @@ from esg.pipeline import (
 )
 from esg.scenefolder import Owed, publish, publish_unfinished
 from esg.scenefolder.unfinished import read, settled
-from esg.store.artifacts import artifact_key
 from esg.strangers.sums import FINISHING, SUMS, Differences, differences
+from tests.pipeline.filled import stages_done
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="folders are followed in /proc")
 FILES = {
@@ -72,18 +72,8 @@ def state(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> Iterator[SceneStat
     """A scene whose record comes next."""
     monkeypatch.setattr(stages, "recording", record)
     monkeypatch.setenv("ESG_CACHE_DIR", str(tmp_path / "cache"))
-    with scratch_store(tmp_path / "store"):
-        keys: dict[str, str] = {}
-        for stage, content in FILES.items():
-
-            def fill(folder: Path, content: dict[str, str] = content) -> None:
-                for name, text in content.items():
-                    (folder / name).write_text(text)
-
-            keys[stage] = artifact_key(stage, inputs={}, config={}, code_version="1")
-            artifact_store().create(keys[stage], fill)
-        log = ({"stage": "draft", "seconds": 0.1, "cached": False},)
-        yield SceneState(SceneRequest("A ball."), keys, log, Outcome.SOLVED)
+    with stages_done(tmp_path / "store", FILES) as scene:
+        yield scene
 
 
 @pytest.fixture

@@ -11,12 +11,12 @@ import re
 import pytest
 
 from esg import scenefolder
-from esg.outcomes import Outcome, UserError
-from esg.pipeline import SceneRequest, SceneState, artifact_store, scratch_store
+from esg.outcomes import UserError
+from esg.pipeline import SceneState
 from esg.scenefolder import check_writable, folder_name, is_scene_folder, publish, safe_name
-from esg.store.artifacts import artifact_key
 from esg.strangers.sums import SUMS, Differences, differences
 from tests.disks import small_files
+from tests.pipeline.filled import stages_done
 
 
 @pytest.fixture
@@ -29,18 +29,8 @@ def state(tmp_path: Path) -> Iterator[SceneState]:
         },
         "judge": {"metrics.json": "{}"},
     }
-    with scratch_store(tmp_path / "store"):
-        keys: dict[str, str] = {}
-        for stage, content in files.items():
-
-            def fill(folder: Path, content: dict[str, str] = content) -> None:
-                for name, text in content.items():
-                    (folder / name).write_text(text)
-
-            keys[stage] = artifact_key(stage, inputs={}, config={}, code_version="1")
-            artifact_store().create(keys[stage], fill)
-        log = ({"stage": "draft", "seconds": 0.1, "cached": False},)
-        yield SceneState(SceneRequest("A ball."), keys, log, Outcome.SOLVED)
+    with stages_done(tmp_path / "store", files) as scene:
+        yield scene
 
 
 def test_folder_is_named_after_the_scene_and_safe(state: SceneState) -> None:

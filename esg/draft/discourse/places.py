@@ -5,10 +5,9 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.referents.entities import head_of
+from esg.draft.discourse.referents.wholes import tips
 from esg.draft.discourse.scene import LIMBED, Relation
 from esg.graph.models import Quantity
-from esg.lexicon.articulations import articulations
 
 _PREPS = {
     "on": "on onto upon atop",
@@ -51,7 +50,7 @@ def place(
         return
     carried = d.scene.supported_by  # "left of them" is beside the lower one of two
     other = next((o for o in others if carried.get(o) not in others), others[0])
-    if part and kind == "on" and part.split()[-1] in _ENDS and _tips(d, other):
+    if part and kind == "on" and part.split()[-1] in _ENDS and tips(entity_of(d, other)):
         seated = [t for t in things if t in d.world.entities and t not in d.scene.supported_by]
         d.scene.supported_by.update(dict.fromkeys(seated, other))
         d.scene.at_ends += seated
@@ -87,11 +86,6 @@ def place(
         text = others[1] if kind == "between" else ""
         stated = distance if kind not in ("between", "surround") else None
         d.scene.relations.append(Relation(t, other, kind, stated, text))
-
-
-def _tips(d: Discourse, node: str) -> bool:
-    row = articulations().get(head_of(entity_of(d, node)))
-    return row is not None and row.tips
 
 
 def _at_part(d: Discourse, kind: str, part: str, other: str) -> str:

@@ -12,6 +12,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.proposition import Row, Said
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.text.multiwords import spellings
 from esg.draft.verbphrases import verb_readings
 from esg.graph.models import Predicate
 
@@ -28,19 +29,8 @@ _LEAPS = frozenset({"jump", "leap", "hop", "skip", "bound", "bounce"})
 _AND_DOWN = re.compile(r"\s+and\s+down\b", re.IGNORECASE)
 """After "up": to and fro, and no course."""
 _SIDES = ("leftwards", "rightwards")
-_OF_THE_VIEWER = {
-    "frontwards": re.compile(
-        r"\b(?:(?:straight |closer |nearer )?(?:to|at|towards?) the (?:camera|viewer)"
-        r"|to the front of the (?:scene|picture)|out of the background)\b",
-        re.IGNORECASE,
-    ),
-    "rearwards": re.compile(
-        r"\b(?:away from the (?:camera|viewer)|into the (?:distance|background)"
-        r"|to the back of the (?:scene|picture))\b",
-        re.IGNORECASE,
-    ),
-}
-"""The words of these ways, which the reader takes as one adverb each."""
+_OF_THE_VIEWER = ("frontwards", "rearwards")
+"""Ways that no single word of a text tells: "toward the camera", "into the distance"."""
 _OTHER_WAY = re.compile(
     r"(?:in )?the (?:other|opposite|reverse) (?:way|direction)\b", re.IGNORECASE
 )
@@ -147,7 +137,7 @@ def place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:
     found = re.finditer(rf"\b{re.escape(word)}\b", text[low : f.verb.end + _REACH], re.IGNORECASE)
     places = [(low + m.start(), low + m.end()) for m in found]
     if not places and word in _OF_THE_VIEWER:
-        found = _OF_THE_VIEWER[word].finditer(text, f.verb.end, f.verb.end + _REACH)
+        found = spellings(word).finditer(text, f.verb.end, f.verb.end + _REACH)
         places = [m.span() for m in found]
     if not places and word in _SIDES:
         found = _OTHER_WAY.finditer(text, f.verb.start, f.verb.end + _REACH)

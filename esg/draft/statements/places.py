@@ -105,8 +105,8 @@ def from_nothing(a: Account) -> Iterator[Gap]:
             continue
         if not word and not _beside_a_board(a, f, fallen):
             continue
-        off = re.compile(rf"\b{word}\b") if word else re.compile("$^")
-        at = off.search(d.text, f.verb.start, f.verb.end + _NEAR)
+        off = re.compile(rf"\b{word}\b") if word else None
+        at = off.search(d.text, f.verb.start, f.verb.end + _NEAR) if off is not None else None
         span = at.span() if at is not None else (f.verb.start, f.verb.end)
         yield Gap(*span, FROM_NOTHING, tuple(sorted(fallen)))
 

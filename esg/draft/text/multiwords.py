@@ -9,7 +9,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 import csv
+from functools import cache
 from itertools import product
+import re
 from typing import Literal, cast
 
 from esg.draft import lexicon as lex
@@ -45,3 +47,13 @@ MULTIWORDS = _multiwords()
 """(words, kind, what they read as) by the first word, the longest first, so that a part never hides
 the whole.
 """
+
+
+@cache
+def spellings(low: str) -> re.Pattern[str]:
+    """Matches every expression that reads as a word, the longest first."""
+    told = [
+        " ".join(words) for rows in MULTIWORDS.values() for words, _, reads in rows if reads == low
+    ]
+    longest = sorted(told, key=lambda t: (-len(t), t))
+    return re.compile(rf"\b(?:{'|'.join(map(re.escape, longest))})\b", re.IGNORECASE)

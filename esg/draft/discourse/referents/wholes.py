@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import WORN, head_of
+from esg.draft.discourse.referents.entities import WORN, Entity, head_of
 from esg.draft.discourse.referents.pronouns import pronoun
 from esg.draft.discourse.referents.record import World
 from esg.draft.text.elements import Mention
@@ -24,12 +24,17 @@ _HAVE = (
 """Parts, and the kinds of things that are hit when those are."""
 
 
+def tips(e: Entity) -> bool:
+    """Whether a thing tips to one side or the other, so that it has an end that is up: a seesaw."""
+    row = articulations().get(head_of(e))
+    return row is not None and row.tips
+
+
 def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
     """What a part belongs to: "the dog's tail", "the open door of a car", "its roof"."""
     body = m.head in lex.BODY_PARTS
     if m.attribute and m.part.endswith(("end", "side")):
-        rows = ((e.id, articulations().get(head_of(e))) for e in world.entities.values())
-        return [node for node, row in rows if row is not None and row.tips][-1:]
+        return [e.id for e in world.entities.values() if tips(e)][-1:]
     if m.possessor is not None and _part_of_a_joint(m.head, m.possessor):
         m.part = m.head
         return world.resolve(m.possessor)
