@@ -171,6 +171,6 @@ def test_twenty_known_objects_need_no_embedding(monkeypatch: pytest.MonkeyPatch)
     def refuse(*_: object) -> None:
         raise AssertionError("the model was loaded for a known noun")
 
-    monkeypatch.setattr("esg.assets.library.embed._model", refuse)
+    monkeypatch.setattr("esg.assets.library.embed._session", refuse)
     for name in list(entries_by_name())[:20]:
         assert configure("x", known(name)).asset_name == name

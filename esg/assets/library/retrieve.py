@@ -94,10 +94,8 @@ def rank(
     index: Index | None = None,
 ) -> list[RetrievalCandidate]:
     """The k best entries for a text, best first."""
-    from esg.assets.library.embed import embed
-
     index = index or active_index()
-    query = embed([normalize(text) or text])[0]
+    query = index.vector(normalize(text) or text)
     semantic = index.scores(query)
     match = exact(text) or head_match(text)
     pool = list(np.argsort(-semantic, kind="stable")[: max(32, k)])
@@ -127,8 +125,6 @@ def confidence(text: str, best: RetrievalCandidate, index: Index | None = None) 
 
     Tuned on `data/retrieval_tuning.csv`; measured on `data/retrieval_queries.csv`.
     """
-    from esg.assets.library.embed import embed
-
     if exact(text) is not None:
         return 1.0
     index = index or active_index()
@@ -140,8 +136,8 @@ def confidence(text: str, best: RetrievalCandidate, index: Index | None = None) 
     words = normalize(text)
     foreign = _FOREIGN_PENALTY if is_foreign(text) else 0.0
     head = head_phrase(text).split()[-1:] or [words]
-    whole = embed([words])[0]
-    alone = embed(head)[0]
+    whole = index.vector(words)
+    alone = index.vector(head[0])
     value = 0.5 * best.semantic + 0.5 * float(index.scores_of(i, alone).max())
     if head[0] in AMBIGUOUS_HEADS:
         value = 0.8 * best.semantic
@@ -259,12 +255,10 @@ def _certain(entry: Entry, requirement: AssetRequirement) -> RetrievalCandidate:
 
 def candidate_of(entry: Entry, requirement: AssetRequirement) -> RetrievalCandidate:
     """An entry as a candidate for a requirement, scored like the others."""
-    from esg.assets.library.embed import embed
-
     text = requirement.asset_category.replace("_", " ")
     index = active_index()
     i = next(k for k, e in enumerate(index.entries) if qualified(e) == qualified(entry))
-    semantic = float(index.scores_of(i, embed([normalize(text) or text])[0]).max())
+    semantic = float(index.scores_of(i, index.vector(normalize(text) or text)).max())
     category = _category_score(entry, exact(text) or head_match(text))
     physical = physical_score(entry, requirement)
     return RetrievalCandidate(

@@ -330,11 +330,15 @@ def _fittings(s: Sketch, b: Coach, c: Color) -> None:
     w = b.width / 2
     foot = b.screens[0][1]
     at = foot - 34
-    z = float(forms.profile(b.belt)(at)) + 7
     near = w + 4.5 - 8.5
+
+    def height() -> float:
+        return float(forms.profile(b.belt)(at)) + 7
+
     for side, word in ((1, "left"), (-1, "right")):
 
         def shell(side: int = side) -> Any:
+            z = height()
             return forms.gather(
                 [
                     forms.cushion(
@@ -356,9 +360,8 @@ def _fittings(s: Sketch, b: Coach, c: Color) -> None:
         s.add(shell, c, of="car_body", name=f"mirror_{word}")
 
         def face(side: int = side) -> Any:
-            return forms.cushion(
-                (1.5, 14, 8.6), (at - 4.6, side * near, z + 1), plan=3.5, sections=12, levels=5
-            )
+            place = (at - 4.6, side * near, height() + 1)
+            return forms.cushion((1.5, 14, 8.6), place, plan=3.5, sections=12, levels=5)
 
         s.add(face, CHROME, of="chrome", name=f"mirror_glass_{word}")
 
