@@ -10,7 +10,6 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import replace
-import shutil
 from typing import TYPE_CHECKING, Any
 
 from esg.costs.spent import Meter
@@ -20,6 +19,7 @@ from esg.dataset.meshes import BUFFERS
 from esg.dataset.running import SCENE_STAGES, Made, batch_store, rendered_scenes, run_scenes
 from esg.dataset.writing import write_batch
 from esg.machine.memory import give_back
+from esg.machine.removing import remove_beside
 from esg.store.tables import TABLES, part_files, to_table, write_part
 
 if TYPE_CHECKING:
@@ -127,7 +127,7 @@ def _marked(job: BatchJob, result: BatchResult) -> BatchResult:
             (job.out / part).unlink(missing_ok=True)
     write_mark(job.out, result)
     if not job.keep_work:
-        shutil.rmtree(job.work, ignore_errors=True)
+        remove_beside(job.work)
     return result
 
 

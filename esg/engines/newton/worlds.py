@@ -285,7 +285,7 @@ class NewtonWorlds:
         if key not in self._graphs:
             wp = self.wp
             with wp.ScopedDevice(self.device):
-                if not self._graphs:
+                if not self._graphs and self.device != "cpu":
                     self._warm_up()
                 with wp.ScopedCapture(device=self.device) as capture:
                     for _ in range(self.graph_steps):
@@ -294,7 +294,10 @@ class NewtonWorlds:
         return self._graphs[key]
 
     def _warm_up(self) -> None:
-        """Compiles and loads all kernels by two eager steps on states that are put back."""
+        """Compiles and loads all kernels by two eager steps on states that are put back.
+
+        A GPU cannot load any while it captures; on the CPU it can.
+        """
         import newton
 
         wp, steel = self.wp, self.model.steel
