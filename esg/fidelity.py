@@ -134,6 +134,28 @@ def unplaced(document: Mapping[str, Any]) -> list[Row]:
     return list(rows.values())
 
 
+def unsettled(document: Mapping[str, Any], checks: Iterable[Mapping[str, Any]]) -> list[Row]:
+    """What a scene in which nothing is told to move puts where it does not stay.
+
+    Args:
+        document: The ESG, of which only the coverage and the nodes are read.
+        checks: Of the replay's plausibility: what moves with nothing that touches it.
+
+    Returns:
+        A shortfall with the words for that thing, or none.
+    """
+    read = _Read(document)
+    rows: list[Row] = []
+    for check in checks:
+        if check["name"] != "motion_before" or check["ok"] or not check["body"]:
+            continue
+        row = read.mention(check["body"])
+        if row is not None:
+            why = f"it does not stay where it is put: it moves by {check['measured']:.2f} m"
+            rows.append({**row, "status": "broken", "reason": why})
+    return rows
+
+
 class _Read:
     """Where the nodes and arrangements of a document stand in its prompt."""
 
@@ -168,6 +190,10 @@ class _Read:
         ends = [[s for n in side.split(",") for s in self._of(n)] for side in (names, rest[0])]
         pairs = ((min(a, b)[0], max(a[1], b[1])) for a in ends[0] for b in ends[1])
         return self._row(min(pairs, key=lambda at: at[1] - at[0], default=None))
+
+    def mention(self, node: str) -> Row | None:
+        """The words that first name a node; None if none do."""
+        return self._row(min(self._of(node), default=None))
 
     def _of(self, node: str) -> list[tuple[int, int]]:
         return self.spans.get(node) or self.spans.get(self.group.get(node, node), [])

@@ -12,7 +12,7 @@ import os
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from esg.fidelity import Row, lost_in, sentence, shortfalls, statement_rows, unplaced
+from esg.fidelity import Row, lost_in, sentence, shortfalls, statement_rows, unplaced, unsettled
 from esg.outcomes import Outcome
 
 if TYPE_CHECKING:
@@ -319,7 +319,10 @@ def _judge(state: SceneState, folder: Path) -> None:
     own = judge(*played, expectations_from_timeline(doc)) if from_suite else verdict
     said = doc.model_dump(mode="json", include=_READ)
     statements = statement_rows(said, [s.model_dump(mode="json") for s in own.statements])
+    plausibility = assess(*played, told_of(doc)).to_json()
     lost = [*unplaced(said), *shortfalls(said, statements)]
+    if doc.timeline_system is None:
+        lost += unsettled(said, plausibility["checks"])
     outcome, reason = _outcome(doc, own, lost)
     facts = json.loads((state.artifact("replay") / "replay.json").read_bytes())
     metrics = {
@@ -330,7 +333,7 @@ def _judge(state: SceneState, folder: Path) -> None:
         "judged_against": "suite" if from_suite else "timeline",
         "verified": own.verified,
         "verdict": verdict.to_json(),
-        "plausibility": assess(*played, told_of(doc)).to_json(),
+        "plausibility": plausibility,
     }
     if from_suite:
         metrics["own_timeline"] = own.to_json()

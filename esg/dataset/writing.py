@@ -204,6 +204,7 @@ def _recordings(job: BatchJob, scene: PlannedScene, state: SceneState, met: bool
 def _preview(
     job: BatchJob, scene: PlannedScene, state: SceneState, parts: tuple[Any, Any, Any, Any]
 ) -> list[Path]:
+    from esg.dressing import dress
     from esg.files import atomic_write
     from esg.view.preview import preview
 
@@ -214,6 +215,7 @@ def _preview(
     outcome = state.outcome.value if state.outcome else ""
     note = f"{outcome}  |  replayed in {rollout.engine} at {rate}"
     try:
+        doc = dress(doc, physical, rollout, seed=state.request.seed)
         preview(physical, rollout, verdict, doc, folder, note=note)
         path = job.out / "previews" / f"{scene.scene_id}.png"
         atomic_write(path, lambda target: _copy(folder / "preview.png", target))

@@ -95,7 +95,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     compare(text, clauses.mentions, scene)
     contrast(scene)
     space(text, clauses.mentions, scene)
-    fit(scene)
+    fit(scene, discourse.moves.upon)
     contradictions(scene)
     nothing_to_draw(scene)
     too_much(scene)

@@ -17,6 +17,7 @@ from esg.fidelity import (
     stand_ins,
     statement_rows,
     unplaced,
+    unsettled,
 )
 
 PROMPT = "The ball on the table flies straight up and wags."
@@ -171,6 +172,16 @@ def test_relations_that_the_layout_did_not_satisfy_are_broken_with_their_words()
     assert words(laid_out(two, "ball_1 face tree_1")) == []
     assert words(laid_out(two, "ball_1 near lamp_7")) == [], "nobody named it"
     assert unplaced({}) == unplaced({"layout_result": None}) == []
+
+
+def test_what_does_not_stay_where_a_still_scene_puts_it_is_broken() -> None:
+    document = laid_out("A lizard sits on a rock.")
+    fell = {"name": "motion_before", "ok": False, "body": "lizard_1", "measured": 0.286}
+    assert unsettled(document, [fell]) == [
+        {"words": "A lizard", "start": 0, "end": 8, "status": "broken",
+         "reason": "it does not stay where it is put: it moves by 0.29 m"}
+    ]  # fmt: skip
+    assert unsettled(document, [{**fell, "ok": True}, {**fell, "name": "energy"}]) == []
 
 
 def test_a_planned_start_may_be_near_by_a_strangers_measure_only() -> None:

@@ -1,17 +1,18 @@
-"""Sizes of what is told to lie in a vessel, or under one: it has to fit.
+"""Sizes of what is told to lie in a vessel, or under one, and of rocks to stand on: they fit.
 
 A ball, a box and a block come in any size, so that one which no number is told of is as small as
-the cup that holds or covers it asks for. All else keeps the size of its kind.
+the cup that holds or covers it asks for. So does a rock, which is as large as whoever stands or
+leaps on it needs. All else keeps the size of its kind.
 """
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 import re
 
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.sizes import dimensions_of
-from esg.draft.discourse.scene import Scene
+from esg.draft.discourse.scene import LIVING, Scene
 
 _ANY_SIZE = frozenset({"ball", "box", "block"})
 """Kinds of things that come in any size."""
@@ -19,16 +20,22 @@ _FREE = 0.6
 """Share of a vessel's width that what lies in it or under it takes up at most."""
 _FULL = 0.8
 """Share of a vessel's width up to which a thing fits as it is."""
+_CROWN = 0.55
+"""Share of a rock's length that its flat crown has (`rock` of the parametric library)."""
+_STANDS = 0.75
+"""Share of its length that an animal's feet take up."""
 _OVER = re.compile(r"\bover an? |\bover the ", re.IGNORECASE)
 """Says that a vessel covers a thing, which "above" does not."""
 
 
-def fit(scene: Scene) -> None:
-    """Makes what vessels hold or cover small enough, where its size is free.
+def fit(scene: Scene, leapt_on: Mapping[str, str]) -> None:
+    """Makes what vessels hold or cover small enough, and rocks large enough to stand on.
 
     Args:
-        scene: Everything that has been read; sizes of its things are changed.
+        scene: Everything that has been read; sizes of its things are changed where they are free.
+        leapt_on: Who leaps on what, by node.
     """
+    _fit_rocks(scene, leapt_on)
     for body, vessel, covered in _held(scene):
         free = body.noun.kind in _ANY_SIZE and not body.dimensions_prescribed
         stacked = body.noun.name == vessel.noun.name  # crates of a stack
@@ -41,6 +48,19 @@ def fit(scene: Scene) -> None:
             factor = min(factor, _FREE * room[2] / mine[2])
         if factor < _FREE / _FULL:
             body.dimensions_cm = [factor * x for x in mine]
+
+
+def _fit_rocks(scene: Scene, leapt_on: Mapping[str, str]) -> None:
+    things = scene.world.entities
+    for body, host in (*scene.supported_by.items(), *leapt_on.items()):
+        who, rock = things.get(body), things.get(host)
+        if who is None or rock is None or rock.noun.kind != "rock" or rock.dimensions_prescribed:
+            continue
+        if who.noun.kind in LIVING:
+            mine, room = dimensions_of(who), dimensions_of(rock)
+            factor = _STANDS * max(mine[:2]) / (_CROWN * room[0])
+            if factor > 1.0:
+                rock.dimensions_cm = [factor * x for x in room]
 
 
 def _held(scene: Scene) -> Iterator[tuple[Entity, Entity, bool]]:

@@ -15,7 +15,7 @@ from esg.dynamics.choreography.placing import comes_to_rest
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, half_along
 from esg.dynamics.story.story import Story
-from esg.graph.models import EdgeEvent, EsgDocument, Predicate, Statement
+from esg.graph.models import EdgeEvent, EsgDocument, Predicate, RelationType, Statement
 
 _AHEAD_M = 1.0
 """Gap that is left to what something moves toward."""
@@ -32,6 +32,9 @@ _SIDES: dict[Predicate, tuple[float, float]] = {
     Predicate.BEHIND: (0.0, -1.0),
 }
 """The side of the other thing on which something gets to be: left is +X, front +Y."""
+_BESIDE = frozenset(
+    {RelationType.LEFT_OF, RelationType.RIGHT_OF, RelationType.IN_FRONT_OF, RelationType.BEHIND}
+)
 _DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION, EdgeEvent.TOWARD)
 Way = tuple[tuple[float, float], tuple[float, float], float]
 """Start and end [m] and heading [rad] of a motion, in the constellation's frame."""
@@ -51,6 +54,22 @@ def state_course(stage: Stage) -> None:
     for s in _stated(stage):
         if s.predicate in _SIDES and s.object[:1] == (lead,):
             stage.yaw = _approach(stage, s) - angle
+            return
+    begins = _begins(stage, lead)
+    if begins is not None:
+        stage.yaw = begins - angle
+
+
+def _begins(stage: Stage, lead: str) -> float | None:
+    """Heading [rad] from the side on which a mover is told to start of what it goes to, if any."""
+    met = {n for phase in stage.story.phases[lead] for n in phase.end.participants if n != lead}
+    for r in stage.doc.spatial_relation_graph.edges.binary_relations:
+        side = _SIDES.get(Predicate(r.relation_type.value)) if r.relation_type in _BESIDE else None
+        if side is None or {r.from_, r.to} - {lead} - met or lead not in (r.from_, r.to):
+            continue
+        x, y = side if r.from_ == lead else (-side[0], -side[1])
+        return math.atan2(-y, -x)
+    return None
 
 
 def _approach(stage: Stage, s: Statement) -> float:

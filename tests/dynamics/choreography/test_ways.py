@@ -7,6 +7,8 @@ from typing import Any
 
 import pytest
 
+from esg.assets import resolve
+from esg.draft import draft
 from esg.dynamics import start_hints
 from esg.dynamics.choreography.ways import arrives, ways_stated
 from esg.dynamics.story.story import read_story
@@ -147,6 +149,29 @@ def test_a_side_is_reached_from_where_it_starts_and_not_through_the_thing() -> N
     starts = {"spatial_relation_graph": graph.model_copy(update={"edges": edges})}
     assert heading(doc) == pytest.approx(90.0)
     assert heading(doc.model_copy(update=starts)) == pytest.approx(270.0)
+
+
+@pytest.mark.parametrize(
+    ("told", "side"),
+    [
+        ("A cat to the left of a vase knocks the vase over.", LEFT),
+        ("A cat to the right of a vase knocks the vase over.", RIGHT),
+        ("A cat in front of a vase knocks the vase over.", FRONT),
+        ("There is a vase in front of a cat. The cat knocks the vase over.", BACK),
+    ],
+)
+def test_who_goes_to_a_thing_starts_on_the_side_of_it_that_is_told(
+    told: str, side: tuple[float, float]
+) -> None:
+    places, yaw = placed(resolve(draft(told), seed=0))
+    assert yaw is not None
+    x, y = (a - b for a, b in zip(places["cat_1"][:2], places["vase_1"][:2], strict=True))
+    turn = math.radians(yaw)
+    east, north = (
+        math.cos(turn) * x - math.sin(turn) * y,
+        math.sin(turn) * x + math.cos(turn) * y,
+    )
+    assert side[0] * east + side[1] * north > 0.9 * math.hypot(east, north)
 
 
 @pytest.mark.parametrize(

@@ -50,7 +50,7 @@ def bush(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 
 @builder("rock")
 def rock(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
-    """Boulder with a flat underside, drawn at 60 x 50 x 40."""
+    """Boulder with a flat underside and crown, drawn at 60 x 50 x 40."""
     import numpy as np
 
     rng = np.random.default_rng(7)
@@ -58,11 +58,15 @@ def rock(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     p /= np.linalg.norm(p, axis=1, keepdims=True)
     p *= rng.uniform(0.9, 1.0, (70, 1))
     p = np.concatenate([p, np.eye(3), -np.eye(3)]) * np.array([30, 25, 24]) + [0, 0, 16]
-    p[:, 2] = np.clip(p[:, 2], 0, 40)
+    turn = 2 * np.pi * (np.arange(11) + rng.uniform(-0.3, 0.3, 11)) / 11
+    crown = rng.uniform(0.92, 1.0, (11, 1)) * np.stack([18 * np.cos(turn), 15 * np.sin(turn)], 1)
+    p = np.concatenate([p, np.pad(crown, ((0, 0), (0, 1)), constant_values=35)])
+    p[:, 2] = np.clip(p[:, 2], 0, 35) * (40 / 35)
     points = [tuple(float(c) for c in v) for v in p]
 
     s.add(lambda: shapes.hull(points), c)
     s.proxy_hull([tuple(v) for v in shapes.hull(points).vertices])  # type: ignore[misc]
+    s.surface("top", 40, (13, 10.5))
 
 
 @builder("dumpster")
