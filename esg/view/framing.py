@@ -30,6 +30,11 @@ ROOM_ALONE = 0.9
 """Room on every side of a single body, in its own sizes."""
 ELEVATIONS = ((24, 42), (58, 74))
 """Heights of the viewpoints [deg]; the second ones where the first hide what a moment is about."""
+USUAL_DEG, ALOFT_DEG = 24, 6
+"""The natural heights: of what is on the ground, and of what is in the air, behind which the place
+is seen, and not the ground alone."""
+ALOFT_M = 0.4
+"""What is in the air is higher than this, and than its own size."""
 HIDDEN = 0.3
 """Share of its size below which what a moment is about counts as hidden."""
 
@@ -163,11 +168,14 @@ def viewpoint(
     """
     side = _beside(_motion_direction(scene, rollout, moments)) if told is None else told
     turns = (0, 30, -30, 60, -60, 180) if told is None else (0, 30, -30)
-    best, best_score = (side, math.radians(24)), -math.inf
+    natural, levels = USUAL_DEG, ELEVATIONS
+    if _aloft(scene, rollout, moments):
+        natural, levels = ALOFT_DEG, ((ALOFT_DEG, USUAL_DEG), *ELEVATIONS)
+    best, best_score = (side, math.radians(natural)), -math.inf
     # First, last and the middle moment stand for all: this is half of the work otherwise.
     moments = [moments[k] for k in sorted({0, len(moments) // 2, len(moments) - 1})]
     least = 0.0
-    for elevations in ELEVATIONS:
+    for elevations in levels:
         if least >= HIDDEN:
             break  # only what lies at the bottom of something is looked at from above
         for turn, elevation in itertools.product(turns, elevations):
@@ -178,11 +186,22 @@ def viewpoint(
                 pose(renderer, rollout, frame)
                 camera = camera_for(scene, rollout, moment, frame, *view)
                 seen.append(_visibility(scene, rollout, moment, frame, camera, renderer))
-            preference = 0.0015 * abs(turn) + 0.004 * abs(elevation - 24)
+            preference = 0.0015 * abs(turn) + 0.004 * abs(elevation - natural)
             score = min(seen) + 0.5 * sum(seen) / len(seen) - preference
             if score > best_score + 1e-9:
                 best, best_score, least = view, score, min(seen)
     return best
+
+
+def _aloft(scene: SimScene, rollout: Rollout, moments: Sequence[Moment]) -> bool:
+    """Whether all that is framed is high in the air, at every moment."""
+    for moment in moments:
+        frame = frame_at(rollout, moment.time)
+        for i in moment.focus:
+            box = corners_of(scene, rollout, frame, i)
+            if box[:, 2].min() < max(ALOFT_M, float(np.ptp(box, axis=0).max())):
+                return False
+    return True
 
 
 def camera_of_moment(

@@ -39,6 +39,8 @@ def chosen(
         ("A puck slides over the ice rink.", "outdoor", "ice_rink", "ice_rink"),
         ("Children play on the playground.", "outdoor", "playground", "playground"),
         ("A ball rolls along the beach.", "outdoor", "beach", "beach"),
+        ("A ball flies over the city.", "outdoor", "generic", "square"),
+        ("A ball rolls through the village.", "outdoor", "generic", "square"),
         ("A plane taxis to the runway.", "outdoor", "street", "airfield"),
         ("A medicine ball is thrown in the gym.", "indoor", "gym", "gym"),
         ("A car reverses in the car park.", "outdoor", "street", "car_park"),

@@ -42,6 +42,7 @@ from esg.view.framing import (
     points_in_view,
     pose,
     told_side,
+    viewpoint,
 )
 from esg.view.moments import as_seen, failures, moments_of
 from esg.view.pieces import Movers, Part
@@ -253,6 +254,20 @@ def test_a_moment_behind_something_is_seen_from_elsewhere() -> None:
         pose(renderer, replay, frame)
         seen = renderer.visible(camera, moment.focus)
         assert min(seen[i] for i in moment.focus) > 20
+
+
+def test_what_flies_is_seen_from_its_height_before_the_place() -> None:
+    """What is in the air at every moment is not looked down on, or the ground is all one sees."""
+    played = rollout()
+    high = replace(played, position=played.position + np.array([0.0, 0.0, 5.0]))
+    boxes = [trimesh.creation.box(2 * np.array(b.half_extents)) for b in scene().bodies]
+    parts = [Part(i, m.vertices, m.faces, (0.6, 0.2, 0.2)) for i, m in enumerate(boxes)]
+    elevations: list[float] = []
+    for replay in (played, high):
+        moments = moments_of(scene(), replay, verdict(EVENT), DOC)
+        renderer = Renderer(parts, len(scene().bodies), 96, 64)
+        elevations.append(np.degrees(viewpoint(scene(), replay, moments, renderer)[1]))
+    assert elevations == pytest.approx([24.0, 6.0])
 
 
 def hung() -> tuple[SimScene, Rollout]:
