@@ -24,6 +24,7 @@ _HOUSE_CM = 200.0
 """What is wider and longer is a house: its door is drawn beside it, in a frame of its own."""
 
 
+_HOLLOW = lex.word_set("hollow parts")
 CRANES = frozenset(hangers()[LOAD].serves)
 """What loads hang from."""
 _OWNED = re.compile(r"(?:\bits|\bwith an?|['’]s)", re.IGNORECASE)
@@ -84,6 +85,23 @@ def of_a_house(scene: Scene, text: str, e: Entity) -> bool:
     whole = _whole_told(text, e)
     others = (x for x in scene.world.entities.values() if x is not e)
     return whole is not None and any(_houses(x) and head_of(x) in whole[1].lower() for x in others)
+
+
+def behind_doors(scene: Scene, text: str) -> dict[str, str]:
+    """What is drawn hollow, as its door is there: a fridge, by the node of its door."""
+    entities = scene.world.entities.values()
+    out: dict[str, str] = {}
+    for door in entities:
+        row = articulation_of(scene, text, door)
+        if row is not None and row.with_part in _HOLLOW:
+            out |= {e.id: door.id for e in entities if e is not door and head_of(e) in row.serves}
+    return out
+
+
+def has_a_door(e: Entity) -> bool:
+    """Whether a door can be told of that a thing lies behind: that of a fridge."""
+    rows = (r for r in articulations().values() if r.with_part in _HOLLOW)
+    return any(head_of(e) in r.serves for r in rows)
 
 
 def _houses(e: Entity) -> bool:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
+from esg.draft.discourse.jointed import behind_doors, has_a_door
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.wholes import tips
 from esg.draft.discourse.scene import LIMBED, Relation
@@ -105,7 +106,11 @@ def _at_part(d: Discourse, kind: str, part: str, other: str) -> str:
 
 def _holding(d: Discourse, kind: str, thing: str, other: str) -> str:
     """ "In" what holds nothing is on it or near it, and nothing stays on a ball."""
+    if kind == "inside_of" and other in behind_doors(d.scene, d.text):
+        return kind
     if kind == "inside_of" and not holds(d, other):
+        if has_a_door(entity_of(d, other)):
+            d.scene.shut_in[thing] = other
         loaded = kind_of(d, thing) in LIMBED or (movable(d, thing) and carries(d, other, thing))
         if kind_of(d, other) in _OPEN and loaded:
             return "on"  # "in a boat", "in a cart"

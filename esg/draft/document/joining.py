@@ -10,7 +10,7 @@ import math
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.jointed import articulation_of, of_a_house
+from esg.draft.discourse.jointed import articulation_of, behind_doors, of_a_house
 from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.referents.parts import parts_of
 from esg.draft.discourse.referents.registry import add_entity
@@ -64,6 +64,7 @@ def join_parts(scene: Scene) -> list[str]:
     what something else enters stays as it is.
     """
     _weigh_down(scene)
+    _put_in(scene)
     reasons: list[str] = []
     for e in list(scene.world.entities.values()):
         row = articulation_of(scene, scene.text, e)
@@ -114,6 +115,16 @@ def join_parts(scene: Scene) -> list[str]:
             _hand_over(scene, e.id, added[0].id)
     _seat_on_seesaws(scene)
     return reasons
+
+
+def _put_in(scene: Scene) -> None:
+    """ "A bottle is in the fridge. A man opens it": it was behind the door that is told of later."""
+    hollow = behind_doors(scene, scene.text)
+    for node, host in scene.shut_in.items():
+        if host in hollow and scene.supported_by.get(node, host) == host:
+            scene.supported_by[node] = scene.inside_of[node] = host
+            both = {node, host}
+            scene.relations = [r for r in scene.relations if {r.source, r.target} != both]
 
 
 def _stays_whole(scene: Scene, row: Articulation, e: Entity) -> bool:

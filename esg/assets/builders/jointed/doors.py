@@ -10,6 +10,8 @@ from esg.assets.builders import builder
 from esg.assets.builders.common import shade
 from esg.assets.geometry.sketch import CHROME, DARK, STEEL, Color, Sketch, rgb
 
+_SHELF = 0.42
+"""Height of the shelf of a cupboard over the cupboard's."""
 PAGES = rgb(239, 233, 216)
 """Colour of paper."""
 _JAMB, _GAP = 6.0 / 93.0, 0.5 / 93.0
@@ -121,7 +123,10 @@ def drawer_chest(s: Sketch, L: float, W: float, H: float, c: Color, bay_at: str 
 
 @builder("cupboard_body", "free")
 def cupboard_body(s: Sketch, L: float, W: float, H: float, c: Color, shelf: str = "one") -> None:
-    """Cupboard that is open in front (+X), with a shelf or none; its door closes before it."""
+    """Cupboard that is open in front (+X), with a shelf or none; its door closes before it.
+
+    The shelf is below the middle of the inside, so that what is put in stands on it.
+    """
     t, foot = 0.04 * W, 0.05 * H
     inner = (-W / 2 + t, W / 2 - t)
     s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, foot), shade(c, 0.8), solid=1)
@@ -130,7 +135,7 @@ def cupboard_body(s: Sketch, L: float, W: float, H: float, c: Color, shelf: str 
     for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
         s.slab((-L / 2, L / 2), y, (foot, H - t), c, solid=1)
     if shelf == "one":
-        s.slab((-L / 2 + t, 0.4 * L), inner, (0.55 * H, 0.55 * H + t), shade(c, 1.1), solid=1)
+        s.slab((-L / 2 + t, 0.4 * L), inner, (_SHELF * H, _SHELF * H + t), shade(c, 1.1), solid=1)
     s.surface("top", H, (L / 2, W / 2))
     s.region("inside", (-L / 2 + t, L / 2), inner, (foot, H - t))
     s.mount("side", (L / 2, -W / 2, foot), (0.0, 0.0, -1.0))
