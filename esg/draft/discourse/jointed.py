@@ -11,11 +11,15 @@ from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.referents.registry import current_id
 from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import LIVING, Scene
+from esg.graph.models import NodeEvent
 from esg.lexicon.articulations import Articulation, articulations, hangers
 
 HUNG = "hanging thing"
 """Row of what hangs by a rope and has none of its own."""
 SPRUNG, LOAD = "thing on a spring", "hanging load"
+BUMPER = "spring bumper"
+"""What a spring is that things run into."""
+_SPRINGS = frozenset({"spring", "coil spring"})
 _WHOLES = frozenset(
     {"appliance", "box", "container", "electronics", "flyer", "furniture", "toyvehicle", "vehicle"}
 )
@@ -70,6 +74,8 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
         if its := [name for x in others if (name := f"{head_of(x)} {head}") in articulations()]:
             return its  # "A clock stands there. Its pendulum swings."
     nouns = lex.nouns()
+    if head in _SPRINGS and _run_into(scene, e):
+        return [BUMPER]
     compounds = [f"{a} {head}" for a in e.adjectives]
     if any(a in nouns and nouns[a].kind in _WHOLES for a in e.adjectives):
         return compounds
@@ -85,6 +91,12 @@ def of_a_house(scene: Scene, text: str, e: Entity) -> bool:
     whole = _whole_told(text, e)
     others = (x for x in scene.world.entities.values() if x is not e)
     return whole is not None and any(_houses(x) and head_of(x) in whole[1].lower() for x in others)
+
+
+def _run_into(scene: Scene, e: Entity) -> bool:
+    """Whether something is told to hit a thing."""
+    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
+    return any(e.id in n.participants[1:] for n in hits)
 
 
 def behind_doors(scene: Scene, text: str) -> dict[str, str]:

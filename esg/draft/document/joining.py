@@ -46,6 +46,13 @@ SWUNG_BY, LEAST_SHARE = 20.0, 0.1
 it rises by 2 cm then), and at least this share of its own."""
 BREAKS_BY = 0.7
 """Share of its momentum that what swings gives surely to what it is to break."""
+SQUEEZED_BY_MPS, SQUEEZED = 2.0, 0.7
+"""What runs into a spring bumper so fast squeezes it by this share of its way."""
+BUMPERS = (0.3, 2.0)
+"""Sizes of spring bumpers over the usual one: as high as what runs into them, within these."""
+PLATE_SHARE = 0.3
+"""Mass of a bumper's plate over that of what it throws back: a toy meets it with a hit that counts,
+and loses a quarter of its energy to it."""
 TOY = 0.3
 """Size of a toy over that of what it is a toy of."""
 MEETS_CM = 12.0
@@ -73,6 +80,7 @@ def join_parts(scene: Scene) -> list[str]:
         _light_enough(scene, row, e)
         _toy_sized(scene, row, e)
         _weak_enough(scene, row, e)
+        row = _springy_enough(scene, row, e)
         ratio = _become(e, row.becomes) if row.becomes else [1.0, 1.0, 1.0]
         above = any(x.noun.kind == "ceiling" for x in scene.world.entities.values())
         if e.id in scene.loosed and row.hangs_anywhere and (above or _met(scene, e)):
@@ -265,6 +273,24 @@ def _weak_enough(scene: Scene, row: Articulation, e: Entity) -> None:
             scale = max(blow / bears, LEAST_SHARE) ** (1.0 / 3.0)
             body.dimensions_cm = [d * scale for d in body.noun.dimensions_cm]
             body.dimensions_prescribed = True
+
+
+def _springy_enough(scene: Scene, row: Articulation, e: Entity) -> Articulation:
+    """The row of what springs back, as large, light and stiff as what runs into it asks."""
+    entities = scene.world.entities
+    movers = [entities[i] for i in _strikers(scene, e) if i in entities]
+    if not row.rebounds or not movers:
+        return row
+    part, heavy = lex.part(row.becomes), max(m.mass_kg or m.noun.mass_kg for m in movers)
+    scale = max(dimensions_of(m)[2] for m in movers) / part.dimensions_cm[2]
+    scale = min(max(scale, BUMPERS[0]), BUMPERS[1])
+    if e.dimensions_cm is None:
+        e.dimensions_cm = [d * scale for d in e.noun.dimensions_cm]
+        e.dimensions_prescribed = True
+    if not e.mass_prescribed:
+        e.mass_kg, e.mass_prescribed = round(PLATE_SHARE * heavy, 4), True
+    way = SQUEEZED * scale * abs(row.lower or 0.0) / 100.0
+    return replace(row, stiffness=float(f"{heavy * (SQUEEZED_BY_MPS / way) ** 2:.6g}"))
 
 
 def _met(scene: Scene, e: Entity) -> list[float]:

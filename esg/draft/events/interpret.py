@@ -54,6 +54,7 @@ from esg.draft.events.hanging import (
     hanging,
     named_parts,
     sense_on_joint,
+    sprung_back,
     turned_instead,
 )
 from esg.draft.events.motions import hold_back
@@ -606,10 +607,19 @@ def _what_sways(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
+def _springs_back(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "The spring throws it back", "it is pushed back": a rebound, and no motion of its own."""
+    if sprung_back(d, f, [*parts.subject, *parts.objects]) and d.moves.last_hit is not None:
+        parts.subject, parts.objects = [d.moves.last_hit[0]], []
+        f.verb.sense = "bounce"
+    return False
+
+
 STEPS: tuple[Step, ...] = (
     _gives_way,
     _meets_a_link,
     _what_sways,
+    _springs_back,
     _comes_apart,
     _turns_on_its_joint,
     _mount_instead,
