@@ -234,7 +234,7 @@ def _was_hit(
 
     A hit of what the body rests on, or of another member of its plural (a stack, a train), moves
     it too, and so does one of what hangs beside it (the balls of a cradle). What is drawn along is
-    moved by who draws it.
+    moved by who draws it, what stands on a flap by its opening.
     """
     if _drawn_by(ctx, edge.actor) & {*begin.participants}:
         return True
@@ -242,7 +242,9 @@ def _was_hit(
     movers |= _hung_beside(ctx, edge.actor)
     if edge.actor not in begin.participants:
         borne = bool(movers & {*begin.participants}) or not _support_known(ctx, edge.actor)
-        return begin.event is NodeEvent.COLLISION and borne
+        gives_way = bool({*ctx.supports(edge.actor)} & {*begin.participants})
+        opens = begin.event is NodeEvent.OPEN and gives_way
+        return opens or (begin.event is NodeEvent.COLLISION and borne)
     seen: set[str] = set()
     stack = [begin.id]
     while stack:

@@ -28,6 +28,7 @@ _HOUSE_CM = 200.0
 """What is wider and longer is a house: its door is drawn beside it, in a frame of its own."""
 
 
+_FLAPS = lex.word_set("flaps")
 _HOLLOW = lex.word_set("hollow parts")
 CRANES = frozenset(hangers()[LOAD].serves)
 """What loads hang from."""
@@ -108,6 +109,13 @@ def behind_doors(scene: Scene, text: str) -> dict[str, str]:
         if row is not None and row.with_part in _HOLLOW:
             out |= {e.id: door.id for e in entities if e is not door and head_of(e) in row.serves}
     return out
+
+
+def is_flap(scene: Scene, text: str, node: str) -> bool:
+    """Whether a thing carries what stands on it until it drops open: a trapdoor."""
+    e = scene.world.entities.get(node)
+    row = articulation_of(scene, text, e) if e is not None else None
+    return row is not None and row.becomes in _FLAPS
 
 
 def has_a_door(e: Entity) -> bool:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
-from esg.draft.discourse.jointed import behind_doors, has_a_door
+from esg.draft.discourse.jointed import behind_doors, has_a_door, is_flap
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.wholes import tips
 from esg.draft.discourse.scene import LIMBED, Relation
@@ -68,6 +68,9 @@ def place(
             if kind in ("on", "inside_of", "center_of"):
                 d.scene.marked[t] = other
             d.scene.relations.append(Relation(t, other, "structural", text=prep))
+            continue
+        if kind == "under" and is_flap(d.scene, d.text, t):
+            d.scene.supported_by.setdefault(other, t)  # "a trapdoor opens under a crate"
             continue
         kind = _holding(d, kind, t, other)
         if towers(d, t) and kind in ("above", "on", "under"):
