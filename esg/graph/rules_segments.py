@@ -242,9 +242,7 @@ def _was_hit(
     movers |= _hung_beside(ctx, edge.actor)
     if edge.actor not in begin.participants:
         borne = bool(movers & {*begin.participants}) or not _support_known(ctx, edge.actor)
-        gives_way = bool({*ctx.supports(edge.actor)} & {*begin.participants})
-        opens = begin.event is NodeEvent.OPEN and gives_way
-        return opens or (begin.event is NodeEvent.COLLISION and borne)
+        return _gave_way(ctx, edge, begin) or (begin.event is NodeEvent.COLLISION and borne)
     seen: set[str] = set()
     stack = [begin.id]
     while stack:
@@ -253,10 +251,17 @@ def _was_hit(
             continue
         seen.add(name)
         event = events[name]
-        if event.event is NodeEvent.COLLISION and movers & {*event.participants}:
+        hit = event.event is NodeEvent.COLLISION and movers & {*event.participants}
+        if hit or _gave_way(ctx, edge, event):
             return True
         stack.extend(ctx.events_before.get(name, ()))
     return False
+
+
+def _gave_way(ctx: Context, edge: TimelineEdge, event: TimelineNode) -> bool:
+    """Whether what a body stands on opens: a trapdoor."""
+    below = {*ctx.supports(edge.actor)}
+    return event.event is NodeEvent.OPEN and bool(below & {*event.participants})
 
 
 def _drawn_by(ctx: Context, name: str) -> set[str]:

@@ -71,7 +71,6 @@ def place(
             continue
         if kind == "under" and is_flap(d.scene, d.text, t):
             d.scene.supported_by.setdefault(other, t)  # "a trapdoor opens under a crate"
-            continue
         kind = _holding(d, kind, t, other)
         if towers(d, t) and kind in ("above", "on", "under"):
             continue  # "on the wall above the sofa": what hangs there is above, not the wall

@@ -53,10 +53,6 @@ BUMPERS = (0.3, 2.0)
 PLATE_SHARE = 0.3
 """Mass of a bumper's plate over that of what it throws back: a toy meets it with a hit that counts,
 and loses a quarter of its energy to it."""
-FLAPS = lex.word_set("flaps")
-"""Parts that carry what stands on them until they open downwards."""
-BOLTED = 1.3
-"""What holds a flap shut bears so many times the torque of it and its load."""
 TOY = 0.3
 """Size of a toy over that of what it is a toy of."""
 MEETS_CM = 12.0
@@ -85,7 +81,6 @@ def join_parts(scene: Scene) -> list[str]:
         _toy_sized(scene, row, e)
         _weak_enough(scene, row, e)
         row = _springy_enough(scene, row, e)
-        row = _bolted(scene, row, e)
         ratio = _become(e, row.becomes) if row.becomes else [1.0, 1.0, 1.0]
         above = any(x.noun.kind == "ceiling" for x in scene.world.entities.values())
         if e.id in scene.loosed and row.hangs_anywhere and (above or _met(scene, e)):
@@ -131,7 +126,7 @@ def join_parts(scene: Scene) -> list[str]:
 
 
 def _put_in(scene: Scene) -> None:
-    """ "A bottle is in the fridge. A man opens it": it was behind the door that is told of later."""
+    """ "A bottle is in the fridge. A man opens it": behind the door that is told of later."""
     hollow = behind_doors(scene, scene.text)
     for node, host in scene.shut_in.items():
         if host in hollow and scene.supported_by.get(node, host) == host:
@@ -296,17 +291,6 @@ def _springy_enough(scene: Scene, row: Articulation, e: Entity) -> Articulation:
         e.mass_kg, e.mass_prescribed = round(PLATE_SHARE * heavy, 4), True
     way = SQUEEZED * scale * abs(row.lower or 0.0) / 100.0
     return replace(row, stiffness=float(f"{heavy * (SQUEEZED_BY_MPS / way) ** 2:.6g}"))
-
-
-def _bolted(scene: Scene, row: Articulation, e: Entity) -> Articulation:
-    """The row of a flap, whose hinge holds it and what stands on it until it is driven open."""
-    if row.becomes not in FLAPS:
-        return row
-    entities = scene.world.entities
-    load = [entities[i] for i, host in scene.supported_by.items() if host == e.id and i in entities]
-    mass = sum(x.mass_kg or x.noun.mass_kg for x in (e, *load))
-    arm = 0.005 * dimensions_of(e)[0]
-    return replace(row, friction=float(f"{BOLTED * mass * GRAVITY_MPS2 * arm:.6g}"))
 
 
 def _met(scene: Scene, e: Entity) -> list[float]:

@@ -137,15 +137,6 @@ def _door_of(d: Discourse, body: str) -> str:
     return add_entity(d.world, lex.part(row.becomes), name, mentioned=False).id
 
 
-def whole_of(d: Discourse, door: str) -> list[str]:
-    """The thing whose door it is, which is there from then on: a fridge that nobody has named."""
-    row = row_of(d, door)
-    name = next((n for n in row.serves if n in entity_of(d, door).adjectives), "") if row else ""
-    if name not in lex.nouns():
-        return []
-    return [add_entity(d.world, lex.nouns()[name], name, mentioned=False).id]
-
-
 def lies_shut(d: Discourse, f: Frame, bodies: list[str]) -> bool:
     """ "The door is shut. A man walks up to it": how it is at first, as nobody has opened it."""
     told = f.verb.passive and f.verb.lemma in _LYING_SHUT and f.phrase("by") is None

@@ -23,7 +23,7 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
-from esg.draft.discourse.jointed import loosen
+from esg.draft.discourse.jointed import behind_doors, loosen
 from esg.draft.discourse.links import (
     comes_off,
     drop_link,
@@ -45,6 +45,7 @@ from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.courses import by_its_participle, come_on, follow, keep_on, snapshot
+from esg.draft.events.cupboards import out_of_a_cupboard
 from esg.draft.events.denials import touches_none
 from esg.draft.events.following import follow_on
 from esg.draft.events.hanging import (
@@ -607,6 +608,16 @@ def _what_sways(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
+def _comes_out(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "The fridge door opens and a bottle falls out": who, and of what."""
+    parts.subject = out_of_a_cupboard(d, f, parts.subject)
+    hollow = behind_doors(d.scene, d.text) if parts.subject and "out" in f.adverbs else {}
+    inside = any(d.scene.inside_of.get(i) in hollow for i in parts.subject)
+    if inside and f.verb.sense in ("slide", "roll"):
+        f.verb.sense = "fall"
+    return False
+
+
 def _springs_back(d: Discourse, f: Frame, parts: Parts) -> bool:
     """ "The spring throws it back", "it is pushed back": a rebound, and no motion of its own."""
     if sprung_back(d, f, [*parts.subject, *parts.objects]) and d.moves.last_hit is not None:
@@ -620,6 +631,7 @@ STEPS: tuple[Step, ...] = (
     _meets_a_link,
     _what_sways,
     _springs_back,
+    _comes_out,
     _comes_apart,
     _turns_on_its_joint,
     _mount_instead,

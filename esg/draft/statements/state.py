@@ -150,8 +150,9 @@ def _motion(book: Book, clause: Clause) -> None:
 
 def _said(book: Book, clause: Clause, s: Said, mover: str) -> None:
     if s.row.part == "goal":
-        if clause.frame.verb.lemma == "pass":
-            return  # "passes under a bridge": it does not end there
+        carries = mover in book.d.scene.supported_by.values()
+        if clause.frame.verb.lemma == "pass" or (s.row.states is Predicate.UNDER and carries):
+            return  # "passes under a bridge": it does not end there; "a trapdoor opens under him"
         goal(book, clause, s, mover)
     else:
         _SAYINGS[s.row.states](book, clause, s, mover)

@@ -17,14 +17,14 @@ from esg.draft.discourse.core import (
     quantity_of,
     structural,
 )
-from esg.draft.discourse.jointed import behind_doors, is_flap
+from esg.draft.discourse.jointed import is_flap
 from esg.draft.discourse.places import elevated, place, set_free
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING
 from esg.draft.events.acts import add_event, add_hit, goes_in
 from esg.draft.events.consequences import landing_of, met_in_its_row, struck_before
 from esg.draft.events.ends import EDGES, off_the_edge
-from esg.draft.events.hanging import hanging, openable, whole_of
+from esg.draft.events.hanging import hanging
 from esg.draft.events.motions import (
     flies_itself,
     jolted_off,
@@ -127,20 +127,6 @@ def _lies_before_its_edge(d: Discourse, f: Frame, actors: list[str]) -> None:
             place(d, mates, hosts[:1], "on")
 
 
-def _lies_behind_a_door(d: Discourse, f: Frame, actors: list[str]) -> None:
-    """ "The fridge door opens and a bottle falls out": in the fridge, which may not be named."""
-    told = f.phrase("out of", "from")
-    if told is None and "out" not in f.adverbs:
-        return
-    loose = [a for a in actors if a not in d.scene.supported_by and a not in d.timeline.tracks]
-    hollow = behind_doors(d.scene, d.text)
-    hosts = [i for i in things(told) if i in hollow]
-    doors = [i for i in recent(d) if told is None and (i in hollow or openable(d, [i]))]
-    for door in doors[:1] if not hosts else []:
-        hosts = [i for i in hollow if door in (i, hollow[i])] or whole_of(d, door)
-    place(d, [a for a in loose if a not in hosts], hosts[:1], "in")
-
-
 def _let_through(d: Discourse, actors: list[str]) -> None:
     """ "The trapdoor opens and the crate falls through": by that, and not by itself."""
     for actor in actors:
@@ -226,7 +212,6 @@ def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     set_free(d, [x for x in s if x in d.scene.attached])  # what hangs there comes down
     actors = representatives(d, s, [])
     _lies_before_its_edge(d, f, actors)
-    _lies_behind_a_door(d, f, actors)
     _let_through(d, actors)
     jolted_off(d, f, actors)
     fresh = [a for a in actors if a not in d.timeline.tracks]
