@@ -10,12 +10,12 @@ import math
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.jointed import articulation_of, behind_doors, of_a_house
+from esg.draft.discourse.jointed import articulation_of, behind_doors, is_flap, of_a_house
 from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.referents.parts import parts_of
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.referents.sizes import dimensions_of
-from esg.draft.discourse.scene import Scene
+from esg.draft.discourse.scene import Relation, Scene
 from esg.draft.document.riding import seat
 from esg.graph.models import EdgeEvent, Joint, NodeEvent
 from esg.lexicon.articulations import Articulation
@@ -119,6 +119,7 @@ def join_parts(scene: Scene) -> list[str]:
                 elif e.id in places:
                     places.setdefault(part.id, places[e.id])
             scene.joints.append(_joint(scene, row, e, part, n, ratio))
+            _below_its_flap(scene, e)
         if row.carries == "becomes":
             _hand_over(scene, e.id, added[0].id)
     _seat_on_seesaws(scene)
@@ -133,6 +134,22 @@ def _put_in(scene: Scene) -> None:
             scene.supported_by[node] = scene.inside_of[node] = host
             both = {node, host}
             scene.relations = [r for r in scene.relations if {r.source, r.target} != both]
+
+
+def _below_its_flap(scene: Scene, e: Entity) -> None:
+    """Puts what something lands on that a trapdoor lets through below that."""
+    entities = scene.world.entities
+    if not is_flap(scene, scene.text, e.id):
+        return
+    for node in scene.timeline.nodes:
+        lands = node.event in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
+        if not lands or scene.supported_by.get(node.participants[0]) != e.id:
+            continue
+        named = [*node.participants[1:], str(node.extra.get("region", "")).partition("/")[0]]
+        for other in (
+            i for i in named if i in entities and "structural" not in entities[i].noun.traits
+        ):
+            scene.relations.append(Relation(other, e.id, "under"))
 
 
 def _stays_whole(scene: Scene, row: Articulation, e: Entity) -> bool:

@@ -1,10 +1,10 @@
-"""What comes out of a fridge, a cupboard or an oven, whose door has opened, was in there."""
+"""What comes out of a cupboard was in there, what drops through a trapdoor on it."""
 
 from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, movable
-from esg.draft.discourse.jointed import behind_doors
+from esg.draft.discourse.jointed import behind_doors, is_flap
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import add_entity
@@ -25,6 +25,10 @@ def out_of_a_cupboard(d: Discourse, f: Frame, actors: list[str]) -> list[str]:
     Returns:
         Who comes out.
     """
+    through = [i for i in things(f.phrase("through")) if is_flap(d.scene, d.text, i)]
+    if f.verb.sense in _COMING_OUT and through:
+        place(d, [i for i in actors if i not in d.scene.supported_by], through[:1], "on")
+        return actors  # "a sack drops through the trapdoor"
     told = f.phrase("out of", "from")
     if f.verb.sense not in _COMING_OUT or (told is None and "out" not in f.adverbs):
         return actors
