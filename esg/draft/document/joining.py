@@ -454,6 +454,9 @@ def _joint(
     opening = 0.0 if loosed else opening
     gives_way = GIVES_WAY_MPS * (child.mass_kg or child.noun.mass_kg)
 
+    if falls and row.kind == "hinge":  # what gives way at once swings between no limits
+        row = replace(row, lower=None, upper=None, stiffness=None)
+
     def sized(value: float | None) -> float | None:
         return None if value is None else round(value * long, 3)
 
