@@ -19,7 +19,11 @@ def region_of(doc: EsgDocument, node: str) -> tuple[str, str]:
     [
         ("The fridge door swings open and a milk bottle falls out.", "milk_bottle_1", "fridge_1"),
         ("A woman opens the cupboard and a plate falls out.", "plate_1", "cupboard_1"),
-        ("A bottle is in the fridge. A man opens the fridge, and it falls out.", "bottle_1", "fridge_1"),
+        (
+            "A bottle is in the fridge. A man opens the fridge, and it falls out.",
+            "bottle_1",
+            "fridge_1",
+        ),
         ("A cup stands in the cupboard. A man opens the cupboard.", "cup_1", "cupboard_1"),
         ("The oven door opens and a pan slides out.", "pan_1", "oven_1"),
         ("The locker door swings open and a ball rolls out of the locker.", "ball_1", "locker_1"),
@@ -82,7 +86,10 @@ def test_a_spring_throws_back_what_runs_into_it(prompt: str) -> None:
     mover, plate = told(doc)[0][1:]
     assert joint.kind == "slider" and joint.child == plate and (joint.stiffness or 0.0) > 0.0
     assets = doc.asset_requirement
-    masses = [assets[doc.spatial_relation_graph.nodes[n].asset_id].expected_mass_kg for n in (plate, mover)]
+    masses = [
+        assets[doc.spatial_relation_graph.nodes[n].asset_id].expected_mass_kg
+        for n in (plate, mover)
+    ]
     assert masses[0] < 0.5 * masses[1]
 
 
@@ -113,3 +120,27 @@ def test_what_it_lands_on_is_below_the_trapdoor() -> None:
     relations = doc.spatial_relation_graph.edges.binary_relations
     below = [(r.from_, r.to) for r in relations if r.relation_type is RelationType.UNDER]
     assert ("mattress_1", "trapdoor_1") in below
+
+
+@pytest.mark.parametrize("ride", ["carousel", "merry-go-round"])
+def test_the_horses_of_a_carousel_turn_with_it(ride: str) -> None:
+    doc = draft(f"A {ride} with four wooden horses turns around once.")
+    host = told(doc)[0][1]
+    graph, assets = doc.spatial_relation_graph, doc.asset_requirement
+    horses = [n for n in graph.nodes if n.startswith("horse")]
+    assert len(horses) == 4
+    assert {region_of(doc, n) for n in horses} == {(host, "SUPPORT_SURFACE")}
+    held = {j.child for j in graph.joints or () if j.kind == "fixed"}
+    assert held == {*horses}
+    lengths = [
+        max(assets[graph.nodes[n].asset_id].expected_dimensions_cm) for n in (horses[0], host)
+    ]
+    assert 2.5 * lengths[0] < lengths[1]
+
+
+@pytest.mark.parametrize("row", ["One chain snaps", "The chain snaps"])
+def test_a_sign_whose_chain_snaps_swings_between_no_limits(row: str) -> None:
+    """Newton makes what gives way of ties, which know no limits."""
+    doc = draft(f"A sign hangs on two chains. {row} and the sign drops.")
+    (joint,) = doc.spatial_relation_graph.joints or ()
+    assert joint.break_impulse is not None and joint.lower is joint.upper is None
