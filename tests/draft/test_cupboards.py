@@ -144,3 +144,16 @@ def test_a_sign_whose_chain_snaps_swings_between_no_limits(row: str) -> None:
     doc = draft(f"A sign hangs on two chains. {row} and the sign drops.")
     (joint,) = doc.spatial_relation_graph.joints or ()
     assert joint.break_impulse is not None and joint.lower is joint.upper is None
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A sign hangs on two chains. One chain snaps, and the sign hangs from the other.",
+        "Because one of its two chains snaps, a sign drops but stays hanging from the other chain.",
+    ],
+)
+def test_what_stays_on_one_of_two_chains_is_owned_up_to(prompt: str) -> None:
+    doc = draft(prompt)
+    assert {"hangs", "hanging"} & {*lost(doc)}
+    assert not [n for n in doc.spatial_relation_graph.nodes if n.startswith("chain")]

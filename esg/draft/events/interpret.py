@@ -581,6 +581,8 @@ def _gives_way(d: Discourse, f: Frame, parts: Parts) -> bool:
     _it_hung(d, f, parts.subject, held)
     d.scene.loosed.update(held)
     mark_used(d, f, "gives way")
+    for mate in (m for i in parts.subject for m in mates_of(d, i) if m not in parts.subject):
+        drop_link(d, mate)  # "one of its two chains"
     _then_falls(d, f, held)
     return True
 
