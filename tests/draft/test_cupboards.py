@@ -157,3 +157,9 @@ def test_what_stays_on_one_of_two_chains_is_owned_up_to(prompt: str) -> None:
     doc = draft(prompt)
     assert {"hangs", "hanging"} & {*lost(doc)}
     assert not [n for n in doc.spatial_relation_graph.nodes if n.startswith("chain")]
+
+
+def test_a_drawer_that_slides_out_is_in_nothing() -> None:
+    doc = draft("By itself a dresser drawer slides out until it bumps against a flask.")
+    assert told(doc)[0][0] == "Open"
+    assert region_of(doc, "drawer_1")[1] != "STORAGE"

@@ -38,6 +38,7 @@ def out_of_a_cupboard(d: Discourse, f: Frame, actors: list[str]) -> list[str]:
         actors = [i for i, host in held.items() if host in actors][:1] or actors
     loose = [i for i in actors if i in d.world.entities and i not in d.scene.supported_by]
     loose = [i for i in loose if i not in d.timeline.tracks and i not in hollow and movable(d, i)]
+    loose = [i for i in loose if not openable(d, [i])]  # a drawer that slides out
     hosts = [i for i in things(told) if i in hollow]
     doors = [i for i in recent(d) if told is None and (i in hollow or openable(d, [i]))]
     for door in doors[:1] if loose and not hosts else []:
