@@ -37,12 +37,13 @@ from esg.view.sheet import draw_ropes
 SIZE = (240, 150)
 """Of one picture [px]."""
 TITLE_PX = 16
-ELEVATION_DEG = 14.0
+ELEVATION_DEG, FILL = 14.0, 0.8
+"""Of the camera, and the part of the picture's half size that what moves may use."""
 LEAD_S = 0.25
 """So long before the first event the second picture is."""
 SAMPLES = 12
 """Rays a pixel."""
-QUALITY = 82
+QUALITY = 74
 
 
 def main() -> None:
@@ -90,7 +91,7 @@ def strip(
     points = action_points(scene, rollout, verdict, doc, 9)
     azimuth = math.radians(angles[0]) if angles else facing_side(scene, rollout, verdict, doc)
     elevation = math.radians(angles[1] if len(angles) > 1 else ELEVATION_DEG)
-    camera = frame_points(points, azimuth, elevation, SIZE[0] / SIZE[1])
+    camera = frame_points(points, azimuth, elevation, SIZE[0] / SIZE[1], FILL)
     scenery = seen_from(scenery_of(scene, rollout, doc), [camera], scene, rollout)
     renderer = Renderer(scenery.parts, scenery.n_bodies, *SIZE, scenery.surroundings)
     renderer.light(azimuth)
