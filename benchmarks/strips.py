@@ -51,11 +51,12 @@ def main() -> None:
     parser.add_argument("out", type=Path)
     parser.add_argument("scenes", nargs="+", help="SCENE, SCENE@AZIMUTH or SCENE@AZIMUTH@TIMES")
     args = parser.parse_args()
-    strips = [strip(*_told(scene)) for scene in args.scenes]
+    strips = [strip(*told(scene)) for scene in args.scenes]
     Image.fromarray(np.concatenate(strips)).save(args.out, quality=QUALITY)
 
 
-def _told(text: str) -> tuple[Path, tuple[float, ...], tuple[float, ...]]:
+def told(text: str) -> tuple[Path, tuple[float, ...], tuple[float, ...]]:
+    """Folder, angles of the camera [deg] and moments [s] of "SCENE@AZIMUTH,ELEVATION@T1,T2"."""
     folder, _, rest = text.partition("@")
     angles, _, times = rest.partition("@")
     return Path(folder), _numbers(angles), _numbers(times)
