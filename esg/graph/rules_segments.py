@@ -234,7 +234,7 @@ def _was_hit(
 
     A hit of what the body rests on, or of another member of its plural (a stack, a train), moves
     it too, and so does one of what hangs beside it (the balls of a cradle). What is drawn along is
-    moved by who draws it.
+    moved by who draws it, what stands on a flap by its opening.
     """
     if _drawn_by(ctx, edge.actor) & {*begin.participants}:
         return True
@@ -242,7 +242,7 @@ def _was_hit(
     movers |= _hung_beside(ctx, edge.actor)
     if edge.actor not in begin.participants:
         borne = bool(movers & {*begin.participants}) or not _support_known(ctx, edge.actor)
-        return begin.event is NodeEvent.COLLISION and borne
+        return _gave_way(ctx, edge, begin) or (begin.event is NodeEvent.COLLISION and borne)
     seen: set[str] = set()
     stack = [begin.id]
     while stack:
@@ -251,10 +251,17 @@ def _was_hit(
             continue
         seen.add(name)
         event = events[name]
-        if event.event is NodeEvent.COLLISION and movers & {*event.participants}:
+        hit = event.event is NodeEvent.COLLISION and movers & {*event.participants}
+        if hit or _gave_way(ctx, edge, event):
             return True
         stack.extend(ctx.events_before.get(name, ()))
     return False
+
+
+def _gave_way(ctx: Context, edge: TimelineEdge, event: TimelineNode) -> bool:
+    """Whether what a body stands on opens: a trapdoor."""
+    below = {*ctx.supports(edge.actor)}
+    return event.event is NodeEvent.OPEN and bool(below & {*event.participants})
 
 
 def _drawn_by(ctx: Context, name: str) -> set[str]:

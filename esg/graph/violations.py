@@ -175,7 +175,7 @@ RULES: dict[str, str] = {
     "EVENT_NOT_LED_TO": "A Guide leads to PickedUp and Placed, a Toward to a Jump.",
     "EDGE_FORCE_DIRECTION": "A segment agrees with its actor's force direction.",
     "CONNECTOR_ACTIVE": "Inertial connectors belong to passive actors.",
-    "CONNECTOR_UPSTREAM": "A connector's body, its support or its plural was hit before.",
+    "CONNECTOR_UPSTREAM": "A connector's body, support or plural was hit, or its support opened.",
     "CONNECTOR_DOWNSTREAM": "An inertial connector leads to a further event of its body.",
     # Later stages.
     "STAGE_ORDER": "No stage's result is present without the stage before it.",

@@ -81,6 +81,11 @@ class Articulation:
         free = self.lower is None and self.upper is None and self.count == 1
         return self.kind == "hinge" and free and self.opened is None and self.drawn is None
 
+    @property
+    def rebounds(self) -> bool:
+        """Whether it gives way on a spring to what runs into it, and throws that back: a bumper."""
+        return self.kind == "slider" and self.stiffness is not None and self.drawn is None
+
 
 def articulations() -> dict[str, Articulation]:
     """The rows of things with parts of their own, by each of their nouns."""

@@ -19,10 +19,12 @@ from esg.metrics.normalization import normalize
 from esg.metrics.phrases import (
     COLORS,
     COMPARISONS,
+    COMPOUNDS,
     GROUND_WORDS,
     HYPERNYMS,
     OPPOSITE,
     ORDINALS,
+    PORTIONS,
     POSITIONS,
     RELATED,
     Phrase,
@@ -143,6 +145,8 @@ def bind(phrase: str, scene: SimScene, *, target: bool = False) -> Binding:
         regions = loose_regions(parsed, scene)
         if regions:
             return Binding(phrase, regions=regions, plural=parsed.plural)
+    if not bodies and (told := _bind_by_what_it_is_of(parsed, scene)):
+        return Binding(phrase, told, plural=len(told) > 1)
     if not bodies and parsed.head in GROUND_WORDS:
         return Binding(phrase, ground=True)
     if not bodies:
@@ -483,6 +487,18 @@ def _bind_alias(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
     found = [c for c in found if not _contradicts(c, parsed, found)]
     found = _by_identifier(_by_color(found, parsed), parsed)
     return tuple(c.index for c in found[:1])
+
+
+def _bind_by_what_it_is_of(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
+    """ "The ice" of a "sheet of ice", "the pile" of a "pile of boxes": all that are called so."""
+    found: list[int] = []
+    for i, body in enumerate(scene.bodies):
+        first, of, second = normalize(body.label).partition(" of ")
+        whole = first.split()[-1:] if of and body.category != FRAGMENT else []
+        stuff = bool(PORTIONS & {*whole}) and parse(second).head == wanted.head
+        if stuff or (wanted.head in COMPOUNDS and whole == [wanted.head]):
+            found.append(i)
+    return tuple(found)
 
 
 def _why_not(phrase: str, wanted: Phrase, scene: SimScene) -> str:

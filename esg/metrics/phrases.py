@@ -217,6 +217,11 @@ GROUND_WORDS = {
     "pitch", "sidewalk", "parkinglot", "terrain", "sand", "snow", "ice", "carpet",
 }  # fmt: skip
 
+PORTIONS = frozenset(
+    {"sheet", "slab", "block", "pane", "piece", "plate", "floe", "lump", "chunk", "loaf", "bar"}
+)
+"""What something of a stuff is called that goes by the stuff alone: a "sheet of ice" is the ice."""
+
 
 @dataclass(frozen=True)
 class Phrase:

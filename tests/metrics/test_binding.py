@@ -342,6 +342,27 @@ def test_a_collective_behind_what_it_is_made_of_means_its_members(
     assert bool(found.problem) == (not names)
 
 
+@pytest.mark.parametrize(
+    ("phrase", "names"),
+    [
+        ("ice", ("slab_1",)),
+        ("bread", ("loaf_1",)),
+        ("pile", ("box_1", "box_2")),
+        ("pile of boxes", ("box_1", "box_2")),
+        ("lawn", ("ground",)),
+    ],
+)
+def test_stuff_and_piles_go_by_their_own_name(phrase: str, names: tuple[str, ...]) -> None:
+    piled = [thing(f"box_{k}", "pile of boxes", "box", group="boxes") for k in (1, 2)]
+    told = scene(thing("slab_1", "sheet of ice"), thing("loaf_1", "loaf of bread"), *piled)
+    assert bind(phrase, told).names(told) == names
+
+
+def test_named_ground_is_that_and_no_piece_of_it() -> None:
+    told = scene(thing("rink_1", "ice", "ice rink"), thing("slab_1", "sheet of ice"))
+    assert bind("ice", told).names(told) == ("rink_1",)
+
+
 def test_a_stack_of_one_is_no_stack() -> None:
     assert bind("tire stack", scene(thing("tire_1", "tire", "tire"))).problem
 

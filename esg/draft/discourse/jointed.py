@@ -11,11 +11,15 @@ from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.referents.registry import current_id
 from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import LIVING, Scene
+from esg.graph.models import NodeEvent
 from esg.lexicon.articulations import Articulation, articulations, hangers
 
 HUNG = "hanging thing"
 """Row of what hangs by a rope and has none of its own."""
 SPRUNG, LOAD = "thing on a spring", "hanging load"
+BUMPER = "spring bumper"
+"""What a spring is that things run into."""
+_SPRINGS = frozenset({"spring", "coil spring"})
 _WHOLES = frozenset(
     {"appliance", "box", "container", "electronics", "flyer", "furniture", "toyvehicle", "vehicle"}
 )
@@ -24,6 +28,8 @@ _HOUSE_CM = 200.0
 """What is wider and longer is a house: its door is drawn beside it, in a frame of its own."""
 
 
+_FLAPS = lex.word_set("flaps")
+_HOLLOW = lex.word_set("hollow parts")
 CRANES = frozenset(hangers()[LOAD].serves)
 """What loads hang from."""
 _OWNED = re.compile(r"(?:\bits|\bwith an?|['’]s)", re.IGNORECASE)
@@ -69,6 +75,8 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
         if its := [name for x in others if (name := f"{head_of(x)} {head}") in articulations()]:
             return its  # "A clock stands there. Its pendulum swings."
     nouns = lex.nouns()
+    if head in _SPRINGS and _run_into(scene, e):
+        return [BUMPER]
     compounds = [f"{a} {head}" for a in e.adjectives]
     if any(a in nouns and nouns[a].kind in _WHOLES for a in e.adjectives):
         return compounds
@@ -84,6 +92,36 @@ def of_a_house(scene: Scene, text: str, e: Entity) -> bool:
     whole = _whole_told(text, e)
     others = (x for x in scene.world.entities.values() if x is not e)
     return whole is not None and any(_houses(x) and head_of(x) in whole[1].lower() for x in others)
+
+
+def _run_into(scene: Scene, e: Entity) -> bool:
+    """Whether something is told to hit a thing."""
+    hits = (n for n in scene.timeline.nodes if n.event is NodeEvent.COLLISION)
+    return any(e.id in n.participants[1:] for n in hits)
+
+
+def behind_doors(scene: Scene, text: str) -> dict[str, str]:
+    """What is drawn hollow, as its door is there: a fridge, by the node of its door."""
+    entities = scene.world.entities.values()
+    out: dict[str, str] = {}
+    for door in entities:
+        row = articulation_of(scene, text, door)
+        if row is not None and row.with_part in _HOLLOW:
+            out |= {e.id: door.id for e in entities if e is not door and head_of(e) in row.serves}
+    return out
+
+
+def is_flap(scene: Scene, text: str, node: str) -> bool:
+    """Whether a thing carries what stands on it until it drops open: a trapdoor."""
+    e = scene.world.entities.get(node)
+    row = articulation_of(scene, text, e) if e is not None else None
+    return row is not None and row.becomes in _FLAPS
+
+
+def has_a_door(e: Entity) -> bool:
+    """Whether a door can be told of that a thing lies behind: that of a fridge."""
+    rows = (r for r in articulations().values() if r.with_part in _HOLLOW)
+    return any(head_of(e) in r.serves for r in rows)
 
 
 def _houses(e: Entity) -> bool:

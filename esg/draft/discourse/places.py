@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
+from esg.draft.discourse.jointed import behind_doors, has_a_door, is_flap
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.wholes import tips
 from esg.draft.discourse.scene import LIMBED, Relation
@@ -68,6 +69,8 @@ def place(
                 d.scene.marked[t] = other
             d.scene.relations.append(Relation(t, other, "structural", text=prep))
             continue
+        if kind == "under" and is_flap(d.scene, d.text, t):
+            d.scene.supported_by.setdefault(other, t)  # "a trapdoor opens under a crate"
         kind = _holding(d, kind, t, other)
         if towers(d, t) and kind in ("above", "on", "under"):
             continue  # "on the wall above the sofa": what hangs there is above, not the wall
@@ -105,7 +108,11 @@ def _at_part(d: Discourse, kind: str, part: str, other: str) -> str:
 
 def _holding(d: Discourse, kind: str, thing: str, other: str) -> str:
     """ "In" what holds nothing is on it or near it, and nothing stays on a ball."""
+    if kind == "inside_of" and other in behind_doors(d.scene, d.text):
+        return kind
     if kind == "inside_of" and not holds(d, other):
+        if has_a_door(entity_of(d, other)):
+            d.scene.shut_in[thing] = other
         loaded = kind_of(d, thing) in LIMBED or (movable(d, thing) and carries(d, other, thing))
         if kind_of(d, other) in _OPEN and loaded:
             return "on"  # "in a boat", "in a cart"

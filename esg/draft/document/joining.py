@@ -10,12 +10,12 @@ import math
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.jointed import articulation_of, of_a_house
+from esg.draft.discourse.jointed import articulation_of, behind_doors, is_flap, of_a_house
 from esg.draft.discourse.referents.entities import Entity, head_of
 from esg.draft.discourse.referents.parts import parts_of
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.referents.sizes import dimensions_of
-from esg.draft.discourse.scene import Scene
+from esg.draft.discourse.scene import Relation, Scene
 from esg.draft.document.riding import seat
 from esg.graph.models import EdgeEvent, Joint, NodeEvent
 from esg.lexicon.articulations import Articulation
@@ -46,6 +46,13 @@ SWUNG_BY, LEAST_SHARE = 20.0, 0.1
 it rises by 2 cm then), and at least this share of its own."""
 BREAKS_BY = 0.7
 """Share of its momentum that what swings gives surely to what it is to break."""
+SQUEEZED_BY_MPS, SQUEEZED = 2.0, 0.7
+"""What runs into a spring bumper so fast squeezes it by this share of its way."""
+BUMPERS = (0.3, 2.0)
+"""Sizes of spring bumpers over the usual one: as high as what runs into them, within these."""
+PLATE_SHARE = 0.3
+"""Mass of a bumper's plate over that of what it throws back: a toy meets it with a hit that counts,
+and loses a quarter of its energy to it."""
 TOY = 0.3
 """Size of a toy over that of what it is a toy of."""
 MEETS_CM = 12.0
@@ -64,6 +71,7 @@ def join_parts(scene: Scene) -> list[str]:
     what something else enters stays as it is.
     """
     _weigh_down(scene)
+    _put_in(scene)
     reasons: list[str] = []
     for e in list(scene.world.entities.values()):
         row = articulation_of(scene, scene.text, e)
@@ -72,6 +80,7 @@ def join_parts(scene: Scene) -> list[str]:
         _light_enough(scene, row, e)
         _toy_sized(scene, row, e)
         _weak_enough(scene, row, e)
+        row = _springy_enough(scene, row, e)
         ratio = _become(e, row.becomes) if row.becomes else [1.0, 1.0, 1.0]
         above = any(x.noun.kind == "ceiling" for x in scene.world.entities.values())
         if e.id in scene.loosed and row.hangs_anywhere and (above or _met(scene, e)):
@@ -110,10 +119,37 @@ def join_parts(scene: Scene) -> list[str]:
                 elif e.id in places:
                     places.setdefault(part.id, places[e.id])
             scene.joints.append(_joint(scene, row, e, part, n, ratio))
+            _below_its_flap(scene, e)
         if row.carries == "becomes":
             _hand_over(scene, e.id, added[0].id)
     _seat_on_seesaws(scene)
     return reasons
+
+
+def _put_in(scene: Scene) -> None:
+    """ "A bottle is in the fridge. A man opens it": behind the door that is told of later."""
+    hollow = behind_doors(scene, scene.text)
+    for node, host in scene.shut_in.items():
+        if host in hollow and scene.supported_by.get(node, host) == host:
+            scene.supported_by[node] = scene.inside_of[node] = host
+            both = {node, host}
+            scene.relations = [r for r in scene.relations if {r.source, r.target} != both]
+
+
+def _below_its_flap(scene: Scene, e: Entity) -> None:
+    """Puts what something lands on that a trapdoor lets through below that."""
+    entities = scene.world.entities
+    if not is_flap(scene, scene.text, e.id):
+        return
+    for node in scene.timeline.nodes:
+        lands = node.event in (NodeEvent.COLLISION, NodeEvent.ENTER_REGION)
+        if not lands or scene.supported_by.get(node.participants[0]) != e.id:
+            continue
+        named = [*node.participants[1:], str(node.extra.get("region", "")).partition("/")[0]]
+        for other in (
+            i for i in named if i in entities and "structural" not in entities[i].noun.traits
+        ):
+            scene.relations.append(Relation(other, e.id, "under"))
 
 
 def _stays_whole(scene: Scene, row: Articulation, e: Entity) -> bool:
@@ -254,6 +290,24 @@ def _weak_enough(scene: Scene, row: Articulation, e: Entity) -> None:
             scale = max(blow / bears, LEAST_SHARE) ** (1.0 / 3.0)
             body.dimensions_cm = [d * scale for d in body.noun.dimensions_cm]
             body.dimensions_prescribed = True
+
+
+def _springy_enough(scene: Scene, row: Articulation, e: Entity) -> Articulation:
+    """The row of what springs back, as large, light and stiff as what runs into it asks."""
+    entities = scene.world.entities
+    movers = [entities[i] for i in _strikers(scene, e) if i in entities]
+    if not row.rebounds or not movers:
+        return row
+    part, heavy = lex.part(row.becomes), max(m.mass_kg or m.noun.mass_kg for m in movers)
+    scale = max(dimensions_of(m)[2] for m in movers) / part.dimensions_cm[2]
+    scale = min(max(scale, BUMPERS[0]), BUMPERS[1])
+    if e.dimensions_cm is None:
+        e.dimensions_cm = [d * scale for d in e.noun.dimensions_cm]
+        e.dimensions_prescribed = True
+    if not e.mass_prescribed:
+        e.mass_kg, e.mass_prescribed = round(PLATE_SHARE * heavy, 4), True
+    way = SQUEEZED * scale * abs(row.lower or 0.0) / 100.0
+    return replace(row, stiffness=float(f"{heavy * (SQUEEZED_BY_MPS / way) ** 2:.6g}"))
 
 
 def _met(scene: Scene, e: Entity) -> list[float]:
@@ -399,6 +453,9 @@ def _joint(
     )
     opening = 0.0 if loosed else opening
     gives_way = GIVES_WAY_MPS * (child.mass_kg or child.noun.mass_kg)
+
+    if falls and row.kind == "hinge":  # what gives way at once swings between no limits
+        row = replace(row, lower=None, upper=None, stiffness=None)
 
     def sized(value: float | None) -> float | None:
         return None if value is None else round(value * long, 3)

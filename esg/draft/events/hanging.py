@@ -219,6 +219,13 @@ def thrown_up(d: Discourse, f: Frame, bodies: list[str]) -> bool:
     return any(board in m.entities for m in ends) and sent_up(d, f, [board], bodies)
 
 
+def sprung_back(d: Discourse, f: Frame, bodies: list[str]) -> bool:
+    """ "The spring throws it back", "is thrown back", "rolls back": off the bumper that it hit."""
+    last = d.moves.last_hit
+    row = row_of(d, last[1]) if last is not None and last[0] in bodies else None
+    return row is not None and row.rebounds and "back" in f.adverbs
+
+
 def turning(d: Discourse, bodies: list[str]) -> list[str]:
     """Those that turn on and on about an axle: a merry-go-round, the sails of a windmill."""
     rows = ((b, row_of(d, b)) for b in bodies)

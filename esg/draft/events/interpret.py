@@ -23,7 +23,7 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.dodging import dodge
 from esg.draft.discourse.event_coreference import sentence
-from esg.draft.discourse.jointed import loosen
+from esg.draft.discourse.jointed import behind_doors, loosen
 from esg.draft.discourse.links import (
     comes_off,
     drop_link,
@@ -45,6 +45,7 @@ from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.courses import by_its_participle, come_on, follow, keep_on, snapshot
+from esg.draft.events.cupboards import out_of_a_cupboard
 from esg.draft.events.denials import touches_none
 from esg.draft.events.following import follow_on
 from esg.draft.events.hanging import (
@@ -54,6 +55,7 @@ from esg.draft.events.hanging import (
     hanging,
     named_parts,
     sense_on_joint,
+    sprung_back,
     turned_instead,
 )
 from esg.draft.events.motions import hold_back
@@ -579,6 +581,8 @@ def _gives_way(d: Discourse, f: Frame, parts: Parts) -> bool:
     _it_hung(d, f, parts.subject, held)
     d.scene.loosed.update(held)
     mark_used(d, f, "gives way")
+    for mate in (m for i in parts.subject for m in mates_of(d, i) if m not in parts.subject):
+        drop_link(d, mate)  # "one of its two chains"
     _then_falls(d, f, held)
     return True
 
@@ -606,10 +610,30 @@ def _what_sways(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
+def _comes_out(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "The fridge door opens and a bottle falls out": who, and of what."""
+    parts.subject = out_of_a_cupboard(d, f, parts.subject)
+    hollow = behind_doors(d.scene, d.text) if parts.subject and "out" in f.adverbs else {}
+    inside = any(d.scene.inside_of.get(i) in hollow for i in parts.subject)
+    if inside and f.verb.sense in ("slide", "roll"):
+        f.verb.sense = "fall"
+    return False
+
+
+def _springs_back(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "The spring throws it back", "it is pushed back": a rebound, and no motion of its own."""
+    if sprung_back(d, f, [*parts.subject, *parts.objects]) and d.moves.last_hit is not None:
+        parts.subject, parts.objects = [d.moves.last_hit[0]], []
+        f.verb.sense = "bounce"
+    return False
+
+
 STEPS: tuple[Step, ...] = (
     _gives_way,
     _meets_a_link,
     _what_sways,
+    _springs_back,
+    _comes_out,
     _comes_apart,
     _turns_on_its_joint,
     _mount_instead,

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
+from esg.draft.discourse.jointed import is_flap
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.stated import adverbs_of, place_of
@@ -150,8 +151,9 @@ def _motion(book: Book, clause: Clause) -> None:
 
 def _said(book: Book, clause: Clause, s: Said, mover: str) -> None:
     if s.row.part == "goal":
-        if clause.frame.verb.lemma == "pass":
-            return  # "passes under a bridge": it does not end there
+        flap = s.row.states is Predicate.UNDER and is_flap(book.d.scene, book.d.text, mover)
+        if clause.frame.verb.lemma == "pass" or flap:
+            return  # "passes under a bridge": it does not end there; "a trapdoor opens under him"
         goal(book, clause, s, mover)
     else:
         _SAYINGS[s.row.states](book, clause, s, mover)

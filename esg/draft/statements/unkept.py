@@ -12,6 +12,7 @@ from functools import cache
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
+from esg.draft.discourse.links import snapped
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIMBED
@@ -42,6 +43,8 @@ _GUIDED = frozenset({"picked up", "put"})
 """What became of verbs whose object is guided, by nobody who is there."""
 _WAYS = frozenset({"along", "across", "through", "up", "down", "around", "past"})
 NOTHING_MOVES = "nothing of the kind happens in the scene"
+COMES_DOWN = "nothing holds it any longer: it comes down"
+_HANGING = lex.word_set("hanging")
 UNTOUCHED = "nothing touches it: it sets off by itself"
 UNCARRIED = "it moves by itself: nothing carries it"
 BY_ITSELF = "nothing makes it fall: it falls by itself, and at any time"
@@ -79,6 +82,8 @@ def missing(d: Discourse, clause: Clause) -> str:
     for row in rows():
         if row.names(f) and _applies(d, row.voice, clause):
             return row.missing
+    if _hung_on(d, clause):
+        return COMES_DOWN
     note = d.scene.used.get((f.verb.start, f.verb.end), "")
     if note in _GUIDED and _goes_with_it(d, clause):
         return UNCARRIED
@@ -94,6 +99,13 @@ def missing(d: Discourse, clause: Clause) -> str:
         d.scene.supported_by.get(i) in doers for i in loads
     )
     return "" if told or borne or f.verb.sense in _STATES else NOTHING_MOVES
+
+
+def _hung_on(d: Discourse, clause: Clause) -> bool:
+    """ "One chain snaps, and the sign stays hanging from the other": all of it comes down."""
+    f = clause.frame
+    loose = f.verb.lemma in _HANGING and bool({*_doers(f)} & d.scene.loosed)
+    return loose and any(g.verb.start < f.verb.start and snapped(d, g) for g in d.told)
 
 
 def _goes_with_it(d: Discourse, clause: Clause) -> bool:

@@ -24,6 +24,8 @@ RAMP_STEPS = 12
 """Steps in which a hinge that carries something gets up to speed."""
 STAYS = 1e-6
 """What is there already is not driven on [rad or m]."""
+SEEN_SHUT_S = 0.3
+"""What drops open is held for so long at least, so that it is seen to be shut."""
 SPEEDS_UP_S = 0.2
 """A motor that swings a leaf back has the torque that gets a rod of its mass up to speed in that
 time, besides its friction."""
@@ -61,7 +63,8 @@ def driven(
     """What moves a joint's child from one position to another.
 
     A hinge is spun, which gravity slows down by g r m dt / I in every step. One that it would slow
-    down on its way up is given a motor instead, which holds it there unless its friction does.
+    down on its way up is given a motor instead, which holds it there unless its friction does. One
+    that is shut and would drop open by itself is held until then, and let go: a trapdoor.
 
     Args:
         scene: Its scene; bodies as they start.
@@ -77,6 +80,9 @@ def driven(
     axis = _axis(scene, joint)
     if joint.kind == "hinge":
         height, pull = _raised(scene, joint, axis, here, goal)
+        drops = math.copysign(1.0, goal - here) * float(pull[0]) > joint.friction
+        if drops and abs(here) < STAYS and abs(start_position(scene, joint)) < STAYS:
+            return (held_at(body, max(start, SEEN_SHUT_S)),)
         if abs(goal - here) <= math.pi and float(height.max() - height[0]) >= LIFTED_M:
             rate = abs(goal - here) / lasts
             most = joint.friction + LIFTS_BY * float(np.abs(pull).max())

@@ -47,6 +47,13 @@ def way_of(prompt: str, child: str) -> np.ndarray:
         ("A laptop that lies shut is opened.", "laptop_lid_1", 0.0, 75.0, 1.0),
         ("A lever is pulled.", "lever_1", 0.0, 40.0, 6.0),
         ("A spring launcher is released.", "spring_launcher_1", -30.0, 0.0, 5.0),
+        (
+            "A crate stands on a trapdoor. The trapdoor opens and the crate falls through.",
+            "trapdoor_1",
+            0.0,
+            90.0,
+            10.0,
+        ),
     ],
 )
 def test_it_goes_to_the_other_end(
@@ -55,6 +62,19 @@ def test_it_goes_to_the_other_end(
     way = way_of(prompt, child)
     assert way[0] == pytest.approx(start, abs=1.0)
     assert abs(way[-1]) == pytest.approx(end, abs=slack)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "child"),
+    [
+        ("A toy car runs into a spring bumper and bounces back.", "spring_bumper_1"),
+        ("A block slides into a spring and is thrown back.", "spring_1"),
+    ],
+)
+def test_a_bumper_is_squeezed_and_comes_back(prompt: str, child: str) -> None:
+    way = way_of(prompt, child)
+    assert way.min() < 0.2 * -16.0 * 0.3, "a fifth of the way of the smallest one"
+    assert way[-1] == pytest.approx(0.0, abs=0.5)
 
 
 @pytest.mark.parametrize(

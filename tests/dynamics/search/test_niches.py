@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from types import SimpleNamespace
 from typing import Any, cast
 
@@ -13,14 +14,29 @@ from esg.dynamics.losses.assessment import Assessment
 from esg.dynamics.losses.shapes import FARTHEST, UNBRAKED, UNMET, bowl, distance_loss, unbraked
 from esg.dynamics.plan.planner import Plan
 from esg.dynamics.plan.variables import Variable
-from esg.dynamics.search.batched import MISSED, SAMPLE, SAMPLES, STARTS, SURE, search
+from esg.dynamics.search.batched import (
+    MISSED,
+    PIECE_ROLLOUTS,
+    SAMPLE,
+    SAMPLES,
+    STARTS,
+    SURE,
+    WORLDS,
+    search,
+)
 from esg.dynamics.search.niches import Niche, apart, broad, everywhere
 from esg.dynamics.search.panel import GOOD_LOSS, Found, Previewed
 from esg.dynamics.search.progress import POOR, poor
 from esg.dynamics.search.simulate import ENSEMBLE
+from esg.dynamics.strategies import run_strategy
+from esg.engines.breaking import unbroken
+from esg.engines.breaking.pieces import broken
+from esg.engines.scene import Body, Shape, SimScene
 
 Floats = np.ndarray
 MEMBERS = len(ENSEMBLE)
+UNIT = ((0.02, 0.0, 0.0), (0.0, 0.02, 0.0), (0.0, 0.0, 0.02))
+POT = Body("pot", False, 2.0, UNIT, (Shape("box", (0.1, 0.1, 0.1)),), (0.0, 0.0, 0.1))
 BROKEN = 1e6
 
 
@@ -240,6 +256,31 @@ def test_a_budget_of_the_reference_engine_is_kept(budget: int) -> None:
     field = Field(plan, narrow(5.0, 5.0), lambda thetas: np.full(len(thetas), 30.0))
     found_in(field, rollouts=budget)
     assert field.evaluations <= max(budget, MEMBERS * 4) + MEMBERS
+
+
+@pytest.mark.parametrize("pieces", [24, 12])
+def test_the_bound_of_what_comes_apart_is_met_and_kept(pieces: int) -> None:
+    """Newton sees something else than the surrogate, so that rounds of it would go on."""
+    block = replace(POT, name="wall", break_impulse=4.0)
+    whole, parts = broken(block, pieces)
+    rest = [replace(POT, name=f"pot_{k}", position=(2.0 + k, 0.0, 0.1)) for k in range(3)]
+    scene = SimScene("s", (whole, *rest, *parts))
+    seen: dict[str, tuple[int, str]] = {}
+    for name, known in (("apart", scene), ("whole", unbroken(scene))):
+        plan = plan_of(variable(0, 10, 5.0, 0.1), variable(0, 10, 5.0, 0.1))
+        field = Field(
+            replace(plan, scene=known),
+            narrow(5.0, 5.0),
+            lambda thetas: 20.0 + np.linalg.norm(thetas - 9.0, axis=1),
+        )
+        judge = cast(Any, field)
+        _, why = run_strategy(field.plan, judge, np.random.default_rng(0), "batched", max_rounds=40)
+        seen[name] = field.evaluations, why
+    bound = PIECE_ROLLOUTS // len(scene.bodies)
+    (few, why), (many, _) = seen["apart"], seen["whole"]
+    assert bound - WORLDS < few <= bound + MEMBERS, "as many as the bound allows, and no more"
+    assert many > bound + MEMBERS, "or no bound was met"
+    assert why in ("rounds spent", "budget spent")
 
 
 def test_an_event_nobody_ever_sees_is_given_up_after_a_sample_of_everything() -> None:

@@ -10,6 +10,8 @@ from esg.assets.builders import builder
 from esg.assets.builders.common import shade
 from esg.assets.geometry.sketch import CHROME, DARK, STEEL, Color, Sketch, rgb
 
+_SHELF = 0.42
+"""Height of the shelf of a cupboard over the cupboard's."""
 PAGES = rgb(239, 233, 216)
 """Colour of paper."""
 _JAMB, _GAP = 6.0 / 93.0, 0.5 / 93.0
@@ -18,6 +20,8 @@ _LINTEL, _SILL = 6.0 / 206.0, 0.8 / 206.0
 """Lintel of a door frame and the air below a leaf, over the frame's height."""
 _POST, _AIR = 10.0 / 174.0, 2.0 / 174.0
 """Posts of a gate and the air beside its leaf, over its width."""
+_TRAP = 104.0 / 220.0
+"""Hole of a platform over its length, with 2 cm of air about the flap."""
 _LIFT = 8.0 / 130.0
 """Air below a gate's leaf over the height of its posts."""
 
@@ -121,7 +125,10 @@ def drawer_chest(s: Sketch, L: float, W: float, H: float, c: Color, bay_at: str 
 
 @builder("cupboard_body", "free")
 def cupboard_body(s: Sketch, L: float, W: float, H: float, c: Color, shelf: str = "one") -> None:
-    """Cupboard that is open in front (+X), with a shelf or none; its door closes before it."""
+    """Cupboard that is open in front (+X), with a shelf or none; its door closes before it.
+
+    The shelf is below the middle of the inside, so that what is put in stands on it.
+    """
     t, foot = 0.04 * W, 0.05 * H
     inner = (-W / 2 + t, W / 2 - t)
     s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, foot), shade(c, 0.8), solid=1)
@@ -130,7 +137,7 @@ def cupboard_body(s: Sketch, L: float, W: float, H: float, c: Color, shelf: str 
     for y in ((-W / 2, inner[0]), (inner[1], W / 2)):
         s.slab((-L / 2, L / 2), y, (foot, H - t), c, solid=1)
     if shelf == "one":
-        s.slab((-L / 2 + t, 0.4 * L), inner, (0.55 * H, 0.55 * H + t), shade(c, 1.1), solid=1)
+        s.slab((-L / 2 + t, 0.4 * L), inner, (_SHELF * H, _SHELF * H + t), shade(c, 1.1), solid=1)
     s.surface("top", H, (L / 2, W / 2))
     s.region("inside", (-L / 2 + t, L / 2), inner, (foot, H - t))
     s.mount("side", (L / 2, -W / 2, foot), (0.0, 0.0, -1.0))
@@ -181,6 +188,33 @@ def chest_lid(s: Sketch, L: float, W: float, H: float, c: Color, fittings: str =
     for y in (-0.3 * W, 0.3 * W):
         s.slab((-L / 2, L / 2 + 0.01 * L), (y - 0.05 * L, y + 0.05 * L), (0, 1.01 * H), DARK)
     s.slab((L / 2, L / 2 + 0.02 * L), (-0.06 * W, 0.06 * W), (0, 0.6 * H), CHROME)
+
+
+@builder("trapdoor_flap", "free")
+def trapdoor_flap(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Boards that lie level, hung on their rear edge (-X), with a ring to pull."""
+    rim = 0.02 * W
+    s.slab((-L / 2, L / 2), (-W / 2, W / 2), (0, H), c, solid=1)
+    for k in range(1, 5):
+        y = -W / 2 + k * W / 5
+        s.slab((-0.49 * L, 0.49 * L), (y - 0.1 * rim, y + 0.1 * rim), (H, 1.002 * H), shade(c, 0.7))
+    s.surface("top", H, (L / 2, W / 2))
+    s.mount("hinge", (-L / 2, 0.0, H), (0.0, 1.0, 0.0))
+
+
+@builder("trap_platform", "free")
+def trap_platform(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Platform on four legs with a square hole in its middle, in which a flap hangs."""
+    board, leg = 0.05 * H, 0.05 * L
+    hole = _TRAP * L / 2, _TRAP * W / 2
+    for x in ((-L / 2, -hole[0]), (hole[0], L / 2)):
+        s.slab(x, (-W / 2, W / 2), (H - board, H), c, solid=1)
+    for y in ((-W / 2, -hole[1]), (hole[1], W / 2)):
+        s.slab((-hole[0], hole[0]), y, (H - board, H), c, solid=1)
+    for x in (-L / 2, L / 2 - leg):
+        for y in (-W / 2, W / 2 - leg):
+            s.slab((x, x + leg), (y, y + leg), (0, H - board), shade(c, 0.8), solid=1)
+    s.mount("hinge", (-hole[0] + 0.01 * L, 0.0, H), (0.0, 1.0, 0.0))
 
 
 @builder("book_block", "free")

@@ -225,6 +225,23 @@ def launcher_plunger(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.mount("rail", (-30.0, 0.0, 12.0), (1.0, 0.0, 0.0))
 
 
+@builder("bumper_plate")
+def bumper_plate(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Upright plate on a rod that things run into, pushed back along X, drawn at 24 x 30 x 24."""
+    s.slab((10, 12), (-15, 15), (0, 24), c, solid=1)
+    s.rod(1.5, (-12, 0, 12), (10, 0, 12), CHROME, solid=1)
+    s.mount("rail", (-12.0, 0.0, 12.0), (1.0, 0.0, 0.0))
+
+
+@builder("bumper_block")
+def bumper_block(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Block that the rod of a bumper slides into, a coil before it, drawn at 40 x 34 x 28."""
+    s.slab((-20, 0), (-17, 17), (0, 28), c, solid=1)
+    for k in range(7):
+        s.torus(7, 0.9, (1 + 3 * k, 0, 14), STEEL, axis="x")
+    s.mount("rail", (-2.0, 0.0, 14.0), (1.0, 0.0, 0.0))
+
+
 @builder("launcher_rail")
 def launcher_rail(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Block at the rear that a rod slides in, with a coil before it, drawn at 120 x 34 x 30."""

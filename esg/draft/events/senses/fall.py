@@ -17,6 +17,7 @@ from esg.draft.discourse.core import (
     quantity_of,
     structural,
 )
+from esg.draft.discourse.jointed import is_flap
 from esg.draft.discourse.places import elevated, place, set_free
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING
@@ -126,9 +127,20 @@ def _lies_before_its_edge(d: Discourse, f: Frame, actors: list[str]) -> None:
             place(d, mates, hosts[:1], "on")
 
 
+def _let_through(d: Discourse, actors: list[str]) -> None:
+    """ "The trapdoor opens and the crate falls through": by that, and not by itself."""
+    for actor in actors:
+        host = d.scene.supported_by.get(actor, "")
+        last = last_of(d, host)
+        opened = last is not None and last.event is NodeEvent.OPEN
+        if last is not None and opened and is_flap(d.scene, d.text, host):
+            d.timeline.carry(actor, last.id)
+
+
 def drop(d: Discourse, f: Frame, bodies: list[str]) -> None:
     """Lets bodies fall: off what the clause names, or from where they are."""
     _lies_before_its_edge(d, f, bodies)
+    _let_through(d, bodies)
     moved = representatives(d, bodies, []) if len(bodies) > 2 else bodies
     moved = [t for t in moved if movable(d, t)]
     source = f.phrase("off", "from")
@@ -200,6 +212,7 @@ def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     set_free(d, [x for x in s if x in d.scene.attached])  # what hangs there comes down
     actors = representatives(d, s, [])
     _lies_before_its_edge(d, f, actors)
+    _let_through(d, actors)
     jolted_off(d, f, actors)
     fresh = [a for a in actors if a not in d.timeline.tracks]
     floor = things(f.phrase("to"))

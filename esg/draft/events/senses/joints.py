@@ -5,6 +5,7 @@ from __future__ import annotations
 import re
 
 from esg.draft.discourse.core import kind_of, mark_used, movable
+from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, add_hit
@@ -30,6 +31,7 @@ from esg.draft.events.stated import place_of
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import moved_by_others, time_of
 from esg.draft.events.told import at_rest, last_of
+from esg.draft.events.told import things as things_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import ForceDirection, NodeEvent
 
@@ -67,6 +69,8 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         note = add_event(d, event, (body,), f, time_of(d, f))
         d.timeline.track(body).motion = None
     mark_used(d, f, note)
+    beneath = f.phrase("under", "beneath", "below", "underneath")
+    place(d, moved, things_of(beneath), "under")  # "a trapdoor opens under a crate"
     for word in (f.verb.extra.get("result"), "further", "wide"):
         at = place_of(word, d.text, f) if word in f.adverbs else None
         if at is not None:

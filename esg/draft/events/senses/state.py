@@ -178,11 +178,25 @@ def attachment_with(d: Discourse, owners: list[str], others: list[str]) -> None:
     for host in owners[:1]:
         traits = traits_of(d, host)
         prep = "on" if "support" in traits else "in" if "container" in traits else "near"
+        figures = [o for o in others if kind_of(d, o) == "animal"]
+        if figures and turning(d, [host]):
+            prep = "on"
+            _carved(d, host, figures)
         for other in others:
             if prep != "near":
                 place(d, [other], [host], prep)
             else:
                 d.scene.relations.append(Relation(other, host, "near"))
+
+
+def _carved(d: Discourse, host: str, figures: list[str]) -> None:
+    """ "A carousel with four horses": they are as small as those of a carousel, which is roomy."""
+    deck = entity_of(d, host)
+    if deck.dimensions_cm is None:
+        deck.dimensions_cm = [x * ROOMY for x in deck.noun.dimensions_cm]
+    for e in (entity_of(d, i) for i in figures):
+        if e.dimensions_cm is None:
+            e.dimensions_cm = [x * CARVED for x in e.noun.dimensions_cm]
 
 
 def mass_of_load(d: Discourse, a: Amount) -> bool:
@@ -198,6 +212,11 @@ def mass_of_load(d: Discourse, a: Amount) -> bool:
         apply_amount(d.world, entity_of(d, current_id(d.world, node)), share)
     mark_used(d, a, of.entities[0])
     return True
+
+
+CARVED, ROOMY = 0.5, 1.6
+"""Size of a carousel's animals over that of their kind (horses of 1.1 m), and of a carousel that
+has some over a playground's."""
 
 
 @sense("be")

@@ -2,6 +2,9 @@
 
 from __future__ import annotations
 
+import itertools
+import re
+
 from esg.draft.discourse.core import entity_of, kind_of, mark_used, movable, quantity_of
 from esg.draft.discourse.places import fits_on, set_free
 from esg.draft.discourse.record import Discourse
@@ -13,6 +16,7 @@ from esg.draft.events.consequences import (
     passed_on,
     struck_before,
 )
+from esg.draft.events.hanging import hanging
 from esg.draft.events.motions import moves_on_it, start_motion
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.senses.contact import whose_way
@@ -21,6 +25,9 @@ from esg.draft.events.timing import moved_by_others, representatives, speed_afte
 from esg.draft.events.told import at_rest, happened, mates_of, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
+
+_ROW = re.compile(r"(?: \w+){0,4} in (?:an?|one) (?:\w+ )?(?:row|line)\b", re.IGNORECASE)
+"""Says that things stand in a row, after them: "three bottles standing in a row"."""
 
 
 @sense("knock")
@@ -91,6 +98,8 @@ def read_topple(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     # tipping a thing over is no blow
     tipped = f.verb.lemma == "tip" and all(kind_of(d, m) == "person" for m in movers)
     if o and movers and not tipped and not already_hit(d, f, movers, o):
+        if _one_after_another(d, f, movers, o):
+            return
         add_hit(d, f, movers[:1], o, time_of(d, f))
     bodies = representatives(d, o, s) if o else representatives(d, s, [])
     _topples_too(d, f, s, bodies if o else [])
@@ -107,6 +116,32 @@ def read_topple(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             start_motion(d, f, [b], "slide")
         add_event(d, NodeEvent.TOPPLE, (b,), f, time_of(d, f))
     knock_on(d, f, bodies)
+
+
+def _one_after_another(d: Discourse, f: Frame, movers: list[str], felled: list[str]) -> bool:
+    """Lets something that swings into a row meet the first, and each fall on the next one.
+
+    Its arc leads over those behind. Each topples after its own hit, and not after the last.
+
+    Returns:
+        Whether that is what the clause tells.
+    """
+    if len(felled) < 2 or not hanging(d, movers) or not _in_a_row(d, felled):
+        return False
+    pairs = itertools.pairwise([movers[0], *felled])
+    hits = [add_hit(d, f, [a], [b], time_of(d, f) if a in movers else None) for a, b in pairs]
+    for body, met in zip(felled, hits, strict=True):
+        d.timeline.track(body).at = met[0]
+        add_event(d, NodeEvent.TOPPLE, (body,), f, None)
+    return True
+
+
+def _in_a_row(d: Discourse, bodies: list[str]) -> bool:
+    """Whether things stand in a row, which is told right after them."""
+    told = any(_ROW.match(d.text, m.end) for m in d.mentions if m.entities == bodies)
+    for body in bodies if told else []:
+        entity_of(d, body).pattern = "row"
+    return bool(bodies) and entity_of(d, bodies[0]).pattern == "row"
 
 
 def _knocker(d: Discourse, f: Frame, s: list[str], o: list[str]) -> tuple[list[str], list[str]]:
