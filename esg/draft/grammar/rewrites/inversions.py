@@ -6,10 +6,14 @@ from dataclasses import replace
 
 from esg.draft import lexicon as lex
 from esg.draft.grammar.rewrites.conditions import (
+    STOPS,
+    breaks,
     finite,
     is_prep,
+    is_word,
     mention_at,
     starts_clause,
+    verb_at,
     word_at,
 )
 from esg.draft.text.elements import Element, Mention, Verb, Word
@@ -21,6 +25,9 @@ _PARTICLES = lex.word_set("particles (reorder)")
 _DIRECTIONS = _PARTICLES | lex.word_set("directions")
 _PLACES = lex.word_set("places (reorder)")
 _REFLEXIVE = lex.word_set("reflexive")
+_THERE = frozenset({"there"})
+_NEW = frozenset({"a", "an", "one", "another", "some", ""})
+_DOING = frozenset({"do", "does", "did"})
 
 
 def straighten(elements: list[Element]) -> list[Element]:
@@ -42,6 +49,8 @@ def straighten(elements: list[Element]) -> list[Element]:
 def _inverted(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "Down comes the lamp", "into the net flies the ball", "on the shelf stands a mug"."""
     j = _lead(elements, i)
+    if used := _is_there(elements, i, j, out):
+        return used
     verb = finite(elements[j]) if i < j < len(elements) else None
     k = j + 1
     while (small := word_at(elements, k)) is not None and small.kind == "adv":
@@ -61,6 +70,30 @@ def _inverted(elements: list[Element], i: int, out: list[Element]) -> int:
         verb, lead = _with_particle(verb, lead)
     after = [*elements[j + 1 : k]]
     out += [subject, verb, *after, *lead] if joined or bare else [*lead, subject, verb, *after]
+    return k + 1 - i
+
+
+def _is_there(elements: list[Element], i: int, j: int, out: list[Element]) -> int:
+    """ ", and on the table there is a hat": the hat is on the table, and nothing told before."""
+    verb, what = verb_at(elements, j), mention_at(elements, j + 1)
+    place = [e for e in elements[i:j] if not is_word(e, *_THERE)]
+    there = len(place) < j - i
+    joined = bool(out) and not is_word(out[-1], *STOPS[:2], "heading")
+    told = joined and len(place) > 1 and is_word(place[0], *_PLACES, "on top of", "in the middle of")
+    if not told or verb is None or what is None or verb.sense != "be" or verb.negated:
+        return 0
+    new = what.determiner in _NEW and not (what.pronoun or what.attribute)
+    if not new or verb.auxiliary in _DOING or not (there or breaks(elements, j + 2, out)):
+        return 0
+    k = next(k for k in range(j + 2, len(elements) + 1) if breaks(elements, k, out))
+    small = word_at(elements, k)
+    relative = small is not None and small.kind == "rel"
+    if relative and verb_at(elements, k + 1) is None:
+        return 0
+    out += [what, *elements[j + 2 : k], verb, *place]
+    if small is None or not relative:
+        return k - i
+    out.append(replace(small, kind="conj", low="and"))  # "there is a ball that spins"
     return k + 1 - i
 
 
