@@ -23,6 +23,7 @@ from esg.draft.grammar.phrases.modifiers import join_modifiers
 from esg.draft.grammar.questions import ask
 from esg.draft.grammar.rewrites.companions import set_apart
 from esg.draft.grammar.rewrites.denials import deny
+from esg.draft.grammar.rewrites.gapping import fill_gaps
 from esg.draft.grammar.rewrites.headings import headings
 from esg.draft.grammar.rewrites.inversions import straighten
 from esg.draft.grammar.rewrites.ones import name_ones
@@ -42,6 +43,7 @@ _REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
     ("who tells it, and similes", partial(rewrite, reading="reports")),
     ("quantities and words that stand for a noun", partial(rewrite, reading="shares")),
     ("contacts with none", deny),
+    ("clauses of which only a noun is told", fill_gaps),
     ("a second one", name_ones),
     ("the one in front", partial(rewrite, reading="places")),
     ("titles and headings", headings),

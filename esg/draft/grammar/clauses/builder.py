@@ -60,21 +60,22 @@ def _same_again(c: Clauses, frames: list[Frame]) -> list[Frame]:
         if not (same and o is not None and o.adjectives == ["same"] and f.subject and out):
             out.append(f)
             continue
-        model = next((g for g in reversed(out) if g.subject and not g.reduced), None)
-        told: list[Frame] = []
-        for g in reversed(out):
-            if model is None or g.subject is not model.subject or g.reduced:
-                break
-            told.insert(0, g)
+        told = _last_told(out)
+        role = f.verb.extra.get("as", "subject")
+        if role == "behind" and told:
+            out.append(_goes_behind(f, told[-1]))
+            continue
+        after = ["then"] if "then" in f.verb.extra else []
         for k, g in enumerate(told):
             phrases = [p for p in g.phrases if p.amount is None]
-            verb = replace(g.verb, extra=dict(g.verb.extra))
+            verb = replace(g.verb, extra={**g.verb.extra, "again": "1"})
             own = replace(
                 g,
                 verb=verb,
-                subject=f.subject,
+                subject=g.subject if role == "object" else f.subject,
+                object=f.subject if role == "object" else g.object,
                 phrases=[*phrases, *(f.phrases if k == len(told) - 1 else [])],
-                adverbs=[*g.adverbs],
+                adverbs=[*(a for a in g.adverbs if not after or a != "first"), *after],
                 link=f.link if k == 0 else g.link,
                 sentence=f.sentence,
                 parent=None,
@@ -85,6 +86,26 @@ def _same_again(c: Clauses, frames: list[Frame]) -> list[Frame]:
         if not told:
             out.append(f)
     return out
+
+
+def _last_told(out: list[Frame]) -> list[Frame]:
+    """The last clauses of one subject; of a command the last one."""
+    model = next((g for g in reversed(out) if not g.reduced), None)
+    if model is None or model.subject is None:
+        return [] if model is None else [model]
+    told: list[Frame] = []
+    for g in reversed(out):
+        if g.subject is not model.subject or g.reduced:
+            break
+        told.insert(0, g)
+    return told
+
+
+def _goes_behind(f: Frame, ahead: Frame) -> Frame:
+    """ "A truck drives along, followed by a car": the car follows the truck."""
+    verb = replace(f.verb, lemma="follow", sense="follow", extra={})
+    whom = ahead.object if ahead.object is not None and ahead.subject is None else ahead.subject
+    return replace(f, verb=verb, object=whom)
 
 
 def _hand_over(f: Frame) -> None:
