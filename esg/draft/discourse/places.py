@@ -26,6 +26,8 @@ RELATION_PREPS: dict[str, str] = {p: k for k, words in _PREPS.items() for p in w
 }  # fmt: skip
 """Spatial relations by preposition."""
 _ENDS = ("end", "side")
+TOPS = lex.word_set("tops of slopes")
+"""Parts of a slope from which things come down it."""
 _HANDS = {"left side": "left_of", "right side": "right_of"}
 """Sides of a thing that are the viewer's."""
 _OPEN = frozenset({"watercraft", "cart", "sliding"})
@@ -91,6 +93,8 @@ def place(
 def _at_part(d: Discourse, kind: str, part: str, other: str) -> str:
     """The relation to a thing of what is at one of its parts ("at the edge of the table")."""
     word, side = part.split()[-1], _HANDS.get(part, "")
+    if word in TOPS and kind in ("on", "near") and "incline" in entity_of(d, other).noun.traits:
+        return "on"  # "at the top of a ramp"
     if side and "support" not in entity_of(d, other).noun.traits:
         return side if kind in ("on", "near") else kind  # "on the right side of a laptop"
     if word in ("edge", "corner", "rim", "end") and "support" in entity_of(d, other).noun.traits:

@@ -95,6 +95,7 @@ _AT_FIRST = re.compile(
     r"\b(?:first|initially|until|till|before|for|after|yet|while|when|at the start|beginning)\b",
     re.IGNORECASE,
 )
+_AT_ALL = re.compile(r"\s*(?:at all|an inch|from its place)\b(?!\s+until)", re.IGNORECASE)
 _HITS = (NodeEvent.COLLISION,)
 _HANDLED = {
     **dict.fromkeys((("posture", v) for v in lex.word_set("puts")), "put"),
@@ -441,7 +442,8 @@ def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
         f.verb.sense = "miss"
     elif negated and sense not in ("be", "posture", "miss"):
         ignore(d, f, "negated")
-        at_first = _AT_FIRST.search(sentence(d, f)) is not None
+        at_all = _AT_ALL.match(d.text, f.verb.end) is not None
+        at_first = not at_all and _AT_FIRST.search(sentence(d, f)) is not None
         if f.verb.lemma in ("move", "budge", "stir") and not at_first:
             d.moves.still.update((i, f.verb.start) for i in parts.subject)
         return True

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.ranks import extreme
-from esg.draft.discourse.referents.record import World, is_solid
+from esg.draft.discourse.referents.record import World, all_rest, is_solid
 from esg.draft.text.elements import Mention
 
 _ENDS = {
@@ -53,7 +53,7 @@ def other_of_two(world: World, avoid: list[str]) -> list[str]:
         two = [i for i in dict.fromkeys(ids) if is_solid(world, i)]
         if len(two) == 2 and len(used & {*two}) == 1:
             return [i for i in two if i not in used]
-        if len(two) > 1:
+        if len(two) > 1 and not all_rest(world, two):
             return []
         used |= {*two}
     return []

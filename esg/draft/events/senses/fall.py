@@ -25,6 +25,7 @@ from esg.draft.events.consequences import landing_of, met_in_its_row, struck_bef
 from esg.draft.events.ends import EDGES, off_the_edge
 from esg.draft.events.hanging import hanging
 from esg.draft.events.motions import (
+    can_roll,
     flies_itself,
     jolted_off,
     motion,
@@ -43,6 +44,7 @@ from esg.draft.events.timing import (
 )
 from esg.draft.events.told import ignore, last_of, mates_of, recent, size_of, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent
 
 _UPRIGHT = lex.word_set("upright")
@@ -50,6 +52,11 @@ _OVERTURNED = lex.word_set("overturned")
 _TWO_WHEELED = lex.word_set("two wheeled")
 _OTHER_SIDE = re.compile(r"\s+(?:down\s+)?on\s+(?:the|its)\s+(?:other|far)\s+side", re.IGNORECASE)
 _HANGING = frozenset({"chandelier"})
+_LETS_GO = frozenset({"release", "let", "free", "drop"})
+_THERE = frozenset({"at", "on", "from", "atop", "near"})
+_BUDGES = frozenset({"move", "budge", "stir", "slide", "roll"})
+_FROM_REST = (0.0, 20.0)
+"""Speed with which something that is let go on a slope sets off [cm/s]."""
 STANDING_CM = 60.0
 """A thing that is this tall stands on the ground."""
 
@@ -66,6 +73,8 @@ def read_drop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     wheeled = bool(dropped) and kind_of(d, dropped[0]) in ("cart", "vehicle")
     if f.verb.lemma == "let" and wheeled and not _held_up(d, dropped[0]):
         motion(d, f, dropped, None)  # "lets go of a cart"
+    elif slope := _slope_of(d, f, dropped):
+        _let_run(d, f, dropped, slope)
     elif _goes_its_way(d, f, dropped):
         mark_used(d, f, "let go")
     elif quantity_of(d, f, "speed") is not None and f.verb.lemma == "release":
@@ -102,6 +111,41 @@ def _goes_its_way(d: Discourse, f: Frame, dropped: list[str]) -> bool:
     later = [g for g in d.told if g.verb.start > f.verb.start and g.subject is not None]
     its = [g for g in later if g.subject is not None and {*g.subject.entities} & {*dropped}]
     return bool(its) and its[0].verb.sense in ("slide", "roll", "own", "fly")
+
+
+def _slope_of(d: Discourse, f: Frame, bodies: list[str]) -> Mention | None:
+    """ "Is released at the top of a ramp", "They stand on a hill and are let go": down what."""
+    if f.verb.lemma not in _LETS_GO or not bodies:
+        return None
+    told = [p for p in f.phrases if p.prep in _THERE and p.mention is not None]
+    told += [
+        p for g in d.told for p in g.phrases
+        if g.verb.start < f.verb.start and p.prep in _THERE and p.mention is not None
+        and g.subject is not None and {*bodies} & {*g.subject.entities}
+    ]  # fmt: skip
+    for m in (p.mention for p in told):
+        slopes = [i for i in m.entities if "incline" in traits_of(d, i)] if m is not None else []
+        if m is None or not slopes:
+            continue
+        place(d, [i for i in bodies if i not in d.scene.supported_by], slopes[:1], "on", m.part)
+        if all(d.scene.supported_by.get(i) == slopes[0] for i in bodies):
+            return m
+    return None
+
+
+def _let_run(d: Discourse, f: Frame, bodies: list[str], slope: Mention) -> None:
+    """Lets things go on a slope: they roll or slide down it, but what is told to stay there."""
+    stays = {
+        i for g in d.told if g.verb.negated and g.verb.lemma in _BUDGES and g.subject is not None
+        for i in g.subject.entities
+    }  # fmt: skip
+    f.phrases.append(Phrase("down", slope))
+    for body in [i for i in bodies if i not in stays]:
+        start_motion(d, f, [body], "roll" if can_roll(d, body) else "slide")
+        now = d.timeline.track(body).motion
+        if now is not None and not now.prescribed:
+            now.speed = _FROM_REST
+    mark_used(d, f, "let go")
 
 
 def _held_up(d: Discourse, body: str) -> bool:

@@ -61,6 +61,7 @@ def _same_again(c: Clauses, frames: list[Frame]) -> list[Frame]:
             out.append(f)
             continue
         told = _last_told(out)
+        c.mentions = [m for m in c.mentions if m is not o or not told]
         role = f.verb.extra.get("as", "subject")
         if role == "behind" and told:
             out.append(_goes_behind(f, told[-1]))

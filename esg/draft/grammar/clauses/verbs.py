@@ -254,6 +254,8 @@ def _goes_on(c: Clauses, s: State, o: _Opening) -> bool:
     previous, v = o.previous, o.frame.verb
     assert previous is not None
     o.frame.parent = previous
+    if previous.verb.passive and v.lemma == "let" and not _acts_on(c, o.at):
+        v.passive = True  # "is held over a box and let go"
     told = v.lemma in _LETTING or (
         v.sense in _HANDLING and (v.form == "base" or v.lemma in UNCHANGED)
     )
