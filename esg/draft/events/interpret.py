@@ -120,6 +120,7 @@ _SENT = frozenset({"launch", "drop", "scatter", "pocket"})
 _AGAINST = frozenset({"against", "into", "onto", "at", "past"})
 _WAYS = frozenset({"along", "down", "up"})
 """What leads to the way that something takes: no place of a load."""
+_SET_SWINGING = frozenset({"pull", "draw", "let", "release"})
 _STUFF, _REFLEXIVE = lex.word_set("substances"), lex.word_set("reflexive")
 _SLOWER_GAITS, _FASTER_GAITS = lex.word_set("gaits, slow"), lex.word_set("gaits, fast")
 
@@ -544,6 +545,20 @@ def _by_a_rope(d: Discourse, body: str) -> None:
     d.scene.hung.setdefault(body, "")
 
 
+def _swings_on_a_rope(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "Hangs from the ceiling. It is pulled aside and let go": by a rope, as it can swing."""
+    let = f.verb.lemma in SWAYING | _SET_SWINGING and f.phrase("off", "down") is None
+    for body in [*parts.subject, *parts.objects] if let and not f.unreal else []:
+        host = d.scene.attached.get(body, "")
+        if host and kind_of(d, host) == "ceiling" and at_rest(d, body):
+            was = [*d.scene.relations]
+            _by_a_rope(d, body)
+            if not hanging(d, [body]):  # nothing swings that is not made for it
+                d.scene.attached[body], d.scene.relations[:] = host, was
+                d.scene.hung.pop(body, None)
+    return False
+
+
 def _it_hung(d: Discourse, f: Frame, link: list[str], held: list[str]) -> None:
     """ "The chain snaps and it falls": no chain, which is drawn as a joint."""
     for g in d.told:
@@ -610,6 +625,7 @@ def _what_sways(d: Discourse, f: Frame, parts: Parts) -> bool:
 
 STEPS: tuple[Step, ...] = (
     _gives_way,
+    _swings_on_a_rope,
     _meets_a_link,
     _what_sways,
     _comes_apart,

@@ -32,6 +32,7 @@ _COUNTED = frozenset({NodeEvent.BOUNCE, NodeEvent.JUMP, NodeEvent.SPIN, NodeEven
 """Events that happen as often as is said."""
 ONCE = "it happens once"
 NOT_TIMED = "nothing sees to it that the others come later"
+_UNMEASURED = frozenset({NodeEvent.SCENE_START, NodeEvent.TRIGGER})
 _ARRIVING = lex.word_set("arriving (first)")
 NO_MANNER = "manner is not simulated"
 
@@ -79,6 +80,11 @@ def _no_race(a: Account, w: Word) -> bool:
     if f is None or f.unreal or f.verb.negated:
         return False
     about = about_of(a.d, f)
+    measured = [n for n in a.d.timeline.nodes if n.event not in _UNMEASURED]
+    done = {i for n in measured for i in n.participants} | about
+    rivals = {e.actor for e in a.d.timeline.edges} - about
+    if rivals and rivals <= done:
+        return False  # "gets there first, and the other one stumbles"
     ordered = {s.object[0] for s in a.kept if s.predicate is Predicate.BEFORE and s.object}
     nodes = (a.d.timeline.node(n) for n in ordered)
     return not any(n is not None and about & {*n.participants} for n in nodes)

@@ -60,6 +60,7 @@ _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", 
 _BACK_TO = frozenset({"into", "to", "onto", "down", "toward", "towards"})
 _TOWARD = frozenset({"to", "toward", "towards"})
 _GOING_FOR = frozenset({"reach", "lunge", "dive", "dash", "bolt"})
+_UNEQUAL = frozenset({"different", "differing", "unequal", "various"})
 _STOPPING = frozenset({"stop", "brake", "slow", "park"})
 _SIDED = frozenset({"to", "from", "at", "on"})
 _EXTREMES = frozenset({"end", "edge", "corner", "tip"})
@@ -278,7 +279,8 @@ def _in_pieces(a: Account, about: set[str], m: Mention) -> bool:
 
 def _names_nothing(a: Account, p: Phrase, m: Mention) -> bool:
     """Whether a phrase says how or of what, or was used for something else."""
-    passed = p.prep == "of" or "same" in m.adjectives or m.pronoun or m.head in PASSED_OVER
+    unequal = m.attribute and bool(_UNEQUAL & {*m.adjectives})  # "of different weight"
+    passed = (p.prep == "of" and not unequal) or "same" in m.adjectives or m.pronoun or m.head in PASSED_OVER
     return bool(passed) or (m.start, m.end) in a.d.scene.used
 
 

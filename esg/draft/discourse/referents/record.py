@@ -11,6 +11,7 @@ from esg.draft.discourse.referents.ranks import Facts
 from esg.draft.text.elements import Mention
 
 
+_LINKS = lex.word_set("links")
 _RESTING = lex.word_set("resting (underway)")
 
 
@@ -70,6 +71,7 @@ def last_group(world: World) -> list[str]:
     "Two cars meet between parked cars. The green one ...": one of those that act.
     """
     groups = [ids for ids in reversed(world.groups.values()) if ids[0] in world.entities]
+    groups = [ids for ids in groups if not links(world, ids)]
     if not groups:
         return []
     last = groups[0]
@@ -78,6 +80,11 @@ def last_group(world: World) -> list[str]:
         acting = (g for g in groups if not all_rest(world, g))
         last = next((g for g in acting if world.entities[g[0]].noun == alike), last)
     return last
+
+
+def links(world: World, ids: list[str]) -> bool:
+    """Whether things are the strings and chains by which others hang, of which nothing is told."""
+    return all({world.entities[i].head, world.entities[i].noun.name} & _LINKS for i in ids)
 
 
 def all_rest(world: World, ids: list[str]) -> bool:

@@ -146,7 +146,8 @@ def _opening(world: World, m: Mention, subject: bool) -> bool:
     """ "Backs into a gap", "slips through an opening": where nothing stands."""
     movers = [world.entities[i] for i in world.movers if i in world.entities]
     goes = any(e.noun.kind in _GO_INTO_GAPS for e in movers)
-    return m.head in _GAPS and goes and m.after_prep in ("", "in", "into", "through") and not subject
+    at = m.after_prep in ("in", "into", "through") or (not m.after_prep and m.determiner == "a")
+    return m.head in _GAPS and goes and at and not subject
 
 
 def _unseen(world: World, m: Mention, subject: bool) -> bool:

@@ -73,6 +73,8 @@ def read_drop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     wheeled = bool(dropped) and kind_of(d, dropped[0]) in ("cart", "vehicle")
     if f.verb.lemma == "let" and wheeled and not _held_up(d, dropped[0]):
         motion(d, f, dropped, None)  # "lets go of a cart"
+    elif dropped and all(i in d.scene.attached and i in d.timeline.tracks for i in dropped):
+        ignore(d, f, "nothing of the kind happens in the scene")  # "is drawn back and let go"
     elif slope := _slope_of(d, f, dropped):
         _let_run(d, f, dropped, slope)
     elif _goes_its_way(d, f, dropped):

@@ -31,6 +31,7 @@ _SHINING = lex.word_set("shining")
 _PEOPLE = lex.word_set("people")
 _FLUIDS, _TAKING = lex.word_set("unseen fluids"), lex.word_set("taking")
 _HEAPED, _LINED_UP = lex.word_set("heaped"), lex.word_set("lined up")
+_LINKS = lex.word_set("links")
 
 
 def numbers(c: Chunks, j: int) -> bool:
@@ -251,6 +252,8 @@ def names_no_thing(word: str, *, bare: bool = False) -> bool:
     if word in lex.COLORS or parse_number(word) is not None:
         return False  # "the pink", "ball two"
     single = lex.singular(word)[0]
+    if single in _LINKS:
+        return False  # "hang on strings", which is a section of an orchestra, too
     kinds = {no_things().get(word), no_things().get(single)}
     filling = bare and word == single and word in lex.SUBSTANCES
     return filling or bool(kinds & {"nothing", "substance"})
