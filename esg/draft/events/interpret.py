@@ -115,6 +115,9 @@ _NAMED_EVENTS = {
 }
 """Nouns for events, and the point events they name."""
 _ANIMAL_VERBS = lex.word_set("animal verbs")
+_SINGLY = frozenset({"drop", "launch", "fall", "carry", "pick", "posture", "enter", "roll"})
+_MOST_SINGLY = 5
+"""Most members of a plural that are told to do something one by one, of which each does it."""
 _SENT = frozenset({"launch", "drop", "scatter", "pocket"})
 """Senses of which only the object moves."""
 _AGAINST = frozenset({"against", "into", "onto", "at", "past"})
@@ -696,7 +699,8 @@ def _one_by_one(d: Discourse, f: Frame) -> set[str]:
     """Few things that "both" or "each" distributes over; a row or a stack stays one chain."""
     out: set[str] = set()
     for m in (f.subject, f.object, *[p.mention for p in f.phrases]):
-        if m is None or not (2 <= len(m.entities) <= 3):
+        singly = "one by one" in f.adverbs and f.verb.sense in _SINGLY and m is not None
+        if m is None or not (2 <= len(m.entities) <= (_MOST_SINGLY if singly else 3)):
             continue
         counted = (m.subset or m.count) == len(m.entities) and not m.vague and not m.single
         told = m is f.object and counted
@@ -704,7 +708,8 @@ def _one_by_one(d: Discourse, f: Frame) -> set[str]:
         chained = any(entity_of(d, i).pattern in ("row", "pins", "rack") for i in m.entities)
         some = not m.head and m.count == len(m.entities) and not chained  # "two of them fall"
         felled = told and apart and f.verb.sense in ("knock", "topple")  # "mows down two cones"
-        if {"both", "each"} & {m.determiner, m.pronoun} or felled or some:
+        singly = singly and apart and not chained and m in (f.subject, f.object)
+        if {"both", "each"} & {m.determiner, m.pronoun} or felled or some or singly:
             out |= set(m.entities)
     return out
 

@@ -175,7 +175,7 @@ def _lies_before_its_edge(d: Discourse, f: Frame, actors: list[str]) -> None:
 def drop(d: Discourse, f: Frame, bodies: list[str]) -> None:
     """Lets bodies fall: off what the clause names, or from where they are."""
     _lies_before_its_edge(d, f, bodies)
-    moved = representatives(d, bodies, []) if len(bodies) > 2 else bodies
+    moved = representatives(d, bodies, []) if len(bodies) > 2 else bodies  # all, if "one by one"
     moved = [t for t in moved if movable(d, t)]
     source = f.phrase("off", "from")
     host = [i for i in things(source) if elevated(d, i) and not _landed_before(f, source)]
