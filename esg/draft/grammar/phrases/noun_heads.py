@@ -181,8 +181,8 @@ def _owner(c: Chunks, j: int) -> tuple[Mention, int] | None:
 
 def _known(c: Chunks, p: Place, m: Mention) -> Head | None:
     """A noun of the lexicon, with the nouns and places that belong to it."""
-    if p.noun is None:
-        return OTHER
+    if p.noun is None or (m.determiner == "a" and p.noun[2] and one_does(c, p.at, m)):
+        return OTHER  # "a third slides past"
     j, plural = _compound(c, p.at, p.noun, m)
     j += piled(c, j, m)
     _measure_or_role(c, j, m)

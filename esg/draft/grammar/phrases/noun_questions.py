@@ -136,6 +136,8 @@ def one_does(c: Chunks, j: int, m: Mention) -> bool:
     single = m.determiner in ("another", "each", "either", "neither") and not m.adjectives
     ordinal = m.determiner == "the" and m.adjectives[-1:] and m.adjectives[-1] in lex.ALONE
     single = single or (m.determiner == "the" and m.adjectives == ["other"])
+    numbered = m.determiner == "a" and len(m.adjectives) == 1 and m.adjectives[0] in lex.ORDINALS
+    single = single or (numbered and lex.singular(low_at(c, j))[0] != low_at(c, j))
     forms = {r.form for r in verb_readings(low_at(c, j))}
     object_ = low_at(c, j + 1) in lex.DETERMINERS | lex.PRONOUNS | {"nothing", "neither"}
     if "past" in forms and object_ and (single or ordinal):
