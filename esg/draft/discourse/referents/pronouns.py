@@ -37,6 +37,8 @@ _PLACES = frozenset({"right of", "left of", "in front of", "behind", "beside", "
                     | {"below", "under", "between", "near", "by"})  # fmt: skip
 _FACING = {"left": "right", "right": "left"}
 _WAYS = frozenset({"stairs", "ramp"})
+MATE = "@mate"
+"""Adjective of one of the kind of what it is told to be beside ("the one next to it")."""
 _GROWN_UP = frozenset({"person", "he", "she", "man", "woman"})
 """Persons for whom "it" is no word; a child is one."""
 
@@ -221,6 +223,8 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     """ "the other one", "the second", "the red one", "the next": a member, or one thing more."""
     if NEIGHBOUR in m.adjectives and (beside := _beside(world, m, avoid)):
         return beside
+    if MATE in m.adjectives and (mate := _mate(world, m, avoid)):
+        return mate
     solid = _solids(world)
     row = [world.entities[i] for i in (_of_the_subject(world, m, subject) or last_group(world))]
     told = _told(world)
@@ -247,6 +251,16 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     if words or other or "next" in m.adjectives:
         return _one_more_like(world, m, words, subject, avoid)
     return [e.id for e in near][-1:]
+
+
+def _mate(world: World, m: Mention, avoid: list[str]) -> list[str]:
+    """ "A bin falls over and knocks down the one next to it": one more of the kind of who acts."""
+    last = world.subjects[-1] if world.subjects else []
+    like = next((world.entities[i] for i in (*avoid, *last) if is_solid(world, i)), None)
+    if like is None:
+        return []
+    mates = [e.id for e in _solids(world) if e.noun == like.noun and e.id not in (like.id, *avoid)]
+    return mates[:1] or one_more(world, like, ["other"], m)
 
 
 def _facing(world: World, m: Mention, solid: list[Entity]) -> list[str]:

@@ -151,8 +151,11 @@ def _before(out: list[Element]) -> _Clause | None:
     told = out[begin:]
     k = next((k for k in reversed(range(len(told))) if isinstance(told[k], Verb)), -1)
     verb = element_at(told, k) if k >= 0 else None
-    if not isinstance(verb, Verb) or verb.form == "ing" or verb.infinitive or verb.negated:
+    if not isinstance(verb, Verb) or verb.infinitive or verb.negated:
         return None
+    finite = any(isinstance(e, Verb) and e.form != "ing" for e in told)
+    if verb.form == "ing" and finite:
+        return None  # "A horse trotting around a ring": a caption
     after, before = told[k + 1 :], told[:k]
     named = [n for n, e in enumerate(after) if isinstance(e, Mention)]
     free = [n for n in named if not n or not is_prep(after[n - 1])]
