@@ -37,6 +37,7 @@ _PLACES = frozenset({"right of", "left of", "in front of", "behind", "beside", "
                     | {"below", "under", "between", "near", "by"})  # fmt: skip
 _FACING = {"left": "right", "right": "left"}
 _WAYS = frozenset({"stairs", "ramp"})
+_IN_A_ROW = lex.ORDINALS.keys() | {"last", "final", "front", "rear", "middle"}
 MATE = "@mate"
 """Adjective of one of the kind of what it is told to be beside ("the one next to it")."""
 _GROWN_UP = frozenset({"person", "he", "she", "man", "woman"})
@@ -246,11 +247,23 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
         return second
     if other and m.determiner == "the" and not words and (second := other_of_two(world, avoid)):
         return second
+    if other and m.determiner == "the" and not words and (two := _of_two_alike(world, avoid)):
+        return two
     if row and (found := _of_row(world, row, words, told if other else [], avoid)):
         return found
     if words or other or "next" in m.adjectives:
         return _one_more_like(world, m, words, subject, avoid)
     return [e.id for e in near][-1:]
+
+
+def _of_two_alike(world: World, avoid: list[str]) -> list[str]:
+    """ "A ball is thrown as another is dropped; neither lands before the other": of the two."""
+    last = next(iter(named_alone(world)), [""])[0]
+    if last not in world.entities or world.entities[last].group is not None:
+        return []
+    two = [e.id for e in _solids(world) if e.noun == world.entities[last].noun]
+    used = {*avoid} & {*two} or {last}
+    return [i for i in two if i not in used] if len(two) == 2 and len(used) == 1 else []
 
 
 def _mate(world: World, m: Mention, avoid: list[str]) -> list[str]:
@@ -275,7 +288,7 @@ def _facing(world: World, m: Mention, solid: list[Entity]) -> list[str]:
 def _of_the_subject(world: World, m: Mention, subject: bool) -> list[str]:
     """ "Three kids on sledges race, and the one on the red sledge wins": one of the kids."""
     last = world.subjects[-1] if world.subjects and subject else []
-    told = m.determiner != "the" or m.adjectives or len(last) < 2
+    told = m.determiner != "the" or not {*m.adjectives} <= _IN_A_ROW or len(last) < 2
     return [] if told else world.groups.get(world.entities[last[0]].group or "", [])
 
 

@@ -17,7 +17,7 @@ from esg.draft.discourse.core import (
     quantity_of,
     structural,
 )
-from esg.draft.discourse.places import elevated, place, set_free
+from esg.draft.discourse.places import elevated, holds, place, set_free
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING
 from esg.draft.events.acts import add_event, add_hit, goes_in
@@ -36,6 +36,7 @@ from esg.draft.events.motions import (
 from esg.draft.events.senses.launch import heights, look_at, motion_of_things
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import (
+    enter,
     enterable,
     is_airborne,
     moved_by_others,
@@ -198,10 +199,18 @@ def drop(d: Discourse, f: Frame, bodies: list[str]) -> None:
     mark_used(d, f, "drop")
     if "in" in f.adverbs and any(map(partial(enterable, d), recent(d))):
         goes_in(d, f, moved, time_of(d, f))  # "circles the hole and drops in"
+    elif "in" in f.adverbs and (inner := _open_before(d, moved)):
+        for t in moved:
+            enter(d, f, t, inner, time_of(d, f))  # "a drawer is opened, a spoon is dropped in"
     elif not landing_of(d, f, moved):
         for t in moved if below is None else []:
             if t not in flying:  # "drops behind the net" after a throw: it leaves no support
                 d.times.pending[t] = (NodeEvent.FALL, f, None, time_of(d, f))
+
+
+def _open_before(d: Discourse, moved: list[str]) -> str:
+    """What was named last that things can be dropped into; "" if nothing is."""
+    return next((i for i in recent(d) if holds(d, i) and i not in moved), "")
 
 
 def _below(d: Discourse, f: Frame, moved: list[str]) -> str | None:
