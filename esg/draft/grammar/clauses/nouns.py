@@ -16,6 +16,7 @@ _PLACED = _BESIDE | {"on", "in", "under", "above", "on top of", "inside"}
 _SENDING = frozenset({"launch", "hit", "knock", "drop", "cause", "topple", "carry", "tow"})
 _OUT = frozenset({"into", "onto", "off", "out of", "through", "across"})
 _OVER = frozenset({"over", "past", *_OUT})
+_HIS = frozenset({"his", "her", "its", "their"})
 _INTO = frozenset({"in", "into", "on", "onto", "inside"})
 _GONE_WITH = frozenset({"it", "him", "her", "them", "both"})
 _WITH = frozenset({"with", ".", ";", "!", "?", ":"})
@@ -344,6 +345,8 @@ def _of_the_verb(s: State, f: Frame, phrase: Phrase, m: Mention) -> bool:
         return True  # "takes the pin with it"
     if phrase.prep == "by" and f.verb.passive:
         return True
+    if phrase.prep == "with" and m.determiner in _HIS and m.head in lex.BODY_PARTS:
+        return f.verb.sense not in ("be", "posture", "have")  # "shuts a chest with his elbow"
     owned = phrase.prep == "with" and m.head in PROPERTIES and s.last is not f.subject
     return m.attribute and phrase.prep != "of" and not owned
 

@@ -10,7 +10,7 @@ from esg.draft.text.elements import Token
 from esg.draft.verbphrases import verb_readings
 
 _DOES = frozenset({"do", "does", "did"})
-_OPENS = re.compile(r"(?:(?:and|but) )?(?:only|not until|not before)\b.*")
+_OPENS = re.compile(r"(?:(?:and|but) )?(?:only|not until|not before \d)\b.*")
 _ALONE = frozenset({"only", "then", "now"})
 """Words after which no comma parts the clause that follows."""
 _STOPS = frozenset(".;:!?\n")

@@ -386,7 +386,8 @@ def _acted_on(c: Chunks, i: int, previous: Element | None) -> bool:
     opens = previous is None or (isinstance(previous, Word) and previous.low in ".;!?\n")
     if noun[2]:
         one = isinstance(previous, Mention) and not previous.plural and previous.determiner
-        return bool(one or joined) and nxt in _ARTICLES | _OBJECTS
+        listed = isinstance(previous, Word) and previous.low == "," and told and nxt in _OBJECTS
+        return bool(listed) or (bool(one or joined) and nxt in _ARTICLES | _OBJECTS)
     known = match_noun(c, i) is not None
     return known and (opens or joined) and (nxt in _ARTICLES or (opens and nxt in _OBJECTS))
 

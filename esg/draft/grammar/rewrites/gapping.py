@@ -192,7 +192,8 @@ def _does_same(
         at, lemma="do", sense="be", form="s", passive=False, negated=False, auxiliary="", extra=notes
     )
     same = Mention(at.start, at.end, adjectives=["same"], attribute=True)
-    out += [Word(at.start, at.start, "conj", "and"), *who, does, same]
+    comma, also = (Word(at.start, at.start, "punct", ","), Word(at.start, at.start, "conj", "and"))
+    out += [comma, also, *who, does, same]
     rest = end + 1 if is_word(element_at(elements, end), ",") else end
     small = word_at(elements, rest)
     if small is not None and small.kind == "rel" and isinstance(element_at(elements, rest + 1), Verb):
