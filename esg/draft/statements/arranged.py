@@ -8,6 +8,7 @@ from esg.draft.discourse.core import entity_of
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.courses import measurable
 from esg.draft.statements.account import CHAINS
+from esg.graph.models import NodeEvent
 
 FILES = frozenset({"row", "line", "column", "file", "queue", "convoy"})
 """Arrangements one behind the other, or side by side."""
@@ -45,7 +46,7 @@ def _stacked(d: Discourse, about: set[str]) -> bool:
 def _singly(d: Discourse, about: set[str]) -> bool:
     """Whether each of several of one plural has an event of its own."""
     members = {i for i in about if entity_of(d, i).group is not None}
-    told = (n for n in d.timeline.nodes if measurable(n.event))
+    told = (n for n in d.timeline.nodes if measurable(n.event) and n.event is not NodeEvent.MISS)
     return bool(members) and members <= {n.participants[0] for n in told}
 
 
