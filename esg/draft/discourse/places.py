@@ -26,6 +26,8 @@ RELATION_PREPS: dict[str, str] = {p: k for k, words in _PREPS.items() for p in w
 }  # fmt: skip
 """Spatial relations by preposition."""
 _ENDS = ("end", "side")
+_LEVEL = frozenset({"adjacent", "near", "left_of", "right_of", "in_front_of", "behind", "between"})
+"""Relations of things at one height."""
 TOPS = lex.word_set("tops of slopes")
 """Parts of a slope from which things come down it."""
 _HANDS = {"left side": "left_of", "right side": "right_of"}
@@ -76,6 +78,8 @@ def place(
         if kind == "on" and _wall_thing(d, t) and towers(d, other):
             hang(d, t, other)
             continue
+        if kind == "center_of" and elevated(d, other) and fits_on(d, t, other):
+            d.scene.supported_by.setdefault(t, other)  # "in the middle of a table"
         if kind in ("on", "inside_of"):
             if t in d.scene.supported_by or _rests_on(d, other, t):
                 continue
@@ -88,6 +92,32 @@ def place(
         text = others[1] if kind == "between" else ""
         stated = distance if kind not in ("between", "surround") else None
         d.scene.relations.append(Relation(t, other, kind, stated, text))
+
+
+def share_tops(d: Discourse) -> None:
+    """ "A cup stands on a table. A plate lies next to it": on the table, too, if it fits there.
+
+    So does what something on a table stands between; what is told to be on the ground stays there.
+    """
+    scene = d.scene
+    grounded = {r.source for r in scene.relations if r.kind == "structural"}
+    taken = grounded | {*scene.attached, *scene.hung, *scene.inside_of, *d.timeline.tracks}
+    for r in [*scene.relations]:
+        if r.kind not in _LEVEL:
+            continue
+        others = [r.target, r.text] if r.kind == "between" else [r.target]
+        mates = [m for o in others for m in d.world.groups.get(_group(d, o), [o])]
+        near = [i for i in (r.source, *mates) if i in d.world.entities]
+        hosts = [scene.supported_by[i] for i in near if i in scene.supported_by]
+        host = next((h for h in hosts if h not in near and elevated(d, h)), None)
+        for i in near if host is not None and {*hosts} == {host} else []:
+            if host is not None and i not in taken | {*scene.supported_by} and fits_on(d, i, host):
+                place(d, [i], [host], "on")
+
+
+def _group(d: Discourse, node: str) -> str:
+    """The plural that a thing is of; "" for none."""
+    return (d.world.entities[node].group or "") if node in d.world.entities else ""
 
 
 def _at_part(d: Discourse, kind: str, part: str, other: str) -> str:

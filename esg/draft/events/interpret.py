@@ -33,7 +33,7 @@ from esg.draft.discourse.links import (
     snapped,
     take_links,
 )
-from esg.draft.discourse.places import holds, place
+from esg.draft.discourse.places import holds, place, share_tops
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, refer_all
 from esg.draft.discourse.referents.parts import has_counted_parts
@@ -189,6 +189,7 @@ def interpret(
             read_frame(d, g)
         before = f.verb.start
     settle(d, None, None)
+    share_tops(d)
     keep_on(d)
     hold_back(d)
     follow_on(d)
