@@ -219,6 +219,6 @@ def test_what_hangs_from_the_ceiling_swings_when_it_is_let_go() -> None:
 
 
 def test_neither_after_a_verb_denies_both() -> None:
-    assert events("A cart hits a wall and tips neither the crate nor the drum.") == [
+    assert events("A cart hits a wall and splits neither the crate nor the drum.") == [
         ("Collision", "cart_1", "wall_1")
     ]

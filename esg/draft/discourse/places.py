@@ -28,6 +28,7 @@ RELATION_PREPS: dict[str, str] = {p: k for k, words in _PREPS.items() for p in w
 _ENDS = ("end", "side")
 _LEVEL = frozenset({"adjacent", "near", "left_of", "right_of", "in_front_of", "behind", "between"})
 """Relations of things at one height."""
+_RAISED_CM = 20.0
 TOPS = lex.word_set("tops of slopes")
 """Parts of a slope from which things come down it."""
 _HANDS = {"left side": "left_of", "right side": "right_of"}
@@ -109,10 +110,17 @@ def share_tops(d: Discourse) -> None:
         mates = [m for o in others for m in d.world.groups.get(_group(d, o), [o])]
         near = [i for i in (r.source, *mates) if i in d.world.entities]
         hosts = [scene.supported_by[i] for i in near if i in scene.supported_by]
-        host = next((h for h in hosts if h not in near and elevated(d, h)), None)
+        host = next((h for h in hosts if h not in near and _raised(d, h)), None)
         for i in near if host is not None and {*hosts} == {host} else []:
             if host is not None and i not in taken | {*scene.supported_by} and fits_on(d, i, host):
                 place(d, [i], [host], "on")
+
+
+def _raised(d: Discourse, host: str) -> bool:
+    """Whether a thing has a top over the floor: a table, and no rug."""
+    e = entity_of(d, host)
+    height = (e.dimensions_cm or e.noun.dimensions_cm)[2]
+    return elevated(d, host) and height >= _RAISED_CM
 
 
 def _group(d: Discourse, node: str) -> str:
