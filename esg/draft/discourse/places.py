@@ -5,6 +5,7 @@ from __future__ import annotations
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.record import links
 from esg.draft.discourse.referents.wholes import tips
 from esg.draft.discourse.scene import LIMBED, Relation
 from esg.graph.models import Quantity
@@ -109,6 +110,7 @@ def share_tops(d: Discourse) -> None:
         others = [r.target, r.text] if r.kind == "between" else [r.target]
         mates = [m for o in others for m in d.world.groups.get(_group(d, o), [o])]
         near = [i for i in (r.source, *mates) if i in d.world.entities]
+        near = [i for i in near if kind_of(d, i) not in LIMBED and not links(d.world, [i])]
         hosts = [scene.supported_by[i] for i in near if i in scene.supported_by]
         host = next((h for h in hosts if h not in near and _raised(d, h)), None)
         for i in near if host is not None and {*hosts} == {host} else []:

@@ -15,7 +15,13 @@ from esg.draft.discourse.referents.members import (
     ranked,
 )
 from esg.draft.discourse.referents.ranks import same_quantity
-from esg.draft.discourse.referents.record import World, is_solid, last_group, named_alone
+from esg.draft.discourse.referents.record import (
+    World,
+    all_rest,
+    is_solid,
+    last_group,
+    named_alone,
+)
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.grammar.rewrites.positions import NEIGHBOUR
 from esg.draft.text.elements import Mention
@@ -288,7 +294,10 @@ def _facing(world: World, m: Mention, solid: list[Entity]) -> list[str]:
 def _of_the_subject(world: World, m: Mention, subject: bool) -> list[str]:
     """ "Three kids on sledges race, and the one on the red sledge wins": one of the kids."""
     last = world.subjects[-1] if world.subjects and subject else []
-    told = m.determiner != "the" or not {*m.adjectives} <= _IN_A_ROW or len(last) < 2
+    row = last_group(world)
+    waits = bool(row) and all_rest(world, row)  # "between the parked cars, the last one ..."
+    told = m.determiner != "the" or len(last) < 2
+    told = told or not {*m.adjectives} <= (_IN_A_ROW if waits else frozenset())
     return [] if told else world.groups.get(world.entities[last[0]].group or "", [])
 
 

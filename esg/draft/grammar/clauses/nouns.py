@@ -372,6 +372,7 @@ def _of_the_noun(c: Clauses, s: State, f: Frame, phrase: Phrase, m: Mention, i: 
     c.attachments.append((noun, phrase))
     beside = noun.after_prep == "with" and phrase.prep in _BESIDE
     put = f.object is not None and noun.after_prep in _INTO and phrase.prep in _BESIDE
+    put = put and f.verb.sense == "posture" and not m.pronoun  # "in the bowl beside the mug"
     if f.verb.sense in _ALSO_OF_VERBS and not beside and not put:
         f.phrases.append(phrase)  # not "a clock hangs on a wall with a lamp to the right of it"
     return True
