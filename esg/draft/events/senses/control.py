@@ -31,7 +31,7 @@ from esg.draft.text.quantities import Amount
 from esg.graph.models import NodeEvent, Quantity, Role
 
 _STOPPING_BY = (
-    "in front of", "before", "next to", "near", "beside", "by", "at", "close to", "for",
+    "in front of", "before", "next to", "near", "beside", "by", "at", "close to", "for", "short of",
 )  # fmt: skip
 _STOPPED_FOR = LIMBED | {"vehicle", "toyvehicle", "cart"}
 STOPS_BY_CM = (20.0, 120.0)

@@ -50,7 +50,7 @@ from esg.graph.models import NodeEvent
 _WAITING = lex.word_set("waiting")
 _STILL = re.compile(
     r"(?:stay|remain|sit|stand|lie|keep)\w*\s+(?:\w+ly\s+)?"
-    r"(?:still|motionless|stationary|immobile|unmoved|where it is|in place)\b",
+    r"(?:still|motionless|stationary|immobile|unmoved|where (?:it is|they are)|in place|put)\b",
     re.IGNORECASE,
 )
 _PATIENT = frozenset({"wait", "pause", "queue", "idle"})
