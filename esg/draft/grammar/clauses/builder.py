@@ -18,6 +18,7 @@ from esg.draft.grammar.clauses.words import flush, read_word
 from esg.draft.text.elements import Element, Mention, Verb
 
 _GETTING = lex.word_set("getting (builder)")
+_CARRYING = frozenset({"carry", "transport", "ferry"})
 _TAKING = lex.word_set("taking (builder)")
 
 
@@ -47,6 +48,8 @@ def build_clauses(elements: list[Element]) -> Clauses:
             alike = (g for g in around if g.sentence == f.sentence and not g.subordinate)
             f.main = next(alike, None)
     c.frames = _same_again(c, in_order(background_first(c.frames)))
+    for f in c.frames:
+        _by_who_carries(f)
     read_idioms(c.frames)
     return c
 
@@ -87,6 +90,19 @@ def _same_again(c: Clauses, frames: list[Frame]) -> list[Frame]:
         if not told:
             out.append(f)
     return out
+
+
+def _by_who_carries(f: Frame) -> None:
+    """ "A tray is carried by a waiter": a waiter carries a tray."""
+    by = f.phrase("by")
+    told = f.verb.passive and f.verb.sense == "carry" and f.verb.lemma in _CARRYING
+    if not told or f.subject is None or f.object is not None or by is None:
+        return
+    if by.mention is None or by.mention.attribute:
+        return
+    f.phrases.remove(by)
+    f.subject, f.object = by.mention, f.subject
+    f.verb.passive, f.verb.form, f.reduced = False, "s", False
 
 
 def _last_told(out: list[Frame]) -> list[Frame]:
