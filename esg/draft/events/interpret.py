@@ -51,6 +51,7 @@ from esg.draft.events.hanging import (
     SWAYING,
     UNMET,
     by_their_doors,
+    closed_instead,
     hanging,
     named_parts,
     sense_on_joint,
@@ -340,6 +341,7 @@ def _turns_on_its_joint(d: Discourse, f: Frame, parts: Parts) -> bool:
     parts.subject = turned_instead(d, f, parts.subject)
     acted_on = bool(parts.objects) and not f.verb.passive
     if acted_on:
+        parts.objects = closed_instead(d, f, parts.objects)
         parts.objects = by_their_doors(d, f, parts.objects)
     else:
         parts.subject = by_their_doors(d, f, parts.subject)

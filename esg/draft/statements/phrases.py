@@ -280,7 +280,12 @@ def _in_pieces(a: Account, about: set[str], m: Mention) -> bool:
 def _names_nothing(a: Account, p: Phrase, m: Mention) -> bool:
     """Whether a phrase says how or of what, or was used for something else."""
     unequal = m.attribute and bool(_UNEQUAL & {*m.adjectives})  # "of different weight"
-    passed = (p.prep == "of" and not unequal) or "same" in m.adjectives or m.pronoun or m.head in PASSED_OVER
+    passed = (
+        (p.prep == "of" and not unequal)
+        or "same" in m.adjectives
+        or m.pronoun
+        or m.head in PASSED_OVER
+    )
     return bool(passed) or (m.start, m.end) in a.d.scene.used
 
 

@@ -10,7 +10,6 @@ from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.ranks import Facts
 from esg.draft.text.elements import Mention
 
-
 _LINKS = lex.word_set("links")
 _RESTING = lex.word_set("resting (underway)")
 

@@ -72,11 +72,13 @@ def _same_again(c: Clauses, frames: list[Frame]) -> list[Frame]:
         after = ["then"] if "then" in f.verb.extra else []
         for k, g in enumerate(told):
             phrases = [p for p in g.phrases if p.amount is None]
+            if role == "place" and phrases:  # "rolls past a box, then a cone"
+                phrases[-1] = replace(phrases[-1], mention=f.subject)
             verb = replace(g.verb, extra={**g.verb.extra, "again": "1"})
             own = replace(
                 g,
                 verb=verb,
-                subject=g.subject if role == "object" else f.subject,
+                subject=f.subject if role == "subject" else g.subject,
                 object=f.subject if role == "object" else g.object,
                 phrases=[*phrases, *(f.phrases if k == len(told) - 1 else [])],
                 adverbs=[*(a for a in g.adverbs if not after or a != "first"), *after],

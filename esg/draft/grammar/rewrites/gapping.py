@@ -19,6 +19,10 @@ _SENT = frozenset({"drop", "launch", "posture", "pocket", "carry", "pick", "roll
 _MOVES = frozenset({"own", "noop", "tow"})
 _PLAIN = frozenset({"own", "fly", "cross", "coast", "continue", "leave"})
 """Senses of those who go along, and of whom no event is told."""
+_ENDS_OF_WAYS = frozenset({"off", "from", "out of", "into", "onto", "in", "on"})
+_BY_THE_WAY = frozenset({"past", "through", "over", "across", "around", "round"})
+_ITS = frozenset({"its", "his", "her", "their"})
+_ACTORS = frozenset({"person", "animal", "vehicle", "robot", "flyer"})
 _ARRIVES = lex.word_set("arrives (gapping)")
 _BY = frozenset({"pass", "enter"})
 _LISTED = frozenset({"and", ","})
@@ -34,6 +38,8 @@ class _Clause:
     others: list[Mention]
     first: bool
     arrives: bool
+    way: str
+    """The last preposition before a noun."""
 
 
 def fill_gaps(elements: list[Element]) -> list[Element]:
@@ -133,8 +139,28 @@ def _role_of_next(clause: _Clause, who: Mention) -> str:
     if sent and not elsewhere and (clause.others or one or _alike(who, clause.object)):
         return "object"
     named = elsewhere or _alike(who, clause.object)
-    acts = not sent and not named and clause.subject is not None
-    return "subject" if acts and _alike(who, clause.subject) else ""
+    if sent or named or clause.subject is None:
+        return ""
+    goes = clause.way in _ENDS_OF_WAYS and clause.object is None and not _stands(who)
+    if goes or _alike(who, clause.subject) or _of_its_sort(clause, who):
+        return "subject"
+    by = clause.way in _BY_THE_WAY and clause.object is None and bool(kind_of(who))
+    return "place" if by else ""
+
+
+def _of_its_sort(clause: _Clause, who: Mention) -> bool:
+    """ "A fox jumps over a fence, then its cubs": who acts is a living thing or a vehicle, too."""
+    kind = kind_of(who)
+    met = [clause.object, *clause.others]
+    alone = all(m is None or kind_of(m) not in _ACTORS for m in met)
+    return (
+        kind in _ACTORS and clause.subject is not None and kind == kind_of(clause.subject) and alone
+    )
+
+
+def _stands(m: Mention) -> bool:
+    """Whether a noun names what other things are on or in."""
+    return m.noun is None or bool({"support", "container", "structural", "fixed"} & m.noun.traits)
 
 
 def _alike(m: Mention, other: Mention | None) -> bool:
@@ -166,7 +192,8 @@ def _before(out: list[Element]) -> _Clause | None:
     whom = after[free[0]] if free else None
     thing = whom if isinstance(whom, Mention) and not whom.attribute else None
     arrives = bool({e.low for e in after if isinstance(e, Word)} & _ARRIVES)
-    return _Clause(verb, owner, thing, others, "first" in words, arrives)
+    ways = [e.low for n, e in enumerate(after) if n + 1 in named and isinstance(e, Word)]
+    return _Clause(verb, owner, thing, others, "first" in words, arrives, (ways or [""])[-1])
 
 
 def _end_of_phrase(elements: list[Element], j: int) -> int:
@@ -184,19 +211,30 @@ def _end_of_phrase(elements: list[Element], j: int) -> int:
 def _does_same(
     elements: list[Element], j: int, out: list[Element], at: Verb, role: str, *, then: bool
 ) -> int:
-    """Writes "and NOUN does the same"; returns how many elements the noun and what links it take."""
+    """Writes "and NOUN does the same"; how many elements the noun and what links it take."""
     end = _end_of_phrase(elements, j)
     who = elements[j:end]
     notes = {"as": role, **({"then": "1"} if then else {})}
     does = replace(
-        at, lemma="do", sense="be", form="s", passive=False, negated=False, auxiliary="", extra=notes
+        at,
+        lemma="do",
+        sense="be",
+        form="s",
+        passive=False,
+        negated=False,
+        auxiliary="",
+        extra=notes,
     )
     same = Mention(at.start, at.end, adjectives=["same"], attribute=True)
     comma, also = (Word(at.start, at.start, "punct", ","), Word(at.start, at.start, "conj", "and"))
     out += [comma, also, *who, does, same]
     rest = end + 1 if is_word(element_at(elements, end), ",") else end
     small = word_at(elements, rest)
-    if small is not None and small.kind == "rel" and isinstance(element_at(elements, rest + 1), Verb):
+    if (
+        small is not None
+        and small.kind == "rel"
+        and isinstance(element_at(elements, rest + 1), Verb)
+    ):
         out.append(replace(small, kind="conj", low="and"))
         return rest + 1 - j  # "followed by a car that stops"
     return end - j

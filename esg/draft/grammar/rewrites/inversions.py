@@ -16,7 +16,7 @@ from esg.draft.grammar.rewrites.conditions import (
     verb_at,
     word_at,
 )
-from esg.draft.text.elements import Element, Mention, Verb, Word
+from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
 from esg.draft.verbphrases import particle_sense
 
 _MOVING = lex.word_set("moving (reorder)")
@@ -49,7 +49,8 @@ def straighten(elements: list[Element]) -> list[Element]:
 def _inverted(elements: list[Element], i: int, out: list[Element]) -> int:
     """ "Down comes the lamp", "into the net flies the ball", "on the shelf stands a mug"."""
     j = _lead(elements, i)
-    if used := _is_there(elements, i, j, out):
+    readers = (_is_there, _place_alone, _place_first)
+    if used := next((n for read in readers if (n := read(elements, i, j, out))), 0):
         return used
     verb = finite(elements[j]) if i < j < len(elements) else None
     k = j + 1
@@ -79,7 +80,9 @@ def _is_there(elements: list[Element], i: int, j: int, out: list[Element]) -> in
     place = [e for e in elements[i:j] if not is_word(e, *_THERE)]
     there = len(place) < j - i
     joined = bool(out) and not is_word(out[-1], *STOPS[:2], "heading")
-    told = joined and len(place) > 1 and is_word(place[0], *_PLACES, "on top of", "in the middle of")
+    told = (
+        joined and len(place) > 1 and is_word(place[0], *_PLACES, "on top of", "in the middle of")
+    )
     if not told or verb is None or what is None or verb.sense != "be" or verb.negated:
         return 0
     new = what.determiner in _NEW and not (what.pronoun or what.attribute)
@@ -95,6 +98,39 @@ def _is_there(elements: list[Element], i: int, j: int, out: list[Element]) -> in
         return k - i
     out.append(replace(small, kind="conj", low="and"))  # "there is a ball that spins"
     return k + 1 - i
+
+
+def _place_alone(elements: list[Element], i: int, j: int, out: list[Element]) -> int:
+    """ "There is a red box, and next to it a ball": the ball is there, too."""
+    what = mention_at(elements, j)
+    if not i + 1 < j or what is None or not is_word(elements[i], *_PLACES, "on top of"):
+        return 0
+    told = next((e for e in reversed(out) if isinstance(e, Verb) or is_word(e, *STOPS[:1])), None)
+    rests = isinstance(told, Verb) and told.sense in ("be", "posture") and not told.negated
+    place = mention_at(elements, i + 1)
+    new = what.determiner in ("a", "an", "one", "another") or (what.count or 0) > 1
+    if not rests or not new or what.attribute or what.pronoun or not breaks(elements, j + 1, out):
+        return 0
+    if place is None or (place.attribute and not place.part):
+        return 0
+    is_ = Verb(what.end, what.end, "be", "be", "s", auxiliary="is")
+    out += [what, is_, *elements[i:j]]
+    return j + 1 - i
+
+
+def _place_first(elements: list[Element], i: int, j: int, out: list[Element]) -> int:
+    """ "A ball lies before a box, and behind the box a cone rolls": the cone is behind it."""
+    who, verb = mention_at(elements, j), finite(element_at(elements, j + 1))
+    last = out[-1] if out else None
+    joined = isinstance(last, Word) and last.kind == "conj"
+    if not joined or who is None or verb is None or not is_word(elements[i], *_PLACES):
+        return 0
+    place = mention_at(elements, i + 1)
+    if place is None or place.attribute or not i + 1 < j or who.attribute:
+        return 0
+    k = next(k for k in range(j + 2, len(elements) + 1) if breaks(elements, k, out))
+    out += [*elements[j:k], *elements[i:j]]
+    return k - i
 
 
 def _goes_or_stands(verb: Verb, lead: list[Element]) -> bool:
