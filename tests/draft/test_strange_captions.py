@@ -222,3 +222,55 @@ def test_neither_after_a_verb_denies_both() -> None:
     assert events("A cart hits a wall and splits neither the crate nor the drum.") == [
         ("Collision", "cart_1", "wall_1")
     ]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "happens"),
+    [
+        ("A glass slides off the tray, then a plate.", [("Fall", "glass_1"), ("Fall", "plate_1")]),
+        ("A dog runs past a cat, then a cow.",
+         [("Miss", "dog_1", "cat_1"), ("Miss", "dog_1", "cow_1")]),
+        ("A ball rolls past a box, then a cone.",
+         [("Miss", "ball_1", "box_1"), ("Miss", "ball_1", "cone_1")]),
+    ],
+)  # fmt: skip
+def test_whose_part_a_bare_noun_takes(prompt: str, happens: list[tuple[str, ...]]) -> None:
+    assert events(prompt) == happens
+
+
+@pytest.mark.parametrize(
+    ("prompt", "relation"),
+    [
+        ("There is a table, and next to it a chair.", ("chair_1", "adjacent", "table_1")),
+        ("A cup stands on a table, under the table a box.", ("box_1", "under", "table_1")),
+        ("A boy stands on a wall and under the wall a cat sleeps.", ("cat_1", "under", "wall_1")),
+        ("A ball lies in front of a box and behind the box a cone lies.",
+         ("cone_1", "behind", "box_1")),
+    ],
+)  # fmt: skip
+def test_a_place_goes_with_the_noun_after_it(prompt: str, relation: tuple[str, str, str]) -> None:
+    doc = draft(prompt)
+    assert relation in related(doc)
+    assert not owned(doc)
+
+
+def test_it_is_what_can_be_closed() -> None:
+    doc = draft("Open the drawer, take out the scissors and close it again.")
+    assert doc.timeline_system is not None
+    told = [(n.event, n.participants) for n in doc.timeline_system.sequence_graph.nodes]
+    assert (NodeEvent.CLOSE, ("drawer_1",)) in told
+
+
+def test_what_stands_beside_a_thing_on_a_table_is_on_it() -> None:
+    doc = draft("A cup stands on a table. A plate lies next to the cup.")
+    assert held(doc) == {"cup_1": "table_1", "plate_1": "table_1"}
+    rug = draft("A dog lies on a rug. A bowl stands next to the dog.")
+    assert held(rug) == {"dog_1": "rug_1"}
+    floor = draft("A cup stands on a table. A man stands next to the table.")
+    assert held(floor) == {"cup_1": "table_1"}
+
+
+def test_who_carries_acts() -> None:
+    doc = draft("Two glasses stand on a tray that is carried by a waiter.")
+    assert held(doc)["tray_1"] == "waiter_1"
+    assert ("waiter_1", None) in motions(doc)

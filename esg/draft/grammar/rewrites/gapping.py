@@ -150,12 +150,12 @@ def _role_of_next(clause: _Clause, who: Mention) -> str:
 
 def _of_its_sort(clause: _Clause, who: Mention) -> bool:
     """ "A fox jumps over a fence, then its cubs": who acts is a living thing or a vehicle, too."""
-    kind = kind_of(who)
+    kind, acts = kind_of(who), kind_of(clause.subject) if clause.subject is not None else ""
     met = [clause.object, *clause.others]
-    alone = all(m is None or kind_of(m) not in _ACTORS for m in met)
-    return (
-        kind in _ACTORS and clause.subject is not None and kind == kind_of(clause.subject) and alone
-    )
+    if any(m is not None and kind_of(m) in _ACTORS for m in met):
+        return False
+    own = who.determiner in _ITS and kind in ("", "animal", "person")  # "then its cubs"
+    return own or (kind == acts and kind in _ACTORS)
 
 
 def _stands(m: Mention) -> bool:
