@@ -107,7 +107,8 @@ def touches_later(d: Discourse, f: Frame, other: str) -> bool:
 def takes_up_from_above(d: Discourse, host: str, prep: str) -> bool:
     """Whether what falls "into" it is inside then: open carts and trays, and unknown things."""
     noun = entity_of(d, host).noun
-    if entity_of(d, host).head in _STUFF and " of " in entity_of(d, host).label:
+    heap = noun.kind == "generic" and " of " in entity_of(d, host).label
+    if heap and entity_of(d, host).head in _STUFF:
         return False  # "a pile of hay"
     open_ = noun.kind == "generic" or (noun.kind == "cart" and noun.name in _OPEN_CARTS)
     head = entity_of(d, host).head.rpartition(" ")[2]
