@@ -149,9 +149,8 @@ def _others(world: World, m: Mention, avoid: list[str]) -> list[str]:
         if rest and (m.count or len(rest)) == len(rest):
             return rest
     like = [world.entities[i] for i in avoid[:1] if is_solid(world, i)]
-    like = like or [
-        e for e in reversed(_told(world)) if e.noun.kind != "person" and not e.group
-    ]  # "leaves ..."
+    alone = [e for e in reversed(_told(world)) if e.noun.kind != "person" and not world.groups]
+    like = like or alone  # "leaving the other two where they are"
     return one_more(world, like[0], [], m, m.count) if like and m.count else []
 
 
