@@ -268,7 +268,8 @@ def _commands(c: Chunks, w: _Word) -> bool:
     opens = w.previous is None or (isinstance(w.previous, Word) and w.previous.kind != "prep")
     at = w.at + (2 if w.next in ("up", "down", "out") else 1)
     number = low_at(c, at)
-    counted = not number.isdigit() and (parse_number(number) or 0) > 1
+    value = parse_number(number)
+    counted = not number.isdigit() and isinstance(value, float) and value > 1.0
     if not (opens and counted and w.low in _COMMANDS and "base" in w.forms):
         return False
     k = next((k for k in range(at + 1, at + 4) if not is_adjective(c, k)), at + 1)
