@@ -19,10 +19,12 @@ from esg.draft.events.interpret import begin, interpret
 from esg.draft.grammar.clauses.builder import build_clauses
 from esg.draft.grammar.clauses.modality import mark_unreal
 from esg.draft.grammar.phrases.chunker import chunk
+from esg.draft.grammar.phrases.inverted import straight_verbs
 from esg.draft.grammar.phrases.modifiers import join_modifiers
 from esg.draft.grammar.questions import ask
 from esg.draft.grammar.rewrites.companions import set_apart
 from esg.draft.grammar.rewrites.denials import deny
+from esg.draft.grammar.rewrites.gapping import fill_gaps
 from esg.draft.grammar.rewrites.headings import headings
 from esg.draft.grammar.rewrites.inversions import straighten
 from esg.draft.grammar.rewrites.ones import name_ones
@@ -42,6 +44,7 @@ _REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
     ("who tells it, and similes", partial(rewrite, reading="reports")),
     ("quantities and words that stand for a noun", partial(rewrite, reading="shares")),
     ("contacts with none", deny),
+    ("clauses of which only a noun is told", fill_gaps),
     ("a second one", name_ones),
     ("the one in front", partial(rewrite, reading="places")),
     ("titles and headings", headings),
@@ -75,7 +78,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
         UserError: If the prompt is empty, too long, not English, or names no object.
     """
     text = screen(prompt)
-    tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
+    tokens = straight_verbs(join_modifiers(tokenize(text, pos_tags(text)), text))
     elements = chunk(text, tokens)
     for _, put_plainly in _REWRITES:
         elements = put_plainly(elements)

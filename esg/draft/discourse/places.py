@@ -6,6 +6,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.jointed import behind_doors, has_a_door, is_flap
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.record import links
 from esg.draft.discourse.referents.wholes import tips
 from esg.draft.discourse.scene import LIMBED, Relation
 from esg.graph.models import Quantity
@@ -27,6 +28,11 @@ RELATION_PREPS: dict[str, str] = {p: k for k, words in _PREPS.items() for p in w
 }  # fmt: skip
 """Spatial relations by preposition."""
 _ENDS = ("end", "side")
+_LEVEL = frozenset({"adjacent", "near", "left_of", "right_of", "in_front_of", "behind", "between"})
+"""Relations of things at one height."""
+_RAISED_CM = 20.0
+TOPS = lex.word_set("tops of slopes")
+"""Parts of a slope from which things come down it."""
 _HANDS = {"left side": "left_of", "right side": "right_of"}
 """Sides of a thing that are the viewer's."""
 _OPEN = frozenset({"watercraft", "cart", "sliding"})
@@ -77,6 +83,8 @@ def place(
         if kind == "on" and _wall_thing(d, t) and towers(d, other):
             hang(d, t, other)
             continue
+        if kind == "center_of" and elevated(d, other) and fits_on(d, t, other):
+            d.scene.supported_by.setdefault(t, other)  # "in the middle of a table"
         if kind in ("on", "inside_of"):
             if t in d.scene.supported_by or _rests_on(d, other, t):
                 continue
@@ -91,9 +99,45 @@ def place(
         d.scene.relations.append(Relation(t, other, kind, stated, text))
 
 
+def share_tops(d: Discourse) -> None:
+    """ "A cup stands on a table. A plate lies next to it": on the table, too, if it fits there.
+
+    So does what something on a table stands between; what is told to be on the ground stays there.
+    """
+    scene = d.scene
+    grounded = {r.source for r in scene.relations if r.kind == "structural"}
+    taken = grounded | {*scene.attached, *scene.hung, *scene.inside_of, *d.timeline.tracks}
+    for r in [*scene.relations]:
+        if r.kind not in _LEVEL:
+            continue
+        others = [r.target, r.text] if r.kind == "between" else [r.target]
+        mates = [m for o in others for m in d.world.groups.get(_group(d, o), [o])]
+        near = [i for i in (r.source, *mates) if i in d.world.entities]
+        near = [i for i in near if kind_of(d, i) not in LIMBED and not links(d.world, [i])]
+        hosts = [scene.supported_by[i] for i in near if i in scene.supported_by]
+        host = next((h for h in hosts if h not in near and _raised(d, h)), None)
+        for i in near if host is not None and {*hosts} == {host} else []:
+            if host is not None and i not in taken | {*scene.supported_by} and fits_on(d, i, host):
+                place(d, [i], [host], "on")
+
+
+def _raised(d: Discourse, host: str) -> bool:
+    """Whether a thing has a top over the floor: a table, and no rug."""
+    e = entity_of(d, host)
+    height = (e.dimensions_cm or e.noun.dimensions_cm)[2]
+    return elevated(d, host) and height >= _RAISED_CM
+
+
+def _group(d: Discourse, node: str) -> str:
+    """The plural that a thing is of; "" for none."""
+    return (d.world.entities[node].group or "") if node in d.world.entities else ""
+
+
 def _at_part(d: Discourse, kind: str, part: str, other: str) -> str:
     """The relation to a thing of what is at one of its parts ("at the edge of the table")."""
     word, side = part.split()[-1], _HANDS.get(part, "")
+    if word in TOPS and kind in ("on", "near") and "incline" in entity_of(d, other).noun.traits:
+        return "on"  # "at the top of a ramp"
     if side and "support" not in entity_of(d, other).noun.traits:
         return side if kind in ("on", "near") else kind  # "on the right side of a laptop"
     if word in ("edge", "corner", "rim", "end") and "support" in entity_of(d, other).noun.traits:

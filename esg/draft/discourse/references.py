@@ -27,6 +27,7 @@ _NO_WAY = frozenset({"unknown", "noop", "launch"})
 _RIDES = lex.word_set("rides")
 _OBLIQUE = frozenset({"him", "her", "them"})
 _STACKING = lex.word_set("stacking")
+_LINING = frozenset({"line", "align"})
 _STACKS = lex.word_set("stacks (references)")
 _THEN = re.compile(r"\b(?:and|then|until|but)\s+(?:then\s+)?$", re.IGNORECASE)
 
@@ -222,6 +223,10 @@ def _note_properties(d: Discourse, f: Frame, subject: list[str], objects: list[s
         for i in subject or objects:
             for mate in d.world.groups.get(entity_of(d, i).group or "", []):
                 entity_of(d, mate).pattern = "stack"
+    if f.verb.lemma in _LINING:
+        for e in (entity_of(d, i) for i in objects or subject):
+            mates = d.world.groups.get(e.group or "", [])
+            e.pattern = "row" if mates and e.pattern in (None, "scatter") else e.pattern
     speed = quantity_of(d, f, "speed")
     named = f.subject if f.verb.sense == "be" else f.object if f.verb.sense == "have" else None
     if speed is not None and named is not None and named.attribute:

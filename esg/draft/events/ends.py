@@ -71,6 +71,7 @@ def _carrier_named(d: Discourse, actor: str, back: bool) -> str:
 _OPEN_CARTS = lex.word_set("open carts")
 _TOUCHES = lex.word_set("touches")
 _LIDDED = lex.word_set("lidded")
+_STUFF = lex.word_set("substances")
 _VESSELS = lex.word_set("open vessels")
 
 
@@ -106,6 +107,9 @@ def touches_later(d: Discourse, f: Frame, other: str) -> bool:
 def takes_up_from_above(d: Discourse, host: str, prep: str) -> bool:
     """Whether what falls "into" it is inside then: open carts and trays, and unknown things."""
     noun = entity_of(d, host).noun
+    heap = noun.kind == "generic" and " of " in entity_of(d, host).label
+    if heap and entity_of(d, host).head in _STUFF:
+        return False  # "a pile of hay"
     open_ = noun.kind == "generic" or (noun.kind == "cart" and noun.name in _OPEN_CARTS)
     head = entity_of(d, host).head.rpartition(" ")[2]
     open_ = open_ or noun.name in ("tray", "container", "barrel") or head in _VESSELS

@@ -110,6 +110,15 @@ def turned_instead(d: Discourse, f: Frame, subject: list[str]) -> list[str]:
     return next(([i] for i in recent(d) if openable(d, [i])), subject)
 
 
+def closed_instead(d: Discourse, f: Frame, objects: list[str]) -> list[str]:
+    """ "Open the drawer, take out the scissors and close it": what can be closed."""
+    m = f.object
+    it = m is not None and m.pronoun == "it" and f.verb.lemma in _OPENING | _LYING_SHUT
+    if not it or openable(d, objects):
+        return objects
+    return next(([i] for i in recent(d) if openable(d, [i])), objects)
+
+
 def by_their_doors(d: Discourse, f: Frame, bodies: list[str]) -> list[str]:
     """ "A man closes the fridge", "opens a book": what turns is its door, its cover.
 

@@ -33,7 +33,7 @@ from esg.draft.discourse.links import (
     snapped,
     take_links,
 )
-from esg.draft.discourse.places import holds, place
+from esg.draft.discourse.places import holds, place, share_tops
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.references import RIDDEN, refer_all
 from esg.draft.discourse.referents.parts import has_counted_parts
@@ -52,6 +52,7 @@ from esg.draft.events.hanging import (
     SWAYING,
     UNMET,
     by_their_doors,
+    closed_instead,
     hanging,
     named_parts,
     sense_on_joint,
@@ -97,6 +98,7 @@ _AT_FIRST = re.compile(
     r"\b(?:first|initially|until|till|before|for|after|yet|while|when|at the start|beginning)\b",
     re.IGNORECASE,
 )
+_AT_ALL = re.compile(r"\s*(?:at all|an inch|from its place)\b(?!\s+until)", re.IGNORECASE)
 _HITS = (NodeEvent.COLLISION,)
 _HANDLED = {
     **dict.fromkeys((("posture", v) for v in lex.word_set("puts")), "put"),
@@ -116,11 +118,15 @@ _NAMED_EVENTS = {
 }
 """Nouns for events, and the point events they name."""
 _ANIMAL_VERBS = lex.word_set("animal verbs")
+_SINGLY = frozenset({"drop", "launch", "fall", "carry", "pick", "posture", "enter", "roll"})
+_MOST_SINGLY = 5
+"""Most members of a plural that are told to do something one by one, of which each does it."""
 _SENT = frozenset({"launch", "drop", "scatter", "pocket"})
 """Senses of which only the object moves."""
 _AGAINST = frozenset({"against", "into", "onto", "at", "past"})
 _WAYS = frozenset({"along", "down", "up"})
 """What leads to the way that something takes: no place of a load."""
+_SET_SWINGING = frozenset({"pull", "draw", "let", "release"})
 _STUFF, _REFLEXIVE = lex.word_set("substances"), lex.word_set("reflexive")
 _SLOWER_GAITS, _FASTER_GAITS = lex.word_set("gaits, slow"), lex.word_set("gaits, fast")
 
@@ -186,6 +192,7 @@ def interpret(
             read_frame(d, g)
         before = f.verb.start
     settle(d, None, None)
+    share_tops(d)
     keep_on(d)
     hold_back(d)
     follow_on(d)
@@ -336,6 +343,7 @@ def _turns_on_its_joint(d: Discourse, f: Frame, parts: Parts) -> bool:
     parts.subject = turned_instead(d, f, parts.subject)
     acted_on = bool(parts.objects) and not f.verb.passive
     if acted_on:
+        parts.objects = closed_instead(d, f, parts.objects)
         parts.objects = by_their_doors(d, f, parts.objects)
     else:
         parts.subject = by_their_doors(d, f, parts.subject)
@@ -443,7 +451,8 @@ def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
         f.verb.sense = "miss"
     elif negated and sense not in ("be", "posture", "miss"):
         ignore(d, f, "negated")
-        at_first = _AT_FIRST.search(sentence(d, f)) is not None
+        at_all = _AT_ALL.match(d.text, f.verb.end) is not None
+        at_first = not at_all and _AT_FIRST.search(sentence(d, f)) is not None
         if f.verb.lemma in ("move", "budge", "stir") and not at_first:
             d.moves.still.update((i, f.verb.start) for i in parts.subject)
         return True
@@ -544,6 +553,20 @@ def _by_a_rope(d: Discourse, body: str) -> None:
     d.scene.hung.setdefault(body, "")
 
 
+def _swings_on_a_rope(d: Discourse, f: Frame, parts: Parts) -> bool:
+    """ "Hangs from the ceiling. It is pulled aside and let go": by a rope, as it can swing."""
+    let = f.verb.lemma in SWAYING | _SET_SWINGING and f.phrase("off", "down") is None
+    for body in [*parts.subject, *parts.objects] if let and not f.unreal else []:
+        host = d.scene.attached.get(body, "")
+        if host and kind_of(d, host) == "ceiling" and at_rest(d, body):
+            was = [*d.scene.relations]
+            _by_a_rope(d, body)
+            if not hanging(d, [body]):  # nothing swings that is not made for it
+                d.scene.attached[body], d.scene.relations[:] = host, was
+                d.scene.hung.pop(body, None)
+    return False
+
+
 def _it_hung(d: Discourse, f: Frame, link: list[str], held: list[str]) -> None:
     """ "The chain snaps and it falls": no chain, which is drawn as a joint."""
     for g in d.told:
@@ -630,6 +653,7 @@ def _springs_back(d: Discourse, f: Frame, parts: Parts) -> bool:
 
 STEPS: tuple[Step, ...] = (
     _gives_way,
+    _swings_on_a_rope,
     _meets_a_link,
     _what_sways,
     _springs_back,
@@ -702,7 +726,8 @@ def _one_by_one(d: Discourse, f: Frame) -> set[str]:
     """Few things that "both" or "each" distributes over; a row or a stack stays one chain."""
     out: set[str] = set()
     for m in (f.subject, f.object, *[p.mention for p in f.phrases]):
-        if m is None or not (2 <= len(m.entities) <= 3):
+        singly = "one by one" in f.adverbs and f.verb.sense in _SINGLY and m is not None
+        if m is None or not (2 <= len(m.entities) <= (_MOST_SINGLY if singly else 3)):
             continue
         counted = (m.subset or m.count) == len(m.entities) and not m.vague and not m.single
         told = m is f.object and counted
@@ -710,7 +735,8 @@ def _one_by_one(d: Discourse, f: Frame) -> set[str]:
         chained = any(entity_of(d, i).pattern in ("row", "pins", "rack") for i in m.entities)
         some = not m.head and m.count == len(m.entities) and not chained  # "two of them fall"
         felled = told and apart and f.verb.sense in ("knock", "topple")  # "mows down two cones"
-        if {"both", "each"} & {m.determiner, m.pronoun} or felled or some:
+        singly = singly and apart and not chained and m in (f.subject, f.object)
+        if {"both", "each"} & {m.determiner, m.pronoun} or felled or some or singly:
             out |= set(m.entities)
     return out
 

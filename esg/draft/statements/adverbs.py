@@ -19,7 +19,7 @@ from esg.draft.statements.account import (
 )
 from esg.draft.statements.arranged import SHOWN_BY
 from esg.draft.text.elements import Word
-from esg.graph.models import EdgeEvent, NodeEvent
+from esg.graph.models import EdgeEvent, NodeEvent, Predicate
 
 _TURNS = frozenset(
     {"left", "right", "clockwise", "counterclockwise", "anticlockwise", "around", "round"}
@@ -31,6 +31,9 @@ NO_EDGE = "all that moves stays in the picture"
 _COUNTED = frozenset({NodeEvent.BOUNCE, NodeEvent.JUMP, NodeEvent.SPIN, NodeEvent.SWING})
 """Events that happen as often as is said."""
 ONCE = "it happens once"
+NOT_TIMED = "nothing sees to it that the others come later"
+_UNMEASURED = frozenset({NodeEvent.SCENE_START, NodeEvent.TRIGGER})
+_ARRIVING = lex.word_set("arriving (first)")
 NO_MANNER = "manner is not simulated"
 
 
@@ -50,6 +53,8 @@ def adverbs(a: Account) -> Iterator[Gap]:
             yield Gap(w.start, w.end, NOTHING)
         if w.low == "only" and _of_several(a, w):
             yield Gap(w.start, w.end, NOTHING)
+        if w.low == "first" and _no_race(a, w):
+            yield Gap(w.start, w.end, NOT_TIMED)
         shown = SHOWN_BY.get(w.low)
         if shown is not None and not _stated(a, w):
             told = (about_of(a.d, f) for f in a.frames if w.low in f.adverbs)
@@ -66,6 +71,23 @@ def adverbs(a: Account) -> Iterator[Gap]:
             continue
         if not _stated(a, w):
             yield Gap(w.start, w.end, NO_MANNER if w.low.endswith("ly") else NOTHING)
+
+
+def _no_race(a: Account, w: Word) -> bool:
+    """ "The red ball arrives first": nothing sees to it, if no event of another one comes later."""
+    told = (f for f in a.frames if "first" in f.adverbs and f.verb.lemma in _ARRIVING)
+    f = min(told, key=lambda f: abs(f.verb.start - w.start), default=None)
+    if f is None or f.unreal or f.verb.negated:
+        return False
+    about = about_of(a.d, f)
+    measured = [n for n in a.d.timeline.nodes if n.event not in _UNMEASURED]
+    done = {i for n in measured for i in n.participants} | about
+    rivals = {e.actor for e in a.d.timeline.edges} - about
+    if rivals and rivals <= done:
+        return False  # "gets there first, and the other one stumbles"
+    ordered = {s.object[0] for s in a.kept if s.predicate is Predicate.BEFORE and s.object}
+    nodes = (a.d.timeline.node(n) for n in ordered)
+    return not any(n is not None and about & {*n.participants} for n in nodes)
 
 
 def _of_several(a: Account, w: Word) -> bool:

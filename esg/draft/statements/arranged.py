@@ -8,6 +8,7 @@ from esg.draft.discourse.core import entity_of
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.courses import measurable
 from esg.draft.statements.account import CHAINS
+from esg.graph.models import NodeEvent
 
 FILES = frozenset({"row", "line", "column", "file", "queue", "convoy"})
 """Arrangements one behind the other, or side by side."""
@@ -42,6 +43,13 @@ def _stacked(d: Discourse, about: set[str]) -> bool:
     return any(entity_of(d, i).pattern == "stack" for i in about)
 
 
+def _singly(d: Discourse, about: set[str]) -> bool:
+    """Whether each of several of one plural has an event of its own."""
+    members = {i for i in about if entity_of(d, i).group is not None}
+    told = (n for n in d.timeline.nodes if measurable(n.event) and n.event is not NodeEvent.MISS)
+    return bool(members) and members <= {n.participants[0] for n in told}
+
+
 def _abreast(d: Discourse, about: set[str]) -> bool:
     relations = (r for r in d.scene.relations if {r.source, r.target} <= about)
     return any(entity_of(d, i).pattern == "row" for i in about) or any(relations)
@@ -57,5 +65,6 @@ SHOWN_BY: dict[str, Callable[[Discourse, set[str]], bool]] = {
     "from left to right": in_line,
     "from right to left": in_line,
     "side by side": _abreast,
+    "one by one": _singly,
 }
 """What adverbs of several things ask of the scene."""

@@ -15,7 +15,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.levers import ACROSS
-from esg.draft.discourse.places import elevated
+from esg.draft.discourse.places import TOPS, elevated
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import GROUND, LIMBED, Relation
 from esg.draft.discourse.windows import Draft
@@ -60,6 +60,7 @@ _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", 
 _BACK_TO = frozenset({"into", "to", "onto", "down", "toward", "towards"})
 _TOWARD = frozenset({"to", "toward", "towards"})
 _GOING_FOR = frozenset({"reach", "lunge", "dive", "dash", "bolt"})
+_UNEQUAL = frozenset({"different", "differing", "unequal", "various"})
 _STOPPING = frozenset({"stop", "brake", "slow", "park"})
 _SIDED = frozenset({"to", "from", "at", "on"})
 _EXTREMES = frozenset({"end", "edge", "corner", "tip"})
@@ -278,7 +279,13 @@ def _in_pieces(a: Account, about: set[str], m: Mention) -> bool:
 
 def _names_nothing(a: Account, p: Phrase, m: Mention) -> bool:
     """Whether a phrase says how or of what, or was used for something else."""
-    passed = p.prep == "of" or "same" in m.adjectives or m.pronoun or m.head in PASSED_OVER
+    unequal = m.attribute and bool(_UNEQUAL & {*m.adjectives})  # "of different weight"
+    passed = (
+        (p.prep == "of" and not unequal)
+        or "same" in m.adjectives
+        or m.pronoun
+        or m.head in PASSED_OVER
+    )
     return bool(passed) or (m.start, m.end) in a.d.scene.used
 
 
@@ -348,6 +355,8 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
     d, part = a.d, p.mention.part if p.mention is not None else ""
     if p.prep in _BY_THE_EDGE and {*part.split()} & _EXTREMES and not _marked(part):
         return False  # "rides along the right edge of the road": anywhere on it
+    if part in TOPS and any("incline" in traits_of(d, i) for i in others if i in d.world.entities):
+        return _on_its_top(a, about, others)
     by = _carrier(d, others, p, part, f)
     if others and all(d.world.entities[i].lever == "fulcrum" for i in others):
         return p.prep in ACROSS and any(d.world.entities[i].lever for i in about)
@@ -373,6 +382,13 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
         or any(_happens(d, n, about, others, p.prep, by, own) for n in d.timeline.nodes)
         or any(_aims(e, about, others, by.aims) for e in d.timeline.edges)
     )
+
+
+def _on_its_top(a: Account, about: set[str], others: set[str]) -> bool:
+    """ "Is let go at the top of a ramp": what runs down it starts there, with what stays there."""
+    runs = any(s.direction == "down" and {*s.target} & others for s in a.kept)
+    there = {i for i in about if a.d.scene.supported_by.get(i) in others}
+    return runs and bool(there) and all(kind_of(a.d, i) in LIMBED for i in about - there)
 
 
 def _marked(part: str) -> bool:

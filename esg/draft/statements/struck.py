@@ -85,8 +85,8 @@ def _parts(d: Discourse, f: Frame, n: Draft) -> Iterator[Struck]:
     told = [Phrase("", m) for m in (f.subject, f.object, f.object2)]
     for p in (*told, *f.phrases):
         m = p.mention
-        if m is None or p.prep == "from":
-            continue
+        if m is None or p.prep == "from" or (m.count or 1) > 1:
+            continue  # "parked cars on both sides": no side of what is hit
         who = _whose(d, f, n, p, m)
         part = m.part or (m.head if m.attribute or m.noun is None else "")
         if who is not None and part:

@@ -302,7 +302,9 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "parted": _parted,
     "restless": _restless,
     "rammed": _rammed,
-    "finite": lambda d, c: not (c.frame.verb.passive or c.frame.reduced),
+    "finite": lambda d, c: (
+        not c.frame.verb.passive and (not c.frame.reduced or c.frame.verb.form == "s")
+    ),
     "shoved": _shoved,
     "flung": _flung,
     "unbounced": lambda d, c: bool(c.movers) and not any(_met_or_bounced(d, i) for i in c.movers),

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.ranks import extreme
-from esg.draft.discourse.referents.record import World, is_solid
+from esg.draft.discourse.referents.record import World, all_rest, is_solid, links
 from esg.draft.text.elements import Mention
 
 _ENDS = {
@@ -53,7 +53,7 @@ def other_of_two(world: World, avoid: list[str]) -> list[str]:
         two = [i for i in dict.fromkeys(ids) if is_solid(world, i)]
         if len(two) == 2 and len(used & {*two}) == 1:
             return [i for i in two if i not in used]
-        if len(two) > 1:
+        if len(two) > 1 and not all_rest(world, two):
             return []
         used |= {*two}
     return []
@@ -61,7 +61,7 @@ def other_of_two(world: World, avoid: list[str]) -> list[str]:
 
 def _pools(world: World, avoid: list[str]) -> Iterator[list[Entity]]:
     """What may be meant: those told of together last, those of one kind, all that may move."""
-    told = [ids for ids in reversed(world.salience) if len({*ids}) > 1]
+    told = [ids for ids in reversed(world.salience) if len({*ids}) > 1 and not links(world, ids)]
     for ids in told[:1]:
         yield [world.entities[i] for i in dict.fromkeys(ids) if is_solid(world, i)]
     named = [i for ids in reversed(world.salience) for i in ids if is_solid(world, i)]

@@ -96,7 +96,8 @@ def same_kind(m: Mention, e: Entity) -> bool:
         if m.noun.name == e.noun.name:
             numbered = {*(f"{m.head} {e.head}").replace("-", " ").split()} & _NUMBERS
             if numbered or m.noun.kind in _DISTINCT:
-                return m.head == m.noun.name and not numbered
+                shorter = definite and e.head.endswith(m.head)  # "a watermelon ... the melon"
+                return (m.head == m.noun.name or shorter) and not numbered
             return True
         if m.head in (e.noun.name.split()[-1], e.head.split()[-1]):
             return True  # "a tennis ball ... the ball"

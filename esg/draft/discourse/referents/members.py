@@ -141,10 +141,16 @@ def member_of(world: World, m: Mention, avoid: list[str]) -> list[str]:
         e.id
         for e in world.entities.values()
         if e.group and e.id not in avoid and matches(world, m, e) and e.noun == m.noun
+        and e.origin < m.start and _goes_by(m, e)
         and (same_quantity(m, e, world.facts) or not measured(m))
         and (not colors or e.color in colors)
     ]  # fmt: skip
     return pool[:1]
+
+
+def _goes_by(m: Mention, e: Entity) -> bool:
+    """Whether a thing is called what a phrase calls it; "a candle" is none of two candlesticks."""
+    return m.head in (e.head, e.head.split()[-1]) or m.head.split()[-1] == e.head
 
 
 def one_more(world: World, like: Entity, words: list[str], m: Mention, count: int = 1) -> list[str]:

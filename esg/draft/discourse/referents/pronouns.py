@@ -15,7 +15,13 @@ from esg.draft.discourse.referents.members import (
     ranked,
 )
 from esg.draft.discourse.referents.ranks import same_quantity
-from esg.draft.discourse.referents.record import World, is_solid, last_group, named_alone
+from esg.draft.discourse.referents.record import (
+    World,
+    all_rest,
+    is_solid,
+    last_group,
+    named_alone,
+)
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.grammar.rewrites.positions import NEIGHBOUR
 from esg.draft.text.elements import Mention
@@ -37,6 +43,9 @@ _PLACES = frozenset({"right of", "left of", "in front of", "behind", "beside", "
                     | {"below", "under", "between", "near", "by"})  # fmt: skip
 _FACING = {"left": "right", "right": "left"}
 _WAYS = frozenset({"stairs", "ramp"})
+_IN_A_ROW = lex.ORDINALS.keys() | {"last", "final", "front", "rear", "middle"}
+MATE = "@mate"
+"""Adjective of one of the kind of what it is told to be beside ("the one next to it")."""
 _GROWN_UP = frozenset({"person", "he", "she", "man", "woman"})
 """Persons for whom "it" is no word; a child is one."""
 
@@ -140,6 +149,8 @@ def _others(world: World, m: Mention, avoid: list[str]) -> list[str]:
         if rest and (m.count or len(rest)) == len(rest):
             return rest
     like = [world.entities[i] for i in avoid[:1] if is_solid(world, i)]
+    alone = [e for e in reversed(_told(world)) if e.noun.kind != "person" and not world.groups]
+    like = like or alone  # "leaving the other two where they are"
     return one_more(world, like[0], [], m, m.count) if like and m.count else []
 
 
@@ -221,6 +232,8 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     """ "the other one", "the second", "the red one", "the next": a member, or one thing more."""
     if NEIGHBOUR in m.adjectives and (beside := _beside(world, m, avoid)):
         return beside
+    if MATE in m.adjectives and (mate := _mate(world, m, avoid)):
+        return mate
     solid = _solids(world)
     row = [world.entities[i] for i in (_of_the_subject(world, m, subject) or last_group(world))]
     told = _told(world)
@@ -242,11 +255,33 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
         return second
     if other and m.determiner == "the" and not words and (second := other_of_two(world, avoid)):
         return second
+    if other and m.determiner == "the" and not words and (two := _of_two_alike(world, avoid)):
+        return two
     if row and (found := _of_row(world, row, words, told if other else [], avoid)):
         return found
     if words or other or "next" in m.adjectives:
         return _one_more_like(world, m, words, subject, avoid)
     return [e.id for e in near][-1:]
+
+
+def _of_two_alike(world: World, avoid: list[str]) -> list[str]:
+    """ "A ball is thrown as another is dropped; neither lands before the other": of the two."""
+    last = next(iter(named_alone(world)), [""])[0]
+    if last not in world.entities or world.entities[last].group is not None:
+        return []
+    two = [e.id for e in _solids(world) if e.noun == world.entities[last].noun]
+    used = {*avoid} & {*two} or {last}
+    return [i for i in two if i not in used] if len(two) == 2 and len(used) == 1 else []
+
+
+def _mate(world: World, m: Mention, avoid: list[str]) -> list[str]:
+    """ "A bin falls over and knocks down the one next to it": one more of the kind of who acts."""
+    last = world.subjects[-1] if world.subjects else []
+    like = next((world.entities[i] for i in (*avoid, *last) if is_solid(world, i)), None)
+    if like is None:
+        return []
+    mates = [e.id for e in _solids(world) if e.noun == like.noun and e.id not in (like.id, *avoid)]
+    return mates[:1] or one_more(world, like, ["other"], m)
 
 
 def _facing(world: World, m: Mention, solid: list[Entity]) -> list[str]:
@@ -261,7 +296,10 @@ def _facing(world: World, m: Mention, solid: list[Entity]) -> list[str]:
 def _of_the_subject(world: World, m: Mention, subject: bool) -> list[str]:
     """ "Three kids on sledges race, and the one on the red sledge wins": one of the kids."""
     last = world.subjects[-1] if world.subjects and subject else []
-    told = m.determiner != "the" or m.adjectives or len(last) < 2
+    row = last_group(world)
+    waits = bool(row) and all_rest(world, row)  # "between the parked cars, the last one ..."
+    told = m.determiner != "the" or len(last) < 2
+    told = told or not {*m.adjectives} <= (_IN_A_ROW if waits else frozenset())
     return [] if told else world.groups.get(world.entities[last[0]].group or "", [])
 
 

@@ -5,9 +5,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Protocol
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.ranks import Facts
 from esg.draft.text.elements import Mention
+
+_LINKS = lex.word_set("links")
+_RESTING = lex.word_set("resting (underway)")
 
 
 class Resolve(Protocol):
@@ -61,8 +65,30 @@ def is_solid(world: World, i: str) -> bool:
 
 
 def last_group(world: World) -> list[str]:
-    """Members of the plural that was named last; none while there is no plural."""
-    return next(reversed(world.groups.values()), list[str]())
+    """Members of the plural that was named last; none while there is no plural.
+
+    "Two cars meet between parked cars. The green one ...": one of those that act.
+    """
+    groups = [ids for ids in reversed(world.groups.values()) if ids[0] in world.entities]
+    groups = [ids for ids in groups if not links(world, ids)]
+    if not groups:
+        return []
+    last = groups[0]
+    if all_rest(world, last):
+        alike = world.entities[last[0]].noun
+        acting = (g for g in groups if not all_rest(world, g))
+        last = next((g for g in acting if world.entities[g[0]].noun == alike), last)
+    return last
+
+
+def links(world: World, ids: list[str]) -> bool:
+    """Whether things are the strings and chains by which others hang, of which nothing is told."""
+    return all({world.entities[i].head, world.entities[i].noun.name} & _LINKS for i in ids)
+
+
+def all_rest(world: World, ids: list[str]) -> bool:
+    """Whether things are called parked or waiting, which who comes and acts is not."""
+    return all(_RESTING & {*world.entities[i].adjectives} for i in ids)
 
 
 def named_alone(world: World) -> list[list[str]]:

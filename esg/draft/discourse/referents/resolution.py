@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import OTHER, Entity
-from esg.draft.discourse.referents.matching import matches, same_kind, unlike
+from esg.draft.discourse.referents.matching import CONTRASTS, matches, same_kind, unlike
 from esg.draft.discourse.referents.members import (
     at_place,
     beside,
@@ -18,7 +18,7 @@ from esg.draft.discourse.referents.members import (
 from esg.draft.discourse.referents.parts import counted_parts
 from esg.draft.discourse.referents.pronouns import pronoun
 from esg.draft.discourse.referents.ranks import measured, same_quantity
-from esg.draft.discourse.referents.record import World, last_group, named_alone
+from esg.draft.discourse.referents.record import World, all_rest, last_group, named_alone
 from esg.draft.discourse.referents.registry import (
     create,
     current_id,
@@ -33,6 +33,8 @@ from esg.draft.text.elements import ONE_OF_THESE, Mention
 _STACKS = lex.word_set("stacks (resolution)")
 _OF_A_TRADE = lex.word_set("of a trade")
 _RESTING = lex.word_set("resting (underway)")
+_TELLING = _RESTING | {w for words in CONTRASTS for w in words} | lex.COLORS.keys()
+"""Adjectives that tell a plural without an article from what is known."""
 _THE = ("the", "this", "that")
 _ONE = ("a", "an", "one", "any")
 _KNOWN = frozenset({*_THE, "these", "those", "its", "his", "her", "their"}) | frozenset(
@@ -110,7 +112,7 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
     if owner is not None and not owner.pronoun and owner.noun is not None and not _any(owner, m):
         resolve(world, owner)  # "the man's hat": the man is there too
     found = existing(world, m, avoid)
-    if subject and found and m.determiner in ("a", "an") and _all_rest(world, found):
+    if subject and found and m.determiner in ("a", "an") and all_rest(world, found):
         found = []  # "two parked cars ... a car brakes": one more
     another = OTHER & {*m.adjectives} or owner is not None
     told = ONE_OF_THESE in m.adjectives
@@ -123,11 +125,6 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
         found = []  # "a curling stone hits the guard stone": not itself
     enrich(world, m, found)
     return found or counted_parts(world, m) or create(world, m)
-
-
-def _all_rest(world: World, ids: list[str]) -> bool:
-    """Whether things are called parked or waiting, which who comes and acts is not."""
-    return all(_RESTING & {*world.entities[i].adjectives} for i in ids)
 
 
 def _any(owner: Mention, m: Mention) -> bool:
@@ -168,6 +165,8 @@ def existing(world: World, m: Mention, avoid: list[str]) -> list[str]:
     if single and not m.letters and (m.determiner in _ONE or (m.count and not m.determiner)):
         return member_of(world, m, avoid)
     definite = m.determiner in _KNOWN or bool(m.letters)
+    if not (definite or single) and _told_anew(world, m):
+        return []
     bare = not m.determiner and not m.pattern and "other" not in m.adjectives
     if not (definite or bare or _structural(m)):
         return []
@@ -182,6 +181,14 @@ def existing(world: World, m: Mention, avoid: list[str]) -> list[str]:
         if found or (found is not None and definite):
             return found
     return _of_these(world, m, names, avoid, single, definite)
+
+
+def _told_anew(world: World, m: Mention) -> bool:
+    """ "Two cars meet. There are parked cars on both sides": others than those that are known."""
+    words = {a for a in m.adjectives if not a.startswith("@")} - {"other", "remaining"}
+    if not words & _TELLING or m.count is not None or m.pattern:
+        return False
+    return not any(words <= {*e.adjectives} for e in world.entities.values() if same_kind(m, e))
 
 
 def _structural(m: Mention) -> bool:

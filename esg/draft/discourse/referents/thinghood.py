@@ -25,6 +25,9 @@ _ACTING_PARTS = lex.word_set("acting parts")
 _RUN = lex.OWN_PARTS - {"door", "leg", "roof"}
 _HAVE_PARTS = frozenset({"vehicle", "cart", "flyer", "toyvehicle"})
 _SHARES = frozenset({"half", "third", "quarter"})
+_RIMS = frozenset({"rim", "brim", "lip"})
+_GAPS = frozenset({"gap", "opening", "space"})
+_GO_INTO_GAPS = frozenset({"vehicle", "person", "animal", "cart", "toyvehicle"})
 _LANES = lex.word_set("lanes of a road")
 _UNSEEN = lex.word_set("unseen light and weather") | lex.word_set("unseen fluids")
 
@@ -140,6 +143,20 @@ def _share(world: World, m: Mention, subject: bool) -> bool:
     return m.noun is None and m.head in _SHARES and not m.part
 
 
+def _opening(world: World, m: Mention, subject: bool) -> bool:
+    """ "Backs into a gap", "slips through an opening": where nothing stands."""
+    movers = [world.entities[i] for i in world.movers if i in world.entities]
+    goes = any(e.noun.kind in _GO_INTO_GAPS for e in movers)
+    at = m.after_prep in ("in", "into", "through") or (not m.after_prep and m.determiner == "a")
+    return m.head in _GAPS and goes and at and not subject
+
+
+def _rim_of_a_vessel(world: World, m: Mention, subject: bool) -> bool:
+    """ "Fills the glass to the rim": no hoop."""
+    vessel = any("container" in e.noun.traits for e in world.entities.values())
+    return m.head in _RIMS and m.determiner in ("the", "its", "each") and vessel and not subject
+
+
 def _unseen(world: World, m: Mention, subject: bool) -> bool:
     """ "Clouds move", "rides a wave": light, weather and water, which are no bodies."""
     return m.noun is None and {m.head, m.head + "s"} <= _UNSEEN
@@ -167,6 +184,8 @@ _TESTS: tuple[Callable[[World, Mention, bool], bool], ...] = (
     _running_water,
     _date,
     _of_a_machine,
+    _opening,
+    _rim_of_a_vessel,
     _unseen,
     _its_parts,
     _load_bed,

@@ -25,13 +25,23 @@ from esg.draft.events.roles import filling
 from esg.draft.events.senses.state import places, read_be
 from esg.draft.events.table import sense
 from esg.draft.events.timing import moved_by_others, representatives, time_of
-from esg.draft.events.told import amount, at_rest, constrain, ignore, last_of, moves, things, unread
+from esg.draft.events.told import (
+    amount,
+    at_rest,
+    constrain,
+    happened,
+    ignore,
+    last_of,
+    moves,
+    things,
+    unread,
+)
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
 from esg.graph.models import NodeEvent, Quantity, Role
 
 _STOPPING_BY = (
-    "in front of", "before", "next to", "near", "beside", "by", "at", "close to", "for",
+    "in front of", "before", "next to", "near", "beside", "by", "at", "close to", "for", "short of",
 )  # fmt: skip
 _STOPPED_FOR = LIMBED | {"vehicle", "toyvehicle", "cart"}
 STOPS_BY_CM = (20.0, 120.0)
@@ -296,6 +306,7 @@ def _stops_by(d: Discourse, f: Frame, actor: str, node_id: str) -> None:
         beside = beside if any(kind_of(d, i) in _STOPPED_FOR for i in things(beside)) else None
     unmet = f.object.entities if f.object is not None and "before" in f.verb.extra else []
     others = [i for i in (*unmet, *things(beside)) if aimable(d, i) and i != actor]
+    others = [i for i in others if not happened(d, NodeEvent.PICKED_UP, i)]
     if node is None or not others or node.constraints or f.verb.sense not in ("stop", "park"):
         return
     met = any({actor, others[0]} <= {*n.participants} for n in d.timeline.nodes)

@@ -18,7 +18,7 @@ from esg.draft.discourse.core import (
     structural,
 )
 from esg.draft.discourse.jointed import is_flap
-from esg.draft.discourse.places import elevated, place, set_free
+from esg.draft.discourse.places import elevated, holds, place, set_free
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING
 from esg.draft.events.acts import add_event, add_hit, goes_in
@@ -26,6 +26,7 @@ from esg.draft.events.consequences import landing_of, met_in_its_row, struck_bef
 from esg.draft.events.ends import EDGES, off_the_edge
 from esg.draft.events.hanging import hanging
 from esg.draft.events.motions import (
+    can_roll,
     flies_itself,
     jolted_off,
     motion,
@@ -36,6 +37,7 @@ from esg.draft.events.motions import (
 from esg.draft.events.senses.launch import heights, look_at, motion_of_things
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import (
+    enter,
     enterable,
     is_airborne,
     moved_by_others,
@@ -44,6 +46,7 @@ from esg.draft.events.timing import (
 )
 from esg.draft.events.told import ignore, last_of, mates_of, recent, size_of, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent
 
 _UPRIGHT = lex.word_set("upright")
@@ -51,6 +54,11 @@ _OVERTURNED = lex.word_set("overturned")
 _TWO_WHEELED = lex.word_set("two wheeled")
 _OTHER_SIDE = re.compile(r"\s+(?:down\s+)?on\s+(?:the|its)\s+(?:other|far)\s+side", re.IGNORECASE)
 _HANGING = frozenset({"chandelier"})
+_LETS_GO = frozenset({"release", "let", "free", "drop"})
+_THERE = frozenset({"at", "on", "from", "atop", "near"})
+_BUDGES = frozenset({"move", "budge", "stir", "slide", "roll"})
+_FROM_REST = (0.0, 20.0)
+"""Speed with which something that is let go on a slope sets off [cm/s]."""
 STANDING_CM = 60.0
 """A thing that is this tall stands on the ground."""
 
@@ -67,6 +75,10 @@ def read_drop(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     wheeled = bool(dropped) and kind_of(d, dropped[0]) in ("cart", "vehicle")
     if f.verb.lemma == "let" and wheeled and not _held_up(d, dropped[0]):
         motion(d, f, dropped, None)  # "lets go of a cart"
+    elif dropped and all(i in d.scene.attached and i in d.timeline.tracks for i in dropped):
+        ignore(d, f, "nothing of the kind happens in the scene")  # "is drawn back and let go"
+    elif slope := _slope_of(d, f, dropped):
+        _let_run(d, f, dropped, slope)
     elif _goes_its_way(d, f, dropped):
         mark_used(d, f, "let go")
     elif quantity_of(d, f, "speed") is not None and f.verb.lemma == "release":
@@ -105,6 +117,41 @@ def _goes_its_way(d: Discourse, f: Frame, dropped: list[str]) -> bool:
     return bool(its) and its[0].verb.sense in ("slide", "roll", "own", "fly")
 
 
+def _slope_of(d: Discourse, f: Frame, bodies: list[str]) -> Mention | None:
+    """ "Is released at the top of a ramp", "They stand on a hill and are let go": down what."""
+    if f.verb.lemma not in _LETS_GO or not bodies:
+        return None
+    told = [p for p in f.phrases if p.prep in _THERE and p.mention is not None]
+    told += [
+        p for g in d.told for p in g.phrases
+        if g.verb.start < f.verb.start and p.prep in _THERE and p.mention is not None
+        and g.subject is not None and {*bodies} & {*g.subject.entities}
+    ]  # fmt: skip
+    for m in (p.mention for p in told):
+        slopes = [i for i in m.entities if "incline" in traits_of(d, i)] if m is not None else []
+        if m is None or not slopes:
+            continue
+        place(d, [i for i in bodies if i not in d.scene.supported_by], slopes[:1], "on", m.part)
+        if all(d.scene.supported_by.get(i) == slopes[0] for i in bodies):
+            return m
+    return None
+
+
+def _let_run(d: Discourse, f: Frame, bodies: list[str], slope: Mention) -> None:
+    """Lets things go on a slope: they roll or slide down it, but what is told to stay there."""
+    stays = {
+        i for g in d.told if g.verb.negated and g.verb.lemma in _BUDGES and g.subject is not None
+        for i in g.subject.entities
+    }  # fmt: skip
+    f.phrases.append(Phrase("down", slope))
+    for body in [i for i in bodies if i not in stays]:
+        start_motion(d, f, [body], "roll" if can_roll(d, body) else "slide")
+        now = d.timeline.track(body).motion
+        if now is not None and not now.prescribed:
+            now.speed = _FROM_REST
+    mark_used(d, f, "let go")
+
+
 def _held_up(d: Discourse, body: str) -> bool:
     """Whether it is above the ground: on something, or at a stated height."""
     return body in d.scene.supported_by or body in d.scene.heights
@@ -141,7 +188,7 @@ def drop(d: Discourse, f: Frame, bodies: list[str]) -> None:
     """Lets bodies fall: off what the clause names, or from where they are."""
     _lies_before_its_edge(d, f, bodies)
     _let_through(d, bodies)
-    moved = representatives(d, bodies, []) if len(bodies) > 2 else bodies
+    moved = representatives(d, bodies, []) if len(bodies) > 2 else bodies  # all, if "one by one"
     moved = [t for t in moved if movable(d, t)]
     source = f.phrase("off", "from")
     host = [i for i in things(source) if elevated(d, i) and not _landed_before(f, source)]
@@ -164,10 +211,18 @@ def drop(d: Discourse, f: Frame, bodies: list[str]) -> None:
     mark_used(d, f, "drop")
     if "in" in f.adverbs and any(map(partial(enterable, d), recent(d))):
         goes_in(d, f, moved, time_of(d, f))  # "circles the hole and drops in"
+    elif "in" in f.adverbs and (inner := _open_before(d, moved)):
+        for t in moved:
+            enter(d, f, t, inner, time_of(d, f))  # "a drawer is opened, a spoon is dropped in"
     elif not landing_of(d, f, moved):
         for t in moved if below is None else []:
             if t not in flying:  # "drops behind the net" after a throw: it leaves no support
                 d.times.pending[t] = (NodeEvent.FALL, f, None, time_of(d, f))
+
+
+def _open_before(d: Discourse, moved: list[str]) -> str:
+    """What was named last that things can be dropped into; "" if nothing is."""
+    return next((i for i in recent(d) if holds(d, i) and i not in moved), "")
 
 
 def _below(d: Discourse, f: Frame, moved: list[str]) -> str | None:

@@ -143,13 +143,14 @@ def _goal(d: Discourse, f: Frame, moved: list[str]) -> tuple[str, str] | None:
     """Where a clause says that things are put: the preposition, and on or in what."""
     found = f.phrase(*_PUT_ON, *_PUT_IN)
     said = found.mention if found is not None and things(found) else None
-    if found is not None and said is not None and said.start > f.verb.start:
+    again = "again" in f.verb.extra  # "puts a cup on a shelf, then a plate"
+    if found is not None and said is not None and (again or said.start > f.verb.start):
         return found.prep, things(found)[0]
     if moved and found is None and {*moved} <= {*_in_hand(d)} and _DOWN.match(d.text, f.verb.start):
         return "on", d.scene.supported_by.get(moved[0]) or _ground(d)  # "and sets it down again"
     by = f.phrase(*_PUT_BY, *(() if f.verb.passive else ("by",))) if found is None else None
     said = by.mention if by is not None and things(by) else None
-    if by is not None and said is not None and said.start > f.verb.start:
+    if by is not None and said is not None and (again or said.start > f.verb.start):
         return by.prep, d.scene.supported_by.get(things(by)[0]) or _ground(d)
     inner = [i for i in recent(d) if holds(d, i) and i not in moved]
     inner = inner if found is None and "inside" in f.adverbs else []

@@ -135,11 +135,12 @@ def _by_hand(d: Discourse, doer: str, thing: str) -> bool:
 @sense("approach")
 def read_approach(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     motion(d, f, s, None)
-    for actor in s if o else []:
-        d.moves.aim[actor] = o[0]
+    meet = len(s) == 2 and not o  # "two cars approach each other", "meet in a street"
+    for actor, other in zip(s, reversed(s) if meet else [*o[:1]] * len(s), strict=False):
+        d.moves.aim[actor] = other
         track = d.timeline.tracks.get(actor)
         if track is not None and track.motion is not None:
-            track.motion.target = o[0]
+            track.motion.target = other
 
 
 @sense("follow")

@@ -50,7 +50,7 @@ from esg.graph.models import NodeEvent
 _WAITING = lex.word_set("waiting")
 _STILL = re.compile(
     r"(?:stay|remain|sit|stand|lie|keep)\w*\s+(?:\w+ly\s+)?"
-    r"(?:still|motionless|stationary|immobile|unmoved|where it is|in place)\b",
+    r"(?:still|motionless|stationary|immobile|unmoved|where (?:it is|they are)|in place|put)\b",
     re.IGNORECASE,
 )
 _PATIENT = frozenset({"wait", "pause", "queue", "idle"})
@@ -254,7 +254,8 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """A state, and how long it lasts; what sticks to something has hit it."""
     lasting = amount(d, f, "time")
     waits = lasting is not None and f.verb.lemma in _WAITING and not f.reduced
-    if _STILL.match(d.text, f.verb.start) and not f.unreal:
+    left = f.verb.lemma == "stay" and "still" in f.adverbs  # "leaves the cup where it is"
+    if (left or _STILL.match(d.text, f.verb.start)) and not f.unreal:
         d.moves.stays.update((a, f.verb.start) for a in s if movable(d, a))
     if f.verb.lemma in _PATIENT and lasting is None and not f.reduced and not f.unreal:
         waiting = [*s, *(d.scene.supported_by.get(a, a) for a in s)]  # "a cyclist on a bike waits"

@@ -18,6 +18,7 @@ from esg.draft.grammar.clauses.words import flush, read_word
 from esg.draft.text.elements import Element, Mention, Verb
 
 _GETTING = lex.word_set("getting (builder)")
+_CARRYING = frozenset({"carry", "transport", "ferry"})
 _TAKING = lex.word_set("taking (builder)")
 
 
@@ -47,6 +48,8 @@ def build_clauses(elements: list[Element]) -> Clauses:
             alike = (g for g in around if g.sentence == f.sentence and not g.subordinate)
             f.main = next(alike, None)
     c.frames = _same_again(c, in_order(background_first(c.frames)))
+    for f in c.frames:
+        _by_who_carries(f)
     read_idioms(c.frames)
     return c
 
@@ -60,21 +63,25 @@ def _same_again(c: Clauses, frames: list[Frame]) -> list[Frame]:
         if not (same and o is not None and o.adjectives == ["same"] and f.subject and out):
             out.append(f)
             continue
-        model = next((g for g in reversed(out) if g.subject and not g.reduced), None)
-        told: list[Frame] = []
-        for g in reversed(out):
-            if model is None or g.subject is not model.subject or g.reduced:
-                break
-            told.insert(0, g)
+        told = _last_told(out)
+        c.mentions = [m for m in c.mentions if m is not o or not told]
+        role = f.verb.extra.get("as", "subject")
+        if role == "behind" and told:
+            out.append(_goes_behind(f, told[-1]))
+            continue
+        after = ["then"] if "then" in f.verb.extra else []
         for k, g in enumerate(told):
             phrases = [p for p in g.phrases if p.amount is None]
-            verb = replace(g.verb, extra=dict(g.verb.extra))
+            if role == "place" and phrases:  # "rolls past a box, then a cone"
+                phrases[-1] = replace(phrases[-1], mention=f.subject)
+            verb = replace(g.verb, extra={**g.verb.extra, "again": "1"})
             own = replace(
                 g,
                 verb=verb,
-                subject=f.subject,
+                subject=f.subject if role == "subject" else g.subject,
+                object=f.subject if role == "object" else g.object,
                 phrases=[*phrases, *(f.phrases if k == len(told) - 1 else [])],
-                adverbs=[*g.adverbs],
+                adverbs=[*(a for a in g.adverbs if not after or a != "first"), *after],
                 link=f.link if k == 0 else g.link,
                 sentence=f.sentence,
                 parent=None,
@@ -85,6 +92,39 @@ def _same_again(c: Clauses, frames: list[Frame]) -> list[Frame]:
         if not told:
             out.append(f)
     return out
+
+
+def _by_who_carries(f: Frame) -> None:
+    """ "A tray is carried by a waiter": a waiter carries a tray."""
+    by = f.phrase("by")
+    told = f.verb.passive and f.verb.sense == "carry" and f.verb.lemma in _CARRYING
+    if not told or f.subject is None or f.object is not None or by is None:
+        return
+    if by.mention is None or by.mention.attribute:
+        return
+    f.phrases.remove(by)
+    f.subject, f.object = by.mention, f.subject
+    f.verb.passive, f.verb.form, f.reduced = False, "s", False
+
+
+def _last_told(out: list[Frame]) -> list[Frame]:
+    """The last clauses of one subject; of a command the last one."""
+    model = next((g for g in reversed(out) if not g.reduced), None)
+    if model is None or model.subject is None:
+        return [] if model is None else [model]
+    told: list[Frame] = []
+    for g in reversed(out):
+        if g.subject is not model.subject or g.reduced:
+            break
+        told.insert(0, g)
+    return told
+
+
+def _goes_behind(f: Frame, ahead: Frame) -> Frame:
+    """ "A truck drives along, followed by a car": the car follows the truck."""
+    verb = replace(f.verb, lemma="follow", sense="follow", extra={})
+    whom = ahead.object if ahead.object is not None and ahead.subject is None else ahead.subject
+    return replace(f, verb=verb, object=whom)
 
 
 def _hand_over(f: Frame) -> None:

@@ -225,6 +225,9 @@ def participle(c: Clauses, s: State, frame: Frame, previous: Frame) -> None:
     v = frame.verb
     if previous.verb.sense == "cause" and previous.object is not None and not s.boundary:
         frame.subject, frame.link, frame.causer = previous.object, "cause", previous
+    elif v.lemma == "hang" and previous.verb.sense == "carry" and previous.object is not None:
+        # "a crane lowers a piano, hanging from a cable"
+        frame.subject, frame.reduced, frame.parent = previous.object, True, previous
     elif v.sense in ("weigh", "measure", "have", "contain") and s.last is not None:
         frame.subject, frame.reduced, frame.parent = s.last, True, previous
     elif v.sense in CAUSE_SENSES or v.extra.get("transitive"):

@@ -13,6 +13,11 @@ _THIS = lex.word_set("this")
 _OF_NOUNS = lex.word_set("prepositions of nouns")
 _BESIDE = frozenset({"left of", "right of", "in front of", "behind", "beside", "next to", "near"})
 _PLACED = _BESIDE | {"on", "in", "under", "above", "on top of", "inside"}
+_SENDING = frozenset({"launch", "hit", "knock", "drop", "cause", "topple", "carry", "tow"})
+_OUT = frozenset({"into", "onto", "off", "out of", "through", "across"})
+_OVER = frozenset({"over", "past", *_OUT})
+_HIS = frozenset({"his", "her", "its", "their"})
+_INTO = frozenset({"in", "into", "on", "onto", "inside"})
 _GONE_WITH = frozenset({"it", "him", "her", "them", "both"})
 _WITH = frozenset({"with", ".", ";", "!", "?", ":"})
 _ALSO_OF_VERBS = lex.word_set("senses with the place of their object")
@@ -272,12 +277,27 @@ def _attach(c: Clauses, s: State, phrase: Phrase, i: int) -> None:
         return
     if s.frame is None:
         _attach_to_noun(c, s, phrase, m)
+    elif (sent := _sent_there(c, s.frame, phrase, i)) is not None:
+        sent.phrases.append(phrase)
     elif _of_the_verb(s, s.frame, phrase, m):
         s.frame.phrases.append(phrase)
     elif s.boundary and s.boundary_kind == "comma" and finite_ahead(c.elements, i + 1):
         s.loose.append(phrase)
     elif not _of_the_noun(c, s, s.frame, phrase, m, i):
         s.frame.phrases.append(phrase)
+
+
+def _sent_there(c: Clauses, f: Frame, phrase: Phrase, i: int) -> Frame | None:
+    """ "Launches a bear sitting on a plank into the air and over a hedge": not where it sits."""
+    sends = f.parent
+    rests = f.reduced and f.verb.sense in ("posture", "be", "park") and f.object is None
+    if not rests or sends is None or sends.object is not f.subject or sends.verb.passive:
+        return None
+    ways = _OVER if f.phrases else _OUT  # "kicks a ball lying on the grass over a fence"
+    goes = sends.verb.sense in _SENDING and phrase.prep in ways
+    joined = getattr(element_at(c.elements, i - 2), "low", "") == "and"
+    again = joined and any(p.prep in _OUT for p in sends.phrases) and phrase.prep in _OVER
+    return sends if goes or again else None
 
 
 def _goes_with_it(c: Clauses, s: State, phrase: Phrase, m: Mention, i: int) -> bool:
@@ -325,6 +345,8 @@ def _of_the_verb(s: State, f: Frame, phrase: Phrase, m: Mention) -> bool:
         return True  # "takes the pin with it"
     if phrase.prep == "by" and f.verb.passive:
         return True
+    if phrase.prep == "with" and m.determiner in _HIS and m.head in lex.BODY_PARTS:
+        return f.verb.sense not in ("be", "posture", "have")  # "shuts a chest with his elbow"
     owned = phrase.prep == "with" and m.head in PROPERTIES and s.last is not f.subject
     return m.attribute and phrase.prep != "of" and not owned
 
@@ -349,7 +371,9 @@ def _of_the_noun(c: Clauses, s: State, f: Frame, phrase: Phrase, m: Mention, i: 
         return False
     c.attachments.append((noun, phrase))
     beside = noun.after_prep == "with" and phrase.prep in _BESIDE
-    if f.verb.sense in _ALSO_OF_VERBS and not beside:
+    put = f.object is not None and noun.after_prep in _INTO and phrase.prep in _BESIDE
+    put = put and f.verb.sense == "posture" and not m.pronoun  # "in the bowl beside the mug"
+    if f.verb.sense in _ALSO_OF_VERBS and not beside and not put:
         f.phrases.append(phrase)  # not "a clock hangs on a wall with a lamp to the right of it"
     return True
 

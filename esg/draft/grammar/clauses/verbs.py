@@ -39,6 +39,8 @@ _BY_ITSELF = frozenset({"posture", "park", "stop", "fall", "topple", "roll", "sl
 _BY_ITSELF_OR_HIT = frozenset({"posture", "park", "stop", "hit", "topple", "fall"})
 _SENDING = frozenset({"drop", "launch", "roll", "slide", "carry", "pick"})
 """Senses of which a command says what hands do: "lift the cube and drop it"."""
+_DOERS = frozenset({"person", "animal", "vehicle", "robot", "flyer", "cart", "watercraft"})
+_DONE_BY_HAND = lex.word_set("done by hand")
 _HANDLING = frozenset({"posture", "pick", "carry", "noop"})
 _STATES = frozenset({"be", "posture", "park", "weigh", "measure", "have", "contain"})
 
@@ -151,9 +153,19 @@ def _first(c: Clauses, s: State, o: _Opening) -> bool:
         # "a ball thrown at the wall bounces", "a car parked by the road is hit"
         frame.reduced = frame.opening = True
         v.passive = v.passive or (v.form != "ing" and v.sense not in _BY_ITSELF)
+    elif _headline(c, s.subject, v, i):
+        v.passive = True
     elif v.form == "pp" and not v.auxiliary and not v.passive:
         v.passive = v.sense in ("launch", "drop", "pass", "posture")
     return True
+
+
+def _headline(c: Clauses, m: Mention, v: Verb, i: int) -> bool:
+    """ "Drawer pulled out, spoon dropped in": what is done to things without an article."""
+    things = m.noun is not None and m.noun.kind not in _DOERS and not m.attribute
+    bare = not (m.determiner or m.pronoun or m.coordinated or m.count or m.letters)
+    handled = v.sense in _SENDING | {"own", "posture", "tow"} and v.lemma in _DONE_BY_HAND
+    return bare and things and handled and v.form in ("past", "pp") and not _acts_on(c, i)
 
 
 def _modifies(c: Clauses, v: Verb, i: int) -> bool:
@@ -254,6 +266,8 @@ def _goes_on(c: Clauses, s: State, o: _Opening) -> bool:
     previous, v = o.previous, o.frame.verb
     assert previous is not None
     o.frame.parent = previous
+    if previous.verb.passive and v.lemma == "let" and not _acts_on(c, o.at):
+        v.passive = True  # "is held over a box and let go"
     told = v.lemma in _LETTING or (
         v.sense in _HANDLING and (v.form == "base" or v.lemma in UNCHANGED)
     )

@@ -181,8 +181,8 @@ def _owner(c: Chunks, j: int) -> tuple[Mention, int] | None:
 
 def _known(c: Chunks, p: Place, m: Mention) -> Head | None:
     """A noun of the lexicon, with the nouns and places that belong to it."""
-    if p.noun is None:
-        return OTHER
+    if p.noun is None or (m.determiner == "a" and p.noun[2] and one_does(c, p.at, m)):
+        return OTHER  # "a third slides past"
     j, plural = _compound(c, p.at, p.noun, m)
     j += piled(c, j, m)
     _measure_or_role(c, j, m)
@@ -237,12 +237,16 @@ def _continues(c: Chunks, k: int, following: NounMatch, m: Mention) -> bool:
     return not (readings and following[1] == 1 and not (vessel or compound_noun(c, k, m)))
 
 
+_COMPARED = lex.word_set("compared (measures)")
+
+
 def _measure_or_role(c: Chunks, k: int, m: Mention) -> None:
     """ "a mass of 2 kg" is no object, "the driver" a role."""
     after = token_at(c, k + 1)
     if m.head in ("weight", "mass"):
         told = low_at(c, k) in ("of", "is") and after is not None and after.kind == "qty"
-        if told or m.determiner == "its":
+        compared = bool(_COMPARED & {*m.adjectives}) and not m.determiner
+        if told or compared or m.determiner in ("its", "their"):
             m.noun, m.attribute = None, True
     crew = m.head in lex.PERSON_ROLES and not m.plural  # two passengers are no vehicle
     if crew or m.head in ("cyclist", "rider"):

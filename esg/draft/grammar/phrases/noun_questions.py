@@ -31,6 +31,7 @@ _SHINING = lex.word_set("shining")
 _PEOPLE = lex.word_set("people")
 _FLUIDS, _TAKING = lex.word_set("unseen fluids"), lex.word_set("taking")
 _HEAPED, _LINED_UP = lex.word_set("heaped"), lex.word_set("lined up")
+_LINKS = lex.word_set("links")
 
 
 def numbers(c: Chunks, j: int) -> bool:
@@ -135,6 +136,8 @@ def one_does(c: Chunks, j: int, m: Mention) -> bool:
     single = m.determiner in ("another", "each", "either", "neither") and not m.adjectives
     ordinal = m.determiner == "the" and m.adjectives[-1:] and m.adjectives[-1] in lex.ALONE
     single = single or (m.determiner == "the" and m.adjectives == ["other"])
+    numbered = m.determiner == "a" and len(m.adjectives) == 1 and m.adjectives[0] in lex.ORDINALS
+    single = single or (numbered and lex.singular(low_at(c, j))[0] != low_at(c, j))
     forms = {r.form for r in verb_readings(low_at(c, j))}
     object_ = low_at(c, j + 1) in lex.DETERMINERS | lex.PRONOUNS | {"nothing", "neither"}
     if "past" in forms and object_ and (single or ordinal):
@@ -251,6 +254,8 @@ def names_no_thing(word: str, *, bare: bool = False) -> bool:
     if word in lex.COLORS or parse_number(word) is not None:
         return False  # "the pink", "ball two"
     single = lex.singular(word)[0]
+    if single in _LINKS:
+        return False  # "hang on strings", which is a section of an orchestra, too
     kinds = {no_things().get(word), no_things().get(single)}
     filling = bare and word == single and word in lex.SUBSTANCES
     return filling or bool(kinds & {"nothing", "substance"})

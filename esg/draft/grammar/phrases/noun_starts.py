@@ -121,6 +121,8 @@ def _counts_one(c: Chunks, j: int, m: Mention, following: NounMatch | None) -> b
     """Whether "one" counts the noun after it; "another one tips over", "one slides into it"."""
     if m.determiner == "another" and any(r.form == "s" for r in verb_readings(low_at(c, j + 1))):
         return False
+    if low_at(c, j + 1) in ("next", "close") and low_at(c, j + 2) == "to":
+        return False  # "the one next to it"
     nxt = token_at(c, j + 1)
     if nxt is None or nxt.kind != "word" or (following is not None and following[2]):
         return False

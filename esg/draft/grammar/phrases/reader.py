@@ -18,6 +18,7 @@ _NOUNS_FIRST = lex.word_set("nouns first")
 _ALSO_NOUNS = lex.word_set("also nouns")
 _ARTICLES = frozenset({"a", "an", "the", "its", "his", "her", "their", "another"})
 _OBJECTS = frozenset({"it", "him", "them"})
+_COMMANDS = lex.word_set("commands")
 _SMALL = lex.PREPOSITIONS | lex.ADVERBS | lex.MODALS | lex.DETERMINERS | lex.PRONOUNS
 _AFTER_ACTS = frozenset({"DET", "NOUN", "PROPN", "ADJ", "ADP", "ADV", "PRON", "NUM"})
 _BE = frozenset({"is", "are", "was", "were", "be", "been", "being", "'s", "gets", "get"})
@@ -259,14 +260,28 @@ def _before_noun(c: Chunks, w: _Word) -> bool | None:
         return None
     if isinstance(w.previous, Word) and w.previous.kind in ("rel", "sub"):
         return None
-    return "ing" in w.forms and w.next in lex.DETERMINERS
+    return ("ing" in w.forms and w.next in lex.DETERMINERS) or _commands(c, w)
+
+
+def _commands(c: Chunks, w: _Word) -> bool:
+    """ "Drop three balls", "then stack four blocks": what is to be done with a number of things."""
+    opens = w.previous is None or (isinstance(w.previous, Word) and w.previous.kind != "prep")
+    at = w.at + (2 if w.next in ("up", "down", "out") else 1)
+    number = low_at(c, at)
+    value = parse_number(number)
+    counted = not number.isdigit() and isinstance(value, float) and value > 1.0
+    if not (opens and counted and w.low in _COMMANDS and "base" in w.forms):
+        return False
+    k = next((k for k in range(at + 1, at + 4) if not is_adjective(c, k)), at + 1)
+    found = match_noun(c, k)
+    return found is not None and found[2]
 
 
 def _opens_clause(c: Chunks, w: _Word) -> bool | None:
     previous = w.previous
     if isinstance(previous, Word) and not (previous.kind == "punct" and previous.low in ".;!?:\n"):
         return None
-    if not w.nounish:
+    if not w.nounish or _commands(c, w):
         return True
     by = w.next == "by" and "pp" in w.forms  # "Hit by an apple, he ..."
     by = by or (w.noun is None and "s" in w.forms and _report(c, w.at))
@@ -372,7 +387,8 @@ def _acted_on(c: Chunks, i: int, previous: Element | None) -> bool:
     opens = previous is None or (isinstance(previous, Word) and previous.low in ".;!?\n")
     if noun[2]:
         one = isinstance(previous, Mention) and not previous.plural and previous.determiner
-        return bool(one or joined) and nxt in _ARTICLES | _OBJECTS
+        listed = isinstance(previous, Word) and previous.low == "," and told and nxt in _OBJECTS
+        return bool(listed) or (bool(one or joined) and nxt in _ARTICLES | _OBJECTS)
     known = match_noun(c, i) is not None
     return known and (opens or joined) and (nxt in _ARTICLES or (opens and nxt in _OBJECTS))
 
