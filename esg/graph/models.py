@@ -491,7 +491,7 @@ class MotionParams(Model):
     """Brake: a number is a linear damping [1/s], a pair leaves open how hard it brakes"""
     heading_deg: Quantity | None = None
     elevation_deg: Quantity | None = None
-    """Toward with ANY_3D: launch angle above the horizon"""
+    """With ANY_3D: Toward: launch angle above the horizon; UniformMotion: how steeply it climbs"""
     turn_degrees: Quantity | None = None
     turn_direction: Literal["left", "right"] | None = None
     turn_rate_deg_s: Quantity | None = None

@@ -37,7 +37,7 @@ LIMITS: dict[str, tuple[float, float, str]] = {
 }
 ONLY: dict[str, frozenset[EdgeEvent]] = {
     "damping": frozenset({M.BRAKE}),
-    "elevation_deg": frozenset({M.TOWARD}),
+    "elevation_deg": frozenset({M.TOWARD, M.UNIFORM_MOTION}),
     "turn_degrees": frozenset({M.TURN}),
     "turn_direction": frozenset({M.TURN, M.SPIN}),
     "turn_rate_deg_s": frozenset({M.TURN, M.SPIN}),

@@ -7,13 +7,15 @@ from dataclasses import dataclass
 import re
 from typing import Any
 
-from esg.draft.discourse.core import kind_of, movable
+from esg.draft import lexicon as lex
+from esg.draft.discourse.core import entity_of, kind_of, movable
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.entities import head_of
 from esg.draft.discourse.scene import SPEEDS
 from esg.draft.discourse.tracks import Motion
 from esg.draft.discourse.windows import START
-from esg.draft.events.motions import own, paced
+from esg.draft.events.motions import flies_itself, own, paced
 from esg.draft.events.stated import said, said_before
 from esg.draft.events.told import size_of, things
 from esg.draft.grammar.clauses.frames import Frame
@@ -31,6 +33,11 @@ TURNING = ("turn", "swerve", "face", "topple")
 """Senses whose sides are not ways of moving."""
 _HEADINGS = {"left": 0.0, "right": 180.0, "front": 90.0, "back": 270.0}
 """Headings [degrees] of the viewer's directions: left is +X, front +Y."""
+_STEEP = {"up": 90.0, "down": -90.0}
+"""How steeply what flies by itself goes up and down [degrees]."""
+_WINGS = 2.0 / 3.0
+"""What of it beating wings do."""
+_FIXED_WINGS = lex.word_set("fixed wings")
 _ABOUT_S = 2.5
 """How long what moves about on something shall need for half of its length [s]."""
 HARD_BRAKE_CM_S2, GENTLE_BRAKE_CM_S2 = 100.0 * HARD_BRAKING_MPS2, 100.0 * GENTLE_BRAKING_MPS2
@@ -140,6 +147,11 @@ def _carry_over(
             _change(d, mover, was, pace=s.row.pace)
         elif s.row.direction in _HEADINGS and first:
             _change(d, mover, was, heading_deg=_HEADINGS[s.row.direction or ""])
+        elif s.row.direction in _STEEP and s.phrase is None and first and climbs(d, mover):
+            steep = _STEEP[s.row.direction or ""]
+            _change(
+                d, mover, was, climb_deg=_WINGS * steep if kind_of(d, mover) == "animal" else steep
+            )
         elif s.row.direction == "up" and kind_of(d, mover) != "flyer":
             _change(d, mover, was, thrown_up=True)
         elif s.row.direction == "backward" and first:
@@ -147,6 +159,16 @@ def _carry_over(
             track = d.timeline.tracks[mover]
             if track.direction is ForceDirection.ALONG_FORWARD_ONLY:
                 track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD
+
+
+def climbs(d: Discourse, mover: str) -> bool:
+    """Whether it can go straight up and down: a drone, a balloon, a bird, and no aeroplane."""
+    return flies_itself(d, mover) and head_of(entity_of(d, mover)) not in _FIXED_WINGS
+
+
+def goes_steeply(d: Discourse, f: Frame) -> bool:
+    """ "Rises", "floats up", "flies downward", and up or down nothing."""
+    return any(s.row.direction in _STEEP and s.phrase is None for s in said(d.text, f))
 
 
 def queues_behind(d: Discourse, s: Said, mover: str) -> str | None:
@@ -204,12 +226,18 @@ def _change_motion(motion: Motion, pace: str, course: dict[str, Any]) -> None:
     if "thrown_up" in course:
         if motion.mode in ("throw", "fly") and motion.target is None:
             motion.params["elevation_deg"] = 90.0
+    elif "climb_deg" in course:
+        if motion.mode == "own" and motion.target is None:
+            motion.params["elevation_deg"] = course["climb_deg"]
     else:
         motion.params.update(course)
 
 
 def _fitting(e: TimelineEdge, course: dict[str, Any]) -> dict[str, Any]:
     """What of a course a segment takes: straight up leads to nothing that it is aimed at."""
+    if "climb_deg" in course:
+        powered = e.event is EdgeEvent.UNIFORM_MOTION and e.target is None
+        return {"elevation_deg": course["climb_deg"]} if powered else {}
     if "thrown_up" not in course:
         return dict(course)
     flies = e.event is EdgeEvent.TOWARD and isinstance(e.params.elevation_deg, tuple)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+import math
+
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.stagecraft import Prop, support_of, top_surface
 from esg.dynamics.story.story import Phase, bounds
-from esg.graph.models import NodeEvent, TimelineNode
+from esg.graph.models import EdgeEvent, NodeEvent, TimelineEdge, TimelineNode
 
 LEAST_M = 1.0
 """Clearance over the ground where the target is tall enough."""
 USUAL_M = 4.0
 """Height up to which it flies at what is taller."""
+SINKS_TO_M = 0.5
+"""Gap to the ground that is left under what comes down."""
 SHARE = 0.6
 """Share of the height of a target's broadest part at which it is met."""
 
@@ -24,6 +28,9 @@ def cruise(stage: Stage, actor: str) -> float:
     stated = _stated(stage, actor)
     if stated is not None:
         return stated
+    steep = climbs_at(stage.story.phases[actor][0].edge)
+    if steep:
+        return 0.0 if steep > 0.0 else SINKS_TO_M + _sinks_by(stage, actor, steep)
     found: list[float] = []
     for phase in stage.story.phases[actor]:
         node = phase.end
@@ -52,6 +59,19 @@ def fly_in(stage: Stage, node: TimelineNode, actor: str, phase: Phase, way: floa
     if node.event is NodeEvent.COLLISION and names and lands_on(stage, actor, names[0]):
         drop = max(height - top_of(stage, names[0]), 0.0)
         stage.nominal[f"{phase.edge.id}/slope"] = -drop / max(way, 0.5)
+
+
+def climbs_at(edge: TimelineEdge) -> float:
+    """How steeply a powered flight climbs [rad], below zero where it sinks."""
+    low, high, _ = bounds(edge.params.elevation_deg, (0.0, 0.0))
+    return math.radians(0.5 * (low + high)) if edge.event is EdgeEvent.UNIFORM_MOTION else 0.0
+
+
+def _sinks_by(stage: Stage, actor: str, steep: float) -> float:
+    """How far [m] an actor comes down at the middle of its speed until its end is told."""
+    phase = stage.story.phases[actor][0]
+    begin, stop = phase.end.window or (1.0, 1.0)
+    return abs(math.sin(steep)) * stage.speed(actor, phase) * 0.5 * (begin + stop)
 
 
 def lands_on(stage: Stage, actor: str, name: str) -> bool:

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from esg.dynamics.choreography.flights import flown_to
 from esg.dynamics.choreography.handling import BETWEEN_JUMPS_S
+from esg.dynamics.choreography.hovering import climbs_at
 from esg.dynamics.choreography.setting_off import SAME_MPS
 from esg.dynamics.choreography.slopes import FASTEST_MPS
 from esg.dynamics.choreography.ways import arrives
@@ -51,7 +52,7 @@ from esg.engines.program import (
 )
 from esg.engines.scene import FRAGMENT, Body
 from esg.graph.joints import towed_by
-from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
+from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineEdge, TimelineNode
 from esg.metrics.plausibility.told import surface_of
 from esg.units import GRAVITY_MPS2, quat_from_euler_deg, yaw_from_quat
 
@@ -521,7 +522,8 @@ class Composer:
         if pushed is not None:
             end, until = self.nominal.get(f"{pushed.id}/event_time", leg.duration) + 0.3, ()
         flies_on = phase.end.event is NodeEvent.TRIGGER and not arrives(self.doc, actor)
-        if soars and leg.last and (flies_on or phase.end.event is NodeEvent.MISS):
+        steep = climbs_at(edge) if soars else 0.0
+        if soars and leg.last and steep >= 0.0 and (flies_on or phase.end.event is NodeEvent.MISS):
             # It flies on: past what it does not touch, and when all that is told of it is over.
             end = math.inf
         if descends and not down and leg.last:
@@ -540,15 +542,17 @@ class Composer:
             actor,
             start,
             end,
-            speed=abs(speed),
+            speed=abs(speed) * math.cos(steep),
             heading=course.heading,
             acceleration=acceleration,
             turn_rate=rate,
             roll_radius=roll_radius,
             until_contact=until,
-            climb=self.nominal.get(f"{edge.id}/slope", 0.0) * abs(speed) if soars else None,
+            climb=self._climb(edge, abs(speed), steep) if soars else None,
         )
-        course.out += _ridden(hold, ride)
+        course.out += [hold] if steep else _ridden(hold, ride)
+        if steep < 0.0 and leg.last:  # it stays in the air where it has come down to
+            course.out.append(self._hover(actor, end, 0.0, course.heading))
         if turns:
             course.out += self._steered(actor, start, end)
         course.heading += rate * (end - start) if turns else 0.0
@@ -574,6 +578,12 @@ class Composer:
         course.clock = min(end, max(start, told))
         if leg.last:
             self._end_drive(course, leg, end, pushed is not None)
+
+    def _climb(self, edge: TimelineEdge, speed: float, steep: float) -> float:
+        """Vertical velocity of a powered flight [m/s]: as told, or down onto its target."""
+        if steep:
+            return speed * math.sin(steep)
+        return self.nominal.get(f"{edge.id}/slope", 0.0) * speed
 
     def _turn_rate(self, leg: _Leg, speed: float) -> float:
         """How fast it turns [rad/s]: as theta says, where its grip bears that at a speed [m/s]."""

@@ -18,6 +18,7 @@ from esg.draft.discourse.places import holds, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIMBED, LIVING, SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
+from esg.draft.events.courses import climbs, goes_steeply
 from esg.draft.events.ends import bounces_over
 from esg.draft.events.hanging import thrown_up
 from esg.draft.events.motions import flies_itself, motion, own, start_motion, target_of
@@ -79,6 +80,10 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     # also what was hit: "is hit by a ball and runs into a fence"
     afoot = f.verb.lemma in _ON_FOOT and kind in LIVING
+    if actors and goes_steeply(d, f) and all(climbs(d, a) for a in actors):
+        d.moves.flying.update(actors)
+        motion(d, f, actors, "own")
+        return
     if f.verb.lemma in _HOVERING and actors and all(flies_itself(d, a) for a in actors):
         _hovers(d, f, actors)
         return
