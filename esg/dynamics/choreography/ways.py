@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 import math
 
+from esg.dynamics.choreography.clearing import thrown_over
 from esg.dynamics.choreography.hovering import top_of
 from esg.dynamics.choreography.kerbs import kerb_passed
 from esg.dynamics.choreography.placing import comes_to_rest
@@ -141,6 +142,8 @@ def _spot(
     if s.direction == "away_from":
         reach = mine.half_length + half_along(its.length, its.width, 0.0) + _BEHIND_M
         return _beside(start, heading + math.pi, reach, None)
+    if s.direction == "across" and (over := thrown_over(stage, mover, other)) is not None:
+        return over
     if s.direction == "across" and stage.story.flies(mover):
         return (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]), None)
     if s.direction in ("past", "along"):

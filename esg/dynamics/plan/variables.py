@@ -430,14 +430,17 @@ class Declarations:
             speed = low / 100
             name = f"{edge.id}/speed"
             self.add(name, speed, speed, speed, speed, 0.0, "m/s", fixed=True)
-            start = self.elevation_for(actor, phase, low / 100.0)
+            start = self.nominal.get(f"{edge.id}/elevation")
+            start = self.elevation_for(actor, phase, low / 100.0) if start is None else start
             self._declare_elevation(edge, (-30.0, 75.0), start, 0.05)
             return
         offset = self._goal_of(actor, edge.id)
         if offset is not None:
             self._declare_flight(body, phase, edge.id, offset, low, high)
             return
-        speed = middle(max(low, 1.0), high) / 100.0
+        speed, tilt = middle(max(low, 1.0), high) / 100.0, self.nominal.get(f"{edge.id}/elevation")
+        if tilt is not None:  # it clears something
+            speed = self.nominal[f"{edge.id}/speed"]
         self.add(
             f"{edge.id}/speed",
             low / 100,
@@ -447,7 +450,7 @@ class Declarations:
             0.1 * speed,
             "m/s",
         )
-        self._declare_elevation(edge, (0.0, 60.0), None, 0.1)
+        self._declare_elevation(edge, (0.0, 60.0), tilt, 0.1)
 
     def _declare_elevation(
         self,
