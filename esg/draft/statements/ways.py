@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
@@ -27,6 +28,7 @@ _SIDE_WORDS = {
     "behind": re.compile(r"\b(?:behind|back|rear)\b", re.IGNORECASE),
 }
 """The words of a side, of which the first in the text is where something starts."""
+_SPANS = lex.word_set("spans")
 _DOWN_ON = ("on", "onto", "upon", "atop", "on top of")
 _STRAIGHT_DOWN = "it falls straight down"
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
@@ -49,6 +51,7 @@ def moved(book: Book, clause: Clause, s: Said, mover: str) -> None:
         target = tuple(others) if targeted else ()
         book.add(s.row.states, s.start, s.end, object=(mover,), target=target,
                  direction=s.row.direction, when=period(d, clause, mover))  # fmt: skip
+        _lengthwise(book, s, mover, target, s.row.direction or "", period(d, clause, mover))
 
 
 def _back(book: Book, clause: Clause, s: Said, mover: str) -> None:
@@ -119,6 +122,17 @@ def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
     some = tuple(targets) if direction == "between" else tuple(targets[:1])
     book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=some, direction=direction,
              when=where)  # fmt: skip
+    _lengthwise(book, s, mover, some, direction, where)
+
+
+def _lengthwise(
+    book: Book, s: Said, mover: str, over: tuple[str, ...], direction: str, when: str
+) -> None:
+    """ "Across a bridge" is the long way of it."""
+    heads = {entity_of(book.d, i).head.rpartition(" ")[2] for i in over}
+    if direction == "across" and heads & _SPANS:
+        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=over, direction="along",
+                 when=when)  # fmt: skip
 
 
 def _drops(d: Discourse, mover: str) -> bool:

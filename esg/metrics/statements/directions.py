@@ -30,6 +30,8 @@ from esg.thresholds import (
 )
 from esg.units import quat_rotate
 
+SAME_M = 1e-3
+"""Heights and distances that differ by no more are the same: what bounces comes down again."""
 _VIEWER: dict[str, tuple[float, float, float]] = {
     "left": (1.0, 0.0, 0.0),
     "right": (-1.0, 0.0, 0.0),
@@ -113,7 +115,8 @@ def _upright(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept
     """
     direction = q.statement.direction or ""
     sign = 1.0 if direction == "up" else -1.0
-    turn = int(np.argmax(sign * path[:, 2]))
+    rise = sign * path[:, 2]
+    turn = int(np.argmax(rise >= rise.max() - SAME_M))  # where it first comes so far
     shift = path[turn] - path[0]
     slopes = [j for j in q.target.bodies if j != body]
     if not slopes and touching(replay, body)[q.window.frames][: turn + 1].mean() >= MOST:
@@ -175,7 +178,7 @@ def _toward(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
         apart = np.linalg.norm(path - np.clip(path, low, high), axis=1)
         if apart[0] == 0.0:
             apart = np.linalg.norm(path - 0.5 * (low + high), axis=1)
-        near = int(np.argmax(apart <= apart.min() + 1e-3))
+        near = int(np.argmax(apart <= apart.min() + SAME_M))
         shift = path[near] - path[0]
         if apart[0] - apart[near] < STILL_M:
             continue
