@@ -37,7 +37,11 @@ THEN = lex.word_set("then")
 ROLLING = "rolling"
 """Adjective of what is on its way round and round."""
 AFTER_THAT = r"\bafter (?:that|this|which)\b"
-_PACES = {"crawl": (0.3, 0.0, 0.7, 0.0), "slow": (0.5, 0.0, 1.0, 0.15), "fast": (1.0, 0.5, 1.0, 1.0)}
+_PACES = {
+    "crawl": (0.3, 0.0, 0.7, 0.0),
+    "slow": (0.5, 0.0, 1.0, 0.15),
+    "fast": (1.0, 0.5, 1.0, 1.0),
+}
 """Least and greatest speed by pace, each as a share of the range's lower end, and of its width
 added to that: a car that creeps goes at a walk (0.9 to 2.1 m/s), a slow one at up to 20 km/h."""
 _SLOWEST_CM_S = 25.0

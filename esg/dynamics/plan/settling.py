@@ -10,7 +10,7 @@ from esg.dynamics.story.paces import grip
 from esg.dynamics.story.story import Phase
 from esg.engines.program import AdjustProperties, Lasting, Primitive
 from esg.engines.scene import Body
-from esg.graph.models import NodeEvent, Predicate
+from esg.graph.models import EdgeEvent, NodeEvent, Predicate
 from esg.units import GRAVITY_MPS2
 
 STILL_MPS = 0.07
@@ -58,7 +58,7 @@ def comes_to_lie(cast: Cast, body: Body, done: Sequence[Primitive]) -> list[Prim
         body: Whose program it is.
         done: The primitives so far.
     """
-    told = any(
+    told = _stops_by_itself(cast, body.name) or any(
         s.predicate in _LIES and s.when == "end" and body.name in s.object
         for s in cast.doc.statements or ()
     )
@@ -69,11 +69,19 @@ def comes_to_lie(cast: Cast, body: Body, done: Sequence[Primitive]) -> list[Prim
     times = [
         cast.nominal.get(f"{node.id}/event_time", 0.0)
         for node in cast.story.nodes.values()
-        if body.name in node.participants
+        if body.name in node.participants and node.event is not NodeEvent.STOP
     ]
     high = max(body.position[2] - body.half_extents[2], 0.0)
     begins = max(times, default=0.0) + math.sqrt(2.0 * high / GRAVITY_MPS2) + LANDED_S
     return [_damped(body.name, begins, ROLLING_OUT)]
+
+
+def _stops_by_itself(cast: Cast, actor: str) -> bool:
+    """Whether it rolls on after an event, or out of the air, until it stops, whenever that is."""
+    last = cast.story.phases[actor][-1]
+    end = last.end
+    open_ = not (end.time_is_prescribed or end.constraints)
+    return end.event is NodeEvent.STOP and last.edge.event is EdgeEvent.TOWARD and open_
 
 
 def _damped(actor: str, time: float, damping: float) -> AdjustProperties:

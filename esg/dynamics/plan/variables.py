@@ -438,9 +438,11 @@ class Declarations:
         if offset is not None:
             self._declare_flight(body, phase, edge.id, offset, low, high)
             return
-        speed, tilt = middle(max(low, 1.0), high) / 100.0, self.nominal.get(f"{edge.id}/elevation")
-        if tilt is not None:  # it clears something
-            speed = self.nominal[f"{edge.id}/speed"]
+        tilt = self.nominal.get(f"{edge.id}/elevation")
+        if tilt is not None:
+            self._declare_clearing(edge, tilt)
+            return
+        speed = middle(max(low, 1.0), high) / 100.0
         self.add(
             f"{edge.id}/speed",
             low / 100,
@@ -450,7 +452,13 @@ class Declarations:
             0.1 * speed,
             "m/s",
         )
-        self._declare_elevation(edge, (0.0, 60.0), tilt, 0.1)
+        self._declare_elevation(edge, (0.0, 60.0), None, 0.1)
+
+    def _declare_clearing(self, edge: TimelineEdge, tilt: float) -> None:
+        """Speed and elevation [rad] of a throw that clears something: no slower, and no flatter."""
+        speed = self.nominal[f"{edge.id}/speed"]
+        self.add(f"{edge.id}/speed", speed, 1.1 * speed, speed, speed, 0.02 * speed, "m/s")
+        self.add(f"{edge.id}/elevation", tilt, tilt + 0.1, tilt, tilt, 0.02, "rad")
 
     def _declare_elevation(
         self,
