@@ -10,8 +10,8 @@ from esg.dynamics.choreography.encounters import covers
 from esg.dynamics.choreography.flights import took_off
 from esg.dynamics.choreography.hits.caroms import is_carom
 from esg.dynamics.choreography.hits.demands import (
-    demanded,
     FELT_SURELY,
+    demanded,
     felt_speed,
     passed_on,
     sends_sliding,
