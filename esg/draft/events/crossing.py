@@ -9,7 +9,7 @@ from esg.draft.discourse.scene import LIVING, Scene
 from esg.graph.models import NodeEvent, Predicate, Statement, TimelineSystem
 
 PART, ALL, ALONG = 0.6, 1.2, 0.85
-"""Shares of the width that are gone at least and at most (half of it is crossing); of a bridge, whose
+"""Shares of the width that are gone at least and at most: half is crossing; of a bridge, whose
 length it is, less than all."""
 BRISK_CM_S = 300.0
 """What goes on foot at a speed that is left open goes no faster."""
