@@ -22,6 +22,8 @@ _OTHER_THING = 4.0
 """Beyond this factor of size a compound's last word names another thing than its category."""
 
 _HOLE = "golf_hole"
+_SLOPES = ("ramp", "slide")
+"""Builders of what something rolls or slides down."""
 _OWN_SHAPE = 1.2
 """Extents that differ by no more than this after scaling are those of the noun itself."""
 
@@ -44,6 +46,8 @@ def said_entry(requirement: AssetRequirement) -> Entry | None:
         return None  # a "cup" that a ball rolls into is no tableware
     if filed is not None and (said.name in filed.parents or "decal" in filed.flags):
         return None
+    if filed is not None and filed.builder in _SLOPES and said.builder not in _SLOPES:
+        return None  # a shelf set aslant is a slope, and no shelf
     return said if normalize(words) != normalize(requirement.asset_category) else None
 
 

@@ -8,8 +8,9 @@ from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import LIVING, Scene
 from esg.graph.models import NodeEvent, Predicate, Statement, TimelineSystem
 
-PART, ALL = 0.6, 1.2
-"""Shares of the width that are gone at least and at most: half of it is crossing."""
+PART, ALL, ALONG = 0.6, 1.2, 0.85
+"""Shares of the width that are gone at least and at most: half is crossing; of a bridge, whose
+length it is, less than all."""
 BRISK_CM_S = 300.0
 """What goes on foot at a speed that is left open goes no faster."""
 
@@ -29,18 +30,21 @@ def take_time(
     graph, windows = timeline.sequence_graph, dict[str, tuple[float, float]]()
     ends = {n.id: n for n in graph.nodes}
     things = scene.world.entities
+    statements = tuple(statements)
+    lengthwise = {(s.object, s.target) for s in statements if s.direction == "along"}
     for s in statements:
         across = s.predicate is Predicate.MOVES and s.direction == "across"
         flat = [things[i] for i in s.target if i in things and "decal" in things[i].noun.traits]
         if not across or not flat:
             continue
-        width = min(dimensions_of(flat[0])[:2])
+        along = (s.object, s.target) in lengthwise
+        width, most = (max if along else min)(dimensions_of(flat[0])[:2]), ALONG if along else ALL
         for e in graph.edges:
             speed = e.params.speed
             walks = e.actor in s.object and things[e.actor].noun.kind in LIVING
             if walks and isinstance(speed, tuple) and e.params.elevation_deg is None:
                 pace = min(0.9 * speed[1], BRISK_CM_S)
-                windows[e.to] = (round(PART * width / pace, 2), round(ALL * width / pace, 2))
+                windows[e.to] = (round(PART * width / pace, 2), round(most * width / pace, 2))
     edges = tuple(
         e.model_copy(update={"params": e.params.model_copy(update={"duration": windows[e.to]})})
         if e.to in windows and ends[e.to].event is NodeEvent.TRIGGER

@@ -683,7 +683,8 @@ def _sense_here(d: Discourse, f: Frame, parts: Parts) -> str:
         f.verb.sense = on_joint
     sense, lemma = f.verb.sense, f.verb.lemma
     handled = _HANDLED.get((sense, lemma))
-    if sense == "noop" and not any(_in_reach(d, i) for i in parts.objects):
+    taken = parts.subject if f.verb.passive else parts.objects
+    if sense == "noop" and not any(_in_reach(d, i) for i in taken):
         handled = None
     if handled is not None:
         return handled

@@ -37,8 +37,15 @@ THEN = lex.word_set("then")
 ROLLING = "rolling"
 """Adjective of what is on its way round and round."""
 AFTER_THAT = r"\bafter (?:that|this|which)\b"
-_SLOW, _FAST = (0.0, 0.25), (0.5, 1.0)
-"""The parts of the range of plausible speeds that are slow and fast."""
+_PACES = {
+    "crawl": (0.3, 0.0, 0.7, 0.0),
+    "slow": (0.5, 0.0, 1.0, 0.15),
+    "fast": (1.0, 0.5, 1.0, 1.0),
+}
+"""Least and greatest speed by pace, each as a share of the range's lower end, and of its width
+added to that: a car that creeps goes at a walk (0.9 to 2.1 m/s), a slow one at up to 20 km/h."""
+_SLOWEST_CM_S = 25.0
+"""No word makes anything slower than this, a little more than what counts as motion."""
 
 
 _FLOATERS = lex.word_set("floaters")
@@ -539,5 +546,7 @@ def paced(speed: Quantity, pace: str) -> Quantity:
     if not isinstance(speed, tuple):
         return speed
     low, high = speed
-    part = _SLOW if pace == "slow" else _FAST
-    return (round(low + part[0] * (high - low), 4), round(low + part[1] * (high - low), 4))
+    least, more, most, wider = _PACES[pace]
+    wide, slowest = high - low, min(low, _SLOWEST_CM_S)
+    first = max(least * low + more * wide, slowest)
+    return (round(first, 4), round(max(most * low + wider * wide, min(1.4 * first, high)), 4))

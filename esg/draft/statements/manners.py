@@ -14,7 +14,7 @@ from esg.draft.events.gaits import on_legs
 from esg.draft.events.hanging import SENT_UP
 from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.statements.book import Book, span
-from esg.draft.statements.periods import period, segment_from, segments
+from esg.draft.statements.periods import hurled, period, segment_from, segments
 from esg.draft.verbphrases import verb_readings
 from esg.graph.models import EdgeEvent, Predicate, Quantity
 
@@ -115,5 +115,8 @@ def flown(book: Book, clause: Clause, s: Said, mover: str) -> None:
         return  # "the last ball of the cradle flies out": its string holds it
     if d.scene.used.get(span(clause.frame)) == SENT_UP:
         return  # it rises, and comes down again
-    if clause.frame.verb.sense == "fly" or mover in d.moves.flying or flies_itself(d, mover):
+    if hurled(d, mover) and period(d, clause, mover) == "throughout":
+        # What is thrown comes down again.
+        book.add(s.row.states, s.start, s.end, object=(mover,), when="start")
+    elif clause.frame.verb.sense == "fly" or mover in d.moves.flying or flies_itself(d, mover):
         plainly(book, clause, s, mover)

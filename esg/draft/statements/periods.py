@@ -12,6 +12,9 @@ from esg.draft.events.hanging import SENT_UP
 from esg.draft.statements.book import span
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineEdge
 
+STRAIGHT_DOWN_DEG = -90.0
+"""Elevation of what is dropped."""
+
 
 def period(d: Discourse, clause: Clause, mover: str) -> str:
     """The part of the scene that a clause tells: from one event to the next."""
@@ -46,6 +49,12 @@ def segment_from(d: Discourse, mover: str, since: str) -> TimelineEdge | None:
     if edge is not None and edge.event is EdgeEvent.UNIFORM_MOTION and edge.params.speed == 0.0:
         return next((e for e in segments(d, mover) if e.from_ == edge.to), edge)
     return edge
+
+
+def hurled(d: Discourse, mover: str) -> bool:
+    """Whether it is let go into the air, and not downwards."""
+    ways = (e.params.elevation_deg for e in segments(d, mover))
+    return any(way not in (None, STRAIGHT_DOWN_DEG) for way in ways)
 
 
 def is_told(d: Discourse, mover: str, others: list[str]) -> bool:

@@ -23,6 +23,7 @@ from esg.draft.events.stated import adverbs_of
 from esg.draft.events.told import last_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.account import held
+from esg.draft.statements.ways import comes_to_ground
 from esg.graph.models import EdgeEvent, NodeEvent, Predicate
 
 _NO_PICTURE = lex.word_set("no picture (statements)")
@@ -297,6 +298,7 @@ def _moved_by_none(d: Discourse, clause: Clause) -> bool:
 
 _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "loose": lambda d, c: bool(c.movers) and _loose(d, c),
+    "aloft": lambda d, c: not any(comes_to_ground(d, c, i) for i in c.movers),
     "bumped": lambda d, c: c.frame.verb.form == "ing" and _bumped(d, c.frame),
     "down": _goes_down,
     "parted": _parted,

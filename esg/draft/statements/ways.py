@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 
+from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import GROUND
+from esg.draft.discourse.scene import GROUND, LIVING
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import TURNING, measurable, queues_behind
 from esg.draft.events.motions import flies_itself
@@ -15,7 +16,7 @@ from esg.draft.events.stated import start_of
 from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Phrase
 from esg.draft.statements.book import Book, ids, span
-from esg.draft.statements.periods import is_told, period, segments
+from esg.draft.statements.periods import STRAIGHT_DOWN_DEG, hurled, is_told, period, segments
 from esg.graph.models import NodeEvent, Predicate
 
 _ON_THE_WAY = ("along", "across", "through")
@@ -27,7 +28,8 @@ _SIDE_WORDS = {
     "behind": re.compile(r"\b(?:behind|back|rear)\b", re.IGNORECASE),
 }
 """The words of a side, of which the first in the text is where something starts."""
-_DOWN_DEG = -90.0
+_SPANS = lex.word_set("spans")
+_DOWN_ON = ("on", "onto", "upon", "atop", "on top of")
 _STRAIGHT_DOWN = "it falls straight down"
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
 
@@ -49,6 +51,7 @@ def moved(book: Book, clause: Clause, s: Said, mover: str) -> None:
         target = tuple(others) if targeted else ()
         book.add(s.row.states, s.start, s.end, object=(mover,), target=target,
                  direction=s.row.direction, when=period(d, clause, mover))  # fmt: skip
+        _lengthwise(book, s, mover, target, s.row.direction or "", period(d, clause, mover))
 
 
 def _back(book: Book, clause: Clause, s: Said, mover: str) -> None:
@@ -72,7 +75,7 @@ def _no_way(d: Discourse, clause: Clause, s: Said, mover: str) -> bool:
     prep = s.phrase.prep if s.phrase is not None else ""
     put = prep == "by" and d.scene.used.get(span(clause.frame)) == "put"
     grounded = clause.frame.verb.sense in ("slide", "roll") and kind_of(d, mover) == "animal"
-    flies = mover in d.moves.flying or flies_itself(d, mover)
+    flies = mover in d.moves.flying or flies_itself(d, mover) or hurled(d, mover)
     return put or (prep == "over" and (grounded or not flies))
 
 
@@ -119,12 +122,23 @@ def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
     some = tuple(targets) if direction == "between" else tuple(targets[:1])
     book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=some, direction=direction,
              when=where)  # fmt: skip
+    _lengthwise(book, s, mover, some, direction, where)
+
+
+def _lengthwise(
+    book: Book, s: Said, mover: str, over: tuple[str, ...], direction: str, when: str
+) -> None:
+    """ "Across a bridge" is the long way of it."""
+    heads = {entity_of(book.d, i).head.rpartition(" ")[2] for i in over}
+    if direction == "across" and heads & _SPANS:
+        book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=over, direction="along",
+                 when=when)  # fmt: skip
 
 
 def _drops(d: Discourse, mover: str) -> bool:
     """Whether all that it does is fall: "they land one by one, from left to right"."""
     ways = [e.params.elevation_deg for e in d.timeline.edges if e.actor == mover]
-    return bool(ways) and all(x == _DOWN_DEG for x in ways)
+    return bool(ways) and all(x == STRAIGHT_DOWN_DEG for x in ways)
 
 
 def _slope(book: Book, s: Said, mover: str, where: str) -> None:
@@ -191,21 +205,40 @@ def _starts_there(book: Book, mover: str, other: str, says: Predicate) -> None:
 
 
 def landed(book: Book, clause: Clause, p: Phrase) -> None:
-    """ "A bird lands on a branch": it comes down by itself, and there it stays."""
+    """ "A bird lands on a branch": it comes down by itself, and there it stays.
+
+    So does what has fallen or was thrown, and lands on the ground.
+    """
     d = book.d
-    if p.mention is None or p.prep not in ("on", "onto", "upon", "atop", "on top of"):
+    if p.mention is None or p.prep not in (*_DOWN_ON, "in"):
         return
-    hosts = [i for i in things(p) if i in d.world.entities and not structural(d, i)][:1]
+    words = (start_of(p, d.text), p.mention.end)
+    grounds = [i for i in things(p) if structural(d, i)][:1]
+    if grounds:
+        for mover in clause.movers:
+            if comes_to_ground(d, clause, mover):
+                book.add(Predicate.ENDS_ON, *words, object=(mover,), target=tuple(grounds),
+                         when="end")  # fmt: skip
+        return
+    hosts = [i for i in things(p) if i in d.world.entities and p.prep in _DOWN_ON][:1]
     for mover in clause.movers if hosts else []:
         edges = list(segments(d, mover))
         kinds = {n.id: n.event for n in d.timeline.nodes}
         over = bool(edges) and measurable(kinds.get(edges[-1].to, NodeEvent.TRIGGER))
         if not flies_itself(d, mover) or not over or mover in hosts:
             continue
-        words = (start_of(p, d.text), p.mention.end)
         book.add(Predicate.MOVES, *span(clause.frame), object=(mover,), direction="down",
                  when=period(d, clause, mover))  # fmt: skip
         book.add(Predicate.ENDS_ON, *words, object=(mover,), target=tuple(hosts), when="end")
+
+
+def comes_to_ground(d: Discourse, clause: Clause, mover: str) -> bool:
+    """Whether a landing is the last that is told of a thing that was in the air, and it stays."""
+    if kind_of(d, mover) in LIVING or flies_itself(d, mover) or _goes_elsewhere(d, clause, mover):
+        return False
+    told = [n for n in d.timeline.nodes if mover in n.participants and measurable(n.event)]
+    fell = bool(told) and told[-1].event is NodeEvent.FALL
+    return fell or (not told and hurled(d, mover))
 
 
 def leapt(book: Book, p: Phrase) -> None:

@@ -6,9 +6,10 @@ import math
 
 from esg.dynamics.casting.changes import Configs, scaled
 from esg.dynamics.casting.hits import fastest, launched
-from esg.dynamics.choreography.hits.demands import passed_on, run_on_speed
+from esg.dynamics.choreography.hits.demands import felt_speed, passed_on, run_on_speed
 from esg.dynamics.choreography.slopes import fastest_down, rides
-from esg.dynamics.story.stagecraft import prop
+from esg.dynamics.choreography.stage import FASTEST_MPS
+from esg.dynamics.story.stagecraft import default_speed, prop
 from esg.dynamics.story.story import Story, bounds, hits
 from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
 
@@ -85,6 +86,28 @@ def fit_pushes(doc: EsgDocument, story: Story) -> Configs:
         for key, times in zip(keys, (mover, target), strict=True):
             if times != 1.0:
                 out[key] = scaled(doc.asset_configurations[key], times)
+    return out
+
+
+def fit_slow(doc: EsgDocument, story: Story) -> Configs:
+    """Masses at which the hit of what creeps or goes slowly is felt: a toy that nudges a gate.
+
+    Of those that a word, not the kind, gives their speed: both grow as far as they may weigh.
+    """
+    nodes = doc.spatial_relation_graph.nodes
+    out: Configs = {}
+    for node, a, b in hits(doc, story):
+        phase = next((p for p in story.phases.get(a, ()) if p.end.id == node.id), None)
+        first, second = prop(doc, a), prop(doc, b)
+        if phase is None or phase.edge.speed_is_prescribed or phase.edge.params.speed is None:
+            continue
+        _, high, _ = bounds(phase.edge.params.speed, (0.0, 100.0 * FASTEST_MPS))
+        if story.is_active(b) or first.rolls or high >= 100.0 * default_speed(first):
+            continue
+        more = felt_speed(first, second) / (0.01 * high)
+        for key in {nodes[name].asset_id for name in (a, b)} if more > 1.0 else ():
+            if not doc.asset_requirement[key].mass_is_prescribed:
+                out[key] = scaled(doc.asset_configurations[key], min(more, HEAVIEST))
     return out
 
 

@@ -12,7 +12,7 @@ from esg.dynamics.casting.containers import fit_containers, fit_holders
 from esg.dynamics.casting.dominoes import fit_falling
 from esg.dynamics.casting.fragile import fit_fragile
 from esg.dynamics.casting.loads import fit_fallen, fit_loads
-from esg.dynamics.casting.masses import fit_pushes, fit_transfer
+from esg.dynamics.casting.masses import fit_pushes, fit_slow, fit_transfer
 from esg.dynamics.casting.motion import (
     fit_bouncy,
     fit_felt,
@@ -80,6 +80,7 @@ RULES = (
     _of_assets("there is room on top for what goes down it", fit_roomy),
     _of_assets("what is on the slope is let go and arrives as stated", fit_sloped),
     _of_assets("its hits are felt at the speed it may have", fit_felt),
+    _of_assets("its hit is felt as slowly as it goes", fit_slow),
     _of_assets("what slides is still on its way when it is to arrive", fit_slippery),
     _of_assets("a hit at one stated speed gives the other", fit_bouncy),
     _of_assets("the last hit of the chain is still felt", fit_chains),

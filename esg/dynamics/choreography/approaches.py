@@ -10,6 +10,7 @@ from esg.dynamics.choreography.encounters import covers
 from esg.dynamics.choreography.flights import took_off
 from esg.dynamics.choreography.hits.caroms import is_carom
 from esg.dynamics.choreography.hits.demands import (
+    FELT_SURELY,
     demanded,
     felt_speed,
     passed_on,
@@ -246,7 +247,8 @@ def _demand(stage: Stage, e: Encounter) -> Demand:
     pa, pb = stage.prop(a), stage.prop(b)
     again = struck_again(stage, node, a, b)
     chained = (pa.rolls and pb.rolls and goes_on(stage, node, b)) or is_carom(stage, node, a, b)
-    least = min_hit_speed(pa, pb)
+    slow = stage.slowly(a, phase)
+    least = min_hit_speed(pa, pb) if slow is None else min(min_hit_speed(pa, pb), slow)
     if chained:
         least *= CHAINED
     elif goes_on(stage, node, b) and not (again or row_after(stage, a, b)):
@@ -257,7 +259,8 @@ def _demand(stage: Stage, e: Encounter) -> Demand:
         needed = max(needed, fall_speed(pa, pb))
     needed = max(needed, demanded(stage, node, a, b), thrown_off_speed(stage, node, a))
     if not chained:
-        needed = max(needed, felt_speed(pa, pb))
+        felt = felt_speed(pa, pb)
+        needed = max(needed, felt if slow is None else min(felt, max(slow, felt / FELT_SURELY)))
     speed = stage.speed(a, phase, max(least, needed), needed)
     prescribed, asked = stage.prescribed_time(node), _asked(stage, e)
     demand = Demand(speed, least, needed, prescribed, asked, chained, topples)

@@ -25,7 +25,7 @@ def cruise(stage: Stage, actor: str) -> float:
     A height that the prompt states for the start wins.
     """
     body = stage.prop(actor)
-    stated = _stated(stage, actor)
+    stated = stated_height(stage, actor)
     if stated is not None:
         return stated
     steep = climbs_at(stage.story.phases[actor][0].edge)
@@ -87,7 +87,8 @@ def top_of(stage: Stage, name: str) -> float:
     return _base(stage, name) + stage.prop(stage.key(name)).height
 
 
-def _stated(stage: Stage, actor: str) -> float | None:
+def stated_height(stage: Stage, actor: str) -> float | None:
+    """Height [m] of the bottom of an actor at the start, as the prompt has it, or None."""
     for node in stage.story.nodes.values():
         for c in node.constraints:
             if c.quantity == "height" and c.object == stage.member(actor):

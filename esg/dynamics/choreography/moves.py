@@ -145,7 +145,9 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float | None) -> 
     drag = coasting_drag(body)
     if edge.event is EdgeEvent.TOWARD and drag > 0.0 and not stage.story.flies(actor):
         if not phase.end.time_is_prescribed:
-            duration = min(duration, SLIDES_ON * speed / drag)  # not at rest by then
+            # What shall stop slides to rest; what is acted upon later is not at rest by then.
+            halts = phase.end.event is NodeEvent.STOP
+            duration = speed / drag if halts else min(duration, SLIDES_ON * speed / drag)
         left = max(0.0, speed - drag * duration)
         track.straight(sliding_travel(speed, drag, duration), duration, left)
         return

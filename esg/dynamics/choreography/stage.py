@@ -303,9 +303,18 @@ class Stage:
             return low / 100.0
         inner = 0.1 * (high - low)
         speed = min(max(preferred, (low + inner) / 100.0), (high - inner) / 100.0)
+        if not phase.edge.speed_is_prescribed and not low <= 100.0 * usual <= high:
+            speed = max(0.005 * (low + high), least)  # a word of pace, not the kind, sets it
         if not phase.edge.speed_is_prescribed:
             speed = min(max(speed, min(needed, FASTEST_MPS)), top)
         return speed
+
+    def slowly(self, actor: str, phase: Phase) -> float | None:
+        """The most [m/s] that a word of pace ("creeps") leaves of a speed; None without one."""
+        _, high, stated = bounds(phase.edge.params.speed, (0.0, 100.0 * FASTEST_MPS))
+        usual = default_speed(self.prop(actor))
+        open_ = phase.edge.params.speed is not None and not phase.edge.speed_is_prescribed
+        return 0.01 * high if open_ and not stated and 0.01 * high < usual else None
 
     def _cruises(self, actor: str, phase: Phase) -> float | None:
         """Speed [m/s] of the segment before, where nothing has changed it since."""

@@ -21,7 +21,7 @@ from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.swings import moved_by_joint, swung
 from esg.dynamics.choreography.throws import stand_behind
-from esg.dynamics.choreography.ways import place_by_the_way, state_course, ways_stated
+from esg.dynamics.choreography.ways import pairs_passed, place_by_the_way, state_course, ways_stated
 from esg.dynamics.story.stagecraft import fit_to_surface
 from esg.dynamics.story.story import Story, read_story
 from esg.graph import models
@@ -101,6 +101,7 @@ def _components(doc: EsgDocument, story: Story) -> list[set[str]]:
         if a not in carried
     ]
     links += [{s.object[0], s.target[0]} for s in ways_stated(doc, story)]
+    links += [{s.object[0], *s.target} for s in pairs_passed(doc, story)]
     for link in [s for s in links if s]:
         touching = [g for g in groups if g & link]
         merged = link.union(*touching)

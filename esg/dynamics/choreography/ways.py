@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 import math
 
+from esg.dynamics.choreography.clearing import thrown_over
 from esg.dynamics.choreography.hovering import top_of
 from esg.dynamics.choreography.kerbs import kerb_passed
 from esg.dynamics.choreography.placing import comes_to_rest
@@ -23,6 +24,8 @@ _BEHIND_M = 1.0
 """Gap to what something moves away from."""
 _BESIDE_M = 0.6
 """Gap to what something moves past or along, or gets beside."""
+_BETWEEN_M = 0.5
+"""Gap on either side of what passes between two things."""
 RESTING_M = 0.002
 """Gap under what rests on something at the start: less than what is measured as touching."""
 _SIDES: dict[Predicate, tuple[float, float]] = {
@@ -90,6 +93,7 @@ def _approach(stage: Stage, s: Statement) -> float:
 
 def place_by_the_way(stage: Stage) -> None:
     """Puts what statements name beside the ways, unless its place is known already."""
+    _gates_and_pairs(stage)
     for s in _stated(stage):
         mover, other = s.object[0], s.target[0]
         if stage.key(other) in stage.places or stage.key(other) == stage.anchor:
@@ -100,6 +104,33 @@ def place_by_the_way(stage: Stage) -> None:
             stage.places[stage.key(other)] = spot
             if s.predicate is Predicate.SUPPORTED_BY:
                 stage.heights[mover] = top_of(stage, other) + RESTING_M
+
+
+def _gates_and_pairs(stage: Stage) -> None:
+    """Puts two things on either side of a way that leads between them."""
+    for s in pairs_passed(stage.doc, stage.story):
+        keys = [stage.key(other) for other in s.target]
+        way = _way(stage, s.object[0]) if s.object[0] in stage.tracks else None
+        if way is None or keys[0] == keys[1] or {*keys} & {*stage.places, stage.anchor}:
+            continue
+        start, end, heading = way
+        middle = (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]))
+        room = stage.prop(s.object[0]).half_width + _BETWEEN_M
+        for key, side in zip(keys, (1.0, -1.0), strict=True):
+            its = stage.prop(key)
+            reach = room + 0.5 * min(its.length, its.width)
+            turned = 0.0 if its.length >= its.width else math.pi / 2
+            stage.places[key] = _beside(middle, heading + side * math.pi / 2, reach,
+                                        heading + turned)  # fmt: skip
+
+
+def pairs_passed(doc: EsgDocument, story: Story) -> Iterator[Statement]:
+    """The statements of a way of one mover between two things that wait."""
+    nodes = doc.spatial_relation_graph.nodes
+    for s in doc.statements or ():
+        waiting = all(i not in story.phases and not nodes[i].is_structural for i in s.target)
+        if s.direction == "between" and len(s.object) == 1 and len(s.target) == 2 and waiting:
+            yield s
 
 
 def arrives(doc: EsgDocument, actor: str) -> bool:
@@ -160,6 +191,8 @@ def _spot(
     if s.direction == "away_from":
         reach = mine.half_length + half_along(its.length, its.width, 0.0) + _BEHIND_M
         return _beside(start, heading + math.pi, reach, None)
+    if s.direction == "across" and (over := thrown_over(stage, mover, other)) is not None:
+        return over
     if s.direction == "across" and stage.story.flies(mover):
         return (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]), None)
     if s.direction in ("past", "along"):

@@ -27,6 +27,7 @@ from esg.dynamics.plan.drives import (
     reach_of,
 )
 from esg.dynamics.plan.guides import Way
+from esg.dynamics.plan.settling import STILL_MPS, comes_to_lie, rolls_out
 from esg.dynamics.story.driving import goal_of
 from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
 from esg.dynamics.story.paces import (
@@ -58,10 +59,6 @@ from esg.units import GRAVITY_MPS2, quat_from_euler_deg, yaw_from_quat
 
 STRAIGHT_S = 1.0
 """How long an actor drives on straight after a turn that nothing follows [s]."""
-STILL_MPS = 0.07
-"""Speed of what has come to rest [m/s]."""
-AT_REST_DAMPING = 9.0
-"""Linear and angular damping [1/s] of a ball that has rolled out."""
 SHAKEN_S = 0.15
 """From the hit of a support until something on it sets off to fall [s]."""
 LEAST_S = 0.05
@@ -292,7 +289,7 @@ class Composer:
                 course.out[done:] = [self._by_and_by(p) for p in course.out[done:]]
             elif k == 0 and on_foot(prop(self.doc, actor)) and support_of(self.doc, actor):
                 course.out[done:] = [q for p in course.out[done:] for q in self._down(p)]
-        return course.out
+        return [*course.out, *comes_to_lie(self.cast, self.scene.body(actor), course.out)]
 
     def _down(self, primitive: Primitive) -> list[Primitive]:
         """What runs off a thing lands on its feet, which takes of its speed what friction does."""
@@ -330,7 +327,8 @@ class Composer:
         actor, body = course.actor, self.scene.body(course.actor)
         course.out.append(self.launch(actor, body, leg.phase, leg.v, leg.start, course.heading))
         if leg.last:
-            course.out += self._rolls_out(actor, body, leg.phase, leg.v, leg.start, leg.end)
+            speed = leg.v.get(f"{leg.phase.edge.id}/speed", 0.0)
+            course.out += rolls_out(self.cast, body, leg.phase, speed, leg.start, leg.end)
         course.clock = leg.start
 
     def _guide(self, course: _Course, leg: _Leg) -> None:
@@ -659,33 +657,6 @@ class Composer:
     def _brakes(self, course: _Course) -> float:
         """How hard an actor usually brakes [m/s^2]."""
         return usual_brake(self.doc, course.actor, course.speed)
-
-    def _rolls_out(
-        self, actor: str, body: Body, phase: Phase, v: Values, start: float, end: float
-    ) -> list[Primitive]:
-        """What rolls and shall come to rest is slowed as grass or a carpet does it.
-
-        A ball has no rolling resistance of its own; damped alike, its speed and spin stay in step.
-        """
-        speed = v.get(f"{phase.edge.id}/speed", 0.0)
-        stops = phase.end.event is NodeEvent.STOP and phase.edge.params.spin == "roll"
-        if not stops or body.roll_radius <= 0.0 or self.story.flies(actor) or end <= start:
-            return []
-        needed = math.log(max(speed, STILL_MPS) / STILL_MPS) / (end - start)
-        # Damping takes the most at the start: no more than what friction on its ground gives.
-        holds = grip(self.doc, actor)
-        damping = max(min(needed, holds / max(speed, STILL_MPS)), 0.1)
-        slow = holds / AT_REST_DAMPING
-        end = max(end, start + math.log(max(speed / slow, 1.0)) / damping)
-        return [
-            AdjustProperties(actor, start, linear_damping=damping, angular_damping=damping),
-            AdjustProperties(
-                actor,
-                end,
-                linear_damping=AT_REST_DAMPING,
-                angular_damping=AT_REST_DAMPING,
-            ),
-        ]
 
     def _hover(self, actor: str, time: float, speed: float, heading: float) -> HoldVelocity:
         """Slows down in the air, and stays there."""

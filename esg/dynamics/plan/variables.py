@@ -430,12 +430,17 @@ class Declarations:
             speed = low / 100
             name = f"{edge.id}/speed"
             self.add(name, speed, speed, speed, speed, 0.0, "m/s", fixed=True)
-            start = self.elevation_for(actor, phase, low / 100.0)
+            start = self.nominal.get(f"{edge.id}/elevation")
+            start = self.elevation_for(actor, phase, low / 100.0) if start is None else start
             self._declare_elevation(edge, (-30.0, 75.0), start, 0.05)
             return
         offset = self._goal_of(actor, edge.id)
         if offset is not None:
             self._declare_flight(body, phase, edge.id, offset, low, high)
+            return
+        tilt = self.nominal.get(f"{edge.id}/elevation")
+        if tilt is not None:
+            self._declare_clearing(edge, tilt)
             return
         speed = middle(max(low, 1.0), high) / 100.0
         self.add(
@@ -448,6 +453,12 @@ class Declarations:
             "m/s",
         )
         self._declare_elevation(edge, (0.0, 60.0), None, 0.1)
+
+    def _declare_clearing(self, edge: TimelineEdge, tilt: float) -> None:
+        """Speed and elevation [rad] of a throw that clears something: no slower, and no flatter."""
+        speed = self.nominal[f"{edge.id}/speed"]
+        self.add(f"{edge.id}/speed", speed, 1.1 * speed, speed, speed, 0.02 * speed, "m/s")
+        self.add(f"{edge.id}/elevation", tilt, tilt + 0.1, tilt, tilt, 0.02, "rad")
 
     def _declare_elevation(
         self,

@@ -136,15 +136,21 @@ def lay_decals(
 
 
 def _crossed(doc: EsgDocument, name: str, unit: Unit) -> Pose2 | None:
-    """The middle and the direction of the way on which somebody goes across a decal."""
-    for s in doc.statements or ():
+    """The middle and the direction of the way on which somebody goes across a decal.
+
+    What is gone across from end to end, as a bridge is, lies the other way.
+    """
+    told = doc.statements or ()
+    lengthwise = {(s.object, s.target) for s in told if s.direction == "along"}
+    for s in told:
         if s.predicate is not Predicate.MOVES or s.direction != "across" or name not in s.target:
             continue
         for who in s.object:
             for c in unit.corridors if who in unit.members else ():
                 (x, y), (u, v) = c.points_cm[0], c.points_cm[-1]
                 if who in c.participants and math.dist((x, y), (u, v)) > 1.0:
-                    return (0.5 * (x + u), 0.5 * (y + v), math.atan2(v - y, u - x))
+                    turned = 0.5 * math.pi if (s.object, s.target) in lengthwise else 0.0
+                    return (0.5 * (x + u), 0.5 * (y + v), math.atan2(v - y, u - x) + turned)
     return None
 
 

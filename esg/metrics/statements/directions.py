@@ -113,7 +113,9 @@ def _upright(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept
     """
     direction = q.statement.direction or ""
     sign = 1.0 if direction == "up" else -1.0
-    turn = int(np.argmax(sign * path[:, 2]))
+    rise = sign * path[:, 2]
+    # Where it first comes so far: of a bounce, a frame is up to some centimetres above the ground.
+    turn = int(np.argmax(rise >= rise.max() - STILL_M))
     shift = path[turn] - path[0]
     slopes = [j for j in q.target.bodies if j != body]
     if not slopes and touching(replay, body)[q.window.frames][: turn + 1].mean() >= MOST:
@@ -201,11 +203,18 @@ def _away_from(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Ke
     return best
 
 
+def _bodies(replay: Replay, q: StatementQuery, body: int) -> list[int]:
+    """What the direction is of; of a region ("the lane"), what has it."""
+    regions = (replay.scene.regions[k].parent for k in q.target.regions)
+    named = [*q.target.bodies] or [replay.scene.index(name) for name in regions]
+    return [j for j in dict.fromkeys(named) if j != body]
+
+
 def _along(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
     """Along: the long way of the target, and beside or on it."""
     best = Kept(False, reason=f"{q.goal} has no length to move along")
     size = 2.0 * max(replay.scene.bodies[body].half_extents)
-    for other in (j for j in q.target.bodies if j != body):
+    for other in _bodies(replay, q, body):
         b = replay.scene.bodies[other]
         half = np.array(b.half_extents[:2])
         shift = _level(path[-1] - path[0])
@@ -228,7 +237,7 @@ def _along(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
 def _past(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
     """Past: what was ahead of it is behind it, and was not far aside."""
     reason, measured = f"does not get past {q.goal}", dict[str, float]()
-    for other in (j for j in q.target.bodies if j != body):
+    for other in _bodies(replay, q, body):
         limit = max(PASS_M, PASS_SIZES * 2.0 * max(replay.scene.bodies[other].half_extents))
         offset = path - replay.position[q.window.frames, other]
         velocity = replay.velocity[q.window.frames, body]
@@ -250,7 +259,7 @@ def _past(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
 def _across(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
     """Across: over much of its outline, from side to side."""
     most, size = 0.0, 2.0 * max(replay.scene.bodies[body].half_extents)
-    for other in (j for j in q.target.bodies if j != body):
+    for other in _bodies(replay, q, body):
         b = replay.scene.bodies[other]
         half = np.array(b.half_extents[:2])
         centre = np.array(b.origin_offset[:2])

@@ -179,7 +179,6 @@ def test_who_goes_to_a_thing_starts_on_the_side_of_it_that_is_told(
     [
         says(direction="toward", target=("ground_1",)),
         says(direction="toward", target=("dog_1",)),
-        says(direction="between", target=("post_1", "fence_1")),
         says("left_of", when="start"),
         says("supported_by"),
     ],

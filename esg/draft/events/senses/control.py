@@ -45,7 +45,10 @@ _STOPPING_BY = (
 )  # fmt: skip
 _STOPPED_FOR = LIMBED | {"vehicle", "toyvehicle", "cart"}
 STOPS_BY_CM = (20.0, 120.0)
-"""Gap that is left by what stops in front of or beside something [cm]."""
+"""Gap that is left by what stops in front of something [cm]."""
+_STOPS_NEXT_CM = (10.0, 45.0)
+"""Gap that is left by what stops beside something [cm]: nearer than `NEAR_END_M`, half a metre."""
+_NEXT_TO = frozenset({"next to", "near", "beside", "by", "close to"})
 _ROLLING = frozenset({"roll", "slide", "skid", "coast", "glide", "spin"})
 """Verbs of which "to a stop" says how they end, and "on" where they are all the while."""
 _SHOWN = lex.word_set("shown")
@@ -311,7 +314,9 @@ def _stops_by(d: Discourse, f: Frame, actor: str, node_id: str) -> None:
         return
     met = any({actor, others[0]} <= {*n.participants} for n in d.timeline.nodes)
     if not met and not moves(d, others[0]):
-        constrain(node, "distance", STOPS_BY_CM, actor, to=others[0])
+        near = beside is not None and beside.prep in _NEXT_TO and kind_of(d, actor) != "vehicle"
+        gap = _STOPS_NEXT_CM if near else STOPS_BY_CM
+        constrain(node, "distance", gap, actor, to=others[0])
 
 
 def _stands_after(d: Discourse, stop: str) -> None:

@@ -166,6 +166,18 @@ def read_follow(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             track = d.timeline.tracks.get(other)  # "chases two cats": both run
             if track is None or (track.motion is not None and same):
                 start_motion(d, f, [other])
+            _keep_pace(d, actor, other)
+
+
+def _keep_pace(d: Discourse, actor: str, other: str) -> None:
+    """Who follows goes as fast as who is followed: at speeds that both may have."""
+    tracks = [d.timeline.tracks.get(i) for i in (actor, other)]
+    moving = [t.motion for t in tracks if t is not None and t.motion is not None]
+    speeds = [m.speed for m in moving if isinstance(m.speed, tuple) and not m.prescribed]
+    if len(speeds) == 2:
+        low, high = max(low for low, _ in speeds), min(high for _, high in speeds)
+        for m in moving if low < high else ():
+            m.speed = (low, high)
 
 
 @sense("coast")

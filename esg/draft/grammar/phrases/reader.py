@@ -200,8 +200,11 @@ def _noun_first(c: Chunks, w: _Word) -> bool | None:
     if w.low not in _NOUNS_FIRST:
         return None
     if not isinstance(w.previous, Mention):
-        joined = isinstance(w.previous, Word) and w.previous.kind == "conj"
-        return w.low == "back" and joined
+        before = w.previous.kind if isinstance(w.previous, Word) else ""
+        if w.low == "set":  # "and set on a bed", "and then set down"; not "and set of spoons"
+            placed = w.next != "of" and w.next in lex.PREPOSITIONS | lex.ADVERBS
+            return before in ("conj", "adv") and placed
+        return w.low == "back" and before == "conj"
     if w.low == "left":
         return w.next in ("the", "its", "a")
     if w.low not in ("back", "end", "wound", "ground"):

@@ -28,6 +28,9 @@ FELT_MPS = 2.5
 """Highest speed that is asked for alone so that a hit surely counts."""
 FELT_SPARE = 1.2
 """Over the speed of such a hit: a light thing loses some on its way there."""
+FELT_SURELY = 2.0
+"""At so much less than that speed a hit still counts (`SAFE_IMPULSE_NS`, `MIN_IMPULSE_NS`): what is
+said to creep is not made to run for it."""
 RUN_ON_M, RUN_ON_S = 0.2, 0.28
 """Way on which something struck surely gets to what stands ahead of it, and time it slides at
 least: two hits closer than a tenth of a second are one."""
