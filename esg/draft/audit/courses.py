@@ -6,11 +6,12 @@ from collections.abc import Callable, Iterable, Iterator
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.audit.case import Case, Finding, accounted, kind_of, members, under
+from esg.draft.audit.case import Case, Finding, accounted, kind_of, members, senses, under
 from esg.draft.audit.parse import Arg, Proposition
 from esg.graph.models import CoverageItem, Statement, TimelineNode
 
 OF_ANOTHER = "the scene has another thing do it"
+TO_ANOTHER = "the scene has it happen to another thing"
 GOES_NO_FURTHER = "the scene ends its motion with what is told before"
 NOT_COUNTED = "nothing in the scene counts it"
 HITS_NOTHING = "nothing in the scene is hit so"
@@ -26,6 +27,10 @@ _TOLD_OF = frozenset(
 _LEADS = frozenset({"moves", "ends_near", "ends_on", "ends_in", "under", "behind", "in_front_of"})
 """Predicates that say where a motion goes."""
 _ENDS = frozenset({"Collision", "Fall", "EnterRegion", "Topple", "Stop", "Miss", "Bounce"})
+_DONE = frozenset({"Fall", "Topple", "PickedUp", "Placed"})
+"""Events of what something is done to."""
+_OWN = frozenset({"fall", "slide", "roll", "fly", "own", "bounce", "land", "jump"})
+"""Senses of which a noun after the verb is no object."""
 _MOTIONS = frozenset({"motion", "swings"})
 _WAYS = frozenset({"motion", "launch", "jump"})
 """What the record calls a verb that became a motion."""
@@ -33,7 +38,8 @@ _AFTER = frozenset({"main", "conj", "clause", "relative"})
 _DOES = frozenset({"do", "does", "did"})
 _WHICH = re.compile(r"\b(?:which|who|that)\b[^.;]*$", re.IGNORECASE)
 _OFTEN = re.compile(
-    r"\b(?:once|twice|thrice|(?:two|three|four|five|six|seven|eight|nine|ten|\d+) times)\b(?! as\b)",
+    r"\b(?:once|twice|thrice|(?:two|three|four|five|six|seven|eight|nine|ten|\d+) times)\b"
+    r"(?! as\b)",
     re.IGNORECASE,
 )
 _REBOUNDS = lex.word_set("rebounds (audit)")
@@ -64,7 +70,7 @@ def _of_another(case: Case) -> Iterator[Finding]:
 def _with(case: Case, s: Statement) -> Proposition | None:
     """The proposition whose verb, preposition or adverb a statement has."""
     for p in case.said:
-        if p.passive or p.start not in case.facts.read and case.facts.verb(p.start) is None:
+        if p.passive or case.facts.verb(p.start) is None:
             continue
         places = [p.start, *(at for _, at, _ in p.obliques), *(at for _, at, _ in p.small)]
         if any(s.start <= at < s.end for at in places):
@@ -81,6 +87,24 @@ def _concern(case: Case, named: list[str], those: frozenset[str]) -> bool:
 def _nearest(case: Case, start: int) -> str:
     """What is named last before a place."""
     return max(((b, n) for _, b, n in case.facts.spans if b <= start), default=(0, ""))[1]
+
+
+def _to_another(case: Case) -> Iterator[Finding]:
+    """ "Knocks the box out of the gripper": it is not the gripper that falls."""
+    events = {n.id: n for n in case.facts.events}
+    for p in case.told:
+        item = case.facts.verb(p.start)
+        event = events.get(item.note) if item is not None else None
+        done_to = p.subjects if p.passive else p.objects
+        named = [case.facts.named(a) for a in done_to]
+        if event is None or event.event.value not in _DONE or not named or not all(named):
+            continue
+        nodes = case.facts.doc.spatial_relation_graph.nodes
+        ground = any(nodes[n].is_structural for n in named)
+        if ground or senses(p) & _OWN or _concern(case, named, frozenset(event.participants)):
+            continue
+        if not case.facts.owns_up(p.start, p.end):
+            yield Finding(p.start, p.end, TO_ANOTHER, tuple(sorted({*named, *event.participants})))
 
 
 def _goes_on(case: Case) -> Iterator[Finding]:
@@ -165,9 +189,9 @@ def _first(case: Case) -> Iterator[Finding]:
         for word, start, end in p.small if p.word in _RACES and not p.negated else ():
             who = frozenset(n for a in p.subjects if (n := case.facts.named(a)))
             reached = any(f.kind == "Reach" and f.who & who for f in case.facts.facts)
-            if word in lex.ORDINALS | {"last": 0} and start > p.start and not reached:
-                if not case.facts.owns_up(start, end):
-                    yield Finding(start, end, NO_RACE, tuple(sorted(who)))
+            wins = (word in lex.ORDINALS or word == "last") and start > p.start
+            if wins and not reached and not case.facts.owns_up(start, end):
+                yield Finding(start, end, NO_RACE, tuple(sorted(who)))
 
 
 def _another_way(case: Case) -> Iterator[Finding]:
@@ -181,9 +205,9 @@ def _another_way(case: Case) -> Iterator[Finding]:
             continue
         for prep, at, a in p.obliques:
             place = next((n for x in (a, *a.of) if (n := case.facts.named(x))), "")
-            if prep in _PLACES and place and not accounted(case, at, a.end):
-                if _unrelated(case, named, place, a):
-                    yield Finding(at, a.end, ANOTHER_WAY, tuple(sorted({*named, place})))
+            told = prep in _PLACES and place and not accounted(case, at, a.end)
+            if told and _unrelated(case, named, place, a):
+                yield Finding(at, a.end, ANOTHER_WAY, tuple(sorted({*named, place})))
 
 
 def _unrelated(case: Case, named: list[str], place: str, a: Arg) -> bool:
@@ -202,6 +226,7 @@ def _unrelated(case: Case, named: list[str], place: str, a: Arg) -> bool:
 
 CHECKS: dict[str, Callable[[Case], Iterable[Finding]]] = {
     "of another": _of_another,
+    "to another": _to_another,
     "goes on": _goes_on,
     "how often": _how_often,
     "hits nothing": _hits_nothing,

@@ -1,4 +1,4 @@
-"""Questions about what things are: one or two, part or whole, where they stand, in what they share."""
+"""Questions about what things are: one or two, part or whole, where they stand, who is meant."""
 
 from __future__ import annotations
 
@@ -16,6 +16,9 @@ TWO_PLACES = "it is drawn on what it is to be beside or under"
 NO_PLACE = "nothing in the scene puts it there"
 NO_PART = "it takes part in nothing in the scene"
 OTHER_NUMBER = "another number of them does in the scene"
+TOO_BIG = "it is drawn on or in what is too small for it"
+A_VERB = "a thing is drawn for it, and what happens is meant"
+A_PERSON = "somebody is drawn for it, and a thing is meant"
 
 _HOLDS = frozenset({"SUPPORT_SURFACE", "STORAGE"})
 _DEFINITE = frozenset({"the", "these", "those", "this", "that", "its", "their", "his", "her"})
@@ -31,6 +34,8 @@ _THEN = re.compile(
     r"(?P<what>(?:the|an?|its|his|her)\s[\w -]+?)(?=[.,;]|$)",
     re.IGNORECASE,
 )
+_BIGGER = 1.3
+"""How much wider a thing is than what it stands on, at least, where no word puts it there."""
 _ONLY = re.compile(r"\bonly (?:the )?(?P<n>\w+)\b", re.IGNORECASE)
 
 
@@ -184,6 +189,65 @@ def _other_number(case: Case) -> Iterator[Finding]:
             yield Finding(m.start(), first.end, OTHER_NUMBER, tuple(sorted(those)))
 
 
+def _too_big(case: Case) -> Iterator[Finding]:
+    """ "With 30 mph on the clock, the van goes into a lorry": it does not stand on the clock."""
+    for f in case.facts.facts:
+        for guest, host in ((g, h) for g in f.who for h in f.whom if f.kind in _HOLDS):
+            at = next(((a, b) for a, b, x in case.facts.spans if x == guest), None)
+            width = sorted(_size(case, guest))[1]
+            small = width > _BIGGER * max(_size(case, host)[:2])
+            if at and small and not _linked(case, guest, host) and not case.facts.owns_up(*at):
+                yield Finding(*at, TOO_BIG, (guest, host))
+
+
+def _size(case: Case, node: str) -> tuple[float, float, float]:
+    """Length, width and height [cm] as drafted."""
+    doc = case.facts.doc
+    asset = doc.spatial_relation_graph.nodes[node].asset_id
+    return doc.asset_requirement[asset].expected_dimensions_cm
+
+
+def _linked(case: Case, one: str, other: str) -> bool:
+    """Whether a verb or a preposition has both: of the parse, or in the words between them."""
+    for _, end, x in case.facts.spans:
+        for start, _, y in case.facts.spans if x == one else ():
+            between = case.text[end:start].split()
+            if y == other and 0 < len(between) <= 2 and between[0].lower() in _PLACES:
+                return True
+    for p in case.said:
+        named = {case.facts.named(x) for a in p.args() for x in (a, *a.of)}
+        if one in named and other in named:
+            return True
+    at = {(n.start, n.end): n for n in case.nouns}
+    for n in case.nouns:
+        above = [at[g] for g in n.governors if g in at]
+        named = {case.facts.named(x.arg(case.text)) for x in above}
+        own = case.facts.named(n.arg(case.text))
+        if (own == one and other in named) or (own == other and one in named):
+            return True
+    return False
+
+
+def _a_verb(case: Case) -> Iterator[Finding]:
+    """ "The hammer head flies off": no fly is meant."""
+    nodes = case.facts.doc.spatial_relation_graph.nodes
+    verbs = {p.end: p for p in case.said if p.tag == "VBZ"}
+    for start, end, name in case.facts.spans:
+        p = verbs.get(end)
+        if p is None or start > p.start or nodes[name].is_structural or nodes[name].group:
+            continue
+        if not case.facts.owns_up(start, end):
+            yield Finding(start, end, A_VERB, (name,))
+
+
+def _a_person(case: Case) -> Iterator[Finding]:
+    """ "The shot-putter pushes the shot. It flies over the line": not who pushes it."""
+    for start, end, name in case.facts.spans:
+        it = case.text[start:end].lower() == "it"
+        if it and kind_of(case, name) == "person" and not case.facts.owns_up(start, end):
+            yield Finding(start, end, A_PERSON, (name,))
+
+
 CHECKS: dict[str, Callable[[Case], Iterable[Finding]]] = {
     "two names": _two_names,
     "one too many": _one_too_many,
@@ -192,5 +256,8 @@ CHECKS: dict[str, Callable[[Case], Iterable[Finding]]] = {
     "no place": _no_place,
     "no part": _no_part,
     "other number": _other_number,
+    "too big": _too_big,
+    "a verb": _a_verb,
+    "a person": _a_person,
 }
 """The questions by name; docs/drafting/audit.md has a row for each."""
