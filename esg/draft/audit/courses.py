@@ -6,12 +6,11 @@ from collections.abc import Callable, Iterable, Iterator
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.audit.case import Case, Finding, accounted, kind_of, members, senses, under
+from esg.draft.audit.case import Case, Finding, accounted, kind_of, members, under
 from esg.draft.audit.parse import Arg, Proposition
 from esg.graph.models import CoverageItem, Statement, TimelineNode
 
 OF_ANOTHER = "the scene has another thing do it"
-TO_ANOTHER = "the scene has it happen to another thing"
 GOES_NO_FURTHER = "the scene ends its motion with what is told before"
 NOT_COUNTED = "nothing in the scene counts it"
 HITS_NOTHING = "nothing in the scene is hit so"
@@ -27,10 +26,6 @@ _TOLD_OF = frozenset(
 _LEADS = frozenset({"moves", "ends_near", "ends_on", "ends_in", "under", "behind", "in_front_of"})
 """Predicates that say where a motion goes."""
 _ENDS = frozenset({"Collision", "Fall", "EnterRegion", "Topple", "Stop", "Miss", "Bounce"})
-_DONE = frozenset({"Fall", "Topple", "PickedUp", "Placed"})
-"""Events of what something is done to."""
-_OWN = frozenset({"fall", "slide", "roll", "fly", "own", "bounce", "land", "jump"})
-"""Senses of which a noun after the verb is no object."""
 _MOTIONS = frozenset({"motion", "swings"})
 _WAYS = frozenset({"motion", "launch", "jump"})
 """What the record calls a verb that became a motion."""
@@ -89,24 +84,6 @@ def _nearest(case: Case, start: int) -> str:
     return max(((b, n) for _, b, n in case.facts.spans if b <= start), default=(0, ""))[1]
 
 
-def _to_another(case: Case) -> Iterator[Finding]:
-    """ "Knocks the box out of the gripper": it is not the gripper that falls."""
-    events = {n.id: n for n in case.facts.events}
-    for p in case.told:
-        item = case.facts.verb(p.start)
-        event = events.get(item.note) if item is not None else None
-        done_to = p.subjects if p.passive else p.objects
-        named = [case.facts.named(a) for a in done_to]
-        if event is None or event.event.value not in _DONE or not named or not all(named):
-            continue
-        nodes = case.facts.doc.spatial_relation_graph.nodes
-        ground = any(nodes[n].is_structural for n in named)
-        if ground or senses(p) & _OWN or _concern(case, named, frozenset(event.participants)):
-            continue
-        if not case.facts.owns_up(p.start, p.end):
-            yield Finding(p.start, p.end, TO_ANOTHER, tuple(sorted({*named, *event.participants})))
-
-
 def _goes_on(case: Case) -> Iterator[Finding]:
     """ "Drops into a bowl and runs round the inside": nothing moves it once it is in there."""
     for p in case.said:
@@ -120,11 +97,21 @@ def _goes_on(case: Case) -> Iterator[Finding]:
         name = case.facts.named(p.subjects[0]) if p.subjects else ""
         if not name or case.facts.verb(p.subjects[0].start) or not _after_which(case, p):
             continue
+        if _told_of_others(case, name, item):
+            continue
         last = _last(case, name, item)
         if last is None or case.facts.owns_up(item.start, item.end):
             continue
         if not _leads_on(case, name, item) and not _moves_after(case, name, last):
             yield Finding(item.start, item.end, GOES_NO_FURTHER, (name,))
+
+
+def _told_of_others(case: Case, name: str, item: CoverageItem) -> bool:
+    """Whether the drafter has another subject for the verb: by a statement, or right before it."""
+    told = [s for s in case.facts.kept if item.start <= s.start < item.end]
+    before = max(((b, n) for _, b, n in case.facts.spans if b <= item.start), default=(0, name))
+    beside = before[1] != name and not case.text[before[0] : item.start].strip()
+    return beside or (bool(told) and not any(name in s.object for s in told))
 
 
 def _after_which(case: Case, p: Proposition) -> bool:
@@ -226,7 +213,6 @@ def _unrelated(case: Case, named: list[str], place: str, a: Arg) -> bool:
 
 CHECKS: dict[str, Callable[[Case], Iterable[Finding]]] = {
     "of another": _of_another,
-    "to another": _to_another,
     "goes on": _goes_on,
     "how often": _how_often,
     "hits nothing": _hits_nothing,
