@@ -15,6 +15,7 @@ GOES_NO_FURTHER = "the scene ends its motion with what is told before"
 NOT_COUNTED = "nothing in the scene counts it"
 HITS_NOTHING = "nothing in the scene is hit so"
 NO_RACE = "nothing in the scene tells who is there first"
+ONE_OF_TWO = "it is told of one of them only in the scene"
 ANOTHER_WAY = "nothing in the scene leads it there"
 
 _TOLD_OF = frozenset(
@@ -37,6 +38,7 @@ _OFTEN = re.compile(
     r"(?! as\b)",
     re.IGNORECASE,
 )
+_TWO = re.compile(r"\bboth(?: of them)?$|\bboth(?: of them)?(?=[.,;])", re.IGNORECASE)
 _REBOUNDS = lex.word_set("rebounds (audit)")
 _RACES = lex.word_set("races (audit)")
 _NOT_MEANT = frozenset({"what is hit was not understood"})
@@ -171,14 +173,26 @@ def _hits_nothing(case: Case) -> Iterator[Finding]:
 
 
 def _first(case: Case) -> Iterator[Finding]:
-    """ "The ball reaches the bottom first": is there a race?"""
+    """ "The ball reaches the bottom first": is there a race, and does another thing move?"""
+    moving = frozenset(n for f in case.facts.facts if f.kind in ("motion", "pushed") for n in f.who)
     for p in case.said:
         for word, start, end in p.small if p.word in _RACES and not p.negated else ():
             who = frozenset(n for a in p.subjects if (n := case.facts.named(a)))
             reached = any(f.kind == "Reach" and f.who & who for f in case.facts.facts)
+            reached = reached and bool(moving - who)
             wins = (word in lex.ORDINALS or word == "last") and start > p.start
             if wins and not reached and not case.facts.owns_up(start, end):
                 yield Finding(start, end, NO_RACE, tuple(sorted(who)))
+
+
+def _both(case: Case) -> Iterator[Finding]:
+    """ "Leans against both": against the two of them."""
+    for s in case.facts.kept if _TWO.search(case.text) else ():
+        m = _TWO.search(case.text, s.start, s.end)
+        alike = [t for t in case.facts.kept if (t.start, t.end) == (s.start, s.end)]
+        toward = {n for t in alike for n in t.target}
+        if m and len(toward) == 1 and not case.facts.owns_up(*m.span()):
+            yield Finding(*m.span(), ONE_OF_TWO, tuple(sorted(toward)))
 
 
 def _another_way(case: Case) -> Iterator[Finding]:
@@ -217,6 +231,7 @@ CHECKS: dict[str, Callable[[Case], Iterable[Finding]]] = {
     "how often": _how_often,
     "hits nothing": _hits_nothing,
     "first": _first,
+    "both": _both,
     "another way": _another_way,
 }
 """The questions by name; docs/drafting/audit.md has a row for each."""
