@@ -286,7 +286,10 @@ _CASES = {
             "first",
         ),
     ),
-    courses.ONE_OF_TWO: (
+    courses.SOME_OF_THEM: (
+        ("A broom falls across two chairs.", "chairs"),
+        ("Three balls roll down three lanes and each ball hits a pin.", "lanes"),
+        ("A woman puts a plate in front of each of the three guests.", "guests"),
         (
             "Three camels walk in single file. The one in front stops, the one in the middle walks into it,"
             " and the last one goes around both.",

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterable, Iterator
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.audit.case import Case, Finding, accounted, kind_of, members, under
+from esg.draft.audit.case import Case, Finding, accounted, kind_of, members, number, under
 from esg.draft.audit.parse import Arg, Proposition
 from esg.graph.models import CoverageItem, Statement, TimelineNode
 
@@ -15,7 +15,7 @@ GOES_NO_FURTHER = "the scene ends its motion with what is told before"
 NOT_COUNTED = "nothing in the scene counts it"
 HITS_NOTHING = "nothing in the scene is hit so"
 NO_RACE = "nothing in the scene tells who is there first"
-ONE_OF_TWO = "it is told of one of them only in the scene"
+SOME_OF_THEM = "it is told of some of them only in the scene"
 ANOTHER_WAY = "nothing in the scene leads it there"
 
 _TOLD_OF = frozenset(
@@ -185,14 +185,22 @@ def _first(case: Case) -> Iterator[Finding]:
                 yield Finding(start, end, NO_RACE, tuple(sorted(who)))
 
 
-def _both(case: Case) -> Iterator[Finding]:
-    """ "Leans against both": against the two of them."""
-    for s in case.facts.kept if _TWO.search(case.text) else ():
-        m = _TWO.search(case.text, s.start, s.end)
+def _toward_fewer(case: Case) -> Iterator[Finding]:
+    """ "Leans against both", "falls across two chairs": toward each of them."""
+    for s in case.facts.kept:
         alike = [t for t in case.facts.kept if (t.start, t.end) == (s.start, s.end)]
-        toward = {n for t in alike for n in t.target}
-        if m and len(toward) == 1 and not case.facts.owns_up(*m.span()):
-            yield Finding(*m.span(), ONE_OF_TWO, tuple(sorted(toward)))
+        toward = frozenset(n for t in alike for n in t.target)
+        m = _TWO.search(case.text, s.start, s.end) if len(toward) == 1 else None
+        said = [m.span()] if m else []
+        for n in case.nouns if toward else ():
+            arg = n.arg(case.text)
+            name = case.facts.named(arg) if s.start <= n.start < s.end and number(arg) else ""
+            those = members(case, name) if name in toward else frozenset[str]()
+            if len(those & toward) < min(number(arg), len(those)):
+                said.append((n.start, n.end))
+        for at in said:
+            if not case.facts.owns_up(*at):
+                yield Finding(*at, SOME_OF_THEM, tuple(sorted(toward)))
 
 
 def _another_way(case: Case) -> Iterator[Finding]:
@@ -231,7 +239,7 @@ CHECKS: dict[str, Callable[[Case], Iterable[Finding]]] = {
     "how often": _how_often,
     "hits nothing": _hits_nothing,
     "first": _first,
-    "both": _both,
+    "toward fewer": _toward_fewer,
     "another way": _another_way,
 }
 """The questions by name; docs/drafting/audit.md has a row for each."""
