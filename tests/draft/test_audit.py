@@ -7,6 +7,7 @@ from pathlib import Path
 import pytest
 import yaml
 
+from benchmarks import second_reading
 from esg.draft import draft
 from esg.draft.audit import checks, courses, owned_up, things
 from esg.draft.audit.checks import CHECKS
@@ -418,6 +419,17 @@ def test_reads_who_does_what_to_whom(
     assert [a.word for a in p.subjects] == told[1]
     assert [a.word for a in p.objects] == told[2]
     assert [a.word for a in p.agents] == told[3]
+
+
+def test_counts_what_a_question_finds_by_verdict(capsys: pytest.CaptureFixture[str]) -> None:
+    """List each finding once, and captions by their newest verdict."""
+    found = second_reading.ask("Put the blue cube in the bin, then the red cube.", "other")
+    assert [(f.question, f.words) for f in found] == [("no part", "the red cube")]
+    verdicts = dict(second_reading.captions(["read11.tsv"])).values()
+    assert len(verdicts) == 48 and set(verdicts) == set(second_reading.CLASSES)
+    with pytest.raises(SystemExit):
+        second_reading.main(["--show", "no such question"])
+    assert "invalid choice" in capsys.readouterr().err
 
 
 def test_registers_a_question_once() -> None:
