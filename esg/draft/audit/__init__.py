@@ -7,7 +7,8 @@ the document does not account for is owned up to (docs/drafting/audit.md).
 
 from __future__ import annotations
 
-from esg.draft.audit.checks import Case, Finding, audit
+from esg.draft.audit.case import Case, Finding
+from esg.draft.audit.checks import audit
 from esg.draft.audit.facts import facts_of
 from esg.draft.audit.parse import Proposition, nouns, propositions
 from esg.draft.text.tagging import parsed
@@ -36,8 +37,9 @@ def case_of(
         happens = not (p.negated or p.unreal or p.how == "purpose")
         return seen and happens and not facts.owns_up(p.start, p.end)
 
-    told = tuple(p for p in propositions(tree) if agreed(p))
-    return Case(text, facts, told, tuple(nouns(tree)))
+    said = tuple(propositions(tree))
+    told = tuple(p for p in said if agreed(p))
+    return Case(text, facts, told, tuple(nouns(tree)), said)
 
 
 def owned_up(

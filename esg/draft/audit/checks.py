@@ -14,13 +14,19 @@ from functools import cache
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.audit.facts import Facts
-from esg.draft.audit.parse import Arg, Noun, Proposition
-from esg.draft.text.numerals import parse_number
+from esg.draft.audit import courses, things
+from esg.draft.audit.case import (
+    Case,
+    Finding,
+    accounted,
+    group,
+    happens,
+    number,
+    senses,
+    under,
+)
 from esg.draft.verbphrases import verb_readings
 
-MOST = 40
-"""Members that are counted; larger numbers measure something."""
 NOT_ALL = "only some of them do in the scene"
 ONE_OF_EACH = "only one of them is in the scene"
 ONE_WAY = "only one way of it is in the scene"
@@ -31,47 +37,6 @@ STAYS = "who does it does not go along"
 NO_SUCH = "nothing of the kind happens to it in the scene"
 NOTHING = "nothing in the scene stands for it"
 
-
-@dataclass(frozen=True)
-class Finding:
-    """Words that the document does not account for.
-
-    Args:
-        start, end: Their place in the text.
-        missing: What is missing, for the reader of a report.
-        nodes: What they are about.
-    """
-
-    start: int
-    end: int
-    missing: str
-    nodes: tuple[str, ...] = ()
-
-
-@dataclass(frozen=True)
-class Case:
-    """Both readings of a text.
-
-    Args:
-        text: What was read.
-        facts: What the document says.
-        told: Propositions whose verbs both readings see, and that tell of what happens.
-    """
-
-    text: str
-    facts: Facts
-    told: tuple[Proposition, ...]
-    nouns: tuple[Noun, ...] = ()
-
-
-_HAPPENS = frozenset(
-    {"Collision", "EnterRegion", "Stop", "Topple", "HeadingReached", "Fall", "Reach", "Miss"}
-    | {"PickedUp", "Placed", "Bounce", "Jump", "Spin", "Open", "Close", "Swing", "Break"}
-    | {"motion", "pushed", "moves", "rolls", "slides", "spins", "tumbles", "airborne"}
-    | {"carried_by", "stays_still", "touches", "struck_on", "ends_on", "ends_in", "ends_near"}
-    | {"slower_than", "faster_than", "stays_upright", "at_rest", "never_touches"}
-)
-"""Facts of what happens to a thing, and no mere place."""
 _ACTS = lex.word_set("acts of each (audit)")
 _DONE_TO = frozenset({"launch", "drop", "knock", "topple", "hit"})
 """Senses whose objects each take part."""
@@ -79,7 +44,6 @@ _CHAINS = frozenset({"row", "pins", "rack", "stack"})
 """Patterns of which one member passes it on to the next."""
 _NO_CHAINS = frozenset({"pins", "rack", "stack"})
 """Those that do not do so surely: one pin that falls is no strike."""
-_ALL = frozenset({"all", "both", "each", "every"})
 _OPPOSITES = (
     frozenset({"up", "down"}),
     frozenset({"back", "forth"}),
@@ -114,61 +78,32 @@ def audit(case: Case) -> list[Finding]:
     return sorted(found, key=lambda f: (f.start, f.end))
 
 
-def _senses(p: Proposition) -> set[str]:
-    return {r.sense for r in verb_readings(p.word)}
-
-
-def _group(case: Case, arg: Arg) -> frozenset[str]:
-    """All members of what a noun phrase names, or is of ("two of the ten pins")."""
-    nodes = case.facts.doc.spatial_relation_graph.nodes
-    found = case.facts.named(arg) or next((n for o in arg.of if (n := case.facts.named(o))), "")
-    if not found or nodes[found].is_structural:
-        return frozenset()
-    group = nodes[found].group
-    return frozenset(n for n, x in nodes.items() if n == found or (group and x.group == group))
-
-
-def _number(arg: Arg) -> int:
-    """How many a noun phrase says; 0 if it does not."""
-    for word in (*arg.left, arg.word):
-        if word == "both":
-            return 2
-        told = parse_number(word)
-        if isinstance(told, float | int) and 2 <= told <= MOST and told == int(told):
-            return int(told)
-    return MOST if _ALL & {*arg.left} else 0
-
-
 def _members(case: Case) -> Iterator[Finding]:
     """ "A car is pushed by two men", "hits two other stones": each of them takes part."""
     nodes = case.facts.doc.spatial_relation_graph.nodes
     for p in case.told:
-        senses = _senses(p)
-        if not senses & _ACTS or any(small in _WHERE for small, _, _ in p.small):
+        meant = senses(p)
+        if not meant & _ACTS or any(small in _WHERE for small, _, _ in p.small):
             continue
         acting = p.agents if p.passive else p.subjects
-        done_to = (p.subjects if p.passive else p.objects) if senses & _DONE_TO else []
+        done_to = (p.subjects if p.passive else p.objects) if meant & _DONE_TO else []
         for a in (*acting, *done_to):
-            group, told = _group(case, a), _number(a)
-            if len(group) < 2 or told < 2 or case.facts.owns_up(a.start, a.end):
+            those, told = group(case, a), number(a)
+            if len(those) < 2 or told < 2 or case.facts.owns_up(a.start, a.end):
                 continue
-            if {nodes[n].group_pattern for n in group} & _CHAINS:
+            if {nodes[n].group_pattern for n in those} & _CHAINS:
                 continue
-            act = [n for n in group if _happens(case, n)]
+            act = [n for n in those if happens(case, n)]
             shown = bool(act) or a in done_to
-            if shown and len(act) < min(told, len(group)):
-                yield Finding(p.start, p.end, NOT_ALL, tuple(sorted(group - {*act})))
-
-
-def _happens(case: Case, node: str) -> bool:
-    return any(f.kind in _HAPPENS for f in case.facts.about(frozenset({node})))
+            if shown and len(act) < min(told, len(those)):
+                yield Finding(p.start, p.end, NOT_ALL, tuple(sorted(those - {*act})))
 
 
 def _each(case: Case) -> Iterator[Finding]:
     """ "Tosses a newspaper onto each porch"."""
     nodes = case.facts.doc.spatial_relation_graph.nodes
     for p in case.told:
-        for a in p.args() if not _senses(p) & _STATES else ():
+        for a in p.args() if not senses(p) & _STATES else ():
             name, words = case.facts.named(a), {*a.left} & {"each", "every"}
             if words and name and nodes[name].group is None:
                 start = case.text.lower().rfind(words.pop(), 0, a.start)
@@ -180,7 +115,7 @@ def _to_and_fro(case: Case) -> Iterator[Finding]:
     """ "Two boys on a seesaw go up and down"."""
     for p in case.told:
         small = {word: (start, end) for word, start, end in p.small}
-        about = frozenset(n for a in (*p.subjects, *p.objects) for n in _group(case, a))
+        about = frozenset(n for a in (*p.subjects, *p.objects) for n in group(case, a))
         kinds = {f.kind for f in case.facts.about(about)}
         if any(pair <= small.keys() for pair in _OPPOSITES) and not kinds & _OSCILLATES:
             start, end = min(s for s, _ in small.values()), max(e for _, e in small.values())
@@ -198,7 +133,7 @@ def _in_part(case: Case) -> Iterator[Finding]:
 def _vanishing(case: Case) -> Iterator[Finding]:
     """ "He lets go, and it rolls back", "stops, waits a while and leaves"."""
     for m in _LOST.finditer(case.text):
-        if not _accounted(case, *m.span()):
+        if not accounted(case, *m.span()):
             yield Finding(*m.span(), NOTHING)
 
 
@@ -259,7 +194,7 @@ def _goes_along(case: Case) -> Iterator[Finding]:
         if not ways or not {r.lemma for r in verb_readings(p.word)} & _PUSHES:
             continue
         for a in p.agents if p.passive else p.subjects if p.objects else ():
-            who = _group(case, a)
+            who = group(case, a)
             moving = any(f.kind == "motion" and f.who & who for f in case.facts.facts)
             if who and not moving:
                 yield Finding(p.start, p.end, STAYS, tuple(sorted(who)))
@@ -290,24 +225,18 @@ _GOING = lex.word_set("goes somewhere (audit)")
 def _particles(case: Case) -> Iterator[Finding]:
     """ "Hits the boards and comes back out": of what?"""
     for p in case.told:
-        if not _senses(p) & _GOING or p.obliques:
+        if not senses(p) & _GOING or p.obliques:
             continue
-        about = frozenset(n for a in (*p.subjects, *p.objects) for n in _group(case, a))
+        about = frozenset(n for a in (*p.subjects, *p.objects) for n in group(case, a))
         for word, start, end in p.small:
             shown = _PARTICLES.get(word)
-            if shown is None or not about or _accounted(case, start, end):
+            if shown is None or not about or accounted(case, start, end):
                 continue
             facts = case.facts.about(about)
             if any(f.kind == "joint" for f in facts):
                 continue  # what is hinged or hangs has a way of its own
             if not any(f.kind in shown.kinds or f.way in shown.directions for f in facts):
                 yield Finding(start, end, NOTHING, tuple(sorted(about)))
-
-
-def _accounted(case: Case, start: int, end: int) -> bool:
-    """Whether a statement has the words, or the draft owns up to them."""
-    held = any(a < end and start < b for a, b in case.facts.held)
-    return held or case.facts.owns_up(start, end)
 
 
 @dataclass(frozen=True)
@@ -329,8 +258,8 @@ def _needs() -> dict[str, _Needs]:
 def _acts(case: Case) -> Iterator[Finding]:
     """ "Toppling the last one onto a bell": does it topple?"""
     for p in case.told:
-        senses = _senses(p)
-        need = _needs().get(next(iter(senses))) if len(senses) == 1 else None
+        meant = senses(p)
+        need = _needs().get(next(iter(meant))) if len(meant) == 1 else None
         preps = any(word in lex.PREPOSITIONS for word, _, _ in p.small)
         if need is None or (preps and p.objects) or _LETS_GO.search(case.text, 0, p.start):
             continue
@@ -338,18 +267,10 @@ def _acts(case: Case) -> Iterator[Finding]:
             continue  # "pushes a bucket off a bench, which falls": the parse says the bench
         who = p.subjects if p.passive else p.objects
         for a in who if need.of == "object" else p.subjects if not p.objects else ():
-            about = _group(case, a) if not case.facts.owns_up(a.start, a.end) else frozenset[str]()
-            facts = case.facts.about(about | _under(case, about))
+            about = group(case, a) if not case.facts.owns_up(a.start, a.end) else frozenset[str]()
+            facts = case.facts.about(about | under(case, about))
             if about and not any(f.kind in need.kinds for f in facts):
                 yield Finding(p.start, p.end, NO_SUCH, tuple(sorted(about)))
-
-
-def _under(case: Case, nodes: frozenset[str]) -> frozenset[str]:
-    """What carries them, as who rides goes where that goes, and what is jointed to them."""
-    on = [f for f in case.facts.facts if f.kind in ("SUPPORT_SURFACE", "STORAGE")]
-    joined = [f for f in case.facts.facts if f.kind == "joint" and f.all & nodes]
-    carriers = {n for f in on if f.who & nodes for n in f.whom}
-    return frozenset(carriers.union(*(f.all for f in joined)))
 
 
 @dataclass(frozen=True)
@@ -404,5 +325,7 @@ CHECKS: dict[str, Callable[[Case], Iterable[Finding]]] = {
     "particles": _particles,
     "acts": _acts,
     "doubtful": _doubtful,
+    **things.CHECKS,
+    **courses.CHECKS,
 }
 """The questions by name; docs/drafting/audit.md has a row for each."""

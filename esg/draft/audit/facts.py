@@ -5,7 +5,17 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from esg.draft.audit.parse import Arg
-from esg.graph.models import Coverage, EdgeEvent, EsgDocument, NodeEvent, Predicate, Statement
+from esg.graph.models import (
+    Coverage,
+    CoverageItem,
+    EdgeEvent,
+    EsgDocument,
+    NodeEvent,
+    Predicate,
+    Statement,
+    TimelineEdge,
+    TimelineNode,
+)
 
 _SCAFFOLD = frozenset({NodeEvent.SCENE_START, NodeEvent.TRIGGER, NodeEvent.POSITION_AT})
 NODES = "/spatial_relation_graph/nodes/"
@@ -47,6 +57,12 @@ class Facts:
     """Words of statements that the document holds."""
     read: frozenset[int] = frozenset()
     """Where verbs begin that the drafter made something of."""
+    verbs: tuple[CoverageItem, ...] = ()
+    """What the drafter took for verbs, and what it made of each."""
+    kept: tuple[Statement, ...] = ()
+    """Statements that the document holds."""
+    events: tuple[TimelineNode, ...] = ()
+    edges: tuple[TimelineEdge, ...] = ()
 
     def about(self, nodes: frozenset[str]) -> list[Fact]:
         """Those in which one of some things takes part."""
@@ -55,6 +71,10 @@ class Facts:
     def owns_up(self, start: int, end: int) -> bool:
         """Whether some of these words are owned up to."""
         return any(a < end and start < b for a, b in self.said)
+
+    def verb(self, start: int) -> CoverageItem | None:
+        """What the drafter took for a verb at this place; None if it did not."""
+        return next((i for i in self.verbs if i.start <= start < i.end), None)
 
     def named(self, arg: Arg) -> str:
         """The node that a noun phrase names; empty if it names none."""
@@ -112,5 +132,8 @@ def facts_of(doc: EsgDocument, coverage: Coverage, statements: tuple[Statement, 
     said = [(a, b) for a, b in lost if not any(x <= a and b < y for x, y, _ in spans)]
     said += [(i.start, i.end) for i in coverage.items if i.status == "not_understood"]
     held = tuple((s.start, s.end) for s in kept)
-    read = [i.start for i in coverage.items if i.kind == "event" and i.status == "used"]
-    return Facts(doc, tuple(out), spans, tuple(said), held, frozenset(read))
+    verbs = tuple(i for i in coverage.items if i.kind == "event")
+    read = frozenset(i.start for i in verbs if i.status == "used")
+    timeline = doc.timeline_system.sequence_graph if doc.timeline_system is not None else None
+    events, edges = (timeline.nodes, timeline.edges) if timeline is not None else ((), ())
+    return Facts(doc, tuple(out), spans, tuple(said), held, read, verbs, tuple(kept), events, edges)

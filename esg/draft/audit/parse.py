@@ -86,6 +86,8 @@ class Noun:
         prep: The preposition before it, "" if there is none.
         governors: Places of the words that it depends on: preposition and verb, or noun.
         unreal: Whether it belongs to what is only wished, tried or possible.
+        tag: Its fine part of speech ("NNS").
+        left: Words in lower case that determine, count or describe it.
     """
 
     start: int
@@ -94,6 +96,12 @@ class Noun:
     prep: str
     governors: tuple[tuple[int, int], ...]
     unreal: bool
+    tag: str = ""
+    left: tuple[str, ...] = ()
+
+    def arg(self, text: str) -> Arg:
+        """As an argument, to be looked up by."""
+        return Arg(self.start, self.end, text[self.start : self.end].lower(), self.tag, self.left)
 
 
 def nouns(doc: Any) -> list[Noun]:
@@ -124,7 +132,8 @@ def _noun(token: Any) -> Noun:
     unreal |= any(_denies(c) for v in above for c in v.children if c.dep_ in _SUBJECTS)
     places = tuple((t.idx, t.idx + len(t)) for t in above)
     prep = top.head.lower_ if top.dep_ == "pobj" else ""
-    return Noun(token.idx, token.idx + len(token), top.dep_, prep, places, unreal)
+    end, left = token.idx + len(token), _arg(token).left
+    return Noun(token.idx, end, top.dep_, prep, places, unreal, token.tag_, left)
 
 
 def propositions(doc: Any) -> list[Proposition]:
