@@ -134,3 +134,33 @@ def test_what_turns_last_flies_straight_on_at_its_height():
     assert rollout.position[0, -1, i, 2] == pytest.approx(rollout.position[0, 0, i, 2], abs=1e-3)
     moved = rollout.position[0, -1, i] - rollout.position[0, -241, i]
     assert float(np.linalg.norm(moved)) > 1.0
+
+
+@pytest.mark.parametrize(
+    ("prompt", "name", "steep"),
+    [
+        ("A balloon rises.", "balloon_1", 90.0),
+        ("A drone floats upward.", "drone_1", 90.0),
+        ("A bird flies up into the sky.", "bird_1", 60.0),
+        ("A helicopter descends.", "helicopter_1", -90.0),
+    ],
+)
+def test_what_flies_by_itself_goes_up_and_down(prompt: str, name: str, steep: float):
+    doc = fitted(resolve(draft(prompt), seed=0))
+    laid = solve(doc, seed=0, hints=start_hints(doc))
+    scene = build_scene(laid)
+    program = make_plan(laid, scene).compile(make_plan(laid, scene).initial())
+    rollout = get_engine("physx").rollout(
+        scene, batch_programs([program], scene.names), duration=2.0
+    )
+    way = np.ptp(rollout.position[0, [0, -1], scene.index(name)], axis=0)
+    rise = float(np.diff(rollout.position[0, [0, -1], scene.index(name), 2])[0])
+    assert rise * math.copysign(1.0, steep) > 0.5
+    assert math.degrees(math.atan2(rise, math.hypot(*way[:2]))) == pytest.approx(steep, abs=3.0)
+    assert rollout.position[0, -1, scene.index(name), 2] > 0.2, "it is in the air in the end"
+
+
+def test_an_aeroplane_does_not_go_straight_up():
+    doc = draft("A plane takes off.")
+    assert doc.timeline_system is not None
+    assert all(e.params.elevation_deg is None for e in doc.timeline_system.sequence_graph.edges)
