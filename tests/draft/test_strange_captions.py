@@ -274,3 +274,22 @@ def test_who_carries_acts() -> None:
     doc = draft("Two glasses stand on a tray that is carried by a waiter.")
     assert held(doc)["tray_1"] == "waiter_1"
     assert ("waiter_1", None) in motions(doc)
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "Put the box on the table beside the lamp; don't let the lamp fall.",
+        "A robot pushes a crate past a lamp without letting the lamp topple.",
+        "Roll the ball past the lamp. Never allow the lamp to tip over.",
+    ],
+)
+def test_what_is_not_to_be_let_happen_does_not_happen(prompt: str) -> None:
+    doc = draft(prompt)
+    assert doc.timeline_system is not None
+    events = {n.event.value for n in doc.timeline_system.sequence_graph.nodes}
+    assert not events & {"Fall", "Topple"}
+    assert any(
+        s.predicate is Predicate.STAYS_UPRIGHT and s.object == ("lamp_1",)
+        for s in doc.statements or ()
+    )

@@ -19,7 +19,12 @@ NEAR = re.compile(
     re.IGNORECASE,
 )
 _IN_GROUP = re.compile(r"\b(?:almost|nearly)\b", re.IGNORECASE)
-_NEVER = re.compile(r"\bnever\s+(?:\w+ly\s+)?$", re.IGNORECASE)
+_NEVER = re.compile(
+    r"\bnever\s+(?:\w+ly\s+)?$"
+    r"|(?:n't|\bnot|\bnever|\bwithout)\s+(?:let|letting|allow|allowing)\s+(?:[\w'-]+\s+){1,4}$",
+    re.IGNORECASE,
+)
+"""What denies the verb behind it: "never falls", "don't let the lamp fall"."""
 _ABOUT_TO = re.compile(r"\b(?:about|unable|too\s+\w+|reluctant|afraid)\s*$", re.IGNORECASE)
 _WAS_MEANT_TO = re.compile(
     r"\b(?:was|were)\s+(?:only\s+|originally\s+|actually\s+)?(?:supposed|meant|intended)\s*$",
@@ -100,7 +105,7 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
             f.verb.negated = True
         if f.verb.sense == "stop" and _STOPS_DOING.match(text, f.verb.end):
             f.unreal = "it stops doing something, not moving"
-        if _NEVER.search(text, max(0, f.verb.start - 24), f.verb.start):
+        if _NEVER.search(text, max(0, f.verb.start - 60), f.verb.start):
             f.verb.negated = True
         if true:
             f.link = "then"
