@@ -14,7 +14,6 @@ from esg.assets.builders.common import mirrored, shade, shift
 from esg.assets.builders.traffic.coachwork import TRIM
 from esg.assets.builders.traffic.lorries import SIDES, draw_lorry
 from esg.assets.geometry.sketch import (
-    BLUE,
     CHROME,
     DARK,
     GLASS,
@@ -79,9 +78,7 @@ def _hopper(s: Sketch, c: Color, low: float = 112.0, high: float = 250.0) -> Non
         return forms.gather(bars)
 
     s.add(ribs, shade(c, 0.82), of="steel", name="ribs")
-    s.add(
-        lambda: shapes.rod(9, (120, 0, 74), (160, 0, low - 2), 16), CHROME, name="hydraulic_ram"
-    )
+    s.add(lambda: shapes.rod(9, (120, 0, 74), (160, 0, low - 2), 16), CHROME, name="hydraulic_ram")
 
 
 def _hopper_proxies(s: Sketch, low: float = 114.0, high: float = 250.0) -> None:
@@ -154,9 +151,7 @@ def _ladder(s: Sketch, x: Span, z: Span, rungs: int) -> None:
     """Ladder lying on a roof along X, rising from `z[0]` to `z[1]`."""
 
     def mesh() -> Any:
-        rails = [
-            shapes.rod(4.5, (x[0], y, z[0]), (x[1], y, z[1]), 10) for y in (-34, 34, -24, 24)
-        ]
+        rails = [shapes.rod(4.5, (x[0], y, z[0]), (x[1], y, z[1]), 10) for y in (-34, 34, -24, 24)]
         steps = []
         for k in range(rungs):
             t = (k + 0.5) / rungs
@@ -207,10 +202,7 @@ def _fire_body(s: Sketch, c: Color) -> None:
         s.slab((x - 5, x + 5), (-40, 40), (282, 290 + 24 * (x + 372) / 732), DARK, name="rack")
     s.add(
         lambda: forms.gather(
-            [
-                forms.cushion((26, 62, 15), (340, y, 281), sections=20, levels=7)
-                for y in (-62, 62)
-            ]
+            [forms.cushion((26, 62, 15), (340, y, 281), sections=20, levels=7) for y in (-62, 62)]
         ),
         BLUE_LIGHT,
         name="blue_lights",
@@ -382,7 +374,9 @@ def _drum(s: Sketch, c: Color) -> None:
         s.add(lambda k=k: spiral(math.pi * k), c, of="paint", name=f"spiral_{k}")
     s.add(
         lambda: _tilted(
-            forms.turned([(60, 118), (104, 118), (104, 132), (60, 132), (60, 118)], (0, 0, 0), 40, "x")
+            forms.turned(
+                [(60, 118), (104, 118), (104, 132), (60, 132), (60, 118)], (0, 0, 0), 40, "x"
+            )
         ),
         STEEL,
         name="drum_ring",
@@ -430,7 +424,10 @@ def _deck(s: Sketch, rear: float = -378) -> None:
     s.slab((rear, 205), (-122, 122), (90, 102), TRIM, of="steel", name="deck_frame")
     s.add(
         lambda: forms.gather(
-            [shapes.box((205 - rear, 21.5, 6), ((205 + rear) / 2, -111 + 22.2 * k, 105)) for k in range(11)]
+            [
+                shapes.box((205 - rear, 21.5, 6), ((205 + rear) / 2, -111 + 22.2 * k, 105))
+                for k in range(11)
+            ]
         ),
         finish("pine", rgb(176, 134, 84)),
         name="deck_planks",
@@ -465,11 +462,19 @@ def flatbed_truck(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
 def _wrecker(s: Sketch, c: Color) -> None:
     s.slab((-330, 205), (-118, 118), (90, 104), c, of="car_body", name="deck")
     for sign, word in SIDES:
-        s.slab((-20, 200), mirrored(sign, 62, 120), (104, 168), c, of="car_body", name=f"locker_{word}")
+        s.slab(
+            (-20, 200), mirrored(sign, 62, 120), (104, 168), c, of="car_body", name=f"locker_{word}"
+        )
         s.slab((-15, 195), mirrored(sign, 119.5, 121), (112, 160), ALUMINIUM, name=f"door_{word}")
         for k in range(6):
             x = 180 - 36 * k
-            s.slab((x - 9, x + 9), mirrored(sign, 119, 120.8), (92, 103), YELLOW if k % 2 else DARK, name=f"mark_{word}")
+            s.slab(
+                (x - 9, x + 9),
+                mirrored(sign, 119, 120.8),
+                (92, 103),
+                YELLOW if k % 2 else DARK,
+                name=f"mark_{word}",
+            )
     s.slab((70, 150), (-40, 40), (104, 190), TRIM, of="steel", name="winch_tower")
     s.rod(20, (96, -50, 176), (96, 50, 176), STEEL, name="winch")
     for y in (-32, 32):
@@ -505,7 +510,11 @@ def tow_truck(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_slab((-20, 205), (-120, 120), (96, 168), 0.4)
     s.proxy_slab((-330, -20), (-118, 118), (96, 104), 0.6)
     s.proxy_hull(
-        [(x, y, z) for x, z in ((120, 110), (60, 104), (110, 190), (-366, 318), (-366, 296)) for y in (-22, 22)],
+        [
+            (x, y, z)
+            for x, z in ((120, 110), (60, 104), (110, 190), (-366, 318), (-366, 296))
+            for y in (-22, 22)
+        ],
         0.15,
     )
     s.proxy_slab((-460, -380), (-84, 84), (36, 56), 0.3)
