@@ -274,7 +274,7 @@ def hand(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "pointin
         ]
     _finger(s, thumb, 1.15, skin, "thumb")
     s.proxy_slab((-16, -2), (-4, 4), (0, z + 4.1), 1.0)
-    s.proxy_slab((-2, 11.6), (-4.2, 4.4), (z - 3.4, z + 2.1), 0.8)
+    s.proxy_slab((-2, 11.6), (-4.2, 4.4), (0, z + 2.1), 0.8)
     if kind == "pointing":
         s.proxy(ProxyKind.CAPSULE, (0.95, 0.95, 4.2), (13.4, 3.3, z + 0.7), 1.0, ALONG["x"])
     shift(s, -1.25 if kind == "pointing" else 1.6, -0.4)
