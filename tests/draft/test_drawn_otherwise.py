@@ -20,7 +20,7 @@ def stand_ins(doc: EsgDocument) -> dict[str, str]:
         ("A panda rolls down a hill.", {"A panda": "bear"}),
         ("The blorft slides into a wall.", {"The blorft": "plain box"}),
         ("A checker slides off the board.", {"A checker": "worker"}),
-        ("A finger tips the first domino.", {"A finger": "capsule"}),
+        ("An elbow tips the first domino.", {"An elbow": "arm"}),
         ("Two worms lie on a plate.", {"Two worms": "snake"}),
     ],
 )
@@ -38,6 +38,8 @@ def test_what_is_no_such_thing_is_owned_up_to(prompt: str, shown: dict[str, str]
         "A mastiff knocks over a carafe.",
         "A red top and a blue top are spinning.",
         "A child runs on the wet tiles.",
+        "A finger tips the first domino.",
+        "A fire engine drives past a church.",
     ],
 )
 def test_what_is_such_a_thing_is_not(prompt: str) -> None:

@@ -19,12 +19,14 @@ from tests.assets.worlds import EMPTY, requirement
 
 ENTERED_FROM_THE_SIDE = {
     "goal", "hockey_goal", "tunnel", "basketball_hoop", "well", "fountain", "sailboat", "wicket",
+    "elevator",
 }  # fmt: skip
 """A roof, a net, a pedestal, a bow or a mast is above the middle; the hoop has no floor."""
 ASKED_FOR = {
     "trash_bin", "wheelie_bin", "dumpster", "bathtub", "sink", "open_box", "open_crate", "bucket",
     "basket", "mug", "cup", "drinking_glass", "wine_glass", "bowl", "vase", "jar", "tray", "pond",
     "frying_pan", "cooking_pot", "wheelbarrow", "shopping_cart", "pickup", "boat", "canoe", "crib",
+    "dump_truck",
 }  # fmt: skip
 
 

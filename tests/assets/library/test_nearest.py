@@ -48,7 +48,6 @@ NAMES = [
     ("pretzel", "donut"),
     ("lectern", "side_table"),
     ("birdcage", "crate"),
-    ("beehive", "barrel"),
     ("birdbath", "fountain"),
     ("weathervane", "road_sign"),
     ("gargoyle", "bust"),
@@ -64,7 +63,6 @@ NAMES = [
     ("satellite", "drone"),
     ("oscilloscope", "microwave"),
     ("forceps", "scissors"),
-    ("lawnmower", "wheelbarrow"),
     ("clarinet", "walking_stick"),
     ("lynx", "cat"),
     ("warthog", "pig"),
@@ -81,7 +79,6 @@ NAMES = [
     ("breastplate", "shield"),
     ("plow", "wheelbarrow"),
     ("theremin", "desk_lamp"),
-    ("snowplow", "truck"),
 ]
 
 

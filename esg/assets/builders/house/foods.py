@@ -4,10 +4,12 @@ from __future__ import annotations
 
 import itertools
 import math
+from typing import Any
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import blob, bone, mirrored, shade, shift
 from esg.assets.geometry.sketch import DARK_WOOD, RED, WHITE, YELLOW, Color, Sketch, rgb
+from esg.assets.lazy import forms
 
 _LEAF = rgb(74, 140, 52)
 _CRUST = rgb(196, 138, 74)
@@ -247,3 +249,34 @@ def pepper(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.proxy_cylinder(2.6, (0.2, 1.2), 1.0)
     s.proxy_cylinder(3.7, (1.2, 8.6), 1.0)
     shift(s, 0, 0, -0.2)
+
+
+@builder("onion")
+def onion(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Brown onion with its skin's lines, a dry neck and roots, drawn at 8.2 x 8.2 x 9.8."""
+    outline = [(0.8, 0.3), (2.2, 0.8), (3.6, 2.2), (4.1, 4), (3.7, 5.8), (2.4, 7.2), (1.1, 8)]
+    neck = [(0.6, 8.8), (0.75, 9.5), (0, 9.7)]
+    s.lathe([(0, 0.3), *outline, *neck], c, smooth=50, name="bulb")
+
+    def lines() -> Any:
+        out = []
+        for k in range(14):
+            a = 2 * math.pi * k / 14
+            path = [(r * math.cos(a), r * math.sin(a), z) for r, z in [*outline, neck[0]]]
+            out.append(forms.tube(forms.smooth_path(path, 20), 0.07, 6))
+        return forms.gather(out)
+
+    s.add(lines, shade(c, 0.62), name="skin_lines")
+
+    def roots() -> Any:
+        ends = []
+        for k in range(16):
+            a, r = 2.4 * k, 0.5 + 0.05 * k
+            tip = (1.5 * r * math.cos(a), 1.5 * r * math.sin(a), 0.03)
+            ends.append(((0.4 * math.cos(a), 0.4 * math.sin(a), 0.5), tip))
+        return forms.needles(ends, 0.06)
+
+    s.add(roots, rgb(206, 184, 140), of="straw", name="roots")
+    s.proxy_cylinder(1.6, (0, 0.6))
+    s.proxy_cylinder(3.7, (0.6, 7.0))
+    s.proxy_cylinder(1.2, (7.0, 9.6), 0.5)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from functools import lru_cache
 from typing import Any
 
@@ -38,10 +39,11 @@ def _cut(body: Any, axles: tuple[float, ...], r: float, width: float) -> Any:
 
 
 def _wheels(
-    s: Sketch, axles: tuple[float, float], y: float, r: float, width: float, spokes: int = 5
+    s: Sketch, axles: tuple[float, ...], y: float, r: float, width: float, spokes: int = 5
 ) -> None:
+    rows = ("front", "rear") if len(axles) == 2 else ("front", "middle", "rear")
     for side, word in SIDES[::-1]:
-        for row, x in zip(("front", "rear"), axles, strict=True):
+        for row, x in zip(rows, axles, strict=True):
             name = f"{row}_{word}"
             car_wheel(s, x, side * y, r, width, side, name, spokes)
 
@@ -225,6 +227,25 @@ def _cab() -> dict[str, Any]:
 
 def draw_truck(s: Sketch, c: Color) -> None:
     """Two-axle box truck at 760 x 250 x 340."""
+    draw_lorry(s, c, _cargo_box)
+
+
+def draw_lorry(
+    s: Sketch,
+    c: Color,
+    load: Callable[[Sketch], None],
+    rear: tuple[float, ...] = (-235,),
+    guard: tuple[float, float] = (-150, 180),
+) -> None:
+    """Cab and chassis of a lorry with what it carries, x from -379 to 379, the cab in front of 205.
+
+    Args:
+        s: Drawn into.
+        c: Of the cab.
+        load: Draws the body, which stands on the frame at a height of 90.
+        rear: x of the axles behind the front one, one or two [cm].
+        guard: x between which its sides are guarded [cm].
+    """
     s.add(
         lambda: forms.gather(
             [shapes.box((753, 12, 24), (-1.5, y, 78)) for y in (-38, 38)]
@@ -239,7 +260,14 @@ def draw_truck(s: Sketch, c: Color) -> None:
     _glazing(s, _cab, ("grille", "bumper", "seams"), TRIM, "plastic")
     _glazing(s, _cab, ("headlights",), LAMP, "lamp")
     _mirrors(s, (352, 123, 222), (12, 9, 44))
-    _cargo_box(s)
+    load(s)
+    _fittings(s, guard, min(rear) - 57)
+    _wheels(s, (285, *rear), 119, 48, 30, 8)
+
+
+def _fittings(s: Sketch, guard: tuple[float, float], flaps: float) -> None:
+    """Lamps, guards, steps, tank, plates and flaps along the frame."""
+    middle, span = (guard[0] + guard[1]) / 2, guard[1] - guard[0]
     for side, word in SIDES:
         s.add(
             lambda side=side: shapes.box((5, 34, 12), (-378, side * 92, 82)),
@@ -249,8 +277,11 @@ def draw_truck(s: Sketch, c: Color) -> None:
         )
         s.add(
             lambda side=side: forms.gather(
-                [shapes.box((330, 4, 9), (15, side * 112, z)) for z in (56, 76)]
-                + [shapes.box((5, 3, 40), (x, side * 110, 76)) for x in (-130, 15, 160)]
+                [shapes.box((span, 4, 9), (middle, side * 112, z)) for z in (56, 76)]
+                + [
+                    shapes.box((5, 3, 40), (x, side * 110, 76))
+                    for x in (guard[0] + 20, middle, guard[1] - 20)
+                ]
             ),
             STEEL,
             of="aluminium",
@@ -279,12 +310,11 @@ def draw_truck(s: Sketch, c: Color) -> None:
         name="number_plates",
     )
     s.add(
-        lambda: forms.gather([shapes.box((2, 34, 44), (-292, y, 50)) for y in (-102, 102)]),
+        lambda: forms.gather([shapes.box((2, 34, 44), (flaps, y, 50)) for y in (-102, 102)]),
         TRIM,
         of="rubber",
         name="mud_flaps",
     )
-    _wheels(s, (285, -235), 119, 48, 30, 8)
 
 
 def _cargo_box(s: Sketch) -> None:
