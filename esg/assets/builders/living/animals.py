@@ -222,7 +222,7 @@ def _tail(s: Sketch, b: Beast, c: Color) -> None:
     middle = (
         0.55 * start[0] + 0.45 * end[0] - 0.3 * abs(sag),
         0.0,
-        max(0.5 * (start[2] + end[2]) - 0.5 * sag, 0.55 * (root + tip)),
+        max(0.5 * (start[2] + end[2]) - 0.5 * sag, 0.275 * (start[2] + end[2])),
     )
     path, radii = [inside, start, middle, end], [root, root, 0.55 * (root + tip), tip]
     s.add(lambda: _curved(path, radii, 18, 12), c, of=_coat(b), name="tail")

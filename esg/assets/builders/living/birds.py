@@ -92,7 +92,7 @@ BIRDS: dict[str, Bird] = {
     ),
     "dove": Bird(
         (10, 5, 5), 8.6, 22, (9, 7.5, 3.5), (4.2, 3.2), ("cone", 2.6, 0.8), (2, 0.6),
-        (12, 8, -1), (32, 11), (None, None, None, None, None), (rgb(206, 150, 140), _PINK), move=0,
+        (12, 8, -1), (32, 11), (None, None, None, None, None), (rgb(206, 150, 140), _PINK), move=1.8,
     ),
     "robin": Bird(
         (4.4, 2.9, 2.9), 5.2, 32, (3.4, 3.2, 2.3), (2.5, 2.2), ("cone", 1.4, 0.5), (1.1, 0.24),
@@ -142,7 +142,7 @@ BIRDS: dict[str, Bird] = {
     "turkey": Bird(
         (25, 17, 17), 38, 20, (25, 30, 5), (8, 4.2), ("cone", 5, 1.5), (6.4, 1.8),
         (8, 8, 10), (62, 24), (rgb(120, 150, 190), None, None, None, _BLACK),
-        (rgb(222, 200, 160), rgb(196, 120, 110)), frozenset({"fan", "wattle"}), 2,
+        (rgb(222, 200, 160), rgb(196, 120, 110)), frozenset({"fan", "wattle"}), -1.7,
     ),
     "peacock": Bird(
         (21, 10.5, 10.5), 38, 18, (25, 32, 4.2), (7, 3.4), ("cone", 4.4, 1.3), (5, 1.3),
@@ -265,8 +265,14 @@ def _eyes(s: Sketch, b: Bird) -> None:
         at = (x + 0.5 * r, side * 0.78 * r, z + 0.26 * r)
         s.ball(0.2 * r, at, DARK, rough=0.15, detail=2)
         if "brows" in b.marks:
-            bone(s, (at[0] - 0.2 * r, at[1], at[2] + 0.2 * r), 0.12 * r,
-                 (at[0] + 0.3 * r, side * 0.6 * r, at[2] + 0.12 * r), 0.08 * r, b.coat[0] or rgb(70, 52, 40))  # fmt: skip
+            bone(
+                s,
+                (at[0] - 0.2 * r, at[1], at[2] + 0.2 * r),
+                0.12 * r,
+                (at[0] + 0.3 * r, side * 0.6 * r, at[2] + 0.12 * r),
+                0.08 * r,
+                b.coat[0] or rgb(70, 52, 40),
+            )
 
 
 def _tail(s: Sketch, b: Bird, c: Color) -> None:
@@ -306,8 +312,14 @@ def _folded(s: Sketch, b: Bird, side: int, c: Color, tip: Color) -> None:
         return forms.tube(path, radii([k / 11 for k in range(12)]), 12, flat=0.45)
 
     s.add(make, c, rough=0.9, name="wing")
-    bone(s, (0.7 * mid[0] + 0.3 * end[0], mid[1], 0.7 * mid[2] + 0.3 * end[2] - 0.06 * high), 0.26 * high,
-         end, 0.12 * high, tip)  # fmt: skip
+    bone(
+        s,
+        (0.7 * mid[0] + 0.3 * end[0], mid[1], 0.7 * mid[2] + 0.3 * end[2] - 0.06 * high),
+        0.26 * high,
+        end,
+        0.12 * high,
+        tip,
+    )
 
 
 def _spread(s: Sketch, b: Bird, side: int, c: Color, tip: Color) -> None:
@@ -350,8 +362,18 @@ def _legs(s: Sketch, b: Bird, c: Color) -> None:
             bone(s, (-4, y, hip), 3.0 * r, (4, y, 0.55 * hip), 1.5 * r, c, of="skin")
         s.rod(r, (0, y, 0.4 * r), (0, y, hip), c, sections=10, of="horn")
         if "webbed" in b.marks:
-            prism(s, [(-0.4 * size, y, 0), (-0.4 * size, y, 0.7 * r), (1.1 * size, y - 0.6 * size, 0),
-                      (1.1 * size, y + 0.6 * size, 0), (1.1 * size, y, 0.5 * r)], c, of="horn")  # fmt: skip
+            prism(
+                s,
+                [
+                    (-0.4 * size, y, 0),
+                    (-0.4 * size, y, 0.7 * r),
+                    (1.1 * size, y - 0.6 * size, 0),
+                    (1.1 * size, y + 0.6 * size, 0),
+                    (1.1 * size, y, 0.5 * r),
+                ],
+                c,
+                of="horn",
+            )
             continue
         for turn in (-0.5, 0, 0.5):
             bone(
@@ -372,8 +394,14 @@ def _legs(s: Sketch, b: Bird, c: Color) -> None:
 def _tufts(s: Sketch, b: Bird, c: Color) -> None:
     x, z, r = b.head[0], b.stand + b.head[1], b.head[2]
     for side in _SIDES:
-        bone(s, (x + 0.2 * r, side * 0.6 * r, z + 0.6 * r), 0.26 * r,
-             (x, side * 0.85 * r, z + 1.45 * r), 0.05 * r, shade(c, 0.75))  # fmt: skip
+        bone(
+            s,
+            (x + 0.2 * r, side * 0.6 * r, z + 0.6 * r),
+            0.26 * r,
+            (x, side * 0.85 * r, z + 1.45 * r),
+            0.05 * r,
+            shade(c, 0.75),
+        )
 
 
 def _cheeks(s: Sketch, b: Bird, c: Color) -> None:
@@ -411,8 +439,14 @@ def _dark_quills(s: Sketch, b: Bird, c: Color) -> None:
     length, wide, high = b.body
     if s.appearance.pose != FLYING:
         for side in _SIDES:
-            bone(s, _turned(b, (-0.2 * length, side * 0.84 * wide, -0.1 * high)), 0.3 * high,
-                 _turned(b, (-1.12 * length, side * 0.5 * wide, 0.1 * high)), 0.1 * high, _BLACK)  # fmt: skip
+            bone(
+                s,
+                _turned(b, (-0.2 * length, side * 0.84 * wide, -0.1 * high)),
+                0.3 * high,
+                _turned(b, (-1.12 * length, side * 0.5 * wide, 0.1 * high)),
+                0.1 * high,
+                _BLACK,
+            )
 
 
 def _wattle(s: Sketch, b: Bird, c: Color) -> None:
@@ -456,6 +490,8 @@ def _feathers(
             return forms.gather(out)
 
         s.add(make, tone, rough=0.9, name="fan")
+    deep = (root[0] - lean * reach, root[0])
+    s.proxy_slab(deep, (-0.6 * reach, 0.6 * reach), (root[2], root[2] + 0.9 * reach), 0.02)
 
 
 def _fan(s: Sketch, b: Bird, c: Color) -> None:

@@ -34,6 +34,7 @@ class Insect:
         horns: Length of the antennae.
         marks: What else is drawn.
         length: Of the drawing with antennae and wings; the row of the kind has its own.
+        move: Offset that centres the drawing on the origin.
     """
 
     head: float
@@ -44,14 +45,15 @@ class Insect:
     horns: float = 2.0
     marks: frozenset[str] = frozenset()
     length: float = 10.0
+    move: float = 0.0
 
 
 INSECTS: dict[str, Insect] = {
     "butterfly": Insect(
-        0.75, (1.6, 0.85, 0.85), (3.0, 0.6, 0.65), 1.7, 1.6, 3.2, frozenset({"scaled"}), 12.0
+        0.75, (1.6, 0.85, 0.85), (3.0, 0.6, 0.65), 1.7, 1.6, 3.2, frozenset({"scaled"}), 12.0, -2.2
     ),
     "moth": Insect(
-        0.9, (1.8, 1.2, 1.1), (2.8, 0.9, 0.85), 1.7, 1.6, 2.0, frozenset({"scaled"}), 11.8
+        0.9, (1.8, 1.2, 1.1), (2.8, 0.9, 0.85), 1.7, 1.6, 2.0, frozenset({"scaled"}), 11.8, -1.9
     ),
     "bee": Insect(
         1.35,
@@ -62,6 +64,7 @@ INSECTS: dict[str, Insect] = {
         1.6,
         frozenset({"banded", "clear", "fuzzy"}),
         10.5,
+        -0.4,
     ),
     "wasp": Insect(
         1.1,
@@ -85,21 +88,46 @@ INSECTS: dict[str, Insect] = {
         0.5,
         frozenset({"long_wings", "big_eyes"}),
         10.6,
+        -0.2,
     ),
     "ladybug": Insect(
-        1.7, (1.2, 2.6, 1.5), (4.2, 4.0, 3.4), 1.6, 4.4, 1.4, frozenset({"shell", "spotted"}), 11.7
+        1.7,
+        (1.2, 2.6, 1.5),
+        (4.2, 4.0, 3.4),
+        1.6,
+        4.4,
+        1.4,
+        frozenset({"shell", "spotted"}),
+        11.7,
+        0.6,
     ),
     "beetle": Insect(
-        1.3, (1.6, 2.3, 1.4), (3.7, 2.7, 1.9), 1.8, 4.2, 2.2, frozenset({"shell", "jaws"}), 11.6
+        1.3,
+        (1.6, 2.3, 1.4),
+        (3.7, 2.7, 1.9),
+        1.8,
+        4.2,
+        2.2,
+        frozenset({"shell", "jaws"}),
+        11.6,
+        -0.3,
     ),
     "cockroach": Insect(
-        0.9, (1.4, 1.9, 0.8), (4.2, 2.0, 0.9), 1.3, 3.4, 6.0, frozenset({"shell"}), 14.6
+        0.9, (1.4, 1.9, 0.8), (4.2, 2.0, 0.9), 1.3, 3.4, 6.0, frozenset({"shell"}), 14.6, -1.8
     ),
     "ant": Insect(
-        1.35, (1.7, 0.85, 0.95), (2.5, 1.5, 1.5), 2.3, 3.4, 2.8, frozenset({"waist", "jaws"}), 11.5
+        1.35,
+        (1.7, 0.85, 0.95),
+        (2.5, 1.5, 1.5),
+        2.3,
+        3.4,
+        2.8,
+        frozenset({"waist", "jaws"}),
+        11.5,
+        -0.8,
     ),
     "grasshopper": Insect(
-        1.0, (1.7, 1.0, 1.15), (4.0, 0.9, 0.95), 2.4, 2.2, 2.6, frozenset({"jumper"}), 12.6
+        1.0, (1.7, 1.0, 1.15), (4.0, 0.9, 0.95), 2.4, 2.2, 2.6, frozenset({"jumper"}), 12.6, -0.2
     ),
 }
 
@@ -135,9 +163,18 @@ def _trunk(s: Sketch, b: Insect, c: Color) -> tuple[Vec3, Vec3, Vec3]:
 
 
 def _wing(
-    s: Sketch, root: Vec3, side: int, along: tuple[float, float], wide: float, up: float, c: Color,
-    *, alpha: float | None = None, name: str = "wing", thick: float = 0.06,
-) -> None:  # fmt: skip
+    s: Sketch,
+    root: Vec3,
+    side: int,
+    along: tuple[float, float],
+    wide: float,
+    up: float,
+    c: Color,
+    *,
+    alpha: float | None = None,
+    name: str = "wing",
+    thick: float = 0.06,
+) -> None:
     """A flat oval wing from its root to a point `along` (forwards, out), raised by `up` [deg]."""
     rise = math.tan(math.radians(up))
     length = math.hypot(*along)
@@ -153,7 +190,7 @@ def _wing(
 
 
 def _scaled_wings(s: Sketch, b: Insect, thorax: Vec3, c: Color) -> None:
-    """Broad coloured wings with a black rim and pale dots; spread wide in flight, else half raised."""
+    """Broad coloured wings with a black rim and pale dots: wide in flight, else half raised."""
     up = 14.0 if s.appearance.pose == FLYING else 30.0
     for side in _SIDES:
         root = (thorax[0], side * 0.4, thorax[2] + 0.4)
@@ -263,7 +300,7 @@ def insect(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "beetl
         end = (
             start[0] + 0.75 * b.horns,
             side * (0.35 * b.head + 0.45 * b.horns),
-            start[2] + 0.35 * b.horns,
+            start[2] + min(0.35 * b.horns, 1.0),
         )
         bone(s, start, 0.1, end, 0.07 if "scaled" not in b.marks else 0.16, tone, detail=1)
         eye = 0.52 if "big_eyes" in b.marks else 0.5 if "red_eyes" in b.marks else 0.3
@@ -276,24 +313,35 @@ def insect(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "beetl
             rough=0.15,
         )
         if "jaws" in b.marks:
-            bone(s, (head[0] + 0.6 * b.head, side * 0.5, head[2] - 0.3), 0.22,
-                 (head[0] + 1.5 * b.head, side * 0.15, head[2] - 0.4), 0.08, tone, detail=1)  # fmt: skip
+            bone(
+                s,
+                (head[0] + 0.6 * b.head, side * 0.5, head[2] - 0.3),
+                0.22,
+                (head[0] + 1.5 * b.head, side * 0.15, head[2] - 0.4),
+                0.08,
+                tone,
+                detail=1,
+            )
     for mark, draw, at in (
-        ("scaled", _scaled_wings, thorax), ("clear", _clear_wings, thorax), ("long_wings", _long_wings, thorax),
-        ("shell", _shell, tail), ("banded", _bands, tail), ("jumper", _jumping, thorax),
-    ):  # fmt: skip
+        ("scaled", _scaled_wings, thorax),
+        ("clear", _clear_wings, thorax),
+        ("long_wings", _long_wings, thorax),
+        ("shell", _shell, tail),
+        ("banded", _bands, tail),
+        ("jumper", _jumping, thorax),
+    ):
         if mark in b.marks:
             draw(s, b, at, c)
     half = max(0.8 * b.reach, b.abdomen[1])
     low = max(b.stand - 0.6 * max(b.thorax[2], b.abdomen[2]), 0.3)
     s.proxy_slab((-4.2, 4.2), (-half, half), (0, low), 0.4)
-    wide = max(b.thorax[1], b.abdomen[1])
-    s.proxy_slab(
-        (-5, 5),
-        (-0.9 * wide, 0.9 * wide),
-        (low, b.stand + 0.8 * max(b.thorax[2], b.abdomen[2])),
-        1.0,
-    )
+    wide, top = max(b.thorax[1], b.abdomen[1]), b.stand + 0.9 * max(b.thorax[2], b.abdomen[2])
+    s.proxy_slab((-4.2, 4.6), (-0.9 * wide, 0.9 * wide), (low, top), 1.0)
+    if "jumper" in b.marks:
+        s.proxy_slab((-4.2, -1.2), (-1.6, 1.6), (top, 4.6), 0.1)
+    if "scaled" in b.marks:
+        s.proxy_slab((-2.4, 4.6), (-5, 5), (top, 5.6), 0.05)
+    shift(s, b.move)
     small = scaled(s, L / b.length)
     s.parts[:], s.proxies[:] = small.parts, small.proxies
 
@@ -305,14 +353,14 @@ def _snail(s: Sketch, c: Color) -> None:
     for k in range(48):
         t = k / 47
         a, r = 0.4 + 5.0 * math.pi * t, 1.6 * (1 - t) ** 0.9
-        at = (-0.5 + r * math.cos(a), 0.3 * t, 2.35 + r * math.sin(a))
+        at = (-0.86 + r * math.cos(a), 0.3 * t, 2.35 + r * math.sin(a))
         turns.append((at, 0.85 * (1 - 0.8 * t)))
     for (p, pr), (q, qr) in itertools.pairwise(turns):
         bone(s, p, pr, q, qr, c, detail=2, of="horn")
     for side in _SIDES:
         seam = [(p[0], side * (0.9 * r + 0.25), p[2]) for p, r in turns]
         s.add(lambda p=seam: forms.tube(p, 0.1, 8), shade(c, 0.5), of="horn", name="seam")
-    s.proxy_slab((-2.2, 1.4), (-1.1, 1.1), (0.9, 4.4), 1.0)
+    s.proxy_slab((-2.5, 1.0), (-1.1, 1.1), (0.9, 4.4), 1.0)
 
 
 def _slug(s: Sketch, c: Color) -> None:
@@ -323,6 +371,8 @@ def _slug(s: Sketch, c: Color) -> None:
         s.ball(0.18, (3.9, side * 0.6, 2.95), DARK, detail=2)
         bone(s, (3.5, side * 0.2, 1.3), 0.1, (4.1, side * 0.35, 1.2), 0.07, c, detail=1, of="skin")
     s.proxy_slab((-3.2, 3.2), (-0.7, 0.7), (0, 0.9), 1.0)
+    s.proxy_slab((2.6, 4.0), (-0.7, 0.7), (0.9, 2.6), 0.2)
+    shift(s, -0.36)
 
 
 def _caterpillar(s: Sketch, c: Color) -> None:
@@ -337,6 +387,7 @@ def _caterpillar(s: Sketch, c: Color) -> None:
         s.ball(0.15, (4.4, side * 0.34, 1.15), _BLACK, detail=2)
         bone(s, (4.0, side * 0.3, 1.5), 0.07, (4.3, side * 0.6, 2.2), 0.09, _BLACK, detail=1)
     s.proxy_slab((-4.1, 4.4), (-0.62, 0.62), (0, 1.5), 1.0)
+    s.proxy_slab((3.2, 4.5), (-0.6, 0.6), (1.5, 2.1), 0.1)
 
 
 def _worm(s: Sketch, c: Color) -> None:
@@ -423,6 +474,7 @@ def _scorpion(s: Sketch, c: Color) -> None:
             )
     s.proxy_slab((-2.2, 2.8), (-2.0, 2.0), (0, 1.0), 0.6)
     s.proxy_slab((-2.8, 2.2), (-0.8, 0.8), (1.0, 1.9), 1.0)
+    s.proxy_slab((-4.4, -1.0), (-0.4, 0.4), (1.9, 4.4), 0.15)
 
 
 def _starfish(s: Sketch, c: Color) -> None:
@@ -440,7 +492,8 @@ def _starfish(s: Sketch, c: Color) -> None:
             of="leather",
         )
     s.ball(1, (0, 0, 1.1), c, scale=(2.8, 2.8, 1.1), of="leather")
-    s.proxy_cylinder(6.5, (0, 1.4), 1.0)
+    s.proxy_cylinder(6.5, (0, 2.0), 1.0)
+    shift(s, -0.88)
 
 
 def _octopus(s: Sketch, c: Color) -> None:
@@ -452,8 +505,12 @@ def _octopus(s: Sketch, c: Color) -> None:
     for k in range(8):
         a = math.pi * (2 * k + 1) / 8
         x, y = math.cos(a), math.sin(a)
-        path = [(2 + 3 * x, 3 * y, 6), (2 + 12 * x - 2 * y, 12 * y + 2 * x, 2.6),
-                (2 + 20 * x + 2 * y, 20 * y - 2 * x, 1.5), (2 + 27 * x - 3 * y, 27 * y + 3 * x, 0.6)]  # fmt: skip
+        path = [
+            (2 + 3 * x, 3 * y, 6),
+            (2 + 12 * x - 2 * y, 12 * y + 2 * x, 2.6),
+            (2 + 20 * x + 2 * y, 20 * y - 2 * x, 1.5),
+            (2 + 27 * x - 3 * y, 27 * y + 3 * x, 0.6),
+        ]
         radii = [3.2 - 2.6 * j / 15 for j in range(16)]
         s.add(
             lambda p=path, r=radii: forms.tube(forms.smooth_path(p, 16), r, 10),

@@ -1,4 +1,4 @@
-"""Marks of wild animals and pets: plumes, masks, patches, horns and wings, in proportion to the beast."""
+"""Marks of wild animals and pets: plumes, masks, patches, horns and wings, to the beast's scale."""
 
 from __future__ import annotations
 
@@ -53,6 +53,7 @@ def _plume(s: Sketch, b: Beast, c: Color) -> None:
         of="fur",
         name="plume",
     )
+    s.proxy_slab((x - 2.6 * r, x - 1.2 * r), (-0.6 * r, 0.6 * r), (z, z + 4.5 * r), 0.08)
 
 
 def _bib(s: Sketch, b: Beast, c: Color) -> None:
@@ -125,8 +126,15 @@ def _lyre_horns(s: Sketch, b: Beast, c: Color) -> None:
 def _beard(s: Sketch, b: Beast, c: Color) -> None:
     x, _, z = _muzzle(b)
     m = b.head[3]
-    bone(s, (x - 0.4 * m, 0, z - 0.8 * m), 0.55 * m, (x - 0.7 * m, 0, z - 2.6 * m), 0.12 * m,
-         shade(c, 0.7), of="fur")  # fmt: skip
+    bone(
+        s,
+        (x - 0.4 * m, 0, z - 0.8 * m),
+        0.55 * m,
+        (x - 0.7 * m, 0, z - 2.6 * m),
+        0.12 * m,
+        shade(c, 0.7),
+        of="fur",
+    )
 
 
 def _pale_muzzle(s: Sketch, b: Beast, c: Color) -> None:
@@ -174,8 +182,11 @@ def _rosettes(s: Sketch, b: Beast, c: Color) -> None:
             )
     _spot(s, places, 0.15 * b.trunk[3], BLACK, 1.0)
     hx, hz, hr = _head(b)
-    crown = [(hx - 0.3 * hr + 0.5 * hr * i, j * 0.4 * hr, hz + 0.86 * hr - 0.2 * hr * abs(j))
-             for i in (0, 1) for j in (-1, 0, 1)]  # fmt: skip
+    crown = [
+        (hx - 0.3 * hr + 0.5 * hr * i, j * 0.4 * hr, hz + 0.86 * hr - 0.2 * hr * abs(j))
+        for i in (0, 1)
+        for j in (-1, 0, 1)
+    ]
     _spot(s, crown, 0.1 * hr, BLACK, 1.0)
 
 
@@ -192,8 +203,15 @@ def _side_band(s: Sketch, b: Beast, c: Color) -> None:
     """A dark band along each flank above a white belly."""
     (x0, z0, r0), (x1, z1, r1) = _at(b, 0), _at(b, 1)
     for side in _SIDES:
-        bone(s, (x0, side * 0.84 * r0, z0 - 0.22 * r0), 0.17 * r0,
-             (x1, side * 0.84 * r1, z1 - 0.22 * r1), 0.17 * r1, BLACK, of="fur")  # fmt: skip
+        bone(
+            s,
+            (x0, side * 0.84 * r0, z0 - 0.22 * r0),
+            0.17 * r0,
+            (x1, side * 0.84 * r1, z1 - 0.22 * r1),
+            0.17 * r1,
+            BLACK,
+            of="fur",
+        )
     bone(s, (x0, 0, z0 - 0.3 * r0), 0.75 * r0, (x1, 0, z1 - 0.3 * r1), 0.75 * r1, PALE, of="fur")
 
 
@@ -203,20 +221,35 @@ def _tusks(s: Sketch, b: Beast, c: Color) -> None:
     m = b.head[3]
     for side in _SIDES:
         s.ball(0.16 * m, (x + 0.6 * m, side * 0.45 * m, z + 0.72 * m), shade(c, 0.6), detail=2)
-        bone(s, (x + 0.66 * m, side * 0.5 * m, z - 0.5 * m), 0.1 * m,
-             (x + 0.78 * m, side * 0.5 * m, z - 0.1 * m), 0.04 * m, _IVORY, of="horn")  # fmt: skip
+        bone(
+            s,
+            (x + 0.66 * m, side * 0.5 * m, z - 0.5 * m),
+            0.1 * m,
+            (x + 0.78 * m, side * 0.5 * m, z - 0.1 * m),
+            0.04 * m,
+            _IVORY,
+            of="horn",
+        )
 
 
 def _mammoth_trunk(s: Sketch, b: Beast, c: Color) -> None:
     """A trunk, and tusks that curl up."""
     x, z, r = _head(b)
-    path = [(x + 0.6 * r, 0, z - 0.5 * r), (x + 1.2 * r, 0, z - 1.5 * r),
-            (x + 1.2 * r, 0, z - 2.6 * r), (x + 1.6 * r, 0, z - 3.3 * r)]  # fmt: skip
+    path = [
+        (x + 0.6 * r, 0, z - 0.5 * r),
+        (x + 1.2 * r, 0, z - 1.5 * r),
+        (x + 1.2 * r, 0, z - 2.6 * r),
+        (x + 1.6 * r, 0, z - 3.3 * r),
+    ]
     radii = [0.46 * r * (1 - 0.05 * k) for k in range(14)]
     s.add(lambda: forms.tube(forms.smooth_path(path, 14), radii, 14), c, of="fur", name="trunk")
     for side in _SIDES:
-        tusk = [(x + 0.5 * r, side * 0.45 * r, z - 0.8 * r), (x + 1.3 * r, side * 0.95 * r, z - 2.2 * r),
-                (x + 2.4 * r, side * 0.9 * r, z - 2.4 * r), (x + 3.0 * r, side * 0.5 * r, z - 1.5 * r)]  # fmt: skip
+        tusk = [
+            (x + 0.5 * r, side * 0.45 * r, z - 0.8 * r),
+            (x + 1.3 * r, side * 0.95 * r, z - 2.2 * r),
+            (x + 2.4 * r, side * 0.9 * r, z - 2.4 * r),
+            (x + 3.0 * r, side * 0.5 * r, z - 1.5 * r),
+        ]
         thin = [0.16 * r * (1 - 0.05 * k) for k in range(14)]
         s.add(
             lambda p=tusk, t=thin: forms.tube(forms.smooth_path(p, 14), t, 10),
@@ -270,8 +303,15 @@ def _face_stripes(s: Sketch, b: Beast, c: Color) -> None:
     m = b.head[3]
     blob(s, [((x, 0, z), 1.03 * r), ((mx, 0, mz), 1.04 * m)], PALE, of="fur", detail=3)
     for side in _SIDES:
-        bone(s, (x - 0.6 * r, side * 0.58 * r, z + 0.8 * r), 0.3 * r,
-             (mx - 0.2 * m, side * 0.68 * m, mz + 0.8 * m), 0.26 * m, BLACK, of="fur")  # fmt: skip
+        bone(
+            s,
+            (x - 0.3 * r, side * 0.6 * r, z + 0.84 * r),
+            0.26 * r,
+            (mx, side * 0.8 * m, mz + 0.95 * m),
+            0.32 * m,
+            BLACK,
+            of="fur",
+        )
 
 
 def _neck_rings(s: Sketch, b: Beast, c: Color) -> None:
@@ -284,12 +324,12 @@ def _neck_rings(s: Sketch, b: Beast, c: Color) -> None:
         long = 1.4 / math.hypot(x1 - x0, z1 - z0)
         dx, dz = long * (x1 - x0), long * (z1 - z0)
         s.rod(1.02 * thick, (x - dx, 0, z - dz), (x + dx, 0, z + dz), BLACK, sections=32)
-    rear, front, across, top, _ = b.legs
+    rear, front, across, top, foot = b.legs
     for x, zt in ((rear, b.trunk[0]), (front, b.trunk[1])):
         for side in _SIDES:
             for k in range(4):
                 z = (0.36 + 0.09 * k) * zt
-                r = top * (0.62 + 0.1 * k)
+                r = 0.5 * (top + foot) * (0.68 + 0.12 * k)
                 at = (x, side * 0.95 * across)
                 s.rod(r, (*at, z - 0.8), (*at, z + 0.8), BLACK, sections=20)
 
@@ -300,10 +340,20 @@ def _mask(s: Sketch, b: Beast, c: Color) -> None:
     m = b.head[3]
     s.ball(1, (mx - 0.2 * m, 0, mz), PALE, scale=(1.1 * m, 1.1 * m, 1.04 * m), of="fur")
     for side in _SIDES:
-        s.ball(1, (x + 0.5 * r, side * 0.5 * r, z + 0.2 * r), BLACK,
-               scale=(0.42 * r, 0.42 * r, 0.3 * r), of="fur")  # fmt: skip
-        s.ball(1, (x + 0.52 * r, side * 0.48 * r, z + 0.6 * r), PALE,
-               scale=(0.3 * r, 0.34 * r, 0.12 * r), of="fur")  # fmt: skip
+        s.ball(
+            1,
+            (x + 0.5 * r, side * 0.5 * r, z + 0.2 * r),
+            BLACK,
+            scale=(0.42 * r, 0.42 * r, 0.3 * r),
+            of="fur",
+        )
+        s.ball(
+            1,
+            (x + 0.52 * r, side * 0.48 * r, z + 0.6 * r),
+            PALE,
+            scale=(0.3 * r, 0.34 * r, 0.12 * r),
+            of="fur",
+        )
 
 
 def _ringed(s: Sketch, b: Beast, c: Color) -> None:
@@ -315,8 +365,14 @@ def _ringed(s: Sketch, b: Beast, c: Color) -> None:
         t = 0.3 + 0.2 * k
         sag = 0.16 * length * 4 * t * (1 - t) * 0.5
         x, z = start[0] - t * (length * level + 2), start[1] - t * length * droop - sag
-        s.rod(1.08 * root * (1 - 0.12 * t), (x - 0.045 * length, 0, z - 0.01 * length),
-              (x + 0.045 * length, 0, z + 0.01 * length), BLACK, sections=24, of="fur")  # fmt: skip
+        s.rod(
+            1.08 * root * (1 - 0.12 * t),
+            (x - 0.045 * length, 0, z - 0.01 * length),
+            (x + 0.045 * length, 0, z + 0.01 * length),
+            BLACK,
+            sections=24,
+            of="fur",
+        )
 
 
 def _white_back(s: Sketch, b: Beast, c: Color) -> None:
@@ -324,8 +380,15 @@ def _white_back(s: Sketch, b: Beast, c: Color) -> None:
     (x0, z0, r0), (x1, z1, r1) = _at(b, 0), _at(b, 1)
     x, z, r = _head(b)
     for side in _SIDES:
-        bone(s, (x0, side * 0.4 * r0, z0 + 0.78 * r0), 0.24 * r0,
-             (x1, side * 0.36 * r1, z1 + 0.86 * r1), 0.22 * r1, PALE, of="fur")  # fmt: skip
+        bone(
+            s,
+            (x0, side * 0.4 * r0, z0 + 0.78 * r0),
+            0.24 * r0,
+            (x1, side * 0.36 * r1, z1 + 0.86 * r1),
+            0.22 * r1,
+            PALE,
+            of="fur",
+        )
     bone(
         s,
         (x1, 0, z1 + 0.86 * r1),
@@ -345,8 +408,17 @@ def _crest(s: Sketch, b: Beast, c: Color) -> None:
         t = k / 13
         x, z = x0 + (x1 - x0) * t, z0 + (z1 - z0) * t + 0.9 * r
         high = r * (0.3 + 0.5 * t)
-        prism(s, [(x - 0.22 * r, -0.06 * r, z), (x - 0.22 * r, 0.06 * r, z), (x + 0.22 * r, -0.06 * r, z),
-                  (x + 0.22 * r, 0.06 * r, z), (x - 0.2 * r, 0, z + high)], shade(c, 0.7))  # fmt: skip
+        prism(
+            s,
+            [
+                (x - 0.22 * r, -0.06 * r, z),
+                (x - 0.22 * r, 0.06 * r, z),
+                (x + 0.22 * r, -0.06 * r, z),
+                (x + 0.22 * r, 0.06 * r, z),
+                (x - 0.2 * r, 0, z + high),
+            ],
+            shade(c, 0.7),
+        )
     hx, hz, hr = _head(b)
     s.ball(
         1, (hx + 0.2 * hr, 0, hz - 1.1 * hr), shade(c, 0.85), scale=(0.7 * hr, 0.16 * hr, 0.75 * hr)
@@ -364,8 +436,15 @@ def _back_spikes(s: Sketch, b: Beast, c: Color) -> None:
 def _dragon_horns(s: Sketch, b: Beast, c: Color) -> None:
     x, z, r = _head(b)
     for side in _SIDES:
-        bone(s, (x - 0.3 * r, side * 0.5 * r, z + 0.6 * r), 0.26 * r,
-             (x - 1.9 * r, side * 0.9 * r, z + 1.7 * r), 0.04 * r, _IVORY, of="horn")  # fmt: skip
+        bone(
+            s,
+            (x - 0.3 * r, side * 0.5 * r, z + 0.6 * r),
+            0.26 * r,
+            (x - 1.9 * r, side * 0.9 * r, z + 1.7 * r),
+            0.04 * r,
+            _IVORY,
+            of="horn",
+        )
         s.ball(0.2 * r, (x + 0.62 * r, side * 0.58 * r, z + 0.4 * r), rgb(236, 176, 30), detail=2)
 
 
@@ -376,8 +455,12 @@ def _dragon_wings(s: Sketch, b: Beast, c: Color) -> None:
     for side in _SIDES:
         root = (x, side * 0.6 * r, z + 0.7 * r)
         wrist = (x + 0.9 * r, side * 2.9 * r, z + 3.4 * r)
-        tips = [(x - 0.5 * r, side * 5.4 * r, z + 3.2 * r), (x - 2.4 * r, side * 4.4 * r, z + 2.2 * r),
-                (x - 3.4 * r, side * 2.6 * r, z + 1.3 * r), (x - 2.4 * r, side * 0.7 * r, z + 0.7 * r)]  # fmt: skip
+        tips = [
+            (x - 0.5 * r, side * 5.4 * r, z + 3.2 * r),
+            (x - 2.4 * r, side * 4.4 * r, z + 2.2 * r),
+            (x - 3.4 * r, side * 2.6 * r, z + 1.3 * r),
+            (x - 2.4 * r, side * 0.7 * r, z + 0.7 * r),
+        ]
         bone(s, root, 0.2 * r, wrist, 0.14 * r, c)
         for a, e in itertools.pairwise(tips):
             bone(s, wrist, 0.12 * r, a, 0.04 * r, c, detail=1)
@@ -391,8 +474,15 @@ def _dragon_wings(s: Sketch, b: Beast, c: Color) -> None:
 
 def _brow_horn(s: Sketch, b: Beast, c: Color) -> None:
     x, z, r = _head(b)
-    bone(s, (x + 0.55 * r, 0, z + 0.75 * r), 0.2 * r, (x + 1.9 * r, 0, z + 3.3 * r), 0.03 * r,
-         rgb(232, 196, 96), of="horn")  # fmt: skip
+    bone(
+        s,
+        (x + 0.55 * r, 0, z + 0.75 * r),
+        0.2 * r,
+        (x + 1.9 * r, 0, z + 3.3 * r),
+        0.03 * r,
+        rgb(232, 196, 96),
+        of="horn",
+    )
 
 
 WILD_MARKS: dict[str, Mark] = {
