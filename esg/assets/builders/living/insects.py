@@ -349,7 +349,7 @@ def insect(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "beetl
 def _snail(s: Sketch, c: Color) -> None:
     """A snail with a coiled shell, 7 cm long."""
     _slug(s, rgb(176, 150, 112))
-    turns = []
+    turns: list[tuple[Vec3, float]] = []
     for k in range(48):
         t = k / 47
         a, r = 0.4 + 5.0 * math.pi * t, 1.6 * (1 - t) ** 0.9
