@@ -27,6 +27,7 @@ from esg.lexicon.places import surfaces
 
 _DATA = Path(__file__).parent / "data"
 _PEOPLE = frozenset({"figure", "child_figure"})
+_WINGED = frozenset({"bird", "insect", "plumed"})
 _RIDDEN = frozenset({"bicycle", "motorcycle", "scooter"})
 """Builders that draw somebody on what goes by itself."""
 _NOBODY = re.compile(
@@ -232,7 +233,7 @@ def _poses(doc: EsgDocument) -> dict[str, str]:
     people = {n for n, b in builders.items() if b in _PEOPLE}
     beasts = {n for n, b in builders.items() if b == "quadruped"}
     ridden = _ridden(doc, {n for n, b in builders.items() if b in _RIDDEN}, people)
-    ridden |= _flying(doc, {n for n, b in builders.items() if b == "bird"})
+    ridden |= _flying(doc, {n for n, b in builders.items() if b in _WINGED})
     if not people | beasts:
         return ridden
     going = _moving(doc, people | beasts)
@@ -273,7 +274,7 @@ def _ridden(doc: EsgDocument, mounts: set[str], people: set[str]) -> dict[str, s
 
 
 def _flying(doc: EsgDocument, birds: set[str]) -> dict[str, str]:
-    """Birds of which it is told that they are in the air: they spread their wings."""
+    """Birds and insects of which it is told that they are in the air: they spread their wings."""
     aloft = (s for s in doc.statements or () if s.predicate is Predicate.AIRBORNE)
     return dict.fromkeys(sorted(birds & {i for s in aloft for i in s.object}), FLYING)
 

@@ -14,6 +14,7 @@ from esg.assets.builders import builder
 from esg.assets.builders.common import mirrored, shade, shift
 from esg.assets.builders.living.beasts import BEASTS, GAITS, Beast
 from esg.assets.builders.living.marks import HAIR, MARKS
+from esg.assets.builders.living.wild_marks import BLACK, WILD_MARKS
 from esg.assets.geometry.sketch import DARK, Color, Sketch, rgb
 from esg.assets.lazy import forms
 
@@ -55,7 +56,11 @@ def _legs(s: Sketch, b: Beast, c: Color) -> None:
             name = f"{row}_{word}"
             low = 0.5 * (top + foot)
             if "sprawl" in b.marks:
-                path = [(x, y * 0.5, z * 0.8), (x + 2, y * 0.95, z * 0.62), (x + 4, y, foot)]
+                path = [
+                    (x, y * 0.5, z * 0.8),
+                    (x + 0.2 * top, y * 0.95, z * 0.62),
+                    (x + 0.4 * top, y, foot),
+                ]
                 radii = [top, 0.8 * top, foot]
             else:
                 # Hind legs go forward at the knee and back at the hock, fore legs the other way.
@@ -179,7 +184,8 @@ def _ears(s: Sketch, b: Beast, c: Color) -> None:
             )
 
         tone = {"disc": 1.2, "flop": 0.72, "long": 0.92}.get(kind, 0.86)
-        s.add(ear, shade(c, tone), of=_coat(b), name=f"ear_{word}")
+        skin = BLACK if "dark_ears" in b.marks else shade(c, tone)
+        s.add(ear, skin, of=_coat(b), name=f"ear_{word}")
 
 
 def _leaf(root: Any, tip: Any, wide: float, thick: float, widths: Any, side: int) -> Any:
@@ -216,7 +222,7 @@ def _tail(s: Sketch, b: Beast, c: Color) -> None:
     middle = (
         0.55 * start[0] + 0.45 * end[0] - 0.3 * abs(sag),
         0.0,
-        0.5 * (start[2] + end[2]) - 0.5 * sag,
+        max(0.5 * (start[2] + end[2]) - 0.5 * sag, 0.275 * (start[2] + end[2])),
     )
     path, radii = [inside, start, middle, end], [root, root, 0.55 * (root + tip), tip]
     s.add(lambda: _curved(path, radii, 18, 12), c, of=_coat(b), name="tail")
@@ -366,12 +372,12 @@ def _proxies(s: Sketch, b: Beast) -> None:
 def quadruped(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "dog") -> None:
     """A four-legged animal facing +X, drawn in the proportions of its kind."""
     b = BEASTS[kind]
-    limb = rgb(58, 50, 46) if "wool" in b.marks else c
+    limb = rgb(58, 50, 46) if b.marks & {"wool", "dark_limbs"} else c
     _legs(s, b, limb)
     _tail(s, b, HAIR if kind == "horse" else c)
     _body(s, b, c)
     _ears(s, b, c)
-    for mark, draw in MARKS.items():
+    for mark, draw in (MARKS | WILD_MARKS).items():
         if mark in b.marks:
             draw(s, b, c)
     _proxies(s, b)
