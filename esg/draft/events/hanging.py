@@ -257,24 +257,9 @@ def turns_told(d: Discourse, f: Frame) -> float | None:
 
 def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     """The sense of a verb of what moves on a joint; None if nothing of the kind is told of."""
-    opens = f.verb.sense == "noop" and f.verb.lemma in _OPENING
-    opens = opens or (f.verb.lemma in _SLIDING and bool({"out", "open"} & {*f.adverbs}))
-    hinged = openable(d, bodies)
-    if hinged and f.verb.sense == "posture" and f.verb.extra.get("result") in _OPENING:
-        return "left_so"
-    opens = opens or _worked(f) or raised(f) or lowered(f)
-    if hinged and (opens or "result" in f.verb.extra):
-        return "open"
-    turns = f.object is not None and _TURNS.match(f.object.head) is not None
-    turns = turns or _TURNS.match(d.text[f.verb.end :].lstrip()) is not None  # "one full turn"
-    if (f.verb.lemma in _TURNING or (turns and f.verb.lemma in _MAKING)) and turning(d, bodies):
-        return "spin"
-    after = d.text[f.verb.end :].lstrip()
-    if f.verb.lemma in _GOING and not f.verb.negated:
-        if _ROUND.match(after) and turning(d, bodies):
-            return "spin"
-        if BACK_AND_FORTH.match(after) and hanging(d, bodies):
-            return "swing"
+    told = _on_hinges(d, f, bodies) or _about_an_axle(d, f, bodies)
+    if told is not None:
+        return told
     if (f.verb.sense, f.verb.lemma) in _TIPPING and tipping(d, bodies[:1]):
         landed_on = not at_rest(d, bodies[0]) or OTHER_SIDE.search(d.text, f.verb.end)
         return "tip" if landed_on else None
@@ -284,6 +269,37 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     if "out" in f.adverbs and f.verb.lemma in _FLYING_OUT and any(row_parts(d, b) for b in bodies):
         return "swing"
     return swings if swings is not None and hanging(d, bodies) else None
+
+
+def _on_hinges(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
+    """ "Is left ajar", "swings open", "slides out": the sense of what opens and shuts."""
+    if not openable(d, bodies):
+        return None
+    if f.verb.sense == "posture" and f.verb.extra.get("result") in _OPENING:
+        return "left_so"
+    return "open" if _opens(f) or "result" in f.verb.extra else None
+
+
+def _opens(f: Frame) -> bool:
+    """Whether a verb tells that what has hinges or slides opens or shuts."""
+    if f.verb.sense == "noop" and f.verb.lemma in _OPENING:
+        return True
+    out = f.verb.lemma in _SLIDING and bool({"out", "open"} & {*f.adverbs})
+    return out or _worked(f) or raised(f) or lowered(f)
+
+
+def _about_an_axle(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
+    """ "Makes one full turn", "goes round", "goes back and forth": it spins, or swings."""
+    after = d.text[f.verb.end :].lstrip()
+    turns = f.object is not None and _TURNS.match(f.object.head) is not None
+    turns = turns or _TURNS.match(after) is not None  # "one full turn"
+    if (f.verb.lemma in _TURNING or (turns and f.verb.lemma in _MAKING)) and turning(d, bodies):
+        return "spin"
+    if f.verb.lemma not in _GOING or f.verb.negated:
+        return None
+    if _ROUND.match(after) and turning(d, bodies):
+        return "spin"
+    return "swing" if BACK_AND_FORTH.match(after) and hanging(d, bodies) else None
 
 
 def raised(f: Frame) -> bool:

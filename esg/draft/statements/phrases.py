@@ -365,16 +365,24 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
         return hangs or _answered_by_ground(a, about, others, p)
     if part and part not in _SIDES and part != "surface" and p.prep in _TO_A_PART:
         return _told_of_a_part(a, about, others)
-    if (
-        part
-        and part.split()[-1] in _EXTREMES
-        and p.prep in _ON
-        and not _shows_an_end(a, about, others)
-    ):
+    if _on_an_end(p, part) and not _shows_an_end(a, about, others):
         return False  # "sits on one end of a plank": it is anywhere on it
-    own = {node for g, node in d.times.of_frame if f is not None and g.verb is f.verb}
     if p.prep == "with" and _at_rest(f) and _has_a_place(a, about, others):
         return True
+    return _stands_for_it(a, about, others, p, f, by)
+
+
+def _on_an_end(p: Phrase, part: str) -> bool:
+    """ "On one end of a plank"."""
+    return bool(part) and part.split()[-1] in _EXTREMES and p.prep in _ON
+
+
+def _stands_for_it(
+    a: Account, about: set[str], others: set[str], p: Phrase, f: Frame | None, by: Carriers
+) -> bool:
+    """Whether a hold, a relation, a statement, an event or an aim stands for a preposition."""
+    d = a.d
+    own = {node for g, node in d.times.of_frame if f is not None and g.verb is f.verb}
     return (
         (by.holds and held(d, about, others))
         or _related(d, about, others, by)
