@@ -248,15 +248,20 @@ def _jumps_away(d: Discourse, f: Frame, leaps: list[str]) -> bool:
         if tops:
             _soon(d, add_hit(d, f, [actor], tops[:1], None))
             track.motion, d.moves.upon[actor] = None, tops[0]
-            continue
-        if _is_far_down(d, actor, bottoms[0]):
-            _soon(d, [add_event(d, NodeEvent.FALL, (actor,), f, None)])
-        elif not pools:
-            _soon(d, [d.timeline.trigger(actor, f"{actor} comes down")])
-        if pools:
-            enter(d, f, actor, pools[0], None)
+        else:
+            _comes_down(d, f, actor, bottoms[0], pools)
     mark_used(d, f, "jump")
     return True
+
+
+def _comes_down(d: Discourse, f: Frame, actor: str, host: str, pools: list[str]) -> None:
+    """ "Jumps off a box", "from a pier into the water": a fall, if it is high, or a landing."""
+    if _is_far_down(d, actor, host):
+        _soon(d, [add_event(d, NodeEvent.FALL, (actor,), f, None)])
+    elif not pools:
+        _soon(d, [d.timeline.trigger(actor, f"{actor} comes down")])
+    if pools:
+        enter(d, f, actor, pools[0], None)
 
 
 def _is_far_down(d: Discourse, actor: str, host: str) -> bool:

@@ -70,11 +70,8 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         d.moves.flying.update(actors)
     kind = kind_of(d, actors[0]) if actors else ""
     sides = [x for x in f.adverbs if x in ("left", "right")]
-    beside = f.verb.form == "ing" or "absolute" in f.verb.extra
-    under_way = not all(at_rest(d, a) for a in actors) and not beside
-    changes = under_way or f.phrase(*_BRANCHES) is not None  # but not "follows a cat, walking left"
-    changes = changes or _LEFT_THEN_RIGHT.match(d.text, f.verb.end) is not None
-    if sides and changes and kind in SELF_POWERED and f.verb.lemma in _TURNING:
+    steered = kind in SELF_POWERED and f.verb.lemma in _TURNING
+    if sides and steered and _changes_course(d, f, actors):
         for side in sides:
             turn(d, f, actors, side, 90.0)
         return
@@ -91,6 +88,17 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     motion(d, f, actors, "own" if by_itself or afoot else None)
     if f.verb.lemma in _AT_A_TARGET:
         aim_at(d, f, actors, next(iter(target_of(d, f, actors)), None))
+
+
+def _changes_course(d: Discourse, f: Frame, actors: list[str]) -> bool:
+    """ "Goes left at the lights", "drives left then right", and what is under way already.
+
+    But not "follows a cat, walking left": that is the way it comes.
+    """
+    beside = f.verb.form == "ing" or "absolute" in f.verb.extra
+    under_way = not all(at_rest(d, a) for a in actors) and not beside
+    branches = under_way or f.phrase(*_BRANCHES) is not None
+    return branches or _LEFT_THEN_RIGHT.match(d.text, f.verb.end) is not None
 
 
 def _sets_going(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
