@@ -48,8 +48,7 @@ def adverbs(a: Account) -> Iterator[Gap]:
             continue
         if not isinstance(w, Word) or w.kind != "adv" or (w.start, w.end) in a.d.scene.used:
             continue
-        over = {*a.d.text[w.start : w.end].lower().split()} if w.low == "indeed" else set[str]()
-        if over & _BACK_AND_FORTH:
+        if w.low == "indeed" and _goes_back_and_forth(a, w):
             yield Gap(w.start, w.end, NOTHING)
         if w.low == "only" and _of_several(a, w):
             yield Gap(w.start, w.end, NOTHING)
@@ -61,16 +60,20 @@ def adverbs(a: Account) -> Iterator[Gap]:
             if not all(shown(a.d, about) for about in told if len(about) > 1):
                 yield Gap(w.start, w.end, NOTHING)
             continue
-        if (
-            w.low in PASSED_OVER
-            or (w.start, w.end) in a.untold
-            or w.low in rebounds
-            or (turned and w.low in _TURNS)
-            or _says_how(a, w)
-        ):
+        if w.low in rebounds or (turned and w.low in _TURNS) or _needs_nothing(a, w):
             continue
         if not _stated(a, w):
             yield Gap(w.start, w.end, NO_MANNER if w.low.endswith("ly") else NOTHING)
+
+
+def _goes_back_and_forth(a: Account, w: Word) -> bool:
+    """Whether the words that an adverb was read from tell of a way and its return."""
+    return bool({*a.d.text[w.start : w.end].lower().split()} & _BACK_AND_FORTH)
+
+
+def _needs_nothing(a: Account, w: Word) -> bool:
+    """Whether nothing in the document needs to stand for an adverb."""
+    return w.low in PASSED_OVER or (w.start, w.end) in a.untold or _says_how(a, w)
 
 
 def _no_race(a: Account, w: Word) -> bool:

@@ -65,7 +65,7 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         launch_by(d, f, s, o)
         return
     actors = [a for a in _driven(d, f, s, o) if movable(d, a)]
-    if f.verb.lemma == "take" and actors and all(flies_itself(d, a) for a in actors):
+    if f.verb.lemma == "take" and _all_fly(d, actors):
         f.verb.lemma = "ascend"  # "a bird takes off"
         d.moves.flying.update(actors)
     kind = kind_of(d, actors[0]) if actors else ""
@@ -81,13 +81,18 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         d.moves.flying.update(actors)
         motion(d, f, actors, "own")
         return
-    if f.verb.lemma in _HOVERING and actors and all(flies_itself(d, a) for a in actors):
+    if f.verb.lemma in _HOVERING and _all_fly(d, actors):
         _hovers(d, f, actors)
         return
     by_itself = kind in SELF_POWERED and f.verb.lemma not in _ANYHOW
     motion(d, f, actors, "own" if by_itself or afoot else None)
     if f.verb.lemma in _AT_A_TARGET:
         aim_at(d, f, actors, next(iter(target_of(d, f, actors)), None))
+
+
+def _all_fly(d: Discourse, actors: list[str]) -> bool:
+    """Whether there are some that go, and all fly by themselves."""
+    return bool(actors) and all(flies_itself(d, a) for a in actors)
 
 
 def _changes_course(d: Discourse, f: Frame, actors: list[str]) -> bool:

@@ -106,12 +106,7 @@ def _beside_others(d: Discourse, owned: Mention, owners: list[str], p: Phrase, m
     others = m.entities or ids_of(d, m, avoid=owners)
     loose = [o for o in others if o not in d.scene.supported_by and o not in owners]
     if p.prep == "of":
-        # "the deck of a ship": that has it, and does not stand on it
-        loose = [o for o in loose if kind_of(d, o) not in _HAS_A_DECK]
-        if owners and holds(d, owners[0]):  # "a cart of laundry"
-            place(d, [o for o in loose if movable(d, o)], owners[:1], "in")
-        elif owners and ("support" in traits_of(d, owners[0]) or kind_of(d, owners[0]) == "cart"):
-            place(d, [o for o in loose if movable(d, o)], owners[:1], "on")
+        _carried_by_its_owner(d, owners, loose)
     elif p.prep == "with" and not is_tool(d, owned, p):
         # "a table with bottles on it": the on-phrase places them; else they rest on a support
         attachment_with(d, owners, [o for o in loose if not _placed_apart(d, o, p)])
@@ -128,6 +123,17 @@ def _beside_others(d: Discourse, owned: Mention, owners: list[str], p: Phrase, m
         place(d, owners, others, p.prep, m.part)
         if m.pronoun in ("both", "them") and p.prep in _APART and len(others) == 2:
             place(d, owners, others[1:], p.prep, m.part)  # "to the right of both"
+
+
+def _carried_by_its_owner(d: Discourse, owners: list[str], things: list[str]) -> None:
+    """ "A cart of laundry", "a table of cakes"; but "the deck of a ship" carries no ship."""
+    if not owners:
+        return
+    held = [i for i in things if kind_of(d, i) not in _HAS_A_DECK and movable(d, i)]
+    if holds(d, owners[0]):
+        place(d, held, owners[:1], "in")
+    elif "support" in traits_of(d, owners[0]) or kind_of(d, owners[0]) == "cart":
+        place(d, held, owners[:1], "on")
 
 
 def _one_each(d: Discourse, owners: list[str], others: list[str], m: Mention) -> bool:

@@ -533,6 +533,14 @@ def _lies_on(c: Chunks) -> bool:
     return isinstance(before, Word) and before.low in ("on", "onto", "across", "along", "over")
 
 
+def _is_a_noun(c: Chunks, p: Place, m: Mention, word: str) -> bool:
+    """Whether what stands as the last adjective is none: unknown, or a material ("a cloth")."""
+    if word.startswith("@"):
+        return False
+    cloth = m.determiner in ("a", "an") and word in lex.MATERIALS and not no_things().get(word)
+    return (cloth and c.tokens[p.at - 1].tag == "NOUN") or not known_adjective(word)
+
+
 def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
     """ "the other", "the second", "the black", "the last two", "the first of two barrels"."""
     if not m.adjectives or not (m.determiner or bare_color(c, p.first, p.at, m)):
@@ -547,9 +555,7 @@ def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
         m.attribute = names_no_thing(p.low)
         m.head, m.known = p.low, m.attribute
         return Head(p.at + 1)
-    cloth = m.determiner in ("a", "an") and last in lex.MATERIALS and not no_things().get(last)
-    cloth = cloth and c.tokens[p.at - 1].tag == "NOUN"  # "with a cloth"
-    if (cloth or not known_adjective(last)) and not last.startswith("@"):
+    if _is_a_noun(c, p, m, last):
         m.adjectives.pop()  # the tagger took an unknown noun for an adjective
         m.head, m.plural = lex.singular(last)
         m.known = False
