@@ -27,7 +27,7 @@ _SIDES = {
     "thick": "width", "deep": "width",
 }  # fmt: skip
 """Sides by the adjectives that compare them."""
-_SPEED = frozenset({"fast", "quickly", "quick", "faster", "quicker", "slower", "speed"})
+_SPEED = lex.word_set("compares speeds")
 
 
 _EQUAL = re.compile(

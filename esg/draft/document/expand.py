@@ -26,11 +26,8 @@ RAISED_CM = 25.0
 """Height from which on what stands on a support is out of reach of what rolls on the ground."""
 _AT_THE_FOOT_CM = (0.0, 6.0)
 """Height of the lowest point of what is kicked off the ground."""
-_OFF_ROAD = frozenset({"bicycle", "tricycle", "unicycle", "scooter", "kick scooter", "segway",
-                       "snowmobile", "moped", "motorcycle"})  # fmt: skip
-"""Vehicles that need no road where the prompt says on what else they go."""
-_TOYS = frozenset({"tricycle", "unicycle", "snowmobile"})
-"""Vehicles that go on no road."""
+_OFF_ROAD = lex.word_set("off the road")
+_TOYS = lex.word_set("never on a road")
 _ON_RAILS = lex.word_set("on rails (context)")
 _OFF_THE_ROAD = re.compile(
     rf"\b(?:in|inside|across|through|along|around)\s+(?:an?|the|its|his|her)\s+(?:[\w-]+\s+){{0,3}}?"

@@ -27,10 +27,9 @@ _TIPPING = {("topple", "tip"), ("noop", "tilt"), ("noop", "rock"), ("noop", "see
 TIPPED = 0.6
 """Share of its limit to which a seesaw with nobody on it is tipped; its friction holds it there."""
 SWAYING = frozenset({"swing", "sway", "oscillate"})
-_SLIDING = frozenset({"slide", "glide", "roll", "come", "pop", "shoot", "pull"})
-"""Verbs of how a drawer goes out."""
-_BOBBING = frozenset({"bounce", "bob", "oscillate", "vibrate", "jiggle"})
-_MAKING = frozenset({"make", "do", "complete", "perform"})
+_SLIDING = lex.word_set("slides out")
+_BOBBING = lex.word_set("bobs")
+_MAKING = lex.word_set("makes a turn")
 _TIMES = {"half a": 0.5, "two": 2.0, "three": 3.0, "four": 4.0, "five": 5.0}
 _SHARES = {"quarter": 0.25, "half": 0.5, "three-quarter": 0.75}
 _TURNS = re.compile(
@@ -43,10 +42,8 @@ _TURNS = re.compile(
 _RISING = {"go": "up", "rise": "", "raise": "", "lift": ""}
 _SINKING = {"go": "down", "come": "down", "lower": ""}
 """How what has hinges goes up and down, with the adverb that says so: a boom gate, a lid."""
-_WORKING = frozenset({"pull", "push", "throw", "flip"})
-"""What is done to a lever."""
-_FLYING_OUT = frozenset({"fly", "pop", "kick", "jump", "move", "go", "shoot", "bounce"})
-"""What the last ball of a cradle does."""
+_WORKING = lex.word_set("works a lever")
+_FLYING_OUT = lex.word_set("flies out")
 _SWINGING = {
     ("noop", "sway"): "swing",
     ("noop", "oscillate"): "swing",
@@ -74,7 +71,7 @@ BACK_AND_FORTH = re.compile(
     re.IGNORECASE,
 )
 """How what hangs moves, in words."""
-_GOING = frozenset({"go", "move", "come", "fly", "travel"})
+_GOING = lex.word_set("goes round")
 UNMET = "touched by nothing that is named"
 """Note of a verb that tells what is not touched on the way."""
 SENT_UP = "launched by the seesaw"

@@ -26,7 +26,7 @@ _UPWARD = lex.word_set("goes up")
 NAMED_BY = lex.word_set("sports that name things")
 _WAYS = ("backward", "up", "down")
 """Directions that a participle before a noun can state: "approaching" has an aim to find."""
-_LEAPS = frozenset({"jump", "leap", "hop", "skip", "bound", "bounce"})
+_LEAPS = lex.word_set("leaps up and down")
 _AND_DOWN = re.compile(r"\s+and\s+down\b", re.IGNORECASE)
 """After "up": to and fro, and no course."""
 _SIDES = ("leftwards", "rightwards")

@@ -46,8 +46,7 @@ _WAYS = frozenset({"stairs", "ramp"})
 _IN_A_ROW = lex.ORDINALS.keys() | {"last", "final", "front", "rear", "middle"}
 MATE = "@mate"
 """Adjective of one of the kind of what it is told to be beside ("the one next to it")."""
-_GROWN_UP = frozenset({"person", "he", "she", "man", "woman"})
-"""Persons for whom "it" is no word; a child is one."""
+_GROWN_UP = lex.word_set("grown up")
 
 
 def pronoun(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:

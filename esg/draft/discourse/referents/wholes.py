@@ -9,7 +9,7 @@ from esg.draft.discourse.referents.record import World
 from esg.draft.text.elements import Mention
 from esg.lexicon.articulations import articulations
 
-_TURNED_BY = frozenset({"arm", "bar", "wing", "panel", "leaf", "edge", "rim"})
+_TURNED_BY = lex.word_set("turned by")
 _LINKS = lex.word_set("links")
 _BODYWORK = lex.word_set("bodywork")
 _OWN = lex.OWN_PARTS | lex.word_set("cabs")

@@ -41,21 +41,18 @@ from esg.draft.events.told import at_rest, moves, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
-_HOVERING = ("float", "hover", "levitate")
+_HOVERING = lex.word_set("hovers")
 _RIDES = lex.word_set("rides")
 _ON_FOOT = lex.word_set("on foot")
-_TURNING = ("go", "move", "drive", "head", "run", "walk", "ride")
+_TURNING = lex.word_set("turns to a side")
 _LEFT_THEN_RIGHT = re.compile(
     r"\s+(?:left|right)\b,?\s+(?:and\s+|then\s+)+(?:left|right)\b", re.IGNORECASE
 )
 _BRANCHES = ("at", "into", "onto")
 """Prepositions of where a way turns off: "goes left at the lights"; else it is the way it comes."""
-_AT_A_TARGET = ("charge", "lunge", "leap", "pounce", "spring", "fly", "dive")
+_AT_A_TARGET = lex.word_set("goes at a target")
 
-_ANYHOW = frozenset(
-    {"go", "come", "move", "travel", "race", "speed", "rush", "hurtle", "run", "proceed"}
-)
-"""Verbs that do not say whether something moves by itself: what was hit "moves off at 5 m/s"."""
+_ANYHOW = lex.word_set("goes anyhow")
 
 
 @sense("own")

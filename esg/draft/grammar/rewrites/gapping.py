@@ -13,7 +13,7 @@ from esg.draft.grammar.rewrites.conditions import STOPS, is_prep, is_word, kind_
 from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
 
 _FOLLOWED = frozenset({"follow", "accompany"})
-_CHASED = frozenset({"chase", "pursue", "tail", "trail"})
+_CHASED = lex.word_set("chased")
 _SENT = frozenset({"drop", "launch", "posture", "pocket", "carry", "pick", "roll", "slide"})
 """Senses of which the object goes somewhere."""
 _MOVES = frozenset({"own", "noop", "tow"})
