@@ -421,6 +421,13 @@ class ProgramBatch:
         return self.table.shape[0]
 
 
+def _never(primitive: Primitive) -> Primitive | None:
+    """One that another world needs, such that it never begins; None where it must be there."""
+    if isinstance(primitive, HoldVelocity):
+        return replace(primitive, start=math.inf, end=math.inf)
+    return replace(primitive, time=math.inf) if isinstance(primitive, DriveJoint) else None
+
+
 def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBatch:
     """Stacks programs of one structure (kinds and bodies in the same order).
 
@@ -456,17 +463,13 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
         remaining = list(program.primitives)
         for k, key in enumerate(signature):
             match = next((q for q in remaining if _subject(q) == key), None)
-            if match is None and isinstance(found := fullest.primitives[k], HoldVelocity):
-                table[w, k] = _row(replace(found, start=math.inf, end=math.inf))
-                continue
-            if match is None and isinstance(found := fullest.primitives[k], DriveJoint):
-                table[w, k] = _row(replace(found, time=math.inf))
-                continue
-            if match is None:
+            if match is not None:
+                remaining.remove(match)
+            row = match or _never(fullest.primitives[k])
+            if row is None:
                 what = key[1] or key[2]
                 raise ValueError(f"program {w} has no {key[0]} of {what!r} in position {k}")
-            remaining.remove(match)
-            table[w, k] = _row(match)
+            table[w, k] = _row(row)
         if remaining:
             raise ValueError(f"program {w} has {len(remaining)} primitives too many")
     kinds = [c.kind for c in KINDS]

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from itertools import permutations
 import math
@@ -13,7 +14,7 @@ from numpy.typing import NDArray
 from esg.engines.breaking import breaking_problems, brittle, ride, rigid
 from esg.engines.joints import joint_problems
 from esg.engines.program import KINDS, Action, ProgramBatch
-from esg.engines.scene import GROUND, ContactLog, Floats, Rollout, Shape, SimScene, Variation
+from esg.engines.scene import GROUND, Body, ContactLog, Floats, Rollout, Shape, SimScene, Variation
 from esg.engines.starts import start_velocities
 
 MAX_SPEED_MPS = 500.0
@@ -152,6 +153,29 @@ def world_values(scene: SimScene, variation: Variation | None, n_worlds: int) ->
     )
 
 
+def _inertia_problems(body: Body) -> Iterator[str]:
+    """What is wrong with the mass and the inertia of a body that moves."""
+    if body.static or not body.collides:
+        return
+    inertia = np.array(body.inertia, float)
+    if not (math.isfinite(body.mass) and body.mass > 0.0):
+        yield f"body {body.name!r} has mass {body.mass} kg; it must be positive"
+    if inertia.shape != (3, 3) or not np.isfinite(inertia).all():
+        yield f"body {body.name!r} has no finite 3 x 3 inertia"
+    elif np.linalg.eigvalsh(0.5 * (inertia + inertia.T)).min() <= 0.0:
+        yield f"body {body.name!r} has an inertia that is not positive definite"
+
+
+def _shape_problems(body: Body) -> Iterator[str]:
+    """What is wrong with the shapes of a body."""
+    for shape in body.shapes:
+        used = shape.size[:1] if shape.kind == "sphere" else shape.size
+        if shape.kind == "convex" and not _has_volume(shape):
+            yield f"body {body.name!r} has a convex shape without volume"
+        elif shape.kind != "convex" and not all(math.isfinite(s) and s > 0.0 for s in used):
+            yield f"body {body.name!r} has a {shape.kind} of size {shape.size} m"
+
+
 def check(scene: SimScene, batch: ProgramBatch) -> None:
     """Rejects what no engine can simulate.
 
@@ -166,20 +190,7 @@ def check(scene: SimScene, batch: ProgramBatch) -> None:
         if body.name in seen or body.name == GROUND:
             wrong.append(f"body name {body.name!r} is reserved or used twice")
         seen.add(body.name)
-        if not body.static and body.collides:
-            inertia = np.array(body.inertia, float)
-            if not (math.isfinite(body.mass) and body.mass > 0.0):
-                wrong.append(f"body {body.name!r} has mass {body.mass} kg; it must be positive")
-            if inertia.shape != (3, 3) or not np.isfinite(inertia).all():
-                wrong.append(f"body {body.name!r} has no finite 3 x 3 inertia")
-            elif np.linalg.eigvalsh(0.5 * (inertia + inertia.T)).min() <= 0.0:
-                wrong.append(f"body {body.name!r} has an inertia that is not positive definite")
-        for shape in body.shapes:
-            used = shape.size[:1] if shape.kind == "sphere" else shape.size
-            if shape.kind == "convex" and not _has_volume(shape):
-                wrong.append(f"body {body.name!r} has a convex shape without volume")
-            elif shape.kind != "convex" and not all(math.isfinite(s) and s > 0.0 for s in used):
-                wrong.append(f"body {body.name!r} has a {shape.kind} of size {shape.size} m")
+        wrong += [*_inertia_problems(body), *_shape_problems(body)]
     wrong += joint_problems(scene) + breaking_problems(scene)
     motors = [j.name for j in scene.joints if j.kind in ("hinge", "slider")]
     wrong += [

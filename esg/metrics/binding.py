@@ -262,6 +262,15 @@ def _candidate(index: int, body: Body, wanted: Phrase) -> _Candidate | None:
     return _Candidate(index, body, level, fields, words, called)
 
 
+def _by_modifiers(found: list[_Candidate], wanted: Phrase) -> list[_Candidate]:
+    """Words that at least one candidate carries decide between candidates; others say nothing."""
+    for word in wanted.modifiers:
+        if word in COLORS or word in POSITIONS or word in COMPARISONS:
+            continue
+        found = [c for c in found if word in c.words] or found
+    return found
+
+
 def _bind_bodies(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
     found = [c for i, b in enumerate(scene.bodies) if (c := _candidate(i, b, wanted)) is not None]
     exact = [c for c in found if c.body.label and normalize(c.body.label) == wanted.text]
@@ -277,12 +286,7 @@ def _bind_bodies(wanted: Phrase, scene: SimScene) -> tuple[int, ...]:
     if not wanted.plural or wanted.word != wanted.head:
         # Of a sedan and a hatchback, both cars, "the sedan" is the one that is called so.
         found = [c for c in found if wanted.word in c.called] or found
-    # Words that at least one candidate carries decide between candidates; others say nothing.
-    for word in wanted.modifiers:
-        if word in COLORS or word in POSITIONS or word in COMPARISONS:
-            continue
-        having = [c for c in found if word in c.words]
-        found = having or found
+    found = _by_modifiers(found, wanted)
     found = _by_color(found, wanted)
     found = _by_identifier(found, wanted)
     found = _by_position(found, wanted)

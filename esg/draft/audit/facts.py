@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable, Iterator
 from dataclasses import dataclass
 
 from esg.draft.audit.parse import Arg
@@ -12,6 +13,7 @@ from esg.graph.models import (
     EsgDocument,
     NodeEvent,
     Predicate,
+    SpatialRelationGraph,
     Statement,
     TimelineEdge,
     TimelineNode,
@@ -90,44 +92,12 @@ def facts_of(doc: EsgDocument, coverage: Coverage, statements: tuple[Statement, 
         coverage: Its record, with places in the text that is parsed.
         statements: What it states, with places there, too.
     """
-    graph = doc.spatial_relation_graph
     spans = tuple(
         (i.start, i.end, i.pointer.removeprefix(NODES).split("/")[0])
         for i in coverage.items
         if i.pointer.startswith(NODES)
     )
-    out: list[Fact] = []
-    if doc.timeline_system is not None:
-        sequence = doc.timeline_system.sequence_graph
-        for n in sequence.nodes:
-            if n.event not in _SCAFFOLD:
-                inside = frozenset({n.region.split("/")[0]} if n.region else set[str]())
-                first = frozenset(n.participants[:1])
-                others = frozenset(c.to for c in n.constraints if c.to) | inside
-                out.append(Fact(n.event.value, first, frozenset(n.participants[1:]) | others))
-        for e in sequence.edges:
-            kind = "pushed" if e.event is EdgeEvent.INERTIAL_CONNECTOR else "motion"
-            whom = frozenset({e.target} if e.target else set[str]())
-            out.append(Fact(kind, frozenset({e.actor}), whom))
-    for r in graph.edges.binary_relations:
-        if r.relation_type.value != "face":
-            out.append(Fact(r.relation_type.value, frozenset({r.from_}), frozenset({r.to})))
-    for m in graph.edges.multi_relations:
-        out.append(Fact(m.relation_type.value, frozenset(m.subjects), frozenset(m.targets)))
-    for name, node in graph.nodes.items():
-        region = graph.semantic_regions.get(node.semantic_region or "")
-        if region is not None and not graph.nodes[region.parent_object].is_structural:
-            kind = region.region_type.value
-            out.append(Fact(kind, frozenset({name}), frozenset({region.parent_object})))
-    for j in graph.joints or ():
-        parent = frozenset({j.parent} if j.parent else set[str]())
-        out.append(Fact("joint", frozenset({j.child}), parent))
     kept = [s for s in statements if s.predicate is not Predicate.NOT_REPRESENTED]
-    out += [
-        Fact(s.predicate.value, frozenset(s.object), frozenset(s.target), s.direction or "")
-        for s in kept
-        if s.predicate not in (Predicate.BEFORE, Predicate.SAME_TIME)
-    ]
     lost = [(s.start, s.end) for s in statements if s.predicate is Predicate.NOT_REPRESENTED]
     said = [(a, b) for a, b in lost if not any(x <= a and b < y for x, y, _ in spans)]
     said += [(i.start, i.end) for i in coverage.items if i.status == "not_understood"]
@@ -136,4 +106,54 @@ def facts_of(doc: EsgDocument, coverage: Coverage, statements: tuple[Statement, 
     read = frozenset(i.start for i in verbs if i.status == "used")
     timeline = doc.timeline_system.sequence_graph if doc.timeline_system is not None else None
     events, edges = (timeline.nodes, timeline.edges) if timeline is not None else ((), ())
-    return Facts(doc, tuple(out), spans, tuple(said), held, read, verbs, tuple(kept), events, edges)
+    found = (
+        *_of_events(events),
+        *_of_motions(edges),
+        *_of_places(doc.spatial_relation_graph),
+        *_of_statements(kept),
+    )
+    return Facts(doc, found, spans, tuple(said), held, read, verbs, tuple(kept), events, edges)
+
+
+def _of_events(events: Iterable[TimelineNode]) -> Iterator[Fact]:
+    """What happens, to whom, and in what."""
+    for n in events:
+        if n.event not in _SCAFFOLD:
+            inside = frozenset({n.region.split("/")[0]} if n.region else set[str]())
+            first = frozenset(n.participants[:1])
+            others = frozenset(c.to for c in n.constraints if c.to) | inside
+            yield Fact(n.event.value, first, frozenset(n.participants[1:]) | others)
+
+
+def _of_motions(edges: Iterable[TimelineEdge]) -> Iterator[Fact]:
+    """What moves, or is pushed, and to what."""
+    for e in edges:
+        kind = "pushed" if e.event is EdgeEvent.INERTIAL_CONNECTOR else "motion"
+        whom = frozenset({e.target} if e.target else set[str]())
+        yield Fact(kind, frozenset({e.actor}), whom)
+
+
+def _of_places(graph: SpatialRelationGraph) -> Iterator[Fact]:
+    """Where things are: by relations, on or in what has a region for them, and on joints."""
+    for r in graph.edges.binary_relations:
+        if r.relation_type.value != "face":
+            yield Fact(r.relation_type.value, frozenset({r.from_}), frozenset({r.to}))
+    for m in graph.edges.multi_relations:
+        yield Fact(m.relation_type.value, frozenset(m.subjects), frozenset(m.targets))
+    for name, node in graph.nodes.items():
+        region = graph.semantic_regions.get(node.semantic_region or "")
+        if region is not None and not graph.nodes[region.parent_object].is_structural:
+            kind = region.region_type.value
+            yield Fact(kind, frozenset({name}), frozenset({region.parent_object}))
+    for j in graph.joints or ():
+        parent = frozenset({j.parent} if j.parent else set[str]())
+        yield Fact("joint", frozenset({j.child}), parent)
+
+
+def _of_statements(kept: Iterable[Statement]) -> Iterator[Fact]:
+    """What is stated of things, without the order in which it happens."""
+    for s in kept:
+        if s.predicate not in (Predicate.BEFORE, Predicate.SAME_TIME):
+            yield Fact(
+                s.predicate.value, frozenset(s.object), frozenset(s.target), s.direction or ""
+            )

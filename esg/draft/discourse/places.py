@@ -58,45 +58,68 @@ def place(
     carried = d.scene.supported_by  # "left of them" is beside the lower one of two
     other = next((o for o in others if carried.get(o) not in others), others[0])
     if part and kind == "on" and part.split()[-1] in _ENDS and tips(entity_of(d, other)):
-        seated = [t for t in things if t in d.world.entities and t not in d.scene.supported_by]
-        d.scene.supported_by.update(dict.fromkeys(seated, other))
-        d.scene.at_ends += seated
+        _seat(d, things, other)
         return
     if part:
         kind = _at_part(d, kind, part, other)
-    several = len([t for t in things if t != other]) > 1
-    if (kind == "surround" and not several) or (kind == "between" and len(others) < 2):
-        kind = "near"
+    kind = _as_many(kind, things, others, other)
+    text = others[1] if kind == "between" else ""
+    stated = distance if kind not in ("between", "surround") else None
     for t in things:
         if t == other or t not in d.world.entities or structural(d, t):
             continue
         if structural(d, other):
-            if kind in ("on", "inside_of", "center_of"):
-                d.scene.marked[t] = other
-            d.scene.relations.append(Relation(t, other, "structural", text=prep))
+            _lay_on_the_floor(d, t, other, kind, prep)
             continue
         if kind == "under" and is_flap(d.scene, d.text, t):
             d.scene.supported_by.setdefault(other, t)  # "a trapdoor opens under a crate"
         kind = _holding(d, kind, t, other)
-        if towers(d, t) and kind in ("above", "on", "under"):
-            continue  # "on the wall above the sofa": what hangs there is above, not the wall
-        if kind == "on" and _wall_thing(d, t) and towers(d, other):
-            hang(d, t, other)
-            continue
-        if kind == "center_of" and elevated(d, other) and fits_on(d, t, other):
-            d.scene.supported_by.setdefault(t, other)  # "in the middle of a table"
-        if kind in ("on", "inside_of"):
-            if t in d.scene.supported_by or _rests_on(d, other, t):
-                continue
-            d.scene.supported_by[t] = other
-            d.scene.relations = [  # "a cart with a box in it"
-                r for r in d.scene.relations if (r.source, r.target, r.kind) != (t, other, "near")
-            ]
-            if kind == "inside_of":
-                d.scene.inside_of[t] = other
-        text = others[1] if kind == "between" else ""
-        stated = distance if kind not in ("between", "surround") else None
-        d.scene.relations.append(Relation(t, other, kind, stated, text))
+        if _settles(d, t, other, kind):
+            d.scene.relations.append(Relation(t, other, kind, stated, text))
+
+
+def _seat(d: Discourse, things: list[str], other: str) -> None:
+    """ "Two children sit on the ends of a seesaw": it carries them there."""
+    seated = [t for t in things if t in d.world.entities and t not in d.scene.supported_by]
+    d.scene.supported_by.update(dict.fromkeys(seated, other))
+    d.scene.at_ends += seated
+
+
+def _as_many(kind: str, things: list[str], others: list[str], other: str) -> str:
+    """What one thing, or a single other, leaves of "around" and "between"."""
+    several = len([t for t in things if t != other]) > 1
+    if (kind == "surround" and not several) or (kind == "between" and len(others) < 2):
+        return "near"
+    return kind
+
+
+def _lay_on_the_floor(d: Discourse, thing: str, floor: str, kind: str, prep: str) -> None:
+    """Where something is on what everything stands on: a road, a lane, the ground."""
+    if kind in ("on", "inside_of", "center_of"):
+        d.scene.marked[thing] = floor
+    d.scene.relations.append(Relation(thing, floor, "structural", text=prep))
+
+
+def _settles(d: Discourse, thing: str, other: str, kind: str) -> bool:
+    """Notes what carries, holds or hangs a thing; whether a relation to it is left to tell."""
+    if towers(d, thing) and kind in ("above", "on", "under"):
+        return False  # "on the wall above the sofa": what hangs there is above, not the wall
+    if kind == "on" and _wall_thing(d, thing) and towers(d, other):
+        hang(d, thing, other)
+        return False
+    if kind == "center_of" and elevated(d, other) and fits_on(d, thing, other):
+        d.scene.supported_by.setdefault(thing, other)  # "in the middle of a table"
+    if kind not in ("on", "inside_of"):
+        return True
+    if thing in d.scene.supported_by or _rests_on(d, other, thing):
+        return False
+    d.scene.supported_by[thing] = other
+    d.scene.relations = [  # "a cart with a box in it"
+        r for r in d.scene.relations if (r.source, r.target, r.kind) != (thing, other, "near")
+    ]
+    if kind == "inside_of":
+        d.scene.inside_of[thing] = other
+    return True
 
 
 def share_tops(d: Discourse) -> None:

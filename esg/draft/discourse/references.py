@@ -214,8 +214,8 @@ def _part_that_hits(d: Discourse, f: Frame, m: Mention) -> None:
         m.attribute = False
 
 
-def _note_properties(d: Discourse, f: Frame, subject: list[str], objects: list[str]) -> None:
-    """What a clause says of things besides what they do: stacked, red, 12 m/s fast."""
+def _note_pattern(d: Discourse, f: Frame, subject: list[str], objects: list[str]) -> None:
+    """ "The boxes are stacked", "piles plates on top of each other", "lines up cones"."""
     piled = f.verb.lemma in _STACKING and f.verb.sense != "hit"
     piled = piled or "on top of each other" in f.adverbs
     onto = f.phrase("in", "into")
@@ -227,13 +227,24 @@ def _note_properties(d: Discourse, f: Frame, subject: list[str], objects: list[s
         for e in (entity_of(d, i) for i in objects or subject):
             mates = d.world.groups.get(e.group or "", [])
             e.pattern = "row" if mates and e.pattern in (None, "scatter") else e.pattern
+
+
+def _note_speed(d: Discourse, f: Frame, subject: list[str]) -> None:
+    """ "The speed of the car is 12 m/s", "its speed is 12 m/s"."""
     speed = quantity_of(d, f, "speed")
     named = f.subject if f.verb.sense == "be" else f.object if f.verb.sense == "have" else None
-    if speed is not None and named is not None and named.attribute:
-        its = named.determiner in ("its", "his", "her") and bool(d.refs.told)
-        who = subject or (d.refs.told[-1].subject if its else [])
-        if len(who) == 1:
-            d.moves.stated[who[0]] = speed[1]  # "The speed of the car is 12 m/s"
+    if speed is None or named is None or not named.attribute:
+        return
+    its = named.determiner in ("its", "his", "her") and bool(d.refs.told)
+    who = subject or (d.refs.told[-1].subject if its else [])
+    if len(who) == 1:
+        d.moves.stated[who[0]] = speed[1]
+
+
+def _note_properties(d: Discourse, f: Frame, subject: list[str], objects: list[str]) -> None:
+    """What a clause says of things besides what they do: stacked, red, 12 m/s fast."""
+    _note_pattern(d, f, subject, objects)
+    _note_speed(d, f, subject)
     for word in f.adverbs if f.verb.sense == "be" else ():  # "the first car is red"
         if word in {*lex.COLORS, *lex.MATERIALS, *lex.WEIGHTS, *lex.SIZES}:
             for node in subject:

@@ -27,7 +27,7 @@ _SIDES = {
     "thick": "width", "deep": "width",
 }  # fmt: skip
 """Sides by the adjectives that compare them."""
-_SPEED = frozenset({"fast", "quickly", "quick", "faster", "quicker", "slower", "speed"})
+_SPEED = lex.word_set("compares speeds")
 
 
 _EQUAL = re.compile(
@@ -91,20 +91,25 @@ def compare(text: str, mentions: list[Mention], scene: Scene) -> None:
         free = not (left.mass_prescribed if word in _MASS else left.dimensions_prescribed)
         if free or only:
             scene.compared.append(match.span())
-        factor = ratio or (2.0 if match["more"] else 1.0)
-        required = requirement(right)
-        if word in _MASS and not left.mass_prescribed:
-            left.mass_kg = factor * required.expected_mass_kg
-            left.mass_prescribed = right.mass_prescribed
-        elif word not in _MASS and not left.dimensions_prescribed:
-            other = required.expected_dimensions_cm
-            mine = requirement(left).expected_dimensions_cm
-            scale = factor * _measure(word, other) / _measure(word, mine)
-            left.dimensions_cm = [scale * x for x in mine]
-            left.dimensions_prescribed = right.dimensions_prescribed or only
+        if free:
+            factor = ratio or (2.0 if match["more"] else 1.0)
+            _measure_by(left, right, word, factor, only)
         if only:
             told.attribute = True
             del scene.world.entities[right.id]
+
+
+def _measure_by(left: Entity, right: Entity, word: str, factor: float, only: bool) -> None:
+    """Gives a thing so many times the mass or the size of another, as prescribed as that is."""
+    required = requirement(right)
+    if word in _MASS:
+        left.mass_kg = factor * required.expected_mass_kg
+        left.mass_prescribed = right.mass_prescribed
+        return
+    mine = requirement(left).expected_dimensions_cm
+    scale = factor * _measure(word, required.expected_dimensions_cm) / _measure(word, mine)
+    left.dimensions_cm = [scale * x for x in mine]
+    left.dimensions_prescribed = right.dimensions_prescribed or only
 
 
 def contrast(scene: Scene) -> None:

@@ -11,6 +11,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.decks import is_driven, lay_decks
 from esg.draft.discourse.jointed import articulation_of
+from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import GROUND, Scene
@@ -25,11 +26,8 @@ RAISED_CM = 25.0
 """Height from which on what stands on a support is out of reach of what rolls on the ground."""
 _AT_THE_FOOT_CM = (0.0, 6.0)
 """Height of the lowest point of what is kicked off the ground."""
-_OFF_ROAD = frozenset({"bicycle", "tricycle", "unicycle", "scooter", "kick scooter", "segway",
-                       "snowmobile", "moped", "motorcycle"})  # fmt: skip
-"""Vehicles that need no road where the prompt says on what else they go."""
-_TOYS = frozenset({"tricycle", "unicycle", "snowmobile"})
-"""Vehicles that go on no road."""
+_OFF_ROAD = lex.word_set("off the road")
+_TOYS = lex.word_set("never on a road")
 _ON_RAILS = lex.word_set("on rails (context)")
 _OFF_THE_ROAD = re.compile(
     rf"\b(?:in|inside|across|through|along|around)\s+(?:an?|the|its|his|her)\s+(?:[\w-]+\s+){{0,3}}?"
@@ -185,13 +183,8 @@ def _add_context(scene: Scene, prompt: str, reasons: list[str]) -> None:
         _add(scene, "bowling lane", reasons, "bowling pins stand at the end of a lane")
     if all(e.noun.kind != "vehicle" for e in entities.values()):
         return
-    ground = entities.get(GROUND)
-    light = all(e.noun.name in _OFF_ROAD for e in entities.values() if e.noun.kind == "vehicle")
-    never = all(e.noun.name in _TOYS for e in entities.values() if e.noun.kind == "vehicle")
-    if never or (light and ground is not None and ground.mentioned):
-        return  # "rides a bicycle through the park"
-    if ground is not None and ground.mentioned and ground.head in _LOOSE:
-        return  # "drives across the sand"
+    if _off_the_road(entities):
+        return
     if _no_road(scene, prompt):
         return
     dynamic = bool(timeline.nodes) or any(t.motion for t in timeline.tracks.values())
@@ -205,3 +198,14 @@ def _add_context(scene: Scene, prompt: str, reasons: list[str]) -> None:
     )
     if turns and _find(scene, "crossroad") is None and _find(scene, "road") is not None:
         _add(scene, "crossroad", reasons, "a turn needs a crossing road")
+
+
+def _off_the_road(entities: dict[str, Entity]) -> bool:
+    """ "Rides a bicycle through the park", "drives across the sand", and toys anywhere."""
+    vehicles = {e.noun.name for e in entities.values() if e.noun.kind == "vehicle"}
+    if vehicles <= _TOYS:
+        return True
+    ground = entities.get(GROUND)
+    if ground is None or not ground.mentioned:
+        return False
+    return vehicles <= _OFF_ROAD or ground.head in _LOOSE

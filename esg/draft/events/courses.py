@@ -145,20 +145,25 @@ def _carry_over(
             continue
         if s.row.pace:
             _change(d, mover, was, pace=s.row.pace)
-        elif s.row.direction in _HEADINGS and first:
-            _change(d, mover, was, heading_deg=_HEADINGS[s.row.direction or ""])
-        elif s.row.direction in _STEEP and s.phrase is None and first and climbs(d, mover):
-            steep = _STEEP[s.row.direction or ""]
-            _change(
-                d, mover, was, climb_deg=_WINGS * steep if kind_of(d, mover) == "animal" else steep
-            )
-        elif s.row.direction == "up" and kind_of(d, mover) != "flyer":
-            _change(d, mover, was, thrown_up=True)
-        elif s.row.direction == "backward" and first:
-            _change(d, mover, was, backward=True)
-            track = d.timeline.tracks[mover]
-            if track.direction is ForceDirection.ALONG_FORWARD_ONLY:
-                track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD
+        else:
+            _head_so(d, mover, was, s, first)
+
+
+def _head_so(d: Discourse, mover: str, was: Before, s: Said, first: bool) -> None:
+    """Where the word of a motion turns it: only its first has a heading of its own to choose."""
+    way = s.row.direction or ""
+    if way in _HEADINGS and first:
+        _change(d, mover, was, heading_deg=_HEADINGS[way])
+    elif way in _STEEP and s.phrase is None and first and climbs(d, mover):
+        share = _WINGS if kind_of(d, mover) == "animal" else 1.0
+        _change(d, mover, was, climb_deg=share * _STEEP[way])
+    elif way == "up" and kind_of(d, mover) != "flyer":
+        _change(d, mover, was, thrown_up=True)
+    elif way == "backward" and first:
+        _change(d, mover, was, backward=True)
+        track = d.timeline.tracks[mover]
+        if track.direction is ForceDirection.ALONG_FORWARD_ONLY:
+            track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD
 
 
 def climbs(d: Discourse, mover: str) -> bool:

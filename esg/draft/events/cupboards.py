@@ -36,15 +36,19 @@ def out_of_a_cupboard(d: Discourse, f: Frame, actors: list[str]) -> list[str]:
     if f.subject is not None and f.subject.pronoun and any(i in hollow for i in actors):
         held = d.scene.inside_of | d.scene.shut_in
         actors = [i for i, host in held.items() if host in actors][:1] or actors
-    loose = [i for i in actors if i in d.world.entities and i not in d.scene.supported_by]
-    loose = [i for i in loose if i not in d.timeline.tracks and i not in hollow and movable(d, i)]
-    loose = [i for i in loose if not openable(d, [i])]  # a drawer that slides out
+    loose = [i for i in actors if i not in hollow and _waits_inside(d, i)]
     hosts = [i for i in things(told) if i in hollow]
     doors = [i for i in recent(d) if told is None and (i in hollow or openable(d, [i]))]
     for door in doors[:1] if loose and not hosts else []:
         hosts = [i for i in hollow if door in (i, hollow[i])] or _whole_of(d, door)
     place(d, loose, hosts[:1], "in")
     return actors
+
+
+def _waits_inside(d: Discourse, i: str) -> bool:
+    """Whether nothing is told of where a thing is or goes; not so of a drawer that slides out."""
+    told = i in d.scene.supported_by or i in d.timeline.tracks
+    return i in d.world.entities and not told and movable(d, i) and not openable(d, [i])
 
 
 def _whole_of(d: Discourse, door: str) -> list[str]:

@@ -27,10 +27,9 @@ _TIPPING = {("topple", "tip"), ("noop", "tilt"), ("noop", "rock"), ("noop", "see
 TIPPED = 0.6
 """Share of its limit to which a seesaw with nobody on it is tipped; its friction holds it there."""
 SWAYING = frozenset({"swing", "sway", "oscillate"})
-_SLIDING = frozenset({"slide", "glide", "roll", "come", "pop", "shoot", "pull"})
-"""Verbs of how a drawer goes out."""
-_BOBBING = frozenset({"bounce", "bob", "oscillate", "vibrate", "jiggle"})
-_MAKING = frozenset({"make", "do", "complete", "perform"})
+_SLIDING = lex.word_set("slides out")
+_BOBBING = lex.word_set("bobs")
+_MAKING = lex.word_set("makes a turn")
 _TIMES = {"half a": 0.5, "two": 2.0, "three": 3.0, "four": 4.0, "five": 5.0}
 _SHARES = {"quarter": 0.25, "half": 0.5, "three-quarter": 0.75}
 _TURNS = re.compile(
@@ -43,10 +42,8 @@ _TURNS = re.compile(
 _RISING = {"go": "up", "rise": "", "raise": "", "lift": ""}
 _SINKING = {"go": "down", "come": "down", "lower": ""}
 """How what has hinges goes up and down, with the adverb that says so: a boom gate, a lid."""
-_WORKING = frozenset({"pull", "push", "throw", "flip"})
-"""What is done to a lever."""
-_FLYING_OUT = frozenset({"fly", "pop", "kick", "jump", "move", "go", "shoot", "bounce"})
-"""What the last ball of a cradle does."""
+_WORKING = lex.word_set("works a lever")
+_FLYING_OUT = lex.word_set("flies out")
 _SWINGING = {
     ("noop", "sway"): "swing",
     ("noop", "oscillate"): "swing",
@@ -74,7 +71,7 @@ BACK_AND_FORTH = re.compile(
     re.IGNORECASE,
 )
 """How what hangs moves, in words."""
-_GOING = frozenset({"go", "move", "come", "fly", "travel"})
+_GOING = lex.word_set("goes round")
 UNMET = "touched by nothing that is named"
 """Note of a verb that tells what is not touched on the way."""
 SENT_UP = "launched by the seesaw"
@@ -257,24 +254,9 @@ def turns_told(d: Discourse, f: Frame) -> float | None:
 
 def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     """The sense of a verb of what moves on a joint; None if nothing of the kind is told of."""
-    opens = f.verb.sense == "noop" and f.verb.lemma in _OPENING
-    opens = opens or (f.verb.lemma in _SLIDING and bool({"out", "open"} & {*f.adverbs}))
-    hinged = openable(d, bodies)
-    if hinged and f.verb.sense == "posture" and f.verb.extra.get("result") in _OPENING:
-        return "left_so"
-    opens = opens or _worked(f) or raised(f) or lowered(f)
-    if hinged and (opens or "result" in f.verb.extra):
-        return "open"
-    turns = f.object is not None and _TURNS.match(f.object.head) is not None
-    turns = turns or _TURNS.match(d.text[f.verb.end :].lstrip()) is not None  # "one full turn"
-    if (f.verb.lemma in _TURNING or (turns and f.verb.lemma in _MAKING)) and turning(d, bodies):
-        return "spin"
-    after = d.text[f.verb.end :].lstrip()
-    if f.verb.lemma in _GOING and not f.verb.negated:
-        if _ROUND.match(after) and turning(d, bodies):
-            return "spin"
-        if BACK_AND_FORTH.match(after) and hanging(d, bodies):
-            return "swing"
+    told = _on_hinges(d, f, bodies) or _about_an_axle(d, f, bodies)
+    if told is not None:
+        return told
     if (f.verb.sense, f.verb.lemma) in _TIPPING and tipping(d, bodies[:1]):
         landed_on = not at_rest(d, bodies[0]) or OTHER_SIDE.search(d.text, f.verb.end)
         return "tip" if landed_on else None
@@ -284,6 +266,37 @@ def sense_on_joint(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
     if "out" in f.adverbs and f.verb.lemma in _FLYING_OUT and any(row_parts(d, b) for b in bodies):
         return "swing"
     return swings if swings is not None and hanging(d, bodies) else None
+
+
+def _on_hinges(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
+    """ "Is left ajar", "swings open", "slides out": the sense of what opens and shuts."""
+    if not openable(d, bodies):
+        return None
+    if f.verb.sense == "posture" and f.verb.extra.get("result") in _OPENING:
+        return "left_so"
+    return "open" if _opens(f) or "result" in f.verb.extra else None
+
+
+def _opens(f: Frame) -> bool:
+    """Whether a verb tells that what has hinges or slides opens or shuts."""
+    if f.verb.sense == "noop" and f.verb.lemma in _OPENING:
+        return True
+    out = f.verb.lemma in _SLIDING and bool({"out", "open"} & {*f.adverbs})
+    return out or _worked(f) or raised(f) or lowered(f)
+
+
+def _about_an_axle(d: Discourse, f: Frame, bodies: list[str]) -> str | None:
+    """ "Makes one full turn", "goes round", "goes back and forth": it spins, or swings."""
+    after = d.text[f.verb.end :].lstrip()
+    turns = f.object is not None and _TURNS.match(f.object.head) is not None
+    turns = turns or _TURNS.match(after) is not None  # "one full turn"
+    if (f.verb.lemma in _TURNING or (turns and f.verb.lemma in _MAKING)) and turning(d, bodies):
+        return "spin"
+    if f.verb.lemma not in _GOING or f.verb.negated:
+        return None
+    if _ROUND.match(after) and turning(d, bodies):
+        return "spin"
+    return "swing" if BACK_AND_FORTH.match(after) and hanging(d, bodies) else None
 
 
 def raised(f: Frame) -> bool:

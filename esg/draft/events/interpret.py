@@ -222,17 +222,9 @@ def _on_what_has_it(
         if p.prep == "with" and id(p.mention) in laden:
             attachments[k] = (_who_takes_the_way(frames, m), p)
     owners = {id(p.mention): m for m, p in attachments if p.prep == "with"}
-    withs = [(m, p.mention) for m, p in attachments if p.prep == "with" and p.mention is not None]
-    for m, y in withs:
-        for f in frames:
-            follows = f.verb.start >= y.end > m.end and not d.text[y.end : f.verb.start].strip()
-            if f.verb.form != "ing" or not follows:
-                continue
-            its = [q.mention for q in f.phrases if q.mention is not None]
-            its = [q for q in its if q.pronoun in ("it", "him", "her", "them")]
-            for q in its:
-                q.entities = d.world.resolved[id(q)] = [*m.entities]
-            f.subject = y if its else f.subject
+    for m, p in attachments:
+        if p.prep == "with" and p.mention is not None:
+            _lies_on_it(d, frames, m, p.mention)
     for m, p in attachments:
         owner = owners.get(id(m))
         if owner is None or p.mention is None:
@@ -248,6 +240,20 @@ def _on_what_has_it(
         p.mention.entities = d.world.resolved[id(p.mention)] = [*owner.entities]
         for f in frames:
             f.phrases[:] = [q for q in f.phrases if q.mention is not p.mention]
+
+
+def _lies_on_it(d: Discourse, frames: list[Frame], owner: Mention, had: Mention) -> None:
+    """ "A cart with a box lying on it": the box lies, on the cart."""
+    for f in frames:
+        between = d.text[had.end : f.verb.start]
+        follows = f.verb.start >= had.end > owner.end and not between.strip()
+        if f.verb.form != "ing" or not follows:
+            continue
+        its = [q.mention for q in f.phrases if q.mention is not None]
+        its = [q for q in its if q.pronoun in ("it", "him", "her", "them")]
+        for q in its:
+            q.entities = d.world.resolved[id(q)] = [*owner.entities]
+        f.subject = had if its else f.subject
 
 
 def _who_takes_the_way(frames: list[Frame], m: Mention) -> Mention:

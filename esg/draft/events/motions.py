@@ -382,14 +382,8 @@ def _said_behind(d: Discourse, p: Phrase | None) -> bool:
 
 def moves_on_it(d: Discourse, f: Frame, fresh: list[str]) -> list[str]:
     """ "A ball rolls on a table", "drives out on the pier": it is on that from the start."""
-    top = next((p for p in f.phrases if p.mention and p.mention.part in ("top", "roof")), None)
-    on = f.phrase(*_CARRYING) or f.phrase("from")
-    on = top if top is not None and top.prep in (*_CARRYING, "along", "across") else on
-    part = on.mention.part.split()[-1:] if on is not None and on.mention is not None else []
-    across = on is not None and on.prep == "from" and part in (["side"], ["end"], ["edge"])
-    across = across and f.phrase("to") is not None  # "from one end of the table to the other"
-    elsewhere = (part and on is not top) or (on is not None and on.prep == "from")
-    if on is None or f.verb.lemma in _COMES_ONTO or (not across and elsewhere):
+    on = None if f.verb.lemma in _COMES_ONTO else _what_carries(f)
+    if on is None:
         return []
     hosts = [h for h in things(on) if aimable(d, h) and all(carries(d, h, a) for a in fresh)]
     if not fresh or not hosts or any(a in d.scene.supported_by for a in fresh):
@@ -550,3 +544,18 @@ def paced(speed: Quantity, pace: str) -> Quantity:
     wide, slowest = high - low, min(low, _SLOWEST_CM_S)
     first = max(least * low + more * wide, slowest)
     return (round(first, 4), round(max(most * low + wider * wide, min(1.4 * first, high)), 4))
+
+
+def _what_carries(f: Frame) -> Phrase | None:
+    """The phrase of what a clause goes on: on it, on top of it, or across it from end to end."""
+    top = next((p for p in f.phrases if p.mention and p.mention.part in ("top", "roof")), None)
+    if top is not None and top.prep in (*_CARRYING, "along", "across"):
+        return top
+    on = f.phrase(*_CARRYING) or f.phrase("from")
+    if on is None:
+        return None
+    part = on.mention.part.split()[-1:] if on.mention is not None else []
+    if on.prep != "from":
+        return None if part else on
+    ends = part in (["side"], ["end"], ["edge"])
+    return on if ends and f.phrase("to") is not None else None  # "from one end to the other"

@@ -12,6 +12,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.proposition import Row, Said
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.text.elements import Mention
 from esg.draft.text.multiwords import spellings
 from esg.draft.verbphrases import verb_readings
 from esg.graph.models import Predicate
@@ -25,7 +26,7 @@ _UPWARD = lex.word_set("goes up")
 NAMED_BY = lex.word_set("sports that name things")
 _WAYS = ("backward", "up", "down")
 """Directions that a participle before a noun can state: "approaching" has an aim to find."""
-_LEAPS = frozenset({"jump", "leap", "hop", "skip", "bound", "bounce"})
+_LEAPS = lex.word_set("leaps up and down")
 _AND_DOWN = re.compile(r"\s+and\s+down\b", re.IGNORECASE)
 """After "up": to and fro, and no course."""
 _SIDES = ("leftwards", "rightwards")
@@ -87,30 +88,39 @@ def said(text: str, f: Frame) -> list[Said]:
     out = [Said(row, *verb) for row in _by_word().get(("verb", lemma), ())]
     part = "braking" if f.verb.sense == "brake" else "adverb"
     for word in adverbs_of(text, f):
-        for row in _by_word().get((part, word), ()):
-            at = place_of(word, text, f) or verb
-            how = word == "right" and exactly(text, at[1])
-            leaps = word == "up" and f.verb.lemma in _LEAPS
-            how = how or (leaps and _AND_DOWN.match(text, at[1]) is not None)
-            if not how and (word != "up" or _goes_up(f)):
-                out.append(Said(row, *at))
+        found = _by_word().get((part, word), ())
+        at = place_of(word, text, f) or verb
+        if found and _tells_a_way(text, f, word, at[1]):
+            out += [Said(row, *at) for row in found]
     for p in f.phrases:
-        if p.mention is None:
-            continue
-        if p.mention.attribute and p.prep in ("to", "toward", "towards"):
-            found = _by_word().get(("side", p.mention.head), ())
-        elif p.mention.attribute and p.prep == "from":
-            found = _by_word().get(("from", p.mention.head), ())
-        else:
-            agent = p.prep == "by" and (f.verb.passive or f.reduced)
-            solid = not p.mention.attribute and not agent
-            away = p.prep == "from" and text[: start_of(p, text)].rstrip().endswith("away")
-            prep = "away from" if away else p.prep
-            found = _by_word().get(("phrase", prep), ()) if solid else ()
-            found += _by_word().get(("goal", p.prep), ()) if solid else ()
-        start = start_of(p, text)
-        out += [Said(row, start, p.mention.end, p) for row in found]
+        if p.mention is not None:
+            start = start_of(p, text)
+            out += [Said(row, start, p.mention.end, p) for row in _by_phrase(text, f, p, p.mention)]
     return out
+
+
+def _tells_a_way(text: str, f: Frame, word: str, end: int) -> bool:
+    """Whether an adverb that ends there is of a way, and not "right behind it", "leaps up"."""
+    if word == "right" and exactly(text, end):
+        return False
+    if word != "up":
+        return True
+    leaps = f.verb.lemma in _LEAPS and _AND_DOWN.match(text, end) is not None
+    return not leaps and _goes_up(f)
+
+
+def _by_phrase(text: str, f: Frame, p: Phrase, m: Mention) -> tuple[Row, ...]:
+    """The rows of a phrase: of a side, of where it comes from, of a thing, of a goal."""
+    if m.attribute and p.prep in ("to", "toward", "towards"):
+        return _by_word().get(("side", m.head), ())
+    if m.attribute and p.prep == "from":
+        return _by_word().get(("from", m.head), ())
+    agent = p.prep == "by" and (f.verb.passive or f.reduced)
+    if m.attribute or agent:
+        return ()
+    away = p.prep == "from" and text[: start_of(p, text)].rstrip().endswith("away")
+    found = _by_word().get(("phrase", "away from" if away else p.prep), ())
+    return found + _by_word().get(("goal", p.prep), ())
 
 
 def exactly(text: str, end: int) -> bool:

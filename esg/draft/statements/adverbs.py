@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 import re
 
 from esg.draft import lexicon as lex
@@ -48,29 +48,29 @@ def adverbs(a: Account) -> Iterator[Gap]:
             continue
         if not isinstance(w, Word) or w.kind != "adv" or (w.start, w.end) in a.d.scene.used:
             continue
-        over = {*a.d.text[w.start : w.end].lower().split()} if w.low == "indeed" else set[str]()
-        if over & _BACK_AND_FORTH:
-            yield Gap(w.start, w.end, NOTHING)
-        if w.low == "only" and _of_several(a, w):
-            yield Gap(w.start, w.end, NOTHING)
-        if w.low == "first" and _no_race(a, w):
-            yield Gap(w.start, w.end, NOT_TIMED)
+        for word, fails, why in _UNMET:
+            if w.low == word and fails(a, w):
+                yield Gap(w.start, w.end, why)
         shown = SHOWN_BY.get(w.low)
         if shown is not None and not _stated(a, w):
             told = (about_of(a.d, f) for f in a.frames if w.low in f.adverbs)
             if not all(shown(a.d, about) for about in told if len(about) > 1):
                 yield Gap(w.start, w.end, NOTHING)
             continue
-        if (
-            w.low in PASSED_OVER
-            or (w.start, w.end) in a.untold
-            or w.low in rebounds
-            or (turned and w.low in _TURNS)
-            or _says_how(a, w)
-        ):
+        if w.low in rebounds or (turned and w.low in _TURNS) or _needs_nothing(a, w):
             continue
         if not _stated(a, w):
             yield Gap(w.start, w.end, NO_MANNER if w.low.endswith("ly") else NOTHING)
+
+
+def _goes_back_and_forth(a: Account, w: Word) -> bool:
+    """Whether the words that an adverb was read from tell of a way and its return."""
+    return bool({*a.d.text[w.start : w.end].lower().split()} & _BACK_AND_FORTH)
+
+
+def _needs_nothing(a: Account, w: Word) -> bool:
+    """Whether nothing in the document needs to stand for an adverb."""
+    return w.low in PASSED_OVER or (w.start, w.end) in a.untold or _says_how(a, w)
 
 
 def _no_race(a: Account, w: Word) -> bool:
@@ -141,3 +141,11 @@ def _says_how(a: Account, w: Word) -> bool:
 
 def _stated(a: Account, w: Word) -> bool:
     return any(s.start < w.end and w.start < s.end for s in a.said)
+
+
+_UNMET: tuple[tuple[str, Callable[[Account, Word], bool], str], ...] = (
+    ("indeed", _goes_back_and_forth, NOTHING),
+    ("only", _of_several, NOTHING),
+    ("first", _no_race, NOT_TIMED),
+)
+"""Adverbs with the question whether the document leaves them out, and what is said of them then."""

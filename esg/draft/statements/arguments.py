@@ -54,16 +54,7 @@ NO_EVENT = "nothing of the kind happens in the scene"
 
 def arguments(a: Account) -> Iterator[Gap]:
     """What a clause says something of and the document does not ("a girl walks a dog")."""
-    d, scene = a.d, a.d.scene
-    taking = {i for n in d.timeline.nodes for i in n.participants}
-    taking |= {str(n.extra.get("region", "")).split("/")[0] for n in d.timeline.nodes}
-    taking |= {i for e in d.timeline.edges for i in (e.actor, e.target) if i}
-    told = [r for r in scene.relations if r.kind != "structural"]
-    taking |= {i for r in told for i in (r.source, r.target, r.text)}
-    for at in (scene.supported_by, scene.inside_of, scene.attached, scene.marked, scene.facing):
-        taking |= {i for pair in at.items() if not structural(d, pair[1]) for i in pair}
-    taking |= {i for s in a.said for i in (*s.object, *s.target)} | {*d.moves.still}
-    taking |= {j.parent for j in scene.joints if j.child in taking and j.parent}
+    d, taking = a.d, _taking_part(a)
     for f in a.frames:
         if f.verb.sense in _STATES:
             continue
@@ -80,6 +71,20 @@ def arguments(a: Account) -> Iterator[Gap]:
             continue
         if m.head not in PASSED_OVER and (m.start, m.end) not in d.scene.used:
             yield Gap(m.start, m.end, NOTHING)
+
+
+def _taking_part(a: Account) -> set[str]:
+    """What events, motions, relations, joints and statements of the document are about."""
+    d, scene = a.d, a.d.scene
+    taking = {i for n in d.timeline.nodes for i in n.participants}
+    taking |= {str(n.extra.get("region", "")).split("/")[0] for n in d.timeline.nodes}
+    taking |= {i for e in d.timeline.edges for i in (e.actor, e.target) if i}
+    told = [r for r in scene.relations if r.kind != "structural"]
+    taking |= {i for r in told for i in (r.source, r.target, r.text)}
+    for at in (scene.supported_by, scene.inside_of, scene.attached, scene.marked, scene.facing):
+        taking |= {i for pair in at.items() if not structural(d, pair[1]) for i in pair}
+    taking |= {i for s in a.said for i in (*s.object, *s.target)} | {*d.moves.still}
+    return taking | {j.parent for j in scene.joints if j.child in taking and j.parent}
 
 
 def left_behind(a: Account) -> Iterator[Gap]:

@@ -59,8 +59,8 @@ _BORNE = frozenset({"inside_of", "on"})
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
 _BACK_TO = frozenset({"into", "to", "onto", "down", "toward", "towards"})
 _TOWARD = frozenset({"to", "toward", "towards"})
-_GOING_FOR = frozenset({"reach", "lunge", "dive", "dash", "bolt"})
-_UNEQUAL = frozenset({"different", "differing", "unequal", "various"})
+_GOING_FOR = lex.word_set("goes for")
+_UNEQUAL = lex.word_set("unequal")
 _STOPPING = frozenset({"stop", "brake", "slow", "park"})
 _SIDED = frozenset({"to", "from", "at", "on"})
 _EXTREMES = frozenset({"end", "edge", "corner", "tip"})
@@ -76,7 +76,7 @@ _CLOSED = frozenset({"appliance", "electronics", "building", "vehicle"})
 _FLAT = frozenset({"support", "structural"})
 _ENTERED = frozenset({"building", "structure"})
 _ENDS = frozenset({"ends_on", "ends_in", "ends_near", "above", "under"})
-_HITS = frozenset({"impact", "contact", "collision", "crash"})
+_HITS = lex.word_set("hits (phrases)")
 IDLE = "nobody has it in hand: it takes no part"
 _TO_PIECES = lex.word_set("to pieces")
 _FEET = frozenset({"bottom", "foot"})
@@ -365,16 +365,24 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
         return hangs or _answered_by_ground(a, about, others, p)
     if part and part not in _SIDES and part != "surface" and p.prep in _TO_A_PART:
         return _told_of_a_part(a, about, others)
-    if (
-        part
-        and part.split()[-1] in _EXTREMES
-        and p.prep in _ON
-        and not _shows_an_end(a, about, others)
-    ):
+    if _on_an_end(p, part) and not _shows_an_end(a, about, others):
         return False  # "sits on one end of a plank": it is anywhere on it
-    own = {node for g, node in d.times.of_frame if f is not None and g.verb is f.verb}
     if p.prep == "with" and _at_rest(f) and _has_a_place(a, about, others):
         return True
+    return _stands_for_it(a, about, others, p, f, by)
+
+
+def _on_an_end(p: Phrase, part: str) -> bool:
+    """ "On one end of a plank"."""
+    return bool(part) and part.split()[-1] in _EXTREMES and p.prep in _ON
+
+
+def _stands_for_it(
+    a: Account, about: set[str], others: set[str], p: Phrase, f: Frame | None, by: Carriers
+) -> bool:
+    """Whether a hold, a relation, a statement, an event or an aim stands for a preposition."""
+    d = a.d
+    own = {node for g, node in d.times.of_frame if f is not None and g.verb is f.verb}
     return (
         (by.holds and held(d, about, others))
         or _related(d, about, others, by)

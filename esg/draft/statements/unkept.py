@@ -137,31 +137,18 @@ def _moves_nothing(d: Discourse, f: Frame) -> bool:
 
 
 def _applies(d: Discourse, voice: str, clause: Clause) -> bool:
-    """Whether a row's conditions hold: active (with an object), gently (passive, but told as an
-    act by an adverb of manner), unmet (it leads to no event), later (after another act), !KIND
-    of those who act.
+    """Whether a row's conditions hold: words of `_TESTS`, and those of a prefix.
+
+    "without:WORD" asks for no such word in the clause, "of:KIND" for a thing of a kind among those
+    who act, "!KIND" for none.
     """
-    f = clause.frame
-    doers = _doers(f)
-    kinds = {kind_of(d, i) for i in (*doers, *clause.movers) if i in d.world.entities}
+    named = (*_doers(clause.frame), *clause.movers)
+    kinds = {kind_of(d, i) for i in named if i in d.world.entities}
     for condition in voice.split():
-        if condition == "active" and (f.verb.passive or f.reduced or f.object is None):
-            return False
-        if condition == "gently" and not (f.verb.passive and _MANNERS & {*adverbs_of(d.text, f)}):
-            return False
         test = _TESTS.get(condition)
         if test is not None and not test(d, clause):
             return False
-        if condition == "unmet" and _leads_to_an_event(d, clause):
-            return False
         if condition.startswith("without:") and _tells(d, clause, condition[8:]):
-            return False
-        if condition == "later" and f.relative:
-            return False
-        if condition == "later" and not _acted_before(d, clause, doers):
-            return False
-        winged = [flies_itself(d, i) for i in clause.movers]
-        if condition == "!flyer" and winged and all(winged):
             return False
         if condition.startswith("!") and condition[1:] in kinds:
             return False
@@ -296,7 +283,33 @@ def _moved_by_none(d: Discourse, clause: Clause) -> bool:
     return not any({*n.participants[:1]} & doers and {*n.participants[1:]} & done for n in hits)
 
 
+def _acts_on_something(d: Discourse, clause: Clause) -> bool:
+    """Whether a clause is active, and has an object."""
+    f = clause.frame
+    return not (f.verb.passive or f.reduced or f.object is None)
+
+
+def _gently_done(d: Discourse, clause: Clause) -> bool:
+    """Whether a passive is told as an act, by an adverb of manner."""
+    return clause.frame.verb.passive and bool(_MANNERS & {*adverbs_of(d.text, clause.frame)})
+
+
+def _later_act(d: Discourse, clause: Clause) -> bool:
+    """Whether who acts has acted before."""
+    return not clause.frame.relative and _acted_before(d, clause, _doers(clause.frame))
+
+
+def _not_all_fly(d: Discourse, clause: Clause) -> bool:
+    """Whether something that a clause moves does not fly by itself, or it moves nothing."""
+    return not clause.movers or not all(flies_itself(d, i) for i in clause.movers)
+
+
 _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
+    "active": _acts_on_something,
+    "gently": _gently_done,
+    "unmet": lambda d, c: not _leads_to_an_event(d, c),
+    "later": _later_act,
+    "!flyer": _not_all_fly,
     "loose": lambda d, c: bool(c.movers) and _loose(d, c),
     "aloft": lambda d, c: not any(comes_to_ground(d, c, i) for i in c.movers),
     "bumped": lambda d, c: c.frame.verb.form == "ing" and _bumped(d, c.frame),

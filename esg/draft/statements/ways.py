@@ -21,6 +21,8 @@ from esg.graph.models import NodeEvent, Predicate
 
 _ON_THE_WAY = ("along", "across", "through")
 """Directions that roads, fields and floors have, too."""
+_ABOUT = ("around", "along", "across")
+"""Directions that are no way on what carries something: "slides around a pan", about in it."""
 _SIDE_WORDS = {
     "left_of": re.compile(r"\bleft\b", re.IGNORECASE),
     "right_of": re.compile(r"\bright\b", re.IGNORECASE),
@@ -80,8 +82,8 @@ def _no_way(d: Discourse, clause: Clause, s: Said, mover: str) -> bool:
 
 
 def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> None:
+    """The way that an adverb or a phrase tells."""
     d, direction = book.d, s.row.direction
-    over = s.phrase is not None and s.phrase.prep == "over"
     if _no_way(d, clause, s, mover):
         return
     if s.phrase is not None and direction in ("up", "down"):
@@ -99,6 +101,13 @@ def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
     if direction not in _TARGETED and direction != "between":
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), direction=direction, when=where)
         return
+    _by_others(book, s, mover, where)
+
+
+def _by_others(book: Book, s: Said, mover: str, where: str) -> None:
+    """The way with respect to what a phrase names: "past a cone", "between them"."""
+    d, direction = book.d, s.row.direction or ""
+    over = s.phrase is not None and s.phrase.prep == "over"
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities]
     if not targets or is_told(d, mover, targets):
         return  # what it meets is an event
@@ -109,20 +118,23 @@ def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
         direction = "across"  # "through a meadow", "through the park": it has no other side
     if structural(d, targets[0]) and direction not in _ON_THE_WAY:
         return
-    if direction == "around" and d.scene.supported_by.get(mover) in targets:
-        return  # "slides around a pan": about in it
-    if direction in ("along", "across") and d.scene.supported_by.get(mover) in targets:
-        return  # told as what carries it
-    if direction == "between" and len(targets) == 1:  # "a cube left of a bin ... between them"
-        pairs = [(r.source, r.target) for r in d.scene.relations if targets[0] in
-                 (r.source, r.target) and mover not in (r.source, r.target)]  # fmt: skip
-        targets = [*pairs[0]] if pairs else []
+    if direction in _ABOUT and d.scene.supported_by.get(mover) in targets:
+        return
+    if direction == "between" and len(targets) == 1:
+        targets = _pair_of(d, targets[0], mover)
     if not targets:
         return
     some = tuple(targets) if direction == "between" else tuple(targets[:1])
     book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=some, direction=direction,
              when=where)  # fmt: skip
     _lengthwise(book, s, mover, some, direction, where)
+
+
+def _pair_of(d: Discourse, one: str, mover: str) -> list[str]:
+    """ "A cube left of a bin ... between them": the two that a relation has of; [] for none."""
+    pairs = [(r.source, r.target) for r in d.scene.relations if one in (r.source, r.target)
+             and mover not in (r.source, r.target)]  # fmt: skip
+    return [*pairs[0]] if pairs else []
 
 
 def _lengthwise(
@@ -160,10 +172,8 @@ def goal(book: Book, clause: Clause, s: Said, mover: str) -> None:
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
     if not targets or structural(d, targets[0]) or is_told(d, mover, targets):
         return
-    hung = {j.child for j in d.scene.joints} | {*d.scene.attached}
-    held = (r for r in d.scene.relations if r.target == targets[0] and r.source in hung)
-    if any(r.kind == s.row.states.value for r in held):
-        return  # "drifts into the fan above the table": what hangs there is above it
+    if _is_of_what_hangs(d, s, targets[0]):
+        return
     if s.row.states is Predicate.ENDS_NEAR and d.scene.used.get(span(clause.frame)) != "put":
         return  # "runs next to a horse": it need not end there
     if s.row.states is Predicate.ABOVE and clause.frame.verb.sense in ("drop", "fall"):
@@ -182,6 +192,13 @@ def goal(book: Book, clause: Clause, s: Said, mover: str) -> None:
             return
         book.add(s.row.states, s.start, s.end, object=(mover,), target=tuple(targets), when=when)
         _starts_there(book, mover, targets[0], s.row.states)
+
+
+def _is_of_what_hangs(d: Discourse, s: Said, target: str) -> bool:
+    """ "Drifts into the fan above the table": what hangs there is above it."""
+    hung = {j.child for j in d.scene.joints} | {*d.scene.attached}
+    held = (r for r in d.scene.relations if r.target == target and r.source in hung)
+    return any(r.kind == s.row.states.value for r in held)
 
 
 def _goes_elsewhere(d: Discourse, clause: Clause, mover: str) -> bool:

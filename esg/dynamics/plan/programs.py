@@ -267,29 +267,34 @@ class Composer:
             last = k + 1 == len(phases) or (jumps and all(map(self.cast.coasts, phases[k + 1 :])))
             leg = _Leg(phase, v, start, end, k == 0, last, duration)
             done = len(course.out)
-            if phase.edge.event is EdgeEvent.GUIDE:
-                self._guide(course, leg)
-            elif phase.edge.event is EdgeEvent.SPIN:
-                self._spin(course, leg)
-            elif phase.edge.event in (EdgeEvent.DRIVE, EdgeEvent.RELEASE):
-                self._along_joint(course, leg)
-            elif jumps:
-                self._jump(course, leg)
-            elif phase.edge.event is EdgeEvent.TOWARD or self.story.tips(phase):
-                self._let_go(course, leg)
-            elif f"{phase.edge.id}/stopping" in v:
-                self._stop_in_time(course, leg)
-            elif f"{phase.edge.id}/leaves" in self.nominal:
-                self._slow_to(course, leg, phases[k + 1])
-            elif phase.edge.event is EdgeEvent.BRAKE:
-                self._brake(course, leg)
-            else:
-                self._drive(course, leg)
+            self._act(course, leg, phases[k + 1 :])
             if any(p.end.event not in UNDISTURBED for p in phases[:k]):
                 course.out[done:] = [self._by_and_by(p) for p in course.out[done:]]
             elif k == 0 and on_foot(prop(self.doc, actor)) and support_of(self.doc, actor):
                 course.out[done:] = [q for p in course.out[done:] for q in self._down(p)]
         return [*course.out, *comes_to_lie(self.cast, self.scene.body(actor), course.out)]
+
+    def _act(self, course: _Course, leg: _Leg, later: tuple[Phase, ...]) -> None:
+        """Adds what an actor does in one phase, by the kind of its edge."""
+        phase, edge = leg.phase, leg.phase.edge
+        if edge.event is EdgeEvent.GUIDE:
+            self._guide(course, leg)
+        elif edge.event is EdgeEvent.SPIN:
+            self._spin(course, leg)
+        elif edge.event in (EdgeEvent.DRIVE, EdgeEvent.RELEASE):
+            self._along_joint(course, leg)
+        elif phase.end.event is NodeEvent.JUMP:
+            self._jump(course, leg)
+        elif edge.event is EdgeEvent.TOWARD or self.story.tips(phase):
+            self._let_go(course, leg)
+        elif f"{edge.id}/stopping" in leg.v:
+            self._stop_in_time(course, leg)
+        elif f"{edge.id}/leaves" in self.nominal:
+            self._slow_to(course, leg, later[0])
+        elif edge.event is EdgeEvent.BRAKE:
+            self._brake(course, leg)
+        else:
+            self._drive(course, leg)
 
     def _down(self, primitive: Primitive) -> list[Primitive]:
         """What runs off a thing lands on its feet, which takes of its speed what friction does."""
@@ -503,37 +508,25 @@ class Composer:
         actor, phase, edge, v, start = course.actor, leg.phase, leg.phase.edge, leg.v, leg.start
         soars, turns = self.story.soars(actor), edge.event is EdgeEvent.TURN
         roll_radius = self.scene.body(actor).roll_radius
-        usual = self.nominal.get(f"{edge.id}/reaches", course.speed)
-        before, speed = course.speed, v.get(f"{edge.id}/speed", usual)
         down = leg.first and self.cast.rolls_down(actor, phase)
         descends = leg.first and self.cast.goes_down(actor, phase)
-        if descends and isinstance(edge.params.speed, tuple):
-            speed = min(abs(speed), FASTEST_MPS)  # what is faster flies off the crest
-        rate, end, until = 0.0, leg.end, self.cast.contacts(phase)
-        if turns:
-            degrees, sign = turn_of(phase)
-            rate = sign * self._turn_rate(leg, speed)
-            end = start + math.radians(degrees) / abs(rate)
+        before, speed = course.speed, self._speed(course, leg, descends)
+        until = self.cast.contacts(phase)
+        rate, end = self._turned(leg, speed) if turns else (0.0, leg.end)
         ride = self._ride(leg, speed, before)
         acceleration = v.get(f"{edge.id}/acceleration", 0.0)
         pushed = self.cast.pushes_off(actor, phase) if leg.last else None
         if pushed is not None:
             end, until = self.nominal.get(f"{pushed.id}/event_time", leg.duration) + 0.3, ()
-        flies_on = phase.end.event is NodeEvent.TRIGGER and not arrives(self.doc, actor)
         steep = climbs_at(edge) if soars else 0.0
-        if soars and leg.last and steep >= 0.0 and (flies_on or phase.end.event is NodeEvent.MISS):
-            # It flies on: past what it does not touch, and when all that is told of it is over.
+        if leg.last and self._holds_on(phase, steep, upright=descends and not down):
             end = math.inf
-        if descends and not down and leg.last:
-            # Who stands up is kept upright to the foot of the slope, and beyond.
-            end = math.inf
+        ahead = np.array([math.cos(course.heading), math.sin(course.heading), 0.0])
         if leg.first and not acceleration and math.isinf(ride.rate):
-            flat = abs(speed) * np.array([math.cos(course.heading), math.sin(course.heading), 0.0])
-            course.out += [SetVelocity(r, start, _vec(flat)) for r in self._riders[actor]]
+            course.out += self._with_riders(actor, start, abs(speed) * ahead)
         if leg.first and (down or self.cast.leaves_support(actor, phase)):
             # Held, it could not tilt with the slope it goes down.
-            flat = np.array([math.cos(course.heading), math.sin(course.heading), 0.0])
-            course.out.append(SetVelocity(actor, start, _vec(abs(speed) * flat)))
+            course.out.append(SetVelocity(actor, start, _vec(abs(speed) * ahead)))
             course.clock = start
             return
         hold = HoldVelocity(
@@ -557,25 +550,65 @@ class Composer:
         lasted = min(end, leg.duration) - start
         course.speed = max(0.0, ride.left(lasted) + acceleration * lasted)
         if leg.last and turns:
-            # Let go while it turns, it would go on turning; what flies would sink.
-            course.out.append(
-                HoldVelocity(
-                    actor,
-                    end,
-                    math.inf if soars else end + STRAIGHT_S,
-                    abs(course.speed),
-                    course.heading,
-                    roll_radius=roll_radius,
-                    until_contact=self._others(actor) if soars else (),
-                    climb=0.0 if soars else None,
-                )
-            )
+            course.out.append(self._straight_on(course, end, roll_radius))
             end += 0.0 if soars else STRAIGHT_S
         # What follows a hit follows it when it happens, not when the hold would have ended.
         told = v.get(f"{phase.end.id}/time", self.told(phase.end, end))
         course.clock = min(end, max(start, told))
         if leg.last:
             self._end_drive(course, leg, end, pushed is not None)
+
+    def _speed(self, course: _Course, leg: _Leg, descends: bool) -> float:
+        """What it drives at [m/s]: as theta says, else as the choreography expects, or on as it is.
+
+        On its way down a slope no faster than what would fly off the crest, unless that is stated.
+        """
+        edge = leg.phase.edge
+        usual = self.nominal.get(f"{edge.id}/reaches", course.speed)
+        speed = leg.v.get(f"{edge.id}/speed", usual)
+        ranges = isinstance(edge.params.speed, tuple)
+        return min(abs(speed), FASTEST_MPS) if descends and ranges else speed
+
+    def _turned(self, leg: _Leg, speed: float) -> tuple[float, float]:
+        """The rate of a turn [rad/s] at a speed [m/s], and when it is done [s]."""
+        degrees, sign = turn_of(leg.phase)
+        rate = sign * self._turn_rate(leg, speed)
+        return rate, leg.start + math.radians(degrees) / abs(rate)
+
+    def _holds_on(self, phase: Phase, steep: float, *, upright: bool) -> bool:
+        """Whether what it does last has no end.
+
+        Who stands up is kept upright to the foot of a slope, and beyond. What flies does so past
+        what it does not touch, and when all that is told of it is over.
+        """
+        actor, ends_by = phase.edge.actor, phase.end.event
+        if upright or not self.story.soars(actor) or steep < 0.0:
+            return upright
+        flies_on = ends_by is NodeEvent.TRIGGER and not arrives(self.doc, actor)
+        return flies_on or ends_by is NodeEvent.MISS
+
+    def _with_riders(
+        self, actor: str, time: float, velocity: NDArray[np.float64]
+    ) -> list[Primitive]:
+        """Who rides on it sets off with it, at a velocity [m/s]."""
+        return [SetVelocity(r, time, _vec(velocity)) for r in self._riders[actor]]
+
+    def _straight_on(self, course: _Course, start: float, roll_radius: float) -> HoldVelocity:
+        """What holds it after its last turn.
+
+        Let go while it turns, it would go on turning; what flies would sink.
+        """
+        actor, soars = course.actor, self.story.soars(course.actor)
+        return HoldVelocity(
+            actor,
+            start,
+            math.inf if soars else start + STRAIGHT_S,
+            abs(course.speed),
+            course.heading,
+            roll_radius=roll_radius,
+            until_contact=self._others(actor) if soars else (),
+            climb=0.0 if soars else None,
+        )
 
     def _climb(self, edge: TimelineEdge, speed: float, steep: float) -> float:
         """Vertical velocity of a powered flight [m/s]: as told, or down onto its target."""

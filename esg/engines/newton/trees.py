@@ -152,6 +152,17 @@ def _more_than_ties(joint: Joint) -> bool:
     return (joint.kind != "ball" and joint.upper is not None) or (joint.kind == "slider" and slows)
 
 
+def _stiff_around(joints: tuple[Joint, ...], nodes: list[tuple[int, ...]]) -> dict[int, list[int]]:
+    """The stiff joints of each body and of the world (-1); what needs a coordinate first."""
+    around: dict[int, list[int]] = {}
+    for k in sorted(range(len(joints)), key=lambda k: (not _more_than_ties(joints[k]), k)):
+        stiff = not joints[k].flexible and joints[k].break_impulse is None
+        if stiff and nodes[k] != (-1, -1):
+            for end in nodes[k]:
+                around.setdefault(end, []).append(k)
+    return around
+
+
 def _grow(
     joints: tuple[Joint, ...], ends: tuple[tuple[int, int], ...], dynamic: NDArray[np.bool_]
 ) -> tuple[tuple[tuple[Link, ...], ...], set[int]]:
@@ -159,13 +170,8 @@ def _grow(
 
     What needs a coordinate comes before what does not, so that the latter closes a ring.
     """
-    around: dict[int, list[int]] = {}
     nodes = [tuple(b if b >= 0 and dynamic[b] else -1 for b in pair) for pair in ends]
-    for k in sorted(range(len(joints)), key=lambda k: (not _more_than_ties(joints[k]), k)):
-        stiff = not joints[k].flexible and joints[k].break_impulse is None
-        if stiff and nodes[k] != (-1, -1):
-            for end in nodes[k]:
-                around.setdefault(end, []).append(k)
+    around = _stiff_around(joints, nodes)
     used: set[int] = set()
     rings: set[int] = set()
     seen = {-1}

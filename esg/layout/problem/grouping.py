@@ -290,6 +290,13 @@ class UnitBuilder:
         base = next(iter(bases)) if bases else None
         self._add(Unit(poses, parent=base))
 
+    def _beside_the_way(self, c: Corridor, m: str, at: Pose2) -> bool:
+        """Whether a path leads past a member; in a row it stands close to who is hit there."""
+        mine = [self.shape[p] for p in c.participants if p in self.shape]
+        width = max((max(s.hx, s.hy) for s in mine), default=c.half_width_cm)
+        narrow = replace(c, half_width_cm=min(width, c.half_width_cm))
+        return not in_the_way(narrow, *at[:2], max(self.shape[m].hx, self.shape[m].hy))
+
     def _complete(self, name: str, members: list[str], rest: list[str]) -> None:
         """Sets the members of a pattern that no motion plans beside the one that has a start.
 
@@ -315,14 +322,7 @@ class UnitBuilder:
         paths = [c for c in unit.corridors if not {f"group:{name}", *rest} & set(c.participants)]
 
         def is_clear(c: Corridor, m: str, at: Pose2) -> bool:
-            if not topple:  # who stands in a row stands close to who is hit there
-                mine = [self.shape[p] for p in c.participants if p in self.shape]
-                width = max((max(s.hx, s.hy) for s in mine), default=c.half_width_cm)
-                narrow = replace(c, half_width_cm=min(width, c.half_width_cm))
-                return not in_the_way(narrow, *at[:2], max(self.shape[m].hx, self.shape[m].hy))
-            # whoever comes must meet the one that has a start before the others
-            dx, dy = first[0] - c.points_cm[0][0], first[1] - c.points_cm[0][1]
-            return (at[0] - first[0]) * dx + (at[1] - first[1]) * dy > -1.0
+            return _met_later(c, first, at) if topple else self._beside_the_way(c, m, at)
 
         # a row may also continue to the other side; of balls and cones it may lie any way
         square = all(
@@ -412,3 +412,9 @@ class UnitBuilder:
             if mate not in self.taken:
                 unit.members.setdefault(mate, compose(pose, there))
                 self.taken[mate] = unit
+
+
+def _met_later(c: Corridor, first: Pose2, at: Pose2) -> bool:
+    """Whether who comes along a path meets the member that has a start before another."""
+    dx, dy = first[0] - c.points_cm[0][0], first[1] - c.points_cm[0][1]
+    return (at[0] - first[0]) * dx + (at[1] - first[1]) * dy > -1.0

@@ -171,6 +171,20 @@ def _mass(m: Any, part: Part) -> float:
     return float(sum(m.body_mass[b] for b in part.bodies))
 
 
+def _shown(m: Any, geoms: list[int], solid: list[int], urdf: bool) -> list[int]:
+    """Which shapes are drawn.
+
+    A viewer shows groups 0 to 2; of a URDF's link its visuals, else what touches.
+    """
+    seen = {int(m.geom_bodyid[g]) for g in geoms if g not in solid}
+    shown = [
+        g
+        for g in geoms
+        if (g not in solid or m.geom_bodyid[g] not in seen if urdf else m.geom_group[g] <= 2)
+    ]
+    return [g for g in shown if _color(m, g)[3] > 0.0]
+
+
 def _shape(m: Any, d: Any, part: Part, urdf: bool) -> Iterator[str]:
     """Measures and draws a part."""
     geoms = [g for g in _geoms(m, part) if m.geom_type[g] != _PLANE]
@@ -187,14 +201,7 @@ def _shape(m: Any, d: Any, part: Part, urdf: bool) -> Iterator[str]:
         told = f"{_thinnest(m, tiny[0]):g} m; a shape is at least {_TINY_M:g} m thick"
         yield f"part {part.name!r}: a shape measures {told}"
         return
-    # A viewer shows groups 0 to 2; of a URDF's link its visuals, else what touches.
-    seen = {int(m.geom_bodyid[g]) for g in geoms if g not in solid}
-    shown = [
-        g
-        for g in geoms
-        if (g not in solid or m.geom_bodyid[g] not in seen if urdf else m.geom_group[g] <= 2)
-    ]
-    shown = [g for g in shown if _color(m, g)[3] > 0.0] or solid or geoms
+    shown = _shown(m, geoms, solid, urdf) or solid or geoms
     solid = solid or shown
     drawn = {g: _placed(m, d, g) for g in {*solid, *shown}}
     corners = np.concatenate([mesh.vertices for mesh in drawn.values()])

@@ -46,8 +46,7 @@ _WAYS = frozenset({"stairs", "ramp"})
 _IN_A_ROW = lex.ORDINALS.keys() | {"last", "final", "front", "rear", "middle"}
 MATE = "@mate"
 """Adjective of one of the kind of what it is told to be beside ("the one next to it")."""
-_GROWN_UP = frozenset({"person", "he", "she", "man", "woman"})
-"""Persons for whom "it" is no word; a child is one."""
+_GROWN_UP = lex.word_set("grown up")
 
 
 def pronoun(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
@@ -143,15 +142,22 @@ def _others(world: World, m: Mention, avoid: list[str]) -> list[str]:
         return rest[: m.count] if len(rest) >= (m.count or 0) and not m.after_prep else []
     if m.pronoun != "ones" or "other" not in m.adjectives:
         return []
-    for ids in [avoid, *reversed(world.salience)] if avoid else reversed(world.salience):
-        group = world.groups.get(world.entities[ids[0]].group or "", [])
-        rest = [i for i in group if i not in ids and not world.entities[i].place]
-        if rest and (m.count or len(rest)) == len(rest):
-            return rest
+    if rest := _rest_of_a_plural(world, m.count, avoid):
+        return rest
     like = [world.entities[i] for i in avoid[:1] if is_solid(world, i)]
     alone = [e for e in reversed(_told(world)) if e.noun.kind != "person" and not world.groups]
     like = like or alone  # "leaving the other two where they are"
     return one_more(world, like[0], [], m, m.count) if like and m.count else []
+
+
+def _rest_of_a_plural(world: World, count: int | None, avoid: list[str]) -> list[str]:
+    """The members not told of, as many as are counted, of the plural told of last."""
+    for ids in [avoid, *reversed(world.salience)] if avoid else reversed(world.salience):
+        group = world.groups.get(world.entities[ids[0]].group or "", [])
+        rest = [i for i in group if i not in ids and not world.entities[i].place]
+        if rest and (count or len(rest)) == len(rest):
+            return rest
+    return []
 
 
 def _several(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
@@ -159,11 +165,7 @@ def _several(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     p = m.pronoun
     keep = m.count if m.count in (1, 2, 3) and p in ("them", "these", "those") else None
     keep = m.count if p == "ones" and not m.adjectives else keep  # "eleven run out"
-    named = [i for ids in reversed(world.salience) for i in ids if is_solid(world, i)]
-    named = [i for i in named if world.entities[i].noun.kind not in _WAYS or not subject]
-    if not subject and p in ("them", "both") and m.after_prep in _PLACES:
-        # "a clock above a frame, with a lamp to the right of both": not of itself
-        named = [i for i in named if i not in avoid] or named
+    named = _told_last(world, m, subject, avoid)
     if two := _two_subjects(world, p, named) if subject else []:
         return two
     if two := _two_acted_on(world, m, avoid) if not subject else []:
@@ -179,6 +181,16 @@ def _several(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     recent = list(dict.fromkeys(named))
     alike = [i for i in recent if _alike(world, world.entities[i], recent[0])]
     return (alike if p == "both" and len(alike) > 1 else recent)[:2][::-1]
+
+
+def _told_last(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
+    """Things that "they" can mean, the one named last first."""
+    named = [i for ids in reversed(world.salience) for i in ids if is_solid(world, i)]
+    named = [i for i in named if world.entities[i].noun.kind not in _WAYS or not subject]
+    if not subject and m.pronoun in ("them", "both") and m.after_prep in _PLACES:
+        # "a clock above a frame, with a lamp to the right of both": not of itself
+        return [i for i in named if i not in avoid] or named
+    return named
 
 
 def _two_subjects(world: World, p: str, named: list[str]) -> list[str]:
@@ -230,10 +242,8 @@ def _thing(world: World, subject: bool, avoid: list[str]) -> list[str]:
 
 def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
     """ "the other one", "the second", "the red one", "the next": a member, or one thing more."""
-    if NEIGHBOUR in m.adjectives and (beside := _beside(world, m, avoid)):
+    if beside := _next_to(world, m, avoid):
         return beside
-    if MATE in m.adjectives and (mate := _mate(world, m, avoid)):
-        return mate
     solid = _solids(world)
     row = [world.entities[i] for i in (_of_the_subject(world, m, subject) or last_group(world))]
     told = _told(world)
@@ -241,27 +251,53 @@ def one_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     among = _of_one_kind(world, solid, avoid) or row or solid
     if not place_word(m) and (having := told_by(world, m, avoid)):
         return having[:1]
-    if found := ranked(world, m, row or near, avoid) or at_place(world, m, among):
+    if found := _in_its_place(world, m, row or near, among, avoid):
         return found
-    if facing := _facing(world, m, solid):
-        return facing
     words = [a for a in m.adjectives if _tells(a)]
-    if having := [e for e in solid if _has(e, words) or same_quantity(m, e, world.facts)]:
-        return [max(having, key=lambda e: (e.id not in avoid, solid.index(e))).id]
+    if having := _having(world, m, solid, words, avoid):
+        return having
     if row and "next" in m.adjectives:
         return next_of(world, row, avoid)
     other = bool({"another", "other"} & {m.pronoun, m.determiner, *m.adjectives})
-    if other and m.determiner == "the" and (second := _second_of_two(world, row, avoid)):
+    if other and m.determiner == "the" and (second := _the_other(world, row, words, avoid)):
         return second
-    if other and m.determiner == "the" and not words and (second := other_of_two(world, avoid)):
-        return second
-    if other and m.determiner == "the" and not words and (two := _of_two_alike(world, avoid)):
-        return two
     if row and (found := _of_row(world, row, words, told if other else [], avoid)):
         return found
     if words or other or "next" in m.adjectives:
         return _one_more_like(world, m, words, subject, avoid)
     return [e.id for e in near][-1:]
+
+
+def _next_to(world: World, m: Mention, avoid: list[str]) -> list[str]:
+    """ "The one in front", "the one next to it": what is told by what it is beside."""
+    if NEIGHBOUR in m.adjectives and (beside := _beside(world, m, avoid)):
+        return beside
+    return _mate(world, m, avoid) if MATE in m.adjectives else []
+
+
+def _in_its_place(
+    world: World, m: Mention, row: list[Entity], among: list[Entity], avoid: list[str]
+) -> list[str]:
+    """ "The second", "the one on the left", "the right one": by rank, by place, or facing."""
+    found = ranked(world, m, row, avoid) or at_place(world, m, among)
+    return found or _facing(world, m, _solids(world))
+
+
+def _having(
+    world: World, m: Mention, solid: list[Entity], words: list[str], avoid: list[str]
+) -> list[str]:
+    """ "The red one", "the 5 kg one": what has that, rather something not told of just now."""
+    having = [e for e in solid if _has(e, words) or same_quantity(m, e, world.facts)]
+    if not having:
+        return []
+    return [max(having, key=lambda e: (e.id not in avoid, solid.index(e))).id]
+
+
+def _the_other(world: World, row: list[Entity], words: list[str], avoid: list[str]) -> list[str]:
+    """ "The other one" of two: of a plural, by what is told of both, or of two of a kind."""
+    if second := _second_of_two(world, row, avoid):
+        return second
+    return [] if words else other_of_two(world, avoid) or _of_two_alike(world, avoid)
 
 
 def _of_two_alike(world: World, avoid: list[str]) -> list[str]:

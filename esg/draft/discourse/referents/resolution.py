@@ -85,14 +85,14 @@ def resolve(
 
 def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
     """Node ids of what a noun phrase means, without what is coordinated with it."""
-    if whole := _plural_by_name(world, m):
-        return whole
-    if whole := whole_of(world, m, subject, avoid):
-        return whole
-    if m.head in _NEIGHBOURS and m.determiner == "its" and (mate := beside(world, avoid)):
-        return mate
-    if of_glass := made_of(world, m):
-        return of_glass
+    known = (
+        _plural_by_name(world, m)
+        or whole_of(world, m, subject, avoid)
+        or _neighbour(world, m, avoid)
+        or made_of(world, m)
+    )
+    if known:
+        return known
     if names_nothing(world, m, subject):
         m.attribute = True
         return []
@@ -104,6 +104,16 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
         found = pronoun(world, m, subject, avoid)
         enrich(world, m, found)
         return found
+    return _by_its_noun(world, m, subject, avoid)
+
+
+def _neighbour(world: World, m: Mention, avoid: list[str]) -> list[str]:
+    """ "Its neighbour": the next of its row."""
+    return beside(world, avoid) if m.head in _NEIGHBOURS and m.determiner == "its" else []
+
+
+def _by_its_noun(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
+    """What a noun names: something known, parts that are counted, or something new."""
     if m.noun is not None and "structural" in m.noun.traits:
         m.letters = []
     owner = m.possessor
@@ -114,17 +124,18 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
     found = existing(world, m, avoid)
     if subject and found and m.determiner in ("a", "an") and all_rest(world, found):
         found = []  # "two parked cars ... a car brakes": one more
-    another = OTHER & {*m.adjectives} or owner is not None
-    told = ONE_OF_THESE in m.adjectives
-    if (
-        found
-        and not told
-        and set(found) <= {*avoid}
-        and (another or world.entities[found[0]].head != m.head)
-    ):
+    if found and _itself(world, m, found, avoid):
         found = []  # "a curling stone hits the guard stone": not itself
     enrich(world, m, found)
     return found or counted_parts(world, m) or create(world, m)
+
+
+def _itself(world: World, m: Mention, found: list[str], avoid: list[str]) -> bool:
+    """Whether what is found can only be who acts, and the phrase tells of another."""
+    if ONE_OF_THESE in m.adjectives or not set(found) <= {*avoid}:
+        return False
+    another = bool(OTHER & {*m.adjectives}) or m.possessor is not None
+    return another or world.entities[found[0]].head != m.head
 
 
 def _any(owner: Mention, m: Mention) -> bool:
@@ -162,7 +173,7 @@ def _driven(world: World, owner: Mention | None) -> list[str]:
 def existing(world: World, m: Mention, avoid: list[str]) -> list[str]:
     """What a noun phrase means among the things named so far; none if it names something new."""
     single = not m.plural and m.count in (None, 1)
-    if single and not m.letters and (m.determiner in _ONE or (m.count and not m.determiner)):
+    if single and not m.letters and _one_of_them(m):
         return member_of(world, m, avoid)
     definite = m.determiner in _KNOWN or bool(m.letters)
     if not (definite or single) and _told_anew(world, m):
@@ -181,6 +192,11 @@ def existing(world: World, m: Mention, avoid: list[str]) -> list[str]:
         if found or (found is not None and definite):
             return found
     return _of_these(world, m, names, avoid, single, definite)
+
+
+def _one_of_them(m: Mention) -> bool:
+    """ "A car", "one car": one of those that were told of, or one more."""
+    return m.determiner in _ONE or bool(m.count and not m.determiner)
 
 
 def _told_anew(world: World, m: Mention) -> bool:
@@ -256,9 +272,15 @@ def _by_place(world: World, m: Mention, names: list[Entity], avoid: list[str]) -
         alike = [world.entities[i] for i in create(world, row)]
     if found := at_place(world, m, alike):
         return found
+    return [] if word and _tells_a_new_one(m, word, names) else None
+
+
+def _tells_a_new_one(m: Mention, word: str, names: list[Entity]) -> bool:
+    """ "The car behind hits it", "the third car": another one than those that are known."""
+    if word in lex.ORDINALS:
+        return True
     ahead = any(w in m.text for w in ("behind", "following", "in front"))
-    new = word in lex.ORDINALS or (ahead and all(not e.group and not e.place for e in names))
-    return [] if word and new else None  # "The car behind hits it": another one
+    return ahead and all(not e.group and not e.place for e in names)
 
 
 def _agreement(world: World, m: Mention, e: Entity, avoid: list[str]) -> tuple[bool | int, ...]:

@@ -9,7 +9,7 @@ from esg.draft.discourse.referents.record import World
 from esg.draft.text.elements import Mention
 from esg.lexicon.articulations import articulations
 
-_TURNED_BY = frozenset({"arm", "bar", "wing", "panel", "leaf", "edge", "rim"})
+_TURNED_BY = lex.word_set("turned by")
 _LINKS = lex.word_set("links")
 _BODYWORK = lex.word_set("bodywork")
 _OWN = lex.OWN_PARTS | lex.word_set("cabs")
@@ -41,10 +41,7 @@ def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     if m.possessor is not None:
         return _of_owner(world, m, m.possessor, subject and not body)
     if m.head in _BODYWORK and m.determiner in ("the", "a"):
-        cars = [e.id for e in world.entities.values() if e.noun.kind == "vehicle"]
-        if m.attribute and not cars:  # "falls on the bonnet": of a car that is not named
-            m.attribute, m.noun, m.part = False, lex.nouns()["car"], ""
-        return cars[-1:] if m.attribute else []
+        return _of_a_car(world, m)
     if body and m.determiner == "the" and m.after_prep in ("in", "on") and m.noun is None:
         last = [world.entities[i] for ids in world.salience[-2:] for i in ids]
         return [e.id for e in last if e.noun.kind in ("person", "animal")][-1:]
@@ -54,6 +51,14 @@ def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     ids = pronoun(world, Mention(m.start, m.end, pronoun=word), subject, avoid)
     person = all(world.entities[i].noun.kind == "person" for i in ids)
     return list(avoid) if ids and person and word == "it" else ids
+
+
+def _of_a_car(world: World, m: Mention) -> list[str]:
+    """ "Falls on the bonnet": of the vehicle named last, else of a car that is not named."""
+    cars = [e.id for e in world.entities.values() if e.noun.kind == "vehicle"]
+    if m.attribute and not cars:
+        m.attribute, m.noun, m.part = False, lex.nouns()["car"], ""
+    return cars[-1:] if m.attribute else []
 
 
 def made_of(world: World, m: Mention) -> list[str]:

@@ -236,9 +236,7 @@ def _jumps_away(d: Discourse, f: Frame, leaps: list[str]) -> bool:
         return False
     if said.keys() & {*_PUT_IN} and not pools:
         return False
-    if any(d.scene.supported_by.get(a) not in (None, *bottoms) for a in leaps):
-        return False
-    if any(a in d.moves.upon or (bottoms and not at_rest(d, a)) for a in leaps):
+    if not all(_can_leap(d, a, bottoms) for a in leaps):
         return False
     for actor in leaps:
         place(d, [actor], bottoms[:1], "on")
@@ -248,15 +246,27 @@ def _jumps_away(d: Discourse, f: Frame, leaps: list[str]) -> bool:
         if tops:
             _soon(d, add_hit(d, f, [actor], tops[:1], None))
             track.motion, d.moves.upon[actor] = None, tops[0]
-            continue
-        if _is_far_down(d, actor, bottoms[0]):
-            _soon(d, [add_event(d, NodeEvent.FALL, (actor,), f, None)])
-        elif not pools:
-            _soon(d, [d.timeline.trigger(actor, f"{actor} comes down")])
-        if pools:
-            enter(d, f, actor, pools[0], None)
+        else:
+            _comes_down(d, f, actor, bottoms[0], pools)
     mark_used(d, f, "jump")
     return True
+
+
+def _can_leap(d: Discourse, actor: str, bottoms: list[str]) -> bool:
+    """Whether somebody is on nothing else, and not on a way that ends elsewhere."""
+    if d.scene.supported_by.get(actor) not in (None, *bottoms):
+        return False
+    return actor not in d.moves.upon and (not bottoms or at_rest(d, actor))
+
+
+def _comes_down(d: Discourse, f: Frame, actor: str, host: str, pools: list[str]) -> None:
+    """ "Jumps off a box", "from a pier into the water": a fall, if it is high, or a landing."""
+    if _is_far_down(d, actor, host):
+        _soon(d, [add_event(d, NodeEvent.FALL, (actor,), f, None)])
+    elif not pools:
+        _soon(d, [d.timeline.trigger(actor, f"{actor} comes down")])
+    if pools:
+        enter(d, f, actor, pools[0], None)
 
 
 def _is_far_down(d: Discourse, actor: str, host: str) -> bool:

@@ -56,10 +56,7 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     note = "opens or closes"
     things = [i for i in doers if movable(d, i) and i not in moved]
     things = [i for i in things if kind_of(d, i) != "person" or walks_into(d, f, moved)]
-    for body in moved:
-        row = row_of(d, body)
-        if row is not None and (shut or row.start) and body not in d.timeline.tracks:
-            d.scene.openings.setdefault(body, (row.opened or 0.0) if shut else 0.0)
+    _ajar(d, moved, shut)
     if things and not already_hit(d, f, things, moved):
         add_hit(d, f, things[:1], moved, time_of(d, f))
     for body in moved:
@@ -75,6 +72,14 @@ def read_open(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         at = place_of(word, d.text, f) if word in f.adverbs else None
         if at is not None:
             d.scene.used[at] = note
+
+
+def _ajar(d: Discourse, bodies: list[str], shut: bool) -> None:
+    """What closes was open, and what opens was closed, where nothing is told of it before."""
+    for body in bodies:
+        row = row_of(d, body)
+        if row is not None and (shut or row.start) and body not in d.timeline.tracks:
+            d.scene.openings.setdefault(body, (row.opened or 0.0) if shut else 0.0)
 
 
 @sense("left_so")

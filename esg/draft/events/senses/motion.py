@@ -41,21 +41,18 @@ from esg.draft.events.told import at_rest, moves, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
-_HOVERING = ("float", "hover", "levitate")
+_HOVERING = lex.word_set("hovers")
 _RIDES = lex.word_set("rides")
 _ON_FOOT = lex.word_set("on foot")
-_TURNING = ("go", "move", "drive", "head", "run", "walk", "ride")
+_TURNING = lex.word_set("turns to a side")
 _LEFT_THEN_RIGHT = re.compile(
     r"\s+(?:left|right)\b,?\s+(?:and\s+|then\s+)+(?:left|right)\b", re.IGNORECASE
 )
 _BRANCHES = ("at", "into", "onto")
 """Prepositions of where a way turns off: "goes left at the lights"; else it is the way it comes."""
-_AT_A_TARGET = ("charge", "lunge", "leap", "pounce", "spring", "fly", "dive")
+_AT_A_TARGET = lex.word_set("goes at a target")
 
-_ANYHOW = frozenset(
-    {"go", "come", "move", "travel", "race", "speed", "rush", "hurtle", "run", "proceed"}
-)
-"""Verbs that do not say whether something moves by itself: what was hit "moves off at 5 m/s"."""
+_ANYHOW = lex.word_set("goes anyhow")
 
 
 @sense("own")
@@ -65,16 +62,13 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         launch_by(d, f, s, o)
         return
     actors = [a for a in _driven(d, f, s, o) if movable(d, a)]
-    if f.verb.lemma == "take" and actors and all(flies_itself(d, a) for a in actors):
+    if f.verb.lemma == "take" and _all_fly(d, actors):
         f.verb.lemma = "ascend"  # "a bird takes off"
         d.moves.flying.update(actors)
     kind = kind_of(d, actors[0]) if actors else ""
     sides = [x for x in f.adverbs if x in ("left", "right")]
-    beside = f.verb.form == "ing" or "absolute" in f.verb.extra
-    under_way = not all(at_rest(d, a) for a in actors) and not beside
-    changes = under_way or f.phrase(*_BRANCHES) is not None  # but not "follows a cat, walking left"
-    changes = changes or _LEFT_THEN_RIGHT.match(d.text, f.verb.end) is not None
-    if sides and changes and kind in SELF_POWERED and f.verb.lemma in _TURNING:
+    steered = kind in SELF_POWERED and f.verb.lemma in _TURNING
+    if sides and steered and _changes_course(d, f, actors):
         for side in sides:
             turn(d, f, actors, side, 90.0)
         return
@@ -84,13 +78,29 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         d.moves.flying.update(actors)
         motion(d, f, actors, "own")
         return
-    if f.verb.lemma in _HOVERING and actors and all(flies_itself(d, a) for a in actors):
+    if f.verb.lemma in _HOVERING and _all_fly(d, actors):
         _hovers(d, f, actors)
         return
     by_itself = kind in SELF_POWERED and f.verb.lemma not in _ANYHOW
     motion(d, f, actors, "own" if by_itself or afoot else None)
     if f.verb.lemma in _AT_A_TARGET:
         aim_at(d, f, actors, next(iter(target_of(d, f, actors)), None))
+
+
+def _all_fly(d: Discourse, actors: list[str]) -> bool:
+    """Whether there are some that go, and all fly by themselves."""
+    return bool(actors) and all(flies_itself(d, a) for a in actors)
+
+
+def _changes_course(d: Discourse, f: Frame, actors: list[str]) -> bool:
+    """ "Goes left at the lights", "drives left then right", and what is under way already.
+
+    But not "follows a cat, walking left": that is the way it comes.
+    """
+    beside = f.verb.form == "ing" or "absolute" in f.verb.extra
+    under_way = not all(at_rest(d, a) for a in actors) and not beside
+    branches = under_way or f.phrase(*_BRANCHES) is not None
+    return branches or _LEFT_THEN_RIGHT.match(d.text, f.verb.end) is not None
 
 
 def _sets_going(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:

@@ -45,7 +45,7 @@ from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.grammar.rewrites.shares import dealt
 from esg.draft.text.elements import Mention
 from esg.draft.text.quantities import Amount
-from esg.graph.models import NodeEvent
+from esg.graph.models import NodeEvent, Quantity
 
 _WAITING = lex.word_set("waiting")
 _STILL = re.compile(
@@ -106,12 +106,7 @@ def _beside_others(d: Discourse, owned: Mention, owners: list[str], p: Phrase, m
     others = m.entities or ids_of(d, m, avoid=owners)
     loose = [o for o in others if o not in d.scene.supported_by and o not in owners]
     if p.prep == "of":
-        # "the deck of a ship": that has it, and does not stand on it
-        loose = [o for o in loose if kind_of(d, o) not in _HAS_A_DECK]
-        if owners and holds(d, owners[0]):  # "a cart of laundry"
-            place(d, [o for o in loose if movable(d, o)], owners[:1], "in")
-        elif owners and ("support" in traits_of(d, owners[0]) or kind_of(d, owners[0]) == "cart"):
-            place(d, [o for o in loose if movable(d, o)], owners[:1], "on")
+        _carried_by_its_owner(d, owners, loose)
     elif p.prep == "with" and not is_tool(d, owned, p):
         # "a table with bottles on it": the on-phrase places them; else they rest on a support
         attachment_with(d, owners, [o for o in loose if not _placed_apart(d, o, p)])
@@ -128,6 +123,17 @@ def _beside_others(d: Discourse, owned: Mention, owners: list[str], p: Phrase, m
         place(d, owners, others, p.prep, m.part)
         if m.pronoun in ("both", "them") and p.prep in _APART and len(others) == 2:
             place(d, owners, others[1:], p.prep, m.part)  # "to the right of both"
+
+
+def _carried_by_its_owner(d: Discourse, owners: list[str], things: list[str]) -> None:
+    """ "A cart of laundry", "a table of cakes"; but "the deck of a ship" carries no ship."""
+    if not owners:
+        return
+    held = [i for i in things if kind_of(d, i) not in _HAS_A_DECK and movable(d, i)]
+    if holds(d, owners[0]):
+        place(d, held, owners[:1], "in")
+    elif "support" in traits_of(d, owners[0]) or kind_of(d, owners[0]) == "cart":
+        place(d, held, owners[:1], "on")
 
 
 def _one_each(d: Discourse, owners: list[str], others: list[str], m: Mention) -> bool:
@@ -392,17 +398,11 @@ def _place_by(d: Discourse, f: Frame, bodies: list[str], p: Phrase, gap: Amount 
     elif f.verb.lemma in _HANGING and p.prep in _HUNG_BY and _hangs(d, bodies, others):
         return
     elif p.prep == "with" and f.verb.lemma in _FILLING:
-        loaded = f.verb.lemma == "load" and bodies and kind_of(d, bodies[0]) in SELF_POWERED
-        if loaded:
-            place(d, others, bodies[:1], "on")  # "a truck loaded with barrels"
-        else:
-            attachment_with(d, bodies, others)
+        _filled(d, f, bodies, others)
     elif f.verb.lemma in _LEANING and p.prep in _BESIDE and others and _leans(d, others[0]):
         _lean(d, bodies, others)
     elif p.prep in RELATION_PREPS:
-        apart = gap is not None and bodies and p.prep not in ("on", "in", "inside")
-        mark_used(d, gap if apart else None, "distance")
-        fixed = gap.value if gap is not None and apart else None
+        fixed = _distance(d, gap) if bodies and p.prep not in ("on", "in", "inside") else None
         place(d, bodies, others, p.prep, p.mention.part, fixed)
     elif p.prep in ("from", "away from") and gap is not None and others and bodies:
         for t in bodies:
@@ -489,3 +489,17 @@ def read_start(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     later = {i for g in d.told[at + 1 :] if g.subject for i in g.subject.entities}
     if driven and not o and not f.phrases and not later & {*driven}:
         motion(d, f, driven, None)  # "The light turns green and the van starts"
+
+
+def _filled(d: Discourse, f: Frame, bodies: list[str], others: list[str]) -> None:
+    """ "A truck loaded with barrels" has them on it, "a cart filled with apples" as it can."""
+    if f.verb.lemma == "load" and bodies and kind_of(d, bodies[0]) in SELF_POWERED:
+        place(d, others, bodies[:1], "on")
+    else:
+        attachment_with(d, bodies, others)
+
+
+def _distance(d: Discourse, gap: Amount | None) -> Quantity | None:
+    """How far things are said to be from others; it is used from now on."""
+    mark_used(d, gap, "distance")
+    return gap.value if gap is not None else None

@@ -63,24 +63,35 @@ def read_turn(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         ignore(d, f, "a part turns, not the whole")
         return
     side = _side(d, f)
-    wheels = s and not o and not any(kind_of(d, a) in SELF_POWERED for a in s)
-    placed = all(p.prep in _IN_PLACE for p in f.phrases) and not {*f.adverbs} & _COURSES
-    if wheels and all(at_rest(d, a) for a in s) and placed and not f.verb.extra:
+    if s and not o and _turns_where_it_is(d, f, s):
         read_as(d, "spin", f, s, o)  # "a fan turns", "a disc turns on a table"
         return
-    degrees = 180.0 if f.verb.extra.get("dir") in ("u", "around", "back") else 90.0
     angles = [a for _, a in amounts_of(d, f) if a.dimension == "angle"]
-    if angles:
-        degrees = _degrees(d, angles[0])
-    for a in find_amounts(d.text[f.verb.start : f.verb.end]):
-        degrees = max(1.0, min(720.0, abs(a.middle)))  # "makes a 60-degree turn"
-        d.scene.used[(f.verb.start + a.start, f.verb.start + a.end)] = "turn angle"
+    degrees = _first_turn(d, f, angles)
     actors = s or o or [a for a, t in d.timeline.tracks.items() if t.motion is not None][-1:]
     turn(d, f, actors, side, degrees)
     sides = [*f.adverbs, *(p.mention.head for p in f.phrases if p.mention is not None)]
     for k, side in enumerate([x for x in sides if x in ("left", "right")][1:], 1):
         degrees = _degrees(d, angles[k]) if k < len(angles) else degrees
         turn(d, f, actors, side, degrees)
+
+
+def _turns_where_it_is(d: Discourse, f: Frame, bodies: list[str]) -> bool:
+    """Whether what goes nowhere by itself is only told to turn, and to no side."""
+    wheels = not any(kind_of(d, a) in SELF_POWERED for a in bodies)
+    placed = all(p.prep in _IN_PLACE for p in f.phrases) and not {*f.adverbs} & _COURSES
+    return wheels and all(at_rest(d, a) for a in bodies) and placed and not f.verb.extra
+
+
+def _first_turn(d: Discourse, f: Frame, angles: list[Amount]) -> float:
+    """How far the first of the turns of a clause goes [degrees]: as stated, else as usual."""
+    degrees = 180.0 if f.verb.extra.get("dir") in ("u", "around", "back") else 90.0
+    if angles:
+        degrees = _degrees(d, angles[0])
+    for a in find_amounts(d.text[f.verb.start : f.verb.end]):
+        degrees = max(1.0, min(720.0, abs(a.middle)))  # "makes a 60-degree turn"
+        d.scene.used[(f.verb.start + a.start, f.verb.start + a.end)] = "turn angle"
+    return degrees
 
 
 def turn(d: Discourse, f: Frame, actors: list[str], direction: str, degrees: float) -> None:

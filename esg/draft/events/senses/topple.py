@@ -86,11 +86,8 @@ def read_give(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 @sense("topple")
 def read_topple(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """Falls over by itself, or because of what knocks it over."""
-    if f.phrase("off", "out of") is not None and not o and s and not f.verb.passive:
-        read_as(d, "fall", f, s, o)  # "a pallet tips off a forklift"
-        return
-    if s and not o and f.verb.lemma == "drop" and all("round" in traits_of(d, i) for i in s):
-        read_as(d, "fall", f, s, o)  # "the ball drops on her side": of the net
+    if s and not o and _only_falls(d, f, s):
+        read_as(d, "fall", f, s, o)
         return
     set_free(d, o or s)
     s, o = _knocker(d, f, s, o)
@@ -107,15 +104,28 @@ def read_topple(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         if not movable(d, b) or (len(s) > 1 and happened(d, NodeEvent.TOPPLE, b)):
             continue  # "a bike falls over, and all the bikes fall over": once
         struck_before(d, f, b)
-        b = b if o or b in d.timeline.tracks else _collapsing(d, b)
-        if not o and at_rest(d, b):
-            passed_on(d, f, b)
-        if at_rest(d, b):
-            if not o and fits_on(d, b, next(iter(things(f.phrase("on"))), b)):
-                moves_on_it(d, f, [b])  # "falls flat on the table"
-            start_motion(d, f, [b], "slide")
-        add_event(d, NodeEvent.TOPPLE, (b,), f, time_of(d, f))
+        _goes_over(d, f, b, by_itself=not o)
     knock_on(d, f, bodies)
+
+
+def _only_falls(d: Discourse, f: Frame, bodies: list[str]) -> bool:
+    """ "A pallet tips off a forklift", "the ball drops on her side": it does not fall over."""
+    if f.phrase("off", "out of") is not None and not f.verb.passive:
+        return True
+    return f.verb.lemma == "drop" and all("round" in traits_of(d, i) for i in bodies)
+
+
+def _goes_over(d: Discourse, f: Frame, body: str, *, by_itself: bool) -> None:
+    """A thing falls over: hit, passed on to, or set in motion for it."""
+    if by_itself and body not in d.timeline.tracks:
+        body = _collapsing(d, body)
+    if by_itself and at_rest(d, body):
+        passed_on(d, f, body)
+    if at_rest(d, body):
+        if by_itself and fits_on(d, body, next(iter(things(f.phrase("on"))), body)):
+            moves_on_it(d, f, [body])  # "falls flat on the table"
+        start_motion(d, f, [body], "slide")
+    add_event(d, NodeEvent.TOPPLE, (body,), f, time_of(d, f))
 
 
 def _one_after_another(d: Discourse, f: Frame, movers: list[str], felled: list[str]) -> bool:

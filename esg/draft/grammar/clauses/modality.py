@@ -85,43 +85,69 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
     """
     told = sorted(frames, key=lambda f: f.verb.start)
     for k, f in enumerate(told):
-        seen = f.subject is not None and f.subject.head in ("camera", "viewer", "video", "shot")
-        if seen and f.subject is not None and _films(f, text):
-            f.subject.attribute, f.unreal = True, "how it is filmed"
+        if reason := _of_what_is_seen(f, text):
+            f.unreal = reason
             continue
-        if f.subject is not None and f.subject.attribute and f.subject.head in _CAST:
-            f.unreal = "light and weather are not simulated"
-            continue  # "its shadow moves across the roofs": it does not
         earlier = [g for g in told[:k] if g.sentence == f.sentence]
         later = [g for g in told[k + 1 :] if g.sentence == f.sentence]
         true = _comes_true(f, told[k + 1 : k + 2], text)
         reason = "" if true else _reason(f, earlier, later, text)
         if reason:
             f.unreal = reason
-        met = [p.mention for p in f.phrases if p.prep in ("into", "against")]
-        met = [f.object, *met] if f.verb.sense in _TOUCHES else []
-        none = (f.subject if not f.relative else None, *met)
-        if any(m is not None and _none_of(text, m.start) for m in none):
+        if _denied(f, text):
             f.verb.negated = True
         if f.verb.sense == "stop" and _STOPS_DOING.match(text, f.verb.end):
             f.unreal = "it stops doing something, not moving"
-        if _NEVER.search(text, max(0, f.verb.start - 60), f.verb.start):
-            f.verb.negated = True
         if true:
             f.link = "then"
             continue
-        close = NEAR.search(text, max(0, f.verb.start - 24), f.verb.start)
-        if close or _IN_GROUP.search(text, f.verb.start, f.verb.end):
+        if _almost(f, text):
             if f.verb.sense == "hit":
                 f.verb.negated = True
             elif f.verb.sense in _EVENTS and f.verb.sense != "miss":
                 f.unreal = "almost: it does not happen"
-        if f.subject is not None and (
-            f.subject.head in ("nothing", "nobody") or _NO_ONE.search(text, 0, f.subject.end)
-        ):
-            f.unreal = "nothing does it"
-        if f.subject is None and _NOBODY.search(text, max(0, f.verb.start - 12), f.verb.start):
-            f.unreal = "nobody does it"
+        if reason := _by_none(f, text):
+            f.unreal = reason
+
+
+def _of_what_is_seen(f: Frame, text: str) -> str:
+    """Why a frame is only about the look of the scene; "" if it is not.
+
+    What is filmed with names nothing there, and "its shadow moves across the roofs" moves nothing.
+    """
+    m = f.subject
+    if m is None:
+        return ""
+    if m.head in ("camera", "viewer", "video", "shot") and _films(f, text):
+        m.attribute = True
+        return "how it is filmed"
+    return "light and weather are not simulated" if m.attribute and m.head in _CAST else ""
+
+
+def _denied(f: Frame, text: str) -> bool:
+    """ "None of the pins falls", "hits none of them", "never stops"."""
+    met = [p.mention for p in f.phrases if p.prep in ("into", "against")]
+    met = [f.object, *met] if f.verb.sense in _TOUCHES else []
+    none = (f.subject if not f.relative else None, *met)
+    if any(m is not None and _none_of(text, m.start) for m in none):
+        return True
+    return _NEVER.search(text, max(0, f.verb.start - 60), f.verb.start) is not None
+
+
+def _almost(f: Frame, text: str) -> bool:
+    """ "Almost hits the wall", "very nearly falls"."""
+    close = NEAR.search(text, max(0, f.verb.start - 24), f.verb.start)
+    return bool(close or _IN_GROUP.search(text, f.verb.start, f.verb.end))
+
+
+def _by_none(f: Frame, text: str) -> str:
+    """Why what nothing and nobody does is not asserted; "" for other subjects."""
+    m = f.subject
+    if m is None:
+        nobody = _NOBODY.search(text, max(0, f.verb.start - 12), f.verb.start)
+        return "nobody does it" if nobody else ""
+    none = m.head in ("nothing", "nobody") or _NO_ONE.search(text, 0, m.end)
+    return "nothing does it" if none else ""
 
 
 @dataclass(frozen=True)

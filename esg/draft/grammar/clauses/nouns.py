@@ -94,7 +94,7 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
         assert s.last is not None
         s.last.coordinated.append(m)
         s.boundary = False
-    elif s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose"):
+    elif _opens_a_relative_clause(s):
         _subject_of_relative(s, m)
     elif m.after_prep:
         _part_of_a_phrase(c, s, m, i)
@@ -110,6 +110,11 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
     else:
         _object(s.frame, m)
         s.last, s.last_after_prep = m, False
+
+
+def _opens_a_relative_clause(s: State) -> bool:
+    """Whether a relative pronoun stands right before."""
+    return s.relative is not None and s.boundary and s.boundary_kind in ("rel", "whose")
 
 
 def _part_going(c: Clauses, m: Mention, i: int) -> bool:

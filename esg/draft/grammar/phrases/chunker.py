@@ -401,9 +401,8 @@ def _clause_follows(c: Chunks, i: int) -> bool:
         if j in aside:
             continue
         t = c.tokens[j]
-        going = any(r.form in ("ing", "pp") for r in verb_readings(low_at(c, j + 1)))
-        if t.text == "," and going and any(x.text == "," for x in c.tokens[j + 1 : j + 8]):
-            return True  # "when the truck, going 10 m/s, brakes"
+        if t.text == "," and _participle_between(c, j):
+            return True
         if t.kind == "punct" and t.text in ".;,!?":
             return False
         if t.low in ("and", "but", "or", "then") and j > i + 1 and _goes_on(c, j + 1):
@@ -417,6 +416,12 @@ def _clause_follows(c: Chunks, i: int) -> bool:
                 return any(r.form == "ing" for r in readings)
             return not (low_at(c, i) == "as" and j == i + 1)
     return False
+
+
+def _participle_between(c: Chunks, j: int) -> bool:
+    """ "When the truck, going 10 m/s, brakes": what stands between two commas from token j on."""
+    going = any(r.form in ("ing", "pp") for r in verb_readings(low_at(c, j + 1)))
+    return going and any(x.text == "," for x in c.tokens[j + 1 : j + 8])
 
 
 def _aside_after(c: Chunks, i: int) -> range:

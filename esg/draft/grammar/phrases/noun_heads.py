@@ -268,27 +268,32 @@ def _made_of(c: Chunks, j: int, m: Mention) -> int:
     return j
 
 
+def _on_top(c: Chunks, j: int) -> int:
+    """How many tokens say "on top (of the stack)"; 0 for a top of anything else."""
+    words = 2 if low_at(c, j + 1) == "top" else 3 if low_at(c, j + 2) == "top" else 0
+    if not words or low_at(c, j) not in ("on", "at") or low_at(c, j + 1) not in ("top", "the"):
+        return 0
+    after = low_at(c, j + words)
+    of_all = after != "of" or low_at(c, j + words + 2) in _STACKS
+    return words if of_all and after != "speed" else 0
+
+
 def _stands(c: Chunks, j: int, m: Mention, plural: bool) -> int:
     """ "the car behind", "the one in front of it", "the crate on top of the stack"."""
     if m.noun is not None and "structural" in m.noun.traits:
         return j  # "crosses the road in front of it": there is no other road
     low, the = low_at(c, j), m.determiner == "the"
     new = m.determiner in ("a", "an") and low == "behind"  # "a couch behind him": a place
-    flat = m.noun is not None and "structural" in m.noun.traits  # "crosses the road in front of it"
     if low in ("behind", "following") and low_at(c, j + 1) in _THEM and not new:
         m.adjectives.append("rear")
         j += 2
     elif low == "behind" and the and _ends_or_acts(c, j + 1):
         m.adjectives += ["rear", *_absolute(c, j + 1, m)]
         j += 1
-    elif (low, low_at(c, j + 1)) == ("in", "front") and the and _of_it(c, j + 2) and not flat:
+    elif (low, low_at(c, j + 1)) == ("in", "front") and the and _of_it(c, j + 2):
         j += 4 if low_at(c, j + 2) == "of" else 2
         m.adjectives += ["front", *_absolute(c, j, m)]
-    on_top = 2 if low_at(c, j + 1) == "top" else 3 if low_at(c, j + 2) == "top" else 0
-    top = on_top and low_at(c, j) in ("on", "at") and low_at(c, j + 1) in ("top", "the")
-    top = top and low_at(c, j + on_top) != "speed"
-    of_all = low_at(c, j + on_top) != "of" or low_at(c, j + on_top + 2) in _STACKS
-    if top and the and not plural and of_all:
+    if the and not plural and (on_top := _on_top(c, j)):
         m.adjectives.append("top")
         j += on_top
     level = set(m.adjectives) & lex.STACKED.keys() and low_at(c, j) == "of"
@@ -528,6 +533,14 @@ def _lies_on(c: Chunks) -> bool:
     return isinstance(before, Word) and before.low in ("on", "onto", "across", "along", "over")
 
 
+def _is_a_noun(c: Chunks, p: Place, m: Mention, word: str) -> bool:
+    """Whether what stands as the last adjective is none: unknown, or a material ("a cloth")."""
+    if word.startswith("@"):
+        return False
+    cloth = m.determiner in ("a", "an") and word in lex.MATERIALS and not no_things().get(word)
+    return (cloth and c.tokens[p.at - 1].tag == "NOUN") or not known_adjective(word)
+
+
 def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
     """ "the other", "the second", "the black", "the last two", "the first of two barrels"."""
     if not m.adjectives or not (m.determiner or bare_color(c, p.first, p.at, m)):
@@ -542,9 +555,7 @@ def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
         m.attribute = names_no_thing(p.low)
         m.head, m.known = p.low, m.attribute
         return Head(p.at + 1)
-    cloth = m.determiner in ("a", "an") and last in lex.MATERIALS and not no_things().get(last)
-    cloth = cloth and c.tokens[p.at - 1].tag == "NOUN"  # "with a cloth"
-    if (cloth or not known_adjective(last)) and not last.startswith("@"):
+    if _is_a_noun(c, p, m, last):
         m.adjectives.pop()  # the tagger took an unknown noun for an adjective
         m.head, m.plural = lex.singular(last)
         m.known = False

@@ -13,7 +13,7 @@ from esg.draft.grammar.rewrites.conditions import STOPS, is_prep, is_word, kind_
 from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
 
 _FOLLOWED = frozenset({"follow", "accompany"})
-_CHASED = frozenset({"chase", "pursue", "tail", "trail"})
+_CHASED = lex.word_set("chased")
 _SENT = frozenset({"drop", "launch", "posture", "pocket", "carry", "pick", "roll", "slide"})
 """Senses of which the object goes somewhere."""
 _MOVES = frozenset({"own", "noop", "tow"})
@@ -171,17 +171,22 @@ def _alike(m: Mention, other: Mention | None) -> bool:
     return same or m.head == other.head
 
 
+def _asserts(verb: Verb, told: list[Element]) -> bool:
+    """Whether a clause ends with a verb that says what happens; so does a caption's participle."""
+    if verb.infinitive or verb.negated:
+        return False
+    finite = any(isinstance(e, Verb) and e.form != "ing" for e in told)
+    return verb.form != "ing" or not finite  # "A horse trotting around a ring": a caption
+
+
 def _before(out: list[Element]) -> _Clause | None:
     """The clause that has just been told; None at the start of a sentence."""
     begin = next((k for k in range(len(out), 0, -1) if is_word(out[k - 1], *STOPS)), 0)
     told = out[begin:]
     k = next((k for k in reversed(range(len(told))) if isinstance(told[k], Verb)), -1)
     verb = element_at(told, k) if k >= 0 else None
-    if not isinstance(verb, Verb) or verb.infinitive or verb.negated:
+    if not isinstance(verb, Verb) or not _asserts(verb, told):
         return None
-    finite = any(isinstance(e, Verb) and e.form != "ing" for e in told)
-    if verb.form == "ing" and finite:
-        return None  # "A horse trotting around a ring": a caption
     after, before = told[k + 1 :], told[:k]
     named = [n for n, e in enumerate(after) if isinstance(e, Mention)]
     free = [n for n in named if not n or not is_prep(after[n - 1])]
