@@ -111,15 +111,6 @@ _CASES = {
     ),
     things.TWO_NAMES: (
         (
-            "In the middle of a table a tall candle burns between two brass candlesticks that are empty.",
-            "two brass candlesticks",
-        ),
-        (
-            "Two cars meet in a narrow street with parked cars on both sides. The green one reverses into a"
-            " gap to let the other one through.",
-            "parked cars",
-        ),
-        (
             "A rapid-fire shootout in a crowded hospital emergency ward, with medical staff and patients"
             " caught in the crossfire as rival gangs clash amidst stretchers and medical equipment.",
             "patients",
@@ -140,25 +131,16 @@ _CASES = {
     things.IN_ITS_PART: (
         ("put the wine bottle in the bottom drawer of the cabinet", "drawer of the cabinet"),
         (
-            "put the butter at the front in the top drawer of the cabinet and close it",
-            "drawer of the cabinet",
-        ),
-        (
             "The bricklayer drops a brick from the scaffold; it hits the wheelbarrow of the apprentice.",
             "wheelbarrow of the apprentice",
         ),
     ),
     things.TWO_PLACES: (
         (
-            "A green suitcase lies under a table, and on top of the table there is a red hat.",
-            "A green suitcase",
-        ),
-        (
             "A broom stands propped against a kitchen shelf with a row of jars on it. The shelf is nudged,"
             " the broom slides sideways along it and clatters onto the tile floor.",
             "A broom",
         ),
-        ("A basket lies under a bench, and on the bench there is a cat.", "A basket"),
     ),
     things.NO_PLACE: (
         (
@@ -171,13 +153,11 @@ _CASES = {
         ),
     ),
     things.NO_PART: (
-        ("Put the blue cube in the bin, then the red cube. Leave the green one.", "the red cube"),
         (
             "First the robot set the red cube on the blue cube, and then the green cube on the red one. As"
             " it drove away, it bumped into the table leg and the tower fell.",
             "the green cube",
         ),
-        ("A robot places a bolt into a tray, then a nut, and closes the lid.", "a nut"),
     ),
     things.OTHER_NUMBER: (
         (
@@ -274,16 +254,6 @@ _CASES = {
     courses.NO_RACE: (
         (
             "A metal sphere and a wooden cube go down the same ramp, and the sphere gets to the bottom first.",
-            "first",
-        ),
-        (
-            "A metal ring, a rubber ball and a wooden cube are lined up at the top of an incline and released"
-            " together. The ball reaches the bottom first, followed by the ring, while the cube does not move"
-            " at all.",
-            "first",
-        ),
-        (
-            "A red car and a blue car start side by side; the blue one reaches the flag first.",
             "first",
         ),
     ),
@@ -423,8 +393,11 @@ def test_reads_who_does_what_to_whom(
 
 def test_counts_what_a_question_finds_by_verdict(capsys: pytest.CaptureFixture[str]) -> None:
     """List each finding once, and captions by their newest verdict."""
-    found = second_reading.ask("Put the blue cube in the bin, then the red cube.", "other")
-    assert [(f.question, f.words) for f in found] == [("no part", "the red cube")]
+    told = (
+        "First the robot set the red cube on the blue cube, and then the green cube on the red one."
+    )
+    found = second_reading.ask(f"{told} As it drove away, it bumped into the table leg.", "other")
+    assert [(f.question, f.words) for f in found] == [("no part", "the green cube")]
     verdicts = dict(second_reading.captions(["read11.tsv"])).values()
     assert len(verdicts) == 48 and set(verdicts) == set(second_reading.CLASSES)
     with pytest.raises(SystemExit):

@@ -70,11 +70,11 @@ def test_an_unseen_kick_is_none() -> None:
 
 
 def test_the_way_of_what_is_kicked_is_still_asked_for() -> None:
-    """Own up to the wall, too."""
-    assert owned(draft("A child kicks a ball over the garden wall.")) == [
-        "kicks",
-        "over the garden wall",
-    ]
+    """State the way over the wall, which is measured."""
+    doc = draft("A child kicks a ball over the garden wall.")
+    assert owned(doc) == ["kicks"]
+    over = [s for s in doc.statements or () if s.direction == "across"]
+    assert [(s.object, s.target) for s in over] == [(("ball_1",), ("wall_1",))]
 
 
 def test_a_second_leap_is_asked_for_its_own() -> None:

@@ -21,6 +21,8 @@ _LED_BY = {e.value: m.value for e, m in LEADS_TO.items()} | _ALONG_JOINTS
 _ON_GROUND = {NodeEvent.BOUNCE.value, NodeEvent.PLACED.value}
 """Events of two that happen on the ground where no other place is told."""
 _ONE = {e.value for e in SINGLES}
+_TAKES = {"elevation_deg": frozenset({EdgeEvent.TOWARD})}
+"""Narrower than the rules: a model gives a car that drives up a ramp an elevation, and it flew."""
 _GUIDED_TO = {e.value for e in GUIDED_TO}
 _SIDES = frozenset(
     p.value
@@ -104,7 +106,7 @@ def _motion(edge: Json, end: Json | None, actors: Json, log: list[str]) -> None:
 def _parameters(edge: Json, actors: Json, log: list[str]) -> None:
     params, kind = edge["params"], edge["event"]
     for name in list(params):
-        kinds = ONLY.get(name)
+        kinds = _TAKES.get(name) or ONLY.get(name)
         if kinds is not None and params[name] is not None and kind not in {k.value for k in kinds}:
             log.append(f"{name} of {kind} {edge['id']!r} dropped")
             del params[name]
