@@ -17,11 +17,11 @@ def stand_ins(doc: EsgDocument) -> dict[str, str]:
     ("prompt", "shown"),
     [
         ("A ball hits a pulley.", {"a pulley": "tire"}),
-        ("A panda rolls down a hill.", {"A panda": "bear"}),
+        ("A sloth rolls down a hill.", {"A sloth": "monkey"}),
         ("The blorft slides into a wall.", {"The blorft": "plain box"}),
         ("A checker slides off the board.", {"A checker": "worker"}),
         ("An elbow tips the first domino.", {"An elbow": "arm"}),
-        ("Two worms lie on a plate.", {"Two worms": "snake"}),
+        ("Two eels lie on a plate.", {"Two eels": "snake"}),
     ],
 )
 def test_what_is_no_such_thing_is_owned_up_to(prompt: str, shown: dict[str, str]) -> None:

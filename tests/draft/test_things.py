@@ -86,7 +86,7 @@ def test_domino_chain_is_dominoes() -> None:
         ("feather", (10, 25), "book"),
         ("flashlight", (12, 25), "bottle"),
         ("typewriter", (30, 50), "generic"),
-        ("iceberg", (300, 2000), "rock"),
+        ("outcrop", (20, 2000), "rock"),
         ("thumb", (5, 9), "generic"),
         ("comb", (10, 20), "generic"),
     ],

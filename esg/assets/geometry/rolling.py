@@ -147,7 +147,8 @@ def rolling(entry: Entry, sketch: Sketch, size: Vec3) -> Sketch:
         # Drawn with a flat to lie on it would limp; heavier at one end, roll to that side.
         weighed, densities = [cylinder], [1.0]
     return Sketch(
-        parts=[replace(p, mesh=moved(p.mesh)) for p in sketch.parts],
+        # The whole of it turns: nothing on it turns by itself any more.
+        parts=[replace(p, mesh=moved(p.mesh), axle=None) for p in sketch.parts],
         proxies=[cylinder],
         densities=densities,
         weighed=weighed,

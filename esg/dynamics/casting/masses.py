@@ -102,7 +102,8 @@ def fit_slow(doc: EsgDocument, story: Story) -> Configs:
         if phase is None or phase.edge.speed_is_prescribed or phase.edge.params.speed is None:
             continue
         _, high, _ = bounds(phase.edge.params.speed, (0.0, 100.0 * FASTEST_MPS))
-        if story.is_active(b) or first.rolls or high >= 100.0 * default_speed(first):
+        # What is let go has no speed of its own; a fall is felt by what it falls on.
+        if high <= 0.0 or story.is_active(b) or first.rolls or high >= 100.0 * default_speed(first):
             continue
         more = felt_speed(first, second) / (0.01 * high)
         for key in {nodes[name].asset_id for name in (a, b)} if more > 1.0 else ():
