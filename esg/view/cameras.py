@@ -20,8 +20,6 @@ TURNS_DEG = (0, 45, -45, 90, -90, 180, 135, -135)
 """Azimuths of the cameras, from the side of the motion that faces the viewer."""
 ELEVATIONS_DEG = (24, 34, 34, 44, 44, 24, 34, 34)
 _STEPS = 12
-LEAD_S, TAIL_S = 1.0, 0.9
-"""A director's camera is planned from so long before the first event to so long after the last."""
 Takes = list[Take]
 
 
@@ -54,7 +52,10 @@ def action_cameras(
 
 
 def directed(finder: Viewfinder, kinds: Sequence[str], count: int, seed: int) -> Takes:
-    """Takes of the whole action by the director, from places that are apart.
+    """Takes of the whole replay by the director, from places that are apart.
+
+    Clips show it from its first picture to its last: who comes from afar is seen coming, and who
+    goes on after the last event is followed.
 
     Args:
         finder: Of the scene.
@@ -62,8 +63,7 @@ def directed(finder: Viewfinder, kinds: Sequence[str], count: int, seed: int) ->
         count: How many.
         seed: Of lenses, sides and angles.
     """
-    beats, end = finder.action.beats, float(finder.action.time[-1])
-    start, stop = max(0.0, beats[0].time_s - LEAD_S), min(end, beats[-1].time_s + TAIL_S)
+    start, stop = (float(finder.action.time[k]) for k in (0, -1))
     takes: Takes = []
     for number in range(count):
         apart = [azimuth_of(take) for take in takes]

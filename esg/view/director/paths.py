@@ -12,7 +12,7 @@ from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 
 from esg.units import quat_rotate
 from esg.view.camera import Camera
-from esg.view.director.acting import Action, Beat
+from esg.view.director.acting import AFTER_S, Action, Beat
 from esg.view.director.lens import (
     LOWEST_M,
     SAFE,
@@ -64,6 +64,11 @@ def tracking(action: Action, times: Floats, view: View) -> Take | None:
     eye, target = np.array([c.eye for c in cameras]), np.array([c.target for c in cameras])
     arm, aim = eye - middle, target - middle
     away = np.linalg.norm(arm, axis=1)
+    # Who rolls on after the last event is followed, not approached.
+    over = times > action.beats[-1].time_s + AFTER_S
+    if over.any() and not over.all():
+        scale = np.where(over, np.maximum(away[~over][-1] / away, 1.0), 1.0)[:, None]
+        arm, aim, away = arm * scale, aim * scale, away * scale[:, 0]
     for soft in SOFT_S:
         take = _followed(times, middle, arm, aim, away, soft, view)
         take = _contained(action, take, view)
