@@ -35,12 +35,15 @@ from esg.view.truth import Pinhole, flow
 from tests.view.plays import (
     PLAYS,
     Play,
+    Thing,
     action_of,
+    at,
     document_of,
     finder_of,
     parts_of,
     rollout_of,
     scene_of,
+    until,
     verdict_of,
 )
 
@@ -235,3 +238,27 @@ def test_ground_truth_by_the_director(tmp_path: Path, monkeypatch: pytest.Monkey
         local = np.array(camera["world_to_camera_by_frame"][frame]) @ (*ball, 1.0)
         x, y, z = np.array(camera["intrinsics_px"]) @ local[:3]
         assert rows[number, frame]["segmentation"][int(y / z), int(x / z)] == 2
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_who_comes_from_afar_and_rolls_away_is_in_every_picture(seed: int) -> None:
+    """Clips last from the first picture to the last, long after the last event."""
+    play = Play(
+        "away",
+        (
+            Thing("ball", (0.11,) * 3, until(2.0, (-4.0, 0, 0.11), (2.0, 0, 0), -1.5)),
+            Thing("wall", (0.1, 2.0, 1.0), at(0.21, 0, 1.0), static=True),
+        ),
+        (("collision", 2.0, ("ball", "wall")),),
+        7.0,
+    )
+    finder = finder_of(play)
+    (take,) = directed(finder, ("static", "tracking"), 1, seed=seed)
+    ball = finder.action.scene.index("ball")
+    for k, time in enumerate(take.time_s):
+        box = finder.action.corners(finder.action.frame(float(time)), (ball,)).reshape(-1, 3)
+        assert extent(take.camera(k), box, finder.aspect).inside > 0.8
+    # It is followed when all is over, not approached.
+    away = np.linalg.norm(take.eye - take.target, axis=1)
+    late = take.time_s > 2.0 + AFTER_S
+    assert away[late].min() > 0.8 * away[late][0]

@@ -507,11 +507,14 @@ class Composer:
         """Motion under its own power, straight on or in a curve."""
         actor, phase, edge, v, start = course.actor, leg.phase, leg.phase.edge, leg.v, leg.start
         soars, turns = self.story.soars(actor), edge.event is EdgeEvent.TURN
+        if phase.start.event is NodeEvent.FALL and not soars:
+            return  # It has gone over an edge: there is nothing that it could push itself off from.
         roll_radius = self.scene.body(actor).roll_radius
         down = leg.first and self.cast.rolls_down(actor, phase)
         descends = leg.first and self.cast.goes_down(actor, phase)
         before, speed = course.speed, self._speed(course, leg, descends)
-        until = self.cast.contacts(phase)
+        falls = phase.end.event is NodeEvent.FALL and not soars
+        until = self._landing(actor) if falls else self.cast.contacts(phase)
         rate, end = self._turned(leg, speed) if turns else (0.0, leg.end)
         ride = self._ride(leg, speed, before)
         acceleration = v.get(f"{edge.id}/acceleration", 0.0)
@@ -708,6 +711,11 @@ class Composer:
         """Everything whose touch ends a flight."""
         others = (b for b in self.scene.bodies if b.name != actor and b.category != FRAGMENT)
         return tuple(b.name for b in others if b.shapes)
+
+    def _landing(self, actor: str) -> tuple[str, ...]:
+        """All but the ground that something may land on that goes over an edge."""
+        below = supports(self.doc, actor)
+        return tuple(n for n in self._others(actor) if n not in below) if below else ()
 
     def told(self, node: TimelineNode, otherwise: float) -> float:
         """When the choreography expects an event [s]; a turn is over when it has been driven."""

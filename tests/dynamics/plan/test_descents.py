@@ -54,3 +54,18 @@ def test_what_is_low_and_long_tilts_with_it() -> None:
     assert [p.body for p in pushed][:1] == ["skateboard_1"]
     vx, vy, _ = pushed[0].linear
     assert abs(math.remainder(math.atan2(vy, vx) - slope, 2.0 * math.pi)) < 0.2
+
+
+@pytest.mark.parametrize(
+    ("prompt", "actor", "landing"),
+    [
+        ("A toy car rolls off a table and lands in a basket.", "toy_car_1", "basket_1"),
+        ("A toy truck rolls off a shelf into a box.", "toy_truck_1", "box_1"),
+        ("A skateboard rolls off a bench and lands in a cart.", "skateboard_1", "cart_1"),
+    ],
+)
+def test_nothing_drives_what_has_gone_over_an_edge(prompt: str, actor: str, landing: str) -> None:
+    """It would push what it landed in across the floor."""
+    _, program, _ = planned(prompt)
+    (held,) = (p for p in program.primitives if isinstance(p, HoldVelocity) and p.body == actor)
+    assert held.until_contact == (landing,)
