@@ -42,6 +42,7 @@ _COUNTERFACTUAL = re.compile(
 _ENDS = re.compile(r"[.;!?\n]")
 _NOBODY = re.compile(r"\b(?:nobody|no[ -]one)\s+$", re.IGNORECASE)
 _NONE_OF = re.compile(r"(?:none|neither)\s+of\b", re.IGNORECASE)
+_NONE_OF_WHICH = re.compile(r"\b(?:none|neither)\s+of\s+(?:which|whom|these|those)\s+$", re.IGNORECASE)
 _STOPS_DOING = re.compile(
     r"\s+(?:(?:pedall?|accelerat|push|kick|paddl|row|pull|steer|swing|blow|sweep|pump|brak|talk"
     r"|play|bark|wav|danc|laugh|sing|shak|wobbl|swerv)ing)\b",
@@ -125,9 +126,12 @@ def _of_what_is_seen(f: Frame, text: str) -> str:
 
 
 def _denied(f: Frame, text: str) -> bool:
-    """ "None of the pins falls", "hits none of them", "never stops"."""
+    """ "None of the pins falls", "hits none of them", "never stops", "is hit by neither of them"."""
     met = [p.mention for p in f.phrases if p.prep in ("into", "against")]
     met = [f.object, *met] if f.verb.sense in _TOUCHES else []
+    met += [p.mention for p in f.phrases if p.prep == "by" and f.verb.passive]
+    if _NONE_OF_WHICH.search(text, max(0, f.verb.start - 24), f.verb.start):
+        return True
     none = (f.subject if not f.relative else None, *met)
     if any(m is not None and _none_of(text, m.start) for m in none):
         return True
