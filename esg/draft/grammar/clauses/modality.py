@@ -171,6 +171,8 @@ def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> st
     """Why a frame is not asserted; "" if it is."""
     if _COUNTERFACTUAL.search(text, f.verb.start, f.verb.end):
         return "it did not happen"
+    if _unwanted(f, earlier):
+        return "a wish"
     if f.verb.sense not in _EVENTS and f.verb.sense not in ("own", "roll", "slide", "fly"):
         return ""
     if _ends_in(f, text):
@@ -181,6 +183,12 @@ def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> st
     return next((reason for applies, reason in _REASONS if applies(told)), "").format(
         modal=f.verb.modal
     )
+
+
+def _unwanted(f: Frame, earlier: list[Frame]) -> bool:
+    """ "He didn't want to carry it": nobody carries it."""
+    g = _governor(f, earlier)
+    return g is not None and g.verb.negated and g.verb.lemma in _WISHES | _ATTEMPTS
 
 
 def _possible(t: _Told) -> bool:
