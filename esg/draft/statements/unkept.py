@@ -305,7 +305,13 @@ def _unsent(d: Discourse, clause: Clause) -> bool:
     doers = [i for i in _doers(f) if i in d.world.entities and kind_of(d, i) in LIMBED]
     sent = {*clause.movers} - {*doers}
     active = not f.verb.passive and f.object is None and not f.relative
-    return active and bool(doers) and not sent
+    return active and bool(doers) and not sent and not _flies(d)
+
+
+def _flies(d: Discourse) -> bool:
+    """Whether something without limbs goes off: "he shoots, the puck hits the post"."""
+    set_off = {e.actor for e in d.timeline.edges if e.event is EdgeEvent.TOWARD}
+    return any(kind_of(d, i) not in LIMBED for i in set_off)
 
 
 def _met(d: Discourse, clause: Clause) -> bool:
