@@ -54,5 +54,7 @@ def _alike(e: Entity, x: Entity, rest: bool) -> bool:
     """Whether one is another thing of the kind of the other."""
     if e is x or x.part or not x.mentioned:
         return False
-    wide = e.noun.kind in _WIDE or rest
-    return e.noun.name == x.noun.name or e.head == x.head or (wide and e.noun.kind == x.noun.kind)
+    if rest:
+        return x.movable and not {"support", "container"} & x.noun.traits
+    wide = e.noun.kind in _WIDE and e.noun.kind == x.noun.kind
+    return wide or e.noun.name == x.noun.name or e.head == x.head

@@ -42,7 +42,9 @@ _COUNTERFACTUAL = re.compile(
 _ENDS = re.compile(r"[.;!?\n]")
 _NOBODY = re.compile(r"\b(?:nobody|no[ -]one)\s+$", re.IGNORECASE)
 _NONE_OF = re.compile(r"(?:none|neither)\s+of\b", re.IGNORECASE)
-_NONE_OF_WHICH = re.compile(r"\b(?:none|neither)\s+of\s+(?:which|whom|these|those)\s+$", re.IGNORECASE)
+_NONE_OF_WHICH = re.compile(
+    r"\b(?:none|neither)\s+of\s+(?:which|whom|these|those)\s+$", re.IGNORECASE
+)
 _STOPS_DOING = re.compile(
     r"\s+(?:(?:pedall?|accelerat|push|kick|paddl|row|pull|steer|swing|blow|sweep|pump|brak|talk"
     r"|play|bark|wav|danc|laugh|sing|shak|wobbl|swerv)ing)\b",

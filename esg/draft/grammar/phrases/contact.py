@@ -41,8 +41,9 @@ def _after_noun(tokens: list[Token], i: int) -> bool:
     """Whether token i follows a noun with an article ("a red ball", "the box")."""
     if i < 2 or tokens[i - 1].tag not in _NOUNS or tokens[i - 1].kind != "word":
         return False
-    first = next((t for t in tokens[i - 2 : max(0, i - 5) : -1] if t.tag != "ADJ"), tokens[i - 2])
-    return first.low in lex.DETERMINERS
+    before = (tokens[k] for k in range(i - 2, max(-1, i - 5), -1))
+    first = next((t for t in before if t.tag != "ADJ"), None)
+    return first is not None and first.low in lex.DETERMINERS
 
 
 def _verb_of(tokens: list[Token], i: int) -> int:

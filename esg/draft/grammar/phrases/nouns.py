@@ -20,7 +20,9 @@ _WAITS_AT = re.compile(
     re.IGNORECASE,
 )
 """What traffic does "at the light"."""
-_AFTER_A_NOUN = frozenset({"", ".", ",", ";", "and", "then", "when", "while", "until", "for", "as", "to"})
+_AFTER_A_NOUN = frozenset(
+    {"", ".", ",", ";", "and", "then", "when", "while", "until", "for", "as", "to"}
+)
 
 
 def token_at(c: Chunks, i: int) -> Token | None:
