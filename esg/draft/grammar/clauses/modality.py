@@ -128,7 +128,7 @@ def _of_what_is_seen(f: Frame, text: str) -> str:
 
 
 def _denied(f: Frame, text: str) -> bool:
-    """ "None of the pins falls", "hits none of them", "never stops", "is hit by neither of them"."""
+    """ "None of the pins falls", "never stops", "is hit by neither of them"."""
     met = [p.mention for p in f.phrases if p.prep in ("into", "against")]
     met = [f.object, *met] if f.verb.sense in _TOUCHES else []
     met += [p.mention for p in f.phrases if p.prep == "by" and f.verb.passive]
