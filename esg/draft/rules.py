@@ -19,6 +19,7 @@ from esg.draft.events.interpret import begin, interpret
 from esg.draft.grammar.clauses.builder import build_clauses
 from esg.draft.grammar.clauses.modality import mark_unreal
 from esg.draft.grammar.phrases.chunker import chunk
+from esg.draft.grammar.phrases.contact import name_relatives
 from esg.draft.grammar.phrases.inverted import straight_verbs
 from esg.draft.grammar.phrases.modifiers import join_modifiers
 from esg.draft.grammar.questions import ask
@@ -78,7 +79,8 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
         UserError: If the prompt is empty, too long, not English, or names no object.
     """
     text = screen(prompt)
-    tokens = straight_verbs(join_modifiers(tokenize(text, pos_tags(text)), text))
+    tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
+    tokens = straight_verbs(name_relatives(tokens))
     elements = chunk(text, tokens)
     for _, put_plainly in _REWRITES:
         elements = put_plainly(elements)

@@ -308,7 +308,9 @@ def _doubtful(case: Case) -> Iterator[Finding]:
             continue
         said = any(start <= a < end for a, _ in case.facts.said)  # of the noun, not of its place
         if singulars & doubt.cues and not said:
-            missing = f"a {doubt.drawn.replace('_', ' ')} is drawn, and {doubt.meant} is meant"
+            article = "an" if doubt.drawn[0] in "aeiou" else "a"
+            drawn = f"{article} {doubt.drawn.replace('_', ' ')}"
+            missing = f"{drawn} is drawn, and {doubt.meant} is meant"
             yield Finding(start, end, missing, (name,))
 
 

@@ -36,6 +36,7 @@ _THEN = re.compile(
 )
 _BIGGER = 1.3
 """How much wider a thing is than what it stands on, at least, where no word puts it there."""
+_SIZED = lex.RANKS.keys() | lex.SIZES.keys() | lex.WEIGHTS.keys()
 _ONLY = re.compile(r"\bonly (?:the )?(?P<n>\w+)\b", re.IGNORECASE)
 
 
@@ -90,6 +91,8 @@ def _one_too_many(case: Case) -> Iterator[Finding]:
             words = case.text[start:end].lower().split()
             if first < n.end or other in those or kind_of(case, other) != kind:
                 continue
+            if _SIZED & {*n.left} and _SIZED & {*words} - {*n.left}:
+                continue  # "the two small cubes hit the large one"
             which = [lex.ORDINALS[w] for w in words if w in lex.ORDINALS]
             if words[0] == "the" and kind != "person" and not (which and which[0] >= told):
                 yield Finding(start, end, ONE_TOO_MANY, (other,))
@@ -229,12 +232,14 @@ def _linked(case: Case, one: str, other: str) -> bool:
 
 
 def _a_verb(case: Case) -> Iterator[Finding]:
-    """ "The hammer head flies off": no fly is meant."""
+    """ "The hammer head flies off", "crack an egg and whisk": no fly and no whisk is meant."""
     nodes = case.facts.doc.spatial_relation_graph.nodes
-    verbs = {p.end: p for p in case.said if p.tag == "VBZ"}
+    verbs = {p.end: p for p in case.said if p.tag in ("VBZ", "VB", "VBP")}
     for start, end, name in case.facts.spans:
         p = verbs.get(end)
         if p is None or start > p.start or nodes[name].is_structural or nodes[name].group:
+            continue
+        if p.tag != "VBZ" and (start != p.start or p.how != "conj" or p.subjects):
             continue
         if not case.facts.owns_up(start, end):
             yield Finding(start, end, A_VERB, (name,))

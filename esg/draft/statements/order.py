@@ -27,7 +27,7 @@ UNKEPT = "the order is not kept: nothing that is measured ends what comes first"
 ALONE = "it moves by itself: nothing is passed on to it"
 _NO_CAUSES = frozenset({"fall", "topple", "drop", "miss"})
 """Senses of what happens to one thing and brings about no fall of another."""
-_THEN = re.compile(rf"\b(?:{'|'.join(sorted(THEN))})\b|{AFTER_THAT}", re.IGNORECASE)
+_THEN = re.compile(rf"\b(?:{'|'.join(sorted(THEN))})\b(?! to\b)|{AFTER_THAT}", re.IGNORECASE)
 
 
 @dataclass(frozen=True)

@@ -28,6 +28,7 @@ from esg.draft.statements.arguments import (
 from esg.draft.statements.phrases import adrift, phrases
 from esg.draft.statements.places import alone, from_nothing, hung, lengths, up_and_down
 from esg.draft.statements.qualities import MOTIONS, qualities, said_of_it
+from esg.draft.statements.several import one_of_several
 from esg.graph.models import NodeEvent, Predicate
 
 _SMALL = (
@@ -108,6 +109,7 @@ _FINDERS: tuple[Callable[[Account], Iterator[Gap]], ...] = (
     some_of,
     fewer,
     others_of,
+    one_of_several,
     parts_alone,
     attempts,
     adverbs,

@@ -299,6 +299,27 @@ def _later_act(d: Discourse, clause: Clause) -> bool:
     return not clause.frame.relative and _acted_before(d, clause, _doers(clause.frame))
 
 
+def _unsent(d: Discourse, clause: Clause) -> bool:
+    """ "She serves wide", "a soldier shoots at a tank": nothing is sent off, or who does it is."""
+    f = clause.frame
+    doers = [i for i in _doers(f) if i in d.world.entities and kind_of(d, i) in LIMBED]
+    sent = {*clause.movers} - {*doers}
+    active = not f.verb.passive and f.object is None and not f.relative
+    return active and bool(doers) and not sent and not _flies(d)
+
+
+def _flies(d: Discourse) -> bool:
+    """Whether something without limbs goes off: "he shoots, the puck hits the post"."""
+    set_off = {e.actor for e in d.timeline.edges if e.event is EdgeEvent.TOWARD}
+    return any(kind_of(d, i) not in LIMBED for i in set_off)
+
+
+def _met(d: Discourse, clause: Clause) -> bool:
+    """Whether another body runs into what a clause moves."""
+    hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
+    return any({*n.participants[1:]} & {*clause.movers} for n in hits)
+
+
 def _not_all_fly(d: Discourse, clause: Clause) -> bool:
     """Whether something that a clause moves does not fly by itself, or it moves nothing."""
     return not clause.movers or not all(flies_itself(d, i) for i in clause.movers)
@@ -332,6 +353,10 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "agentless": lambda d, c: c.frame.verb.passive and c.frame.phrase("by") is None,
     "untouched": _moved_by_none,
     "untied": lambda d, c: not _tied(d, c.frame),
+    "unsent": _unsent,
+    "living": lambda d, c: (
+        bool(c.movers) and all(kind_of(d, i) in LIMBED for i in c.movers) and not _met(d, c)
+    ),
 }
 """Conditions of a row that look at the scene or at the words around the verb."""
 

@@ -96,7 +96,9 @@ def ranked(world: World, m: Mention, things: list[Entity], avoid: list[str]) -> 
     if best is None and word and len(things) == 2 and things[0].group:
         told = [e for e in things if word in e.adjectives]
         free = [e for e in things if e.id not in avoid and not lex.RANKS.keys() & {*e.adjectives}]
-        best = (told or free or things)[0]
+        if not told and not free:
+            return []  # "the two smaller cubes ... the larger one": none of the two
+        best = (told or free)[0]
         best.adjectives += [] if told else [word, *_AS_TOLD.get(lex.RANKS[word], ())]
     return [best.id] if best is not None else []
 

@@ -57,7 +57,7 @@ def pronoun(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[s
     if p in _NOTHING:
         return []
     if p in _THEY:
-        named = told_by(world, m, avoid) if p == "ones" else []
+        named = (told_by(world, m, avoid) or _painted(world, m)) if p == "ones" else []
         return named or _others(world, m, avoid) or _several(world, m, subject, avoid)
     if p in ("latter", "former"):
         told = [i for ids in world.salience[-6:] for i in ids if is_solid(world, i)]
@@ -132,6 +132,19 @@ def _being(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     beings = [e for e in alone if e.noun.kind in _BEINGS]
     driven = [e for e in alone if e.noun.kind in _DRIVEN and m.pronoun != "she"]
     return [e.id for e in (beings or driven)[:1]]
+
+
+def _painted(world: World, m: Mention) -> list[str]:
+    """ "Of the four cubes only the two red ones move": so many of a plural, from now on red."""
+    color = next((a for a in m.adjectives if a in lex.COLORS), "")
+    several = [ids for ids in reversed(world.salience) if len({*ids}) > 1]
+    if not color or (m.count or 0) < 2 or not several:
+        return []
+    things = [world.entities[i] for i in dict.fromkeys(several[0])]
+    free = [e for e in things if e.group and e.color is None and not e.place]
+    if len(free) < (m.count or 0) or not m.determiner:
+        return []
+    return [i for e in free[: m.count] for i in name_by(world, e, color)]
 
 
 def _others(world: World, m: Mention, avoid: list[str]) -> list[str]:

@@ -221,6 +221,14 @@ def _lies_there(m: Mention, v: Verb) -> bool:
     return flat and bool(m.after_prep) and v.sense in ("pass", "overtake", "hit", "miss")
 
 
+def _sends(f: Frame) -> bool:
+    """ "Slides a mug across the table, stopping at its edge": the mug stops, nobody who drives."""
+    m = f.subject
+    by_hand = m is not None and m.noun is not None and m.noun.kind in ("person", "animal")
+    sends = f.verb.sense in ("launch", "slide", "roll") and not f.verb.passive
+    return by_hand and sends and f.object is not None
+
+
 def participle(c: Clauses, s: State, frame: Frame, previous: Frame) -> None:
     v = frame.verb
     if previous.verb.sense == "cause" and previous.object is not None and not s.boundary:
@@ -235,7 +243,8 @@ def participle(c: Clauses, s: State, frame: Frame, previous: Frame) -> None:
         frame.link = "cause"
         frame.causer = previous
     elif s.boundary or s.last is None or s.last is previous.subject or _lies_there(s.last, v):
-        frame.subject = _who_went_on(c, previous)
+        sent = v.sense == "stop" and _sends(previous)
+        frame.subject = previous.object if sent else _who_went_on(c, previous)
         frame.link = (
             "then" if v.sense in ("hit", "stop", "topple", "enter", "land", "miss") else "while"
         )

@@ -42,6 +42,9 @@ _COUNTERFACTUAL = re.compile(
 _ENDS = re.compile(r"[.;!?\n]")
 _NOBODY = re.compile(r"\b(?:nobody|no[ -]one)\s+$", re.IGNORECASE)
 _NONE_OF = re.compile(r"(?:none|neither)\s+of\b", re.IGNORECASE)
+_NONE_OF_WHICH = re.compile(
+    r"\b(?:none|neither)\s+of\s+(?:which|whom|these|those)\s+$", re.IGNORECASE
+)
 _STOPS_DOING = re.compile(
     r"\s+(?:(?:pedall?|accelerat|push|kick|paddl|row|pull|steer|swing|blow|sweep|pump|brak|talk"
     r"|play|bark|wav|danc|laugh|sing|shak|wobbl|swerv)ing)\b",
@@ -125,9 +128,12 @@ def _of_what_is_seen(f: Frame, text: str) -> str:
 
 
 def _denied(f: Frame, text: str) -> bool:
-    """ "None of the pins falls", "hits none of them", "never stops"."""
+    """ "None of the pins falls", "never stops", "is hit by neither of them"."""
     met = [p.mention for p in f.phrases if p.prep in ("into", "against")]
     met = [f.object, *met] if f.verb.sense in _TOUCHES else []
+    met += [p.mention for p in f.phrases if p.prep == "by" and f.verb.passive]
+    if _NONE_OF_WHICH.search(text, max(0, f.verb.start - 24), f.verb.start):
+        return True
     none = (f.subject if not f.relative else None, *met)
     if any(m is not None and _none_of(text, m.start) for m in none):
         return True
@@ -167,6 +173,8 @@ def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> st
     """Why a frame is not asserted; "" if it is."""
     if _COUNTERFACTUAL.search(text, f.verb.start, f.verb.end):
         return "it did not happen"
+    if _unwanted(f, earlier):
+        return "a wish"
     if f.verb.sense not in _EVENTS and f.verb.sense not in ("own", "roll", "slide", "fly"):
         return ""
     if _ends_in(f, text):
@@ -177,6 +185,12 @@ def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> st
     return next((reason for applies, reason in _REASONS if applies(told)), "").format(
         modal=f.verb.modal
     )
+
+
+def _unwanted(f: Frame, earlier: list[Frame]) -> bool:
+    """ "He didn't want to carry it": nobody carries it."""
+    g = _governor(f, earlier)
+    return g is not None and g.verb.negated and g.verb.lemma in _WISHES | _ATTEMPTS
 
 
 def _possible(t: _Told) -> bool:

@@ -225,6 +225,10 @@ def _unknown(c: Chunks, i: int) -> int:
     return _word(c, i, "unknown", low)
 
 
+_DOES_IT = frozenset({"it", "he", "she", "they", "i", "we", "you", "someone", "somebody"})
+"""Subjects of a relative clause that need no article."""
+
+
 def _clause_of_noun(c: Chunks, i: int) -> bool:
     """ "the bottle that the ball knocked off": a subject of its own follows."""
     head = element_before(c)
@@ -233,7 +237,7 @@ def _clause_of_noun(c: Chunks, i: int) -> bool:
     if {"so", "such"} & {low_at(c, k) for k in range(max(0, i - 5), i)}:
         return False
     if low_at(c, i + 1) not in lex.DETERMINERS:
-        return low_at(c, i + 1) in ("it", "he", "she", "they") and verb_ahead(c, i + 2)
+        return low_at(c, i + 1) in _DOES_IT and verb_ahead(c, i + 2)
     noun = match_noun(c, i + 2) or match_noun(c, i + 3)
     return noun is not None and any(verb_ahead(c, k) for k in (i + 3, i + 4))
 

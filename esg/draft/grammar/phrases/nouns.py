@@ -15,6 +15,15 @@ _TURNS_GREEN = re.compile(
     re.IGNORECASE,
 )
 
+_WAITS_AT = re.compile(
+    r"\b(?:brak|halt|idl|pull|queu|stand|stop|wait)\w*\s+(?:up\s+)?at\s+(?:the|a|some)\s+$",
+    re.IGNORECASE,
+)
+"""What traffic does "at the light"."""
+_AFTER_A_NOUN = frozenset(
+    {"", ".", ",", ";", "and", "then", "when", "while", "until", "for", "as", "to"}
+)
+
 
 def token_at(c: Chunks, i: int) -> Token | None:
     return c.tokens[i] if 0 <= i < len(c.tokens) else None
@@ -102,8 +111,11 @@ def _picks_up(c: Chunks, i: int) -> bool:
 
 
 def _of_traffic(c: Chunks, i: int) -> bool:
-    """ "The lights turn green": no lamps."""
-    return _TURNS_GREEN.match(c.text, c.tokens[i].end) is not None
+    """ "The lights turn green", "stops at the light": no lamps."""
+    here = c.tokens[i]
+    stops = _WAITS_AT.search(c.text, max(0, here.start - 30), here.start)
+    alone = low_at(c, i + 1) in _AFTER_A_NOUN and stops is not None
+    return alone or _TURNS_GREEN.match(c.text, here.end) is not None
 
 
 def _lands_on(c: Chunks, i: int) -> bool:
