@@ -173,6 +173,20 @@ def named_parts(d: Discourse) -> None:
             m.entities = d.world.resolved[id(m)] = [*known[name]]
 
 
+def told_by_their_parts(d: Discourse) -> None:
+    """ "A ball hits the lid of a box", "a box lid": the lid, where the thing has a row with one.
+
+    What `wholes.csv` calls a part of it is a place on it: "sits on the cover of a book".
+    """
+    for m in d.mentions:
+        if not m.part or len(m.entities) != 1 or m.entities[0] not in d.world.entities:
+            continue
+        whole = entity_of(d, m.entities[0])
+        name = f"{head_of(whole)} {m.part}"
+        if name in articulations() and not lex.is_part(m.part, whole.noun):
+            m.entities = d.world.resolved[id(m)] = [_door_of(d, whole.id)]
+
+
 def tipping(d: Discourse, bodies: list[str]) -> list[str]:
     """Those that tip to one side or the other: a seesaw."""
     return [b for b in bodies if (row := row_of(d, b)) is not None and row.tips]
