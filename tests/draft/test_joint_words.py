@@ -327,6 +327,56 @@ def test_what_has_a_door_opens_and_closes_by_it(
     assert (joint.position > 0.0) is (event == "Close")
 
 
+@pytest.mark.parametrize(
+    ("prompt", "part", "whole"),
+    [
+        ("A ball rolls past the box lid.", "box_lid_1", "box_1"),
+        ("A marble rolls past the lid of a box.", "box_lid_1", "box_1"),
+        ("A tennis ball hits the lid of a cardboard box.", "box_lid_1", "cardboard_box_1"),
+        ("A ball rolls past the fridge door.", "door_1", "fridge_1"),
+    ],
+)
+def test_a_part_that_has_a_row_is_what_is_met(prompt: str, part: str, whole: str) -> None:
+    """The thing that has it is what it is joined to, and takes part in nothing."""
+    doc = draft(prompt)
+    assert verify(doc) == ()
+    ((_, *bodies),) = [e for e in told(doc) if len(e) > 2]
+    assert part in bodies and whole not in bodies
+    (joint,) = doc.spatial_relation_graph.joints or ()
+    assert (joint.child, joint.parent) == (part, whole)
+
+
+def test_what_lies_on_the_cover_of_a_book_opens_none() -> None:
+    """What `wholes.csv` lists is a place on the thing."""
+    assert not draft("A mouse sits on the cover of a book.").spatial_relation_graph.joints
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A weight is dropped into the left pan of a balance scale.",
+        "An orange falls onto one pan of a balance scale.",
+        "The pans of a balance scale are empty. An apple drops into the left pan.",
+        "A balance scale stands on the ground. A coin drops into the right pan.",
+    ],
+)
+def test_the_pans_of_a_balance_are_ends_of_its_beam(prompt: str) -> None:
+    """No frying pan is drawn, and what lands comes down beside the column."""
+    doc = draft(prompt)
+    assert verify(doc) == ()
+    graph = doc.spatial_relation_graph
+    assert not [n for n in graph.nodes if "pan" in n]
+    (joint,) = graph.joints or ()
+    assert 0.0 < joint.position < 1.0, "level to the eye, and it is known which end is meant"
+    (landed,) = [e for e in told(doc) if e[0] == "Collision"]
+    assert landed[2] == "balance_scale_1"
+
+
+def test_a_frying_pan_is_no_part_of_a_balance() -> None:
+    doc = draft("A ball rolls past a balance scale and hits a frying pan.")
+    assert any("pan" in n for n in doc.spatial_relation_graph.nodes)
+
+
 def test_what_is_hit_while_it_is_closed_has_no_door_of_its_own() -> None:
     """Nothing tells of a door: a box and a fridge are as closed as ever."""
     for prompt in ("A ball rolls into a fridge.", "A book falls on a box."):

@@ -7,7 +7,7 @@ from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.jointed import behind_doors, has_a_door, is_flap
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.record import links
-from esg.draft.discourse.referents.wholes import tips
+from esg.draft.discourse.referents.wholes import has_pans, tips
 from esg.draft.discourse.scene import LIMBED, Relation
 from esg.graph.models import Quantity
 
@@ -57,7 +57,8 @@ def place(
         return
     carried = d.scene.supported_by  # "left of them" is beside the lower one of two
     other = next((o for o in others if carried.get(o) not in others), others[0])
-    if part and kind == "on" and part.split()[-1] in _ENDS and tips(entity_of(d, other)):
+    end = kind == "on" and bool(part) and part.split()[-1] in _ENDS
+    if (end and tips(entity_of(d, other))) or has_pans(entity_of(d, other), part):
         _seat(d, things, other)
         return
     if part:

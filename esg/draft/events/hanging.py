@@ -11,6 +11,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import head_of
 from esg.draft.discourse.referents.parts import parts_of
 from esg.draft.discourse.referents.registry import add_entity, current_id
+from esg.draft.discourse.referents.wholes import has_pans
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.timing import moved_by_others
 from esg.draft.events.told import amount, at_rest, recent
@@ -26,6 +27,8 @@ OTHER_SIDE = re.compile(r"(?:on)?to (?:the|its) other (?:side|end)", re.IGNORECA
 _TIPPING = {("topple", "tip"), ("noop", "tilt"), ("noop", "rock"), ("noop", "seesaw")}
 TIPPED = 0.6
 """Share of its limit to which a seesaw with nobody on it is tipped; its friction holds it there."""
+NEARLY_LEVEL = 0.05
+"""The same of a balance on whose one pan something lands: under a degree, as it looks level."""
 SWAYING = frozenset({"swing", "sway", "oscillate"})
 _SLIDING = lex.word_set("slides out")
 _BOBBING = lex.word_set("bobs")
@@ -173,17 +176,36 @@ def named_parts(d: Discourse) -> None:
             m.entities = d.world.resolved[id(m)] = [*known[name]]
 
 
+def told_by_their_parts(d: Discourse) -> None:
+    """ "A ball hits the lid of a box", "a box lid": the lid, where the thing has a row with one.
+
+    What `wholes.csv` calls a part of it is a place on it: "sits on the cover of a book".
+    """
+    for m in d.mentions:
+        if not m.part or len(m.entities) != 1 or m.entities[0] not in d.world.entities:
+            continue
+        whole = entity_of(d, m.entities[0])
+        name = f"{head_of(whole)} {m.part}"
+        if name in articulations() and not lex.is_part(m.part, whole.noun):
+            m.entities = d.world.resolved[id(m)] = [_door_of(d, whole.id)]
+
+
 def tipping(d: Discourse, bodies: list[str]) -> list[str]:
     """Those that tip to one side or the other: a seesaw."""
     return [b for b in bodies if (row := row_of(d, b)) is not None and row.tips]
 
 
 def tipped(d: Discourse, m: Mention) -> None:
-    """ "On the raised end of a seesaw": one end is up before something lands there."""
-    if m.part.endswith("end"):
-        for body in tipping(d, m.entities):
-            row = row_of(d, body)
-            d.scene.openings.setdefault(body, TIPPED * (row.upper or 0.0) if row else 0.0)
+    """ "On the raised end of a seesaw": one end is up before something lands there.
+
+    "Into one pan of a balance": that pan, which is hardly higher than the other.
+    """
+    for body in tipping(d, m.entities):
+        row = row_of(d, body)
+        share = TIPPED if m.part.endswith("end") else 0.0
+        share = NEARLY_LEVEL if has_pans(entity_of(d, body), m.part) else share
+        if row is not None and share:
+            d.scene.openings.setdefault(body, share * (row.upper or 0.0))
 
 
 def sent_up(d: Discourse, f: Frame, agents: list[str], sent: list[str]) -> bool:

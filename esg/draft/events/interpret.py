@@ -57,6 +57,7 @@ from esg.draft.events.hanging import (
     named_parts,
     sense_on_joint,
     sprung_back,
+    told_by_their_parts,
     turned_instead,
 )
 from esg.draft.events.motions import hold_back
@@ -175,6 +176,7 @@ def interpret(
         if m is not None and has_counted_parts(m):
             ids_of(d, m)  # "the first ball of a Newton's cradle": there before its parts
     refer_all(d, frames)
+    told_by_their_parts(d)
     named_parts(d)
     _on_what_has_it(d, frames, attachments)
     linked = take_links(d)

@@ -132,6 +132,8 @@ def search(
             return best, "robust"
     reached = explored.reached or best.worst < MISSED
     share = REFERENCE_SHARE if reached else 0.5 * REFERENCE_SHARE
+    if np.isfinite(panel.decided):
+        rollouts = min(int(panel.decided), rollouts or int(panel.decided))
     rounds, shown = _affordable(panel, max(1, round(share * max_rounds)), rollouts)
     if shown <= 0:
         return best, "budget spent"
@@ -237,6 +239,8 @@ def _explore(plan: Plan, panel: Panel, rng: np.random.Generator, max_rounds: int
         ended = stalled(history, reached=pool.best < MISSED, gain=gain)
         if pool.good or (ended and pool.best < enough):
             return pool.explored(stalled=ended)
+        if pool.spent:
+            return pool.explored(stalled=True)
         if ended or not nearing(history, enough):
             break
     else:
@@ -274,8 +278,8 @@ def _explore_widely(plan: Plan, pool: Pool, rng: np.random.Generator, rounds: in
         order = np.argsort(losses, kind="stable")[:FINALISTS]
         pool.consider(thetas[order], losses[order])
         pool.panel.note("sample", pool.panel.explorer, count, pool.best)
-        if pool.good:
-            return pool.explored(stalled=False)
+        if pool.good or pool.spent:
+            return pool.explored(stalled=pool.spent)
     scale = broad(plan)
     brood = min(max(BROOD, pool.panel.breadth // NICHES), WIDE_BROOD)
     niches: list[Niche] = []
@@ -299,9 +303,9 @@ def _explore_widely(plan: Plan, pool: Pool, rng: np.random.Generator, rounds: in
         history.append(pool.best)
         pool.panel.note("explore", pool.panel.explorer, len(pool.seen) - played, pool.best)
         ended = stalled(history, reached=pool.best < MISSED)
-        if pool.good or ended:
+        if pool.good or ended or pool.spent:
             break
-    return pool.explored(stalled=ended)
+    return pool.explored(stalled=ended or pool.spent)
 
 
 class Pool:
@@ -330,6 +334,11 @@ class Pool:
     def good(self) -> bool:
         """Whether a good one is among them."""
         return bool(self.fine[0])
+
+    @property
+    def spent(self) -> bool:
+        """Whether what explores has played as much as it may."""
+        return self.panel.explored >= self.panel.most
 
     def preview(self, thetas: Floats) -> None:
         """Plays candidates under the ensemble."""

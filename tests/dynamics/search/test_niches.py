@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import replace
+import math
 from types import SimpleNamespace
 from typing import Any, cast
 
@@ -74,6 +75,7 @@ class Field:
         self.breadth = 1
         self.explorer = "surrogate"
         self.passes = 0
+        self.most = self.decided = math.inf
 
     def look(self, thetas: Floats) -> Assessment:
         self.played = np.concatenate([self.played, thetas])
@@ -281,6 +283,36 @@ def test_the_bound_of_what_comes_apart_is_met_and_kept(pieces: int) -> None:
     assert bound - WORLDS < few <= bound + MEMBERS, "as many as the bound allows, and no more"
     assert many > bound + MEMBERS, "or no bound was met"
     assert why in ("rounds spent", "budget spent")
+
+
+@pytest.mark.parametrize("most", [40, 100, 400])
+def test_what_explores_slowly_stops_when_it_has_played_enough(most: int) -> None:
+    """Rounds would go on for long: each comes a little nearer, and none is good."""
+    plan = plan_of(variable(0, 10, 5.0, 0.1), variable(0, 10, 5.0, 0.1))
+    seen: dict[float, int] = {}
+    for bound in (float(most), math.inf):
+        field = Field(plan, lambda thetas: 20.0 + np.linalg.norm(thetas - 9.0, axis=1))
+        field.most = bound
+        found_in(field)
+        seen[bound] = field.explored
+    assert most <= seen[float(most)] <= most + SAMPLE + MEMBERS * 4, "one batch more at most"
+    assert seen[math.inf] > most + SAMPLE + MEMBERS * 4, "or no bound was met"
+
+
+@pytest.mark.parametrize("decided", [24, 90, 200])
+def test_what_decides_slowly_stops_when_it_has_played_enough(decided: int) -> None:
+    """Newton sees nothing of what the surrogate calls good."""
+    plan = plan_of(variable(0, 10, 5.0, 0.1), variable(0, 10, 5.0, 0.1))
+    seen: dict[float, int] = {}
+    for bound in (float(decided), math.inf):
+        field = Field(
+            plan, narrow(5.0, 5.0), lambda thetas: 20.0 + np.linalg.norm(thetas - 9.0, axis=1)
+        )
+        field.decided = bound
+        found_in(field)
+        seen[bound] = field.evaluations
+    assert seen[float(decided)] <= max(decided, MEMBERS * 7) + MEMBERS
+    assert seen[math.inf] > seen[float(decided)], "or no bound was met"
 
 
 def test_an_event_nobody_ever_sees_is_given_up_after_a_sample_of_everything() -> None:

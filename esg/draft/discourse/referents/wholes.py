@@ -14,6 +14,7 @@ _LINKS = lex.word_set("links")
 _BODYWORK = lex.word_set("bodywork")
 _OWN = lex.OWN_PARTS | lex.word_set("cabs")
 _HOLDING = ("in", "into", "inside", "from", "out of", "off", "with", "on", "onto")
+_THIS_ONE = ("the", "that", "this", "each", "either", "one", "its", "")
 _PRONOUNS = {"his": "he", "her": "she", "its": "it", "their": "they"}
 _HAVE = (
     (lex.BODY_PARTS, {"person", "animal", "robot", "tool", "seat", "furniture", "table"}),
@@ -30,11 +31,22 @@ def tips(e: Entity) -> bool:
     return row is not None and row.tips
 
 
+def has_pans(e: Entity, part: str) -> bool:
+    """Whether something is told of an end of what tips by the name of a part: a balance's pan."""
+    return bool(part) and tips(e) and lex.is_part(part.split()[-1], e.noun)
+
+
 def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[str]:
     """What a part belongs to: "the dog's tail", "the open door of a car", "its roof"."""
     body = m.head in lex.BODY_PARTS
     if m.attribute and m.part.endswith(("end", "side")):
         return [e.id for e in world.entities.values() if tips(e)][-1:]
+    known = m.determiner in _THIS_ONE and (m.determiner or not m.plural)
+    if known and not m.pronoun and m.possessor is None:
+        boards = [e.id for e in world.entities.values() if has_pans(e, m.head)]
+        if boards:  # "A balance scale stands there. An apple falls on the left pan."
+            m.part = m.head
+            return boards[-1:]
     if m.possessor is not None and _part_of_a_joint(m.head, m.possessor):
         m.part = m.head
         return world.resolve(m.possessor)

@@ -54,6 +54,7 @@ from esg.draft.grammar.phrases.reader import (
 from esg.draft.grammar.phrases.rows import inner_phrase, member_of_row, the_rest
 from esg.draft.text.elements import ONE_OF_THESE, Mention, Verb, Word
 from esg.draft.verbphrases import verb_readings
+from esg.lexicon.articulations import articulations
 from esg.lexicon.senses import no_things
 
 _RUNNING_GEAR = lex.word_set("running gear")
@@ -698,13 +699,16 @@ def _part_of_whole(c: Chunks, j: int, m: Mention) -> int | None:
     """ "On the seat of a chair": the chair; the token after it, None if no whole is named."""
     before = c.elements[-1] if c.elements else None
     met = isinstance(before, Verb) or (isinstance(before, Word) and before.kind in ("prep", "to"))
-    if not met or low_at(c, j) != "of" or not lex.is_part(m.head):
+    if low_at(c, j) != "of" or not lex.is_part(m.head):
         return None
     found = _owner(c, j + 1)
     if found is None:
         return None
     owner, after = found
     if not owner.determiner or owner.noun is None or not lex.is_part(m.head, owner.noun):
+        return None
+    row = articulations().get(owner.head)
+    if not met and (row is None or not row.tips):  # "The pans of a balance": ends of its beam
         return None
     owner.part, owner.start = m.head, m.start
     c.elements.append(owner)
