@@ -190,7 +190,3 @@ def test_next_to_tells_no_order() -> None:
     assert [s.text for s in doc.statements or () if s.predicate.value == "stays_still"] == [
         "leaves"
     ]
-
-
-def test_a_verb_of_a_command_is_no_thing() -> None:
-    assert "whisk" in _owned(draft("Crack two eggs and whisk with a fork."))

@@ -232,14 +232,12 @@ def _linked(case: Case, one: str, other: str) -> bool:
 
 
 def _a_verb(case: Case) -> Iterator[Finding]:
-    """ "The hammer head flies off", "crack an egg and whisk": no fly and no whisk is meant."""
+    """ "The hammer head flies off": no fly is meant."""
     nodes = case.facts.doc.spatial_relation_graph.nodes
-    verbs = {p.end: p for p in case.said if p.tag in ("VBZ", "VB", "VBP")}
+    verbs = {p.end: p for p in case.said if p.tag == "VBZ"}
     for start, end, name in case.facts.spans:
         p = verbs.get(end)
         if p is None or start > p.start or nodes[name].is_structural or nodes[name].group:
-            continue
-        if p.tag != "VBZ" and (start != p.start or p.how != "conj" or p.subjects):
             continue
         if not case.facts.owns_up(start, end):
             yield Finding(start, end, A_VERB, (name,))
