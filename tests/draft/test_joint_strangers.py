@@ -216,3 +216,17 @@ def test_a_sheet_of_ice_is_no_ground_and_breaks():
     doc = draft("A sheet of ice lies in the yard. An iron ball drops onto it and it breaks.")
     ice = "sheet_of_ice_1"
     assert told(doc) == [("Collision", "iron_ball_1", ice), ("Break", ice)]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "post"),
+    [
+        ("A lantern hangs from a wooden beam and sways.", "beam_1"),
+        ("A pendant lamp hangs from a branch and swings.", "branch_1"),
+        ("A lantern hangs from a tree branch and sways gently.", "tree_branch_1"),
+    ],
+)
+def test_a_lamp_hangs_from_the_beam_that_is_named_and_not_from_gallows(prompt: str, post: str):
+    doc = draft(prompt)
+    assert {j.parent for j in joints(doc).values()} == {post}
+    assert "gallows_1" not in str(doc.spatial_relation_graph.nodes)
