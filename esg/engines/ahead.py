@@ -61,9 +61,8 @@ def compile_ahead(
     from esg.engines.newton.setup import known_device
 
     known_device(device, "set-up")
-    works: list[Callable[[], object]] = [
-        partial(_load, name, device) for name in (*_own(device), *more)
-    ]
+    names = (*_own(device), *more)
+    works: list[Callable[[], object]] = [partial(_load, name, device) for name in names]
     works += [partial(doctor.play, scene, device) for scene in doctor.tiny_scenes().values()]
     if device != "cpu":
         works += [partial(_sized, bodies, points, device) for bodies, points in searched_sizes()]

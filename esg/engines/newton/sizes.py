@@ -10,7 +10,7 @@ from __future__ import annotations
 from itertools import pairwise
 
 LEAST, MOST = 32, 1024
-"""Lanes that work together anyway, and the room above which memory shared by them becomes scarce."""
+"""Lanes that work together anyway, and the room above which the memory they share is scarce."""
 DOFS = 6
 """Coordinates of a body."""
 COMMON_DOFS = (32, 64, 128, 256)
