@@ -69,7 +69,7 @@ def _gpu(device: str | None) -> str | None:
 
 
 def _ahead(device: str) -> None:
-    from esg.engines.ahead import compile_ahead
+    from esg.engines.fleet.ahead import compile_ahead
 
     def tell(name: str, done: int, total: int) -> None:
         _show(f"kernels {done}/{total}: {name}")

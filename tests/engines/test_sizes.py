@@ -7,8 +7,8 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from esg.engines import ahead
 from esg.engines.doctor import spheres
+from esg.engines.fleet import ahead
 from esg.engines.fleet.newton import POINTS
 from esg.engines.newton import clear_cache, sharing
 from esg.engines.newton.setup import quiet_warp
