@@ -22,8 +22,13 @@ PACKAGES = ("esg", "tasks", "flows")
 """Packages of the project."""
 
 
-def setup() -> int:
-    """Compile and cache all kernels (a few minutes the first time, seconds afterwards)."""
+def setup(*, device: str | None = None) -> int:
+    """Compile and cache all kernels (a few minutes the first time, seconds afterwards).
+
+    Args:
+        device: Whose kernels are compiled beside those of the processor, such as cuda:0; that of
+            this machine, if it has one, unless it is cpu.
+    """
     from pathlib import Path
     import tempfile
 
@@ -32,7 +37,12 @@ def setup() -> int:
     from esg.paths import cache_dir, kernel_cache_dir
 
     check_cache()
+    gpu = _gpu(device)
     _step("scheduler database", _prefect)
+    _step("kernels of the processor, side by side", lambda: _ahead("cpu"))
+    if gpu is not None:
+        _step(f"kernels of {gpu}, side by side", lambda: _ahead(gpu))
+        _step(f"engine kernels of {gpu}", lambda: warmup(progress=_line, device=gpu))
     _step("engine kernels", lambda: warmup(progress=_line))
     _step("surrogate kernels", _surrogate)
     _step("kernels of layouts and of what breaks", _rest)
@@ -43,6 +53,30 @@ def setup() -> int:
     _step("bytecode of the modules", _bytecode)
     print(f"ready; caches are in {cache_dir()} and {kernel_cache_dir()}")
     return 0
+
+
+def _gpu(device: str | None) -> str | None:
+    """The GPU to compile for, if any.
+
+    Raises:
+        UserError: If this machine does not have the device that was asked for.
+    """
+    from esg.engines.newton.setup import known_device, quiet_warp
+
+    if device is not None:
+        return None if known_device(device, "esg setup") == "cpu" else device
+    return next((str(d) for d in quiet_warp().get_devices() if d.is_cuda), None)
+
+
+def _ahead(device: str) -> None:
+    from esg.engines.fleet.ahead import compile_ahead
+
+    def tell(name: str, done: int, total: int) -> None:
+        _show(f"kernels {done}/{total}: {name}")
+
+    search = "cpu" if device == "cpu" else "gpu"
+    layout = [f"esg.layout.kernels.{name}" for name in (search, "evaluation")]
+    compile_ahead(device, tell, layout)
 
 
 def _step(name: str, work: Callable[[], object]) -> None:

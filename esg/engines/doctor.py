@@ -55,24 +55,44 @@ def warmup(
     Newton specializes its narrow phase for the shape types of a model, so scenes of few kinds are
     covered one by one, the mixture of all kinds after them and joints last.
     """
-    engine = get_engine("newton", device)
-    mixtures = [kinds for n in (1, 2) for kinds in itertools.combinations(_KINDS, n)] + [_KINDS]
-    steps = {" + ".join(kinds): _scene(kinds) for kinds in mixtures} | {"joints": _jointed()}
+    steps = tiny_scenes()
     seconds: dict[str, float] = {}
     for i, (what, scene) in enumerate(steps.items()):
         if progress is not None:
             progress(what, i, len(steps))
-        name = scene.bodies[0].name
-        program = Program(
-            (SetVelocity(name, 0.0, (1.0, 0.0, 0.0)), AdjustProperties(name, 0.0, friction=0.4)),
-            0.05,
-        )
         start = time.perf_counter()
-        engine.rollout(scene, batch_programs([program], scene.names))
+        play(scene, device)
         seconds[what] = time.perf_counter() - start
     if progress is not None:
         progress("done", len(steps), len(steps))
     return seconds
+
+
+def tiny_scenes() -> dict[str, SimScene]:
+    """What the scenes that compile kernels of their own consist of, and the scenes."""
+    mixtures = [kinds for n in (1, 2) for kinds in itertools.combinations(_KINDS, n)] + [_KINDS]
+    return {" + ".join(kinds): _scene(kinds) for kinds in mixtures} | {"joints": _jointed()}
+
+
+def play(scene: SimScene, device: str = "cpu") -> None:
+    """Plays a moment of a scene in Newton, with all that a program can do."""
+    name = scene.bodies[0].name
+    program = Program(
+        (SetVelocity(name, 0.0, (1.0, 0.0, 0.0)), AdjustProperties(name, 0.0, friction=0.4)),
+        0.05,
+    )
+    get_engine("newton", device).rollout(scene, batch_programs([program], scene.names))
+
+
+def spheres(count: int) -> SimScene:
+    """A row of so many spheres."""
+    first = _scene(("sphere",)).bodies[0]
+    return SimScene(
+        "warmup",
+        tuple(
+            replace(first, name=f"sphere {k}", position=(0.3 * k, 0.0, 0.1)) for k in range(count)
+        ),
+    )
 
 
 def load_kernels(device: str = "cpu") -> None:

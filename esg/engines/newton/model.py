@@ -21,6 +21,7 @@ from esg.engines.newton.builder import MARK, Blueprint, Wanted
 from esg.engines.newton.jointed import Jointed
 from esg.engines.newton.places import Places
 from esg.engines.newton.setup import FIXED_POINT
+from esg.engines.newton.sizes import rounded, rung
 from esg.engines.newton.trees import AXES, plan_trees
 from esg.engines.newton.worlds import AxisRows, NewtonWorlds, Singles
 from esg.engines.program import FIELDS, Action, Column
@@ -117,9 +118,10 @@ class NewtonModel(NewtonWorlds):
             [n.record for n in plan.links if n.record is not None and n.record.kind in AXES]
             for plan in self.plans
         ]
+        rows = 3 * max(len(of) for of in axes)
         limited = [r.lower is not None or r.upper is not None for of in axes for r in of]
         return AxisRows(
-            axes=3 * max(len(of) for of in axes),
+            axes=rung(rows) if self.on_gpu and rows else rows,
             limits=any(limited),
             loose=any(plan.loose for plan in self.plans),
         )
@@ -140,9 +142,15 @@ class NewtonModel(NewtonWorlds):
             self.first_shapes,
             int(self.first_body[-1]),
             int((np.array(points) * self.copies).sum()),
-            _rounded(most) if room.rounded else most,
+            self._room_for(most, room),
             self._axis_rows(),
         )
+
+    def _room_for(self, points: int, room: Points) -> int:
+        """Of the most crowded world, as the solver is told."""
+        if self.on_gpu:
+            return rung(points)
+        return rounded(points) if room.rounded else points
 
     def _make_arrays(self, ground: bool) -> None:
         b = self.n_bodies
@@ -454,9 +462,3 @@ def _shape_numbers(s: SceneShapes) -> NDArray[np.int64]:
         [i for b in range(s.n_bodies) if s.collides[b] for i in range(s.first[b], s.first[b + 1])],
         int,
     )
-
-
-def _rounded(points: int) -> int:
-    """The next power of two, or three quarters of it: kernels are compiled for every number."""
-    size = 1 << max(4, (points - 1).bit_length())
-    return size * 3 // 4 if points <= size * 3 // 4 else size

@@ -1,4 +1,4 @@
-"""What is changed in Newton so that models share kernels and sort only the contacts there are."""
+"""What is changed in Newton: models share kernels, and only the contacts there are get sorted."""
 
 from __future__ import annotations
 
@@ -8,6 +8,7 @@ from functools import cache, wraps
 from typing import Any
 
 from esg.engines.newton.setup import quiet_warp
+from esg.engines.newton.sizes import rung
 
 
 @cache
@@ -23,6 +24,57 @@ def share_kernels() -> None:
         factory = getattr(narrow_phase, name, None)
         if factory is not None:
             setattr(narrow_phase, name, cache(factory))
+
+
+@cache
+def share_sizes() -> None:
+    """Lets worlds on a GPU have room for one of few numbers of coordinates (`sizes.rung`).
+
+    Newton compiles the sweep of its solver for the most coordinates that a world has; what a
+    smaller world lacks is left out by every kernel. Where no joint is, no row couples coordinates,
+    and whether pairs of such rows are kept in fast memory, which goes by the number of worlds,
+    makes no difference but another kernel.
+    """
+    from newton._src.solvers.steel import solver_steel
+
+    solver = solver_steel.SolverSteel
+    names = ("_compute_world_response_dof_mapping", "_detect_jy_world_identity")
+    if not all(hasattr(solver, name) for name in names):
+        return
+    mapping, identity = (getattr(solver, name) for name in names)
+
+    @wraps(mapping)
+    def widened(self: Any, model: Any) -> None:
+        mapping(self, model)
+        if _widens(model.device) and self._max_world_dofs:
+            _widen(self, model, rung(self._max_world_dofs))
+
+    @wraps(identity)
+    def same_layout(self: Any) -> bool:
+        return identity(self) and self._max_world_dofs == self._size_groups[0]
+
+    setattr(solver, names[0], widened)
+    setattr(solver, names[1], same_layout)
+    pairs = getattr(solver_steel, "_use_mfgs_pair_cache", None)
+    if pairs is not None:
+        solver_steel._use_mfgs_pair_cache = wraps(pairs)(
+            lambda rows, *sizes, **options: rows > 1 and pairs(rows, *sizes, **options)
+        )
+
+
+def _widens(device: Any) -> bool:
+    return bool(device.is_cuda)
+
+
+def _widen(solver: Any, model: Any, dofs: int) -> None:
+    """Gives all worlds of a solver room for so many coordinates; -1 stands for none."""
+    import numpy as np
+
+    known = solver._world_dof_indices.numpy()
+    wide = np.full((len(known), dofs), -1, np.int32)
+    wide[:, : known.shape[1]] = known
+    solver._max_world_dofs = dofs
+    solver._world_dof_indices = quiet_warp().array(wide, dtype=int, device=model.device)
 
 
 @cache

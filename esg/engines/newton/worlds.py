@@ -19,7 +19,7 @@ from esg.engines.newton.setup import (
     STEPS_PER_GRAPH_CPU,
     quiet_warp,
 )
-from esg.engines.newton.sharing import share_kernels, sort_few_contacts
+from esg.engines.newton.sharing import share_kernels, share_sizes, sort_few_contacts
 from esg.engines.program import FIELDS
 from esg.engines.traction import FEATURES
 
@@ -65,9 +65,11 @@ class NewtonWorlds:
     def __init__(self, device: str, n_worlds: int, n_bodies: int) -> None:
         self.wp = quiet_warp()
         share_kernels()
+        share_sizes()
         sort_few_contacts()
         self.device, self.n_worlds, self.n_bodies = device, n_worlds, n_bodies
-        self.graph_steps = STEPS_PER_GRAPH_CPU if device.startswith("cpu") else STEPS_PER_GRAPH
+        self.on_gpu = not device.startswith("cpu")
+        self.graph_steps = STEPS_PER_GRAPH if self.on_gpu else STEPS_PER_GRAPH_CPU
         self._graphs: dict[object, Any] = {}
         self._primitives = 0
         self.dt, self.has_friction_change = 0.0, False
@@ -105,14 +107,13 @@ class NewtonWorlds:
             raise RuntimeError("Newton changed the order of shapes in replicated worlds")
         if model.body_count != n_moving:
             raise RuntimeError("Newton changed the number of bodies in replicated worlds")
-        cuda = not self.device.startswith("cpu")
         # On the CPU kernels run in order anyway.
         mode = wp.DeterministicMode
         self.pipeline = newton.CollisionPipeline(
             model,
             broad_phase="explicit",
             rigid_contact_max=points,
-            deterministic=cuda,
+            deterministic=self.on_gpu,
             verify_buffers=False,
             speculative_contact_gap_max=SPECULATIVE_GAP_M,
         )
@@ -129,7 +130,7 @@ class NewtonWorlds:
             drive_mode="augmented" if rows is None or rows.axes == 0 else "rows",
             baumgarte=BAUMGARTE,
             warn_constraint_overflow=False,
-            deterministic=mode.RUN_TO_RUN if cuda else mode.NOT_GUARANTEED,
+            deterministic=mode.RUN_TO_RUN if self.on_gpu else mode.NOT_GUARANTEED,
         )
         self.observables = self.solver.observables({"contact_f"}, contacts=self.contacts)
         self.state, self.other = model.state(), model.state()
@@ -292,6 +293,18 @@ class NewtonWorlds:
                         self._step()
             self._graphs[key] = capture.graph
         return self._graphs[key]
+
+    def take_steps(self) -> None:
+        """Two eager steps of worlds that no job was loaded for: they name their kernels."""
+        self._load_programs(
+            np.zeros((self.n_worlds, 1), np.int32), np.zeros((self.n_worlds, 1), np.int32),
+            np.zeros((self.n_worlds, 1, self.n_bodies), np.int32),
+            np.zeros((self.n_worlds, 1, FIELDS)), np.zeros(self.n_worlds, np.int32),
+        )  # fmt: skip
+        with self.wp.ScopedDevice(self.device):
+            self.out_q = self.out_qd = None
+            self._step()
+            self._step()
 
     def _warm_up(self) -> None:
         """Compiles and loads all kernels by two eager steps on states that are put back.
