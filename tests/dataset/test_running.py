@@ -18,6 +18,7 @@ from esg import stages
 from esg.dataset import running
 from esg.dataset.batch import make_batch
 from esg.dataset.folder import read_mark
+from esg.machine.removing import wait_removed
 from esg.pipeline import SceneState
 from esg.workers import WorkerPool
 from tasks import context
@@ -205,6 +206,7 @@ def test_a_clock_that_jumps_changes_nothing(
     with monkeypatch.context() as patch:
         patch.setattr(time, "time", lambda: back)
         make_batch(jumped[1])
+    wait_removed()
     for path in (tmp_path / "jumped").rglob("*"):
         os.utime(path, (back, back))
     for job, other in zip(plain, jumped, strict=True):

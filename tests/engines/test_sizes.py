@@ -149,3 +149,15 @@ def test_all_modules_are_told() -> None:
         {(m, "cpu", 1): None for m in modules}, lambda name, done, total: told.append((done, total))
     )
     assert told == [(k + 1, 5) for k in range(5)]
+
+
+def test_tiny_scenes_are_collided_as_large_ones_for_a_while() -> None:
+    """Newton still decides by these numbers, and has them back afterwards."""
+    from newton._src.sim import collide
+
+    before = {k: v for k, v in vars(collide).items() if k.startswith("_SPLIT_")}
+    limits = {k for k in before if k.endswith("PAIR_COUNT_THRESHOLD")}
+    assert len(limits) == 2
+    with ahead._many_pairs():
+        assert all(getattr(collide, k) == 0 for k in limits)
+    assert {k: v for k, v in vars(collide).items() if k.startswith("_SPLIT_")} == before

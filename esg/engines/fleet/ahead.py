@@ -68,6 +68,12 @@ def compile_ahead(
         works += [partial(_sized, bodies, points, device) for bodies, points in searched_sizes()]
     needed = needed_by(works)
     clear_cache()  # models that nothing was launched for
+    if device != "cpu":
+        with _many_pairs():
+            needed |= needed_by(
+                partial(doctor.play, s, device) for s in doctor.tiny_scenes().values()
+            )
+        clear_cache()
     compile_all(needed, progress)
     return len(needed)
 
@@ -107,6 +113,25 @@ def _sized(bodies: int, points: int, device: str) -> None:
     room = Points(world=points, body=0, shape=0, rounded=True)
     model = NewtonModel(wanted, shapes, Drafts(keep=False).take(wanted, shapes), device, room)
     model.take_steps()
+
+
+@contextmanager
+def _many_pairs() -> Generator[None]:
+    """Lets Newton collide tiny scenes as it does on a GPU from some thousands of pairs on.
+
+    It splits what it does with a pair of convex shapes into kernels of their own there.
+    """
+    from newton._src.sim import collide
+
+    names = [n for n in dir(collide) if n.startswith("_SPLIT_") and n.endswith("_THRESHOLD")]
+    known = {name: getattr(collide, name) for name in names}
+    try:
+        for name in names:
+            setattr(collide, name, 0)
+        yield
+    finally:
+        for name, value in known.items():
+            setattr(collide, name, value)
 
 
 def needed_by(works: Iterable[Callable[[], object]]) -> Needed:

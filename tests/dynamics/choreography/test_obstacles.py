@@ -156,6 +156,6 @@ def test_out_of_reach_in_both_engines_is_not_polished(
     found = Found(theta[0], 30.0, ensemble.worlds(slice(0, 1)), ensemble)
     monkeypatch.setattr(batched, "_explore", lambda *_: Explored(theta, surrogate, stalled))
     monkeypatch.setattr(batched, "_polish", lambda *_: (found, "polished"))
-    panel = cast(Any, SimpleNamespace(judge=lambda _: found))
+    panel = cast(Any, SimpleNamespace(judge=lambda _: found, decided=np.inf))
     stopped = batched.search(cast(Any, None), panel, np.random.default_rng(0), 12)[1]
     assert stopped == expected
