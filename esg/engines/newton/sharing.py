@@ -57,9 +57,12 @@ def share_sizes() -> None:
     setattr(solver, names[1], same_layout)
     pairs = getattr(solver_steel, "_use_mfgs_pair_cache", None)
     if pairs is not None:
-        solver_steel._use_mfgs_pair_cache = wraps(pairs)(
-            lambda rows, *sizes, **options: rows > 1 and pairs(rows, *sizes, **options)
-        )
+
+        @wraps(pairs)
+        def paired(rows: int, *sizes: Any, **options: Any) -> bool:
+            return rows > 1 and bool(pairs(rows, *sizes, **options))
+
+        solver_steel._use_mfgs_pair_cache = paired
 
 
 def _widens(device: Any) -> bool:
