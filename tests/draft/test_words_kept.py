@@ -6,7 +6,7 @@ import pytest
 
 from esg.draft import draft
 from esg.draft.statements.several import ALONE
-from esg.graph.models import EsgDocument
+from esg.graph.models import EsgDocument, NodeEvent
 
 
 def _owned(doc: EsgDocument) -> dict[str, str]:
@@ -190,3 +190,23 @@ def test_next_to_tells_no_order() -> None:
     assert [s.text for s in doc.statements or () if s.predicate.value == "stays_still"] == [
         "leaves"
     ]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "actor"),
+    [
+        ("A robot drives off a table and lands in a bin.", "robot_1"),
+        ("A toy car drives off the desk into a bucket.", "toy_car_1"),
+        ("A truck drives off its ramp.", "truck_1"),
+    ],
+)
+def test_what_drives_off_something_was_on_it_and_falls(prompt: str, actor: str) -> None:
+    doc = draft(prompt)
+    nodes = doc.timeline_system.sequence_graph.nodes
+    assert any(n.event is NodeEvent.FALL and n.participants == (actor,) for n in nodes)
+    assert doc.spatial_relation_graph.nodes[actor].semantic_region is not None
+
+
+def test_off_the_road_is_owned_up_to() -> None:
+    assert "off the road" in _owned(draft("A car drives off the road and hits a tree."))
+    assert not _owned(draft("A car drives off."))
