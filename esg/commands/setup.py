@@ -45,7 +45,6 @@ def setup(*, device: str | None = None) -> int:
         _step(f"engine kernels of {gpu}", lambda: warmup(progress=_line, device=gpu))
     _step("engine kernels", lambda: warmup(progress=_line))
     _step("surrogate kernels", _surrogate)
-    _step("kernels of layouts and of what breaks", _rest)
     with tempfile.TemporaryDirectory(prefix="esg-setup-") as folder:
         for number, sample in enumerate(SAMPLES, 1):
             name = f"sample scene {number} of {len(SAMPLES)}"
@@ -151,17 +150,6 @@ def _surrogate() -> None:
     from esg.engines.surrogate import warmup
 
     warmup()
-
-
-def _rest() -> None:
-    """What no sample needs: weighing layouts that overlap, and the swap of what breaks."""
-    import warp as wp
-
-    from esg.engines.newton import break_kernels
-    from esg.layout.kernels import evaluation
-
-    for module in (evaluation, break_kernels):
-        wp.load_module(module, device="cpu")
 
 
 def _bytecode() -> None:

@@ -293,7 +293,8 @@ class Composer:
             self._slow_to(course, leg, later[0])
         elif edge.event is EdgeEvent.BRAKE:
             self._brake(course, leg)
-        else:
+        elif phase.start.event is not NodeEvent.FALL or self.story.soars(course.actor):
+            # What has gone over an edge has nothing that it could push itself off from.
             self._drive(course, leg)
 
     def _down(self, primitive: Primitive) -> list[Primitive]:
@@ -507,14 +508,11 @@ class Composer:
         """Motion under its own power, straight on or in a curve."""
         actor, phase, edge, v, start = course.actor, leg.phase, leg.phase.edge, leg.v, leg.start
         soars, turns = self.story.soars(actor), edge.event is EdgeEvent.TURN
-        if phase.start.event is NodeEvent.FALL and not soars:
-            return  # It has gone over an edge: there is nothing that it could push itself off from.
         roll_radius = self.scene.body(actor).roll_radius
         down = leg.first and self.cast.rolls_down(actor, phase)
         descends = leg.first and self.cast.goes_down(actor, phase)
         before, speed = course.speed, self._speed(course, leg, descends)
-        falls = phase.end.event is NodeEvent.FALL and not soars
-        until = self._landing(actor) if falls else self.cast.contacts(phase)
+        until = self._until(phase)
         rate, end = self._turned(leg, speed) if turns else (0.0, leg.end)
         ride = self._ride(leg, speed, before)
         acceleration = v.get(f"{edge.id}/acceleration", 0.0)
@@ -712,8 +710,11 @@ class Composer:
         others = (b for b in self.scene.bodies if b.name != actor and b.category != FRAGMENT)
         return tuple(b.name for b in others if b.shapes)
 
-    def _landing(self, actor: str) -> tuple[str, ...]:
-        """All but the ground that something may land on that goes over an edge."""
+    def _until(self, phase: Phase) -> tuple[str, ...]:
+        """Whose touch ends a drive: over an edge, all but the ground that it may land on."""
+        actor = phase.edge.actor
+        if phase.end.event is not NodeEvent.FALL or self.story.soars(actor):
+            return self.cast.contacts(phase)
         below = supports(self.doc, actor)
         return tuple(n for n in self._others(actor) if n not in below) if below else ()
 

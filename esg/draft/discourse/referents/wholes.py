@@ -41,12 +41,9 @@ def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     body = m.head in lex.BODY_PARTS
     if m.attribute and m.part.endswith(("end", "side")):
         return [e.id for e in world.entities.values() if tips(e)][-1:]
-    known = m.determiner in _THIS_ONE and (m.determiner or not m.plural)
-    if known and not m.pronoun and m.possessor is None:
-        boards = [e.id for e in world.entities.values() if has_pans(e, m.head)]
-        if boards:  # "A balance scale stands there. An apple falls on the left pan."
-            m.part = m.head
-            return boards[-1:]
+    if boards := _of_a_balance(world, m):
+        m.part = m.head
+        return boards
     if m.possessor is not None and _part_of_a_joint(m.head, m.possessor):
         m.part = m.head
         return world.resolve(m.possessor)
@@ -63,6 +60,14 @@ def whole_of(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[
     ids = pronoun(world, Mention(m.start, m.end, pronoun=word), subject, avoid)
     person = all(world.entities[i].noun.kind == "person" for i in ids)
     return list(avoid) if ids and person and word == "it" else ids
+
+
+def _of_a_balance(world: World, m: Mention) -> list[str]:
+    """ "A balance scale stands there. An apple falls on the left pan." """
+    known = m.determiner in _THIS_ONE and (m.determiner or not m.plural)
+    if not known or m.pronoun or m.possessor is not None:
+        return []
+    return [e.id for e in world.entities.values() if has_pans(e, m.head)][-1:]
 
 
 def _of_a_car(world: World, m: Mention) -> list[str]:
