@@ -106,6 +106,8 @@ class Moves:
     """What leans on something, so that it tips over when it falls."""
     on_top: dict[str, str] = field(default_factory=dict[str, str])
     """What moves about on something, and on what."""
+    hovering: set[str] = field(default_factory=set[str])
+    """What is told to hold its height in the air at first."""
     upon: dict[str, str] = field(default_factory=dict[str, str])
     """What somebody has leapt onto, and is on."""
     still: dict[str, int] = field(default_factory=dict[str, int])

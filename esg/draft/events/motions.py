@@ -307,6 +307,7 @@ def target_of(d: Discourse, f: Frame, avoid: list[str]) -> list[str]:
 def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
     """Common part of all self motion: speed, target, and what the phrases say happens."""
     jolted_off(d, f, actors)
+    _hovered_before(d, f, actors)
     fresh = [a for a in actors if at_rest(d, a)]
     under = moves_on_it(d, f, fresh)
     d.moves.on_top.update((a, under[0]) for a in fresh if under)
@@ -340,6 +341,16 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
         _comes_off(d, f, actors, fresh)
     _lasts_for(d, f, actors)
     d.outcomes(f, actors)
+
+
+def _hovered_before(d: Discourse, f: Frame, actors: list[str]) -> None:
+    """ "Hovers, then flies away": it holds its height until then."""
+    for actor in actors:
+        track = d.timeline.tracks.get(actor)
+        motion_ = track.motion if track is not None else None
+        if track is not None and motion_ is not None and motion_.speed == 0.0:
+            d.add_event(NodeEvent.TRIGGER, (actor,), f, time_of(d, f))
+            track.motion = None
 
 
 def jolted_off(d: Discourse, f: Frame, actors: list[str]) -> None:

@@ -10,13 +10,14 @@ told when the scene is cast; the document keeps it (`record`), and it is read fr
 from __future__ import annotations
 
 from dataclasses import dataclass
+import math
 
 import numpy as np
 
 from esg.dynamics.choreography.handling import bounced, jumped, spun, taken, tell_guided
 from esg.dynamics.choreography.meetings import collision, enters
 from esg.dynamics.choreography.moves import controlled, plain, shattered, turned
-from esg.dynamics.choreography.placing import enter_beside
+from esg.dynamics.choreography.placing import comes_to_rest, enter_beside
 from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.swings import moved_by_joint, swung
@@ -27,7 +28,7 @@ from esg.dynamics.story.story import Story, read_story
 from esg.graph import models
 from esg.graph.canonical import entropy
 from esg.graph.casting import effective
-from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
+from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.layout.problem.hints import Constellation, StartHints, stored_hints
 
 HANDLERS = {
@@ -150,12 +151,27 @@ def _play(stage: Stage) -> Stage:
         if stage.anchor is not None and stage.leaves_its_support():
             if stage.start_at_edge():
                 break
-        elif stage.anchor is None or fit_to_surface(stage.doc, stage.anchor, stage.places):
+        elif stage.anchor is None:
+            break
+        elif fit_to_surface(stage.doc, stage.anchor, stage.places, _walked_to(stage)):
             break
         stage = stage.tighter()
     if stage.anchor is None:
         stand_behind(stage)
     return stage
+
+
+def _walked_to(stage: Stage) -> dict[str, tuple[float, float]]:
+    """Where those end that walk about and stop by themselves: x, y [m]."""
+    out: dict[str, tuple[float, float]] = {}
+    for actor, track in stage.tracks.items():
+        last = stage.story.phases[actor][-1]
+        walks = stage.held(actor) and last.edge.event is EdgeEvent.UNIFORM_MOTION
+        if walks and last.end.event is NodeEvent.TRIGGER and actor in stage.frames:
+            way = comes_to_rest(stage, actor)[0]
+            x, y = track.x + way * math.cos(track.heading), track.y + way * math.sin(track.heading)
+            out[actor] = stage.frames[actor].apply(x, y)
+    return {actor: end for actor, end in out.items() if actor in stage.places}
 
 
 def _tell(stage: Stage) -> None:

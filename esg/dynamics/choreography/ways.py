@@ -12,6 +12,7 @@ import math
 from esg.dynamics.choreography.clearing import thrown_over
 from esg.dynamics.choreography.hovering import top_of
 from esg.dynamics.choreography.kerbs import kerb_passed
+from esg.dynamics.choreography.passages import middle_of, opening_of, under
 from esg.dynamics.choreography.placing import comes_to_rest
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, half_along
@@ -109,9 +110,12 @@ def place_by_the_way(stage: Stage) -> None:
 def _gates_and_pairs(stage: Stage) -> None:
     """Puts two things on either side of a way that leads between them."""
     for s in pairs_passed(stage.doc, stage.story):
-        keys = [stage.key(other) for other in s.target]
+        keys = [stage.key(other) for other in s.target[:2]]
+        placed = {*keys} & {*stage.places, stage.anchor}
+        if keys[0] == keys[1]:
+            keys = [*s.target[:2]]  # two of a kind: each has its place
         way = _way(stage, s.object[0]) if s.object[0] in stage.tracks else None
-        if way is None or keys[0] == keys[1] or {*keys} & {*stage.places, stage.anchor}:
+        if way is None or placed:
             continue
         start, end, heading = way
         middle = (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]))
@@ -125,11 +129,11 @@ def _gates_and_pairs(stage: Stage) -> None:
 
 
 def pairs_passed(doc: EsgDocument, story: Story) -> Iterator[Statement]:
-    """The statements of a way of one mover between two things that wait."""
+    """The statements of a way of one mover between two or more things that wait."""
     nodes = doc.spatial_relation_graph.nodes
     for s in doc.statements or ():
         waiting = all(i not in story.phases and not nodes[i].is_structural for i in s.target)
-        if s.direction == "between" and len(s.object) == 1 and len(s.target) == 2 and waiting:
+        if s.direction == "between" and len(s.object) == 1 and len(s.target) > 1 and waiting:
             yield s
 
 
@@ -146,6 +150,7 @@ def ways_stated(doc: EsgDocument, story: Story) -> Iterator[Statement]:
     nodes = doc.spatial_relation_graph.nodes
     for s in doc.statements or ():
         ways = s.predicate is Predicate.MOVES or (s.predicate in _SIDES and s.when == "end")
+        ways |= s.predicate is Predicate.UNDER and s.when == "end"
         perched = s.predicate is Predicate.SUPPORTED_BY and s.when == "start"
         ways |= perched and s.object[0] in story.phases and story.soars(s.object[0])
         if not ways or len(s.object) != 1 or len(s.target) != 1:
@@ -185,6 +190,15 @@ def _spot(
         brakes = comes_to_rest(stage, mover)[0]
         end = (end[0] + brakes * math.cos(heading), end[1] + brakes * math.sin(heading))
         return _beside(end, side + math.pi, reach, -yaw)
+    if s.predicate is Predicate.UNDER:
+        brakes = comes_to_rest(stage, mover)[0]
+        end = (end[0] + brakes * math.cos(heading), end[1] + brakes * math.sin(heading))
+        return under(stage, end, heading, other)
+    if s.direction == "through" and opening_of(stage, other) is not None:
+        return (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]), heading)
+    bend = middle_of(stage.tracks[mover].points) if s.direction == "around" else None
+    if bend is not None:
+        return (*stage.frames[mover].apply(*bend), None)
     if s.direction == "toward":
         reach = mine.half_length + half_along(its.length, its.width, 0.0) + _AHEAD_M
         return _beside(end, heading, reach, None)
