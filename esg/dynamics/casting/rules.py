@@ -11,6 +11,7 @@ from esg.dynamics.casting.changes import Configs, with_assets
 from esg.dynamics.casting.containers import fit_containers, fit_holders
 from esg.dynamics.casting.dominoes import fit_falling
 from esg.dynamics.casting.fragile import fit_fragile
+from esg.dynamics.casting.lengths import fit_along
 from esg.dynamics.casting.loads import fit_fallen, fit_loads
 from esg.dynamics.casting.masses import fit_pushes, fit_slow, fit_transfer
 from esg.dynamics.casting.motion import (
@@ -93,6 +94,7 @@ RULES = (
     _of_assets("a hit at the stated speed gives the stated speed", fit_transfer),
     _of_assets("what is run into goes on to the next thing", fit_pushes),
     _of_assets("the blow breaks it", fit_fragile),
+    _of_assets("it is as long as the way along it", fit_along),
     _of_assets("its soles do not drag on the ground", fit_soles),
     Rule("the hit knocks over or off what it shall", fit_toppled),
 )

@@ -151,9 +151,9 @@ def _play(stage: Stage) -> Stage:
         if stage.anchor is not None and stage.leaves_its_support():
             if stage.start_at_edge():
                 break
-        elif stage.anchor is None:
-            break
-        elif fit_to_surface(stage.doc, stage.anchor, stage.places, _walked_to(stage)):
+        elif stage.anchor is None or fit_to_surface(
+            stage.doc, stage.anchor, stage.places, _walked_to(stage)
+        ):
             break
         stage = stage.tighter()
     if stage.anchor is None:

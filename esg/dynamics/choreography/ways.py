@@ -12,12 +12,19 @@ import math
 from esg.dynamics.choreography.clearing import thrown_over
 from esg.dynamics.choreography.hovering import top_of
 from esg.dynamics.choreography.kerbs import kerb_passed
-from esg.dynamics.choreography.passages import middle_of, opening_of, under
+from esg.dynamics.choreography.passages import (
+    BESIDE,
+    SIDES,
+    middle_of,
+    opening_of,
+    side_change,
+    under,
+)
 from esg.dynamics.choreography.placing import comes_to_rest
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, half_along
 from esg.dynamics.story.story import Story
-from esg.graph.models import EdgeEvent, EsgDocument, Predicate, RelationType, Statement
+from esg.graph.models import EdgeEvent, EsgDocument, Predicate, Statement
 
 _AHEAD_M = 1.0
 """Gap that is left to what something moves toward."""
@@ -29,16 +36,6 @@ _BETWEEN_M = 0.5
 """Gap on either side of what passes between two things."""
 RESTING_M = 0.002
 """Gap under what rests on something at the start: less than what is measured as touching."""
-_SIDES: dict[Predicate, tuple[float, float]] = {
-    Predicate.LEFT_OF: (1.0, 0.0),
-    Predicate.RIGHT_OF: (-1.0, 0.0),
-    Predicate.IN_FRONT_OF: (0.0, 1.0),
-    Predicate.BEHIND: (0.0, -1.0),
-}
-"""The side of the other thing on which something gets to be: left is +X, front +Y."""
-_BESIDE = frozenset(
-    {RelationType.LEFT_OF, RelationType.RIGHT_OF, RelationType.IN_FRONT_OF, RelationType.BEHIND}
-)
 _DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION, EdgeEvent.TOWARD)
 Way = tuple[tuple[float, float], tuple[float, float], float]
 """Start and end [m] and heading [rad] of a motion, in the constellation's frame."""
@@ -56,7 +53,7 @@ def state_course(stage: Stage) -> None:
         stage.yaw = math.radians(heading) - angle
         return
     for s in _stated(stage):
-        if s.predicate in _SIDES and s.object[:1] == (lead,):
+        if s.predicate in SIDES and s.object[:1] == (lead,):
             stage.yaw = _approach(stage, s) - angle
             return
     begins = _begins(stage, lead)
@@ -68,7 +65,7 @@ def _begins(stage: Stage, lead: str) -> float | None:
     """Heading [rad] from the side on which a mover is told to start of what it goes to, if any."""
     met = {n for phase in stage.story.phases[lead] for n in phase.end.participants if n != lead}
     for r in stage.doc.spatial_relation_graph.edges.binary_relations:
-        side = _SIDES.get(Predicate(r.relation_type.value)) if r.relation_type in _BESIDE else None
+        side = SIDES.get(Predicate(r.relation_type.value)) if r.relation_type in BESIDE else None
         if side is None or {r.from_, r.to} - {lead} - met or lead not in (r.from_, r.to):
             continue
         x, y = side if r.from_ == lead else (-side[0], -side[1])
@@ -81,7 +78,11 @@ def _approach(stage: Stage, s: Statement) -> float:
 
     Beside it is reached along Y, in front and behind along X; from where it is said to start.
     """
-    x, _ = _SIDES[s.predicate]
+    change = side_change(stage, s)
+    if change is not None:
+        (ax, ay), (bx, by) = change.points(change.least_m)
+        return math.atan2(by - ay, bx - ax)
+    x, _ = SIDES[s.predicate]
     begins = {
         r.relation_type.value
         for r in stage.doc.spatial_relation_graph.edges.binary_relations
@@ -140,8 +141,7 @@ def pairs_passed(doc: EsgDocument, story: Story) -> Iterator[Statement]:
 def arrives(doc: EsgDocument, actor: str) -> bool:
     """Whether a side of something is where an actor's way ends."""
     return any(
-        s.predicate in _SIDES and s.when == "end" and actor in s.object
-        for s in doc.statements or ()
+        s.predicate in SIDES and s.when == "end" and actor in s.object for s in doc.statements or ()
     )
 
 
@@ -149,7 +149,7 @@ def ways_stated(doc: EsgDocument, story: Story) -> Iterator[Statement]:
     """The statements of ways that have one mover and one other thing, which waits."""
     nodes = doc.spatial_relation_graph.nodes
     for s in doc.statements or ():
-        ways = s.predicate is Predicate.MOVES or (s.predicate in _SIDES and s.when == "end")
+        ways = s.predicate is Predicate.MOVES or (s.predicate in SIDES and s.when == "end")
         ways |= s.predicate is Predicate.UNDER and s.when == "end"
         perched = s.predicate is Predicate.SUPPORTED_BY and s.when == "start"
         ways |= perched and s.object[0] in story.phases and story.soars(s.object[0])
@@ -181,14 +181,19 @@ def _spot(
     mine, its = stage.prop(mover), stage.prop(other)
     if s.predicate is Predicate.SUPPORTED_BY:
         return (*start, heading + math.pi / 2)  # it leaves across what it sat on
-    if s.predicate in _SIDES:
+    if s.predicate in SIDES:
         yaw = stage.yaw or 0.0
-        x, y = _SIDES[s.predicate]
+        x, y = SIDES[s.predicate]
         side = math.atan2(y, x) - yaw
         reach = half_along(its.length, its.width, -yaw - side) + _BESIDE_M
         reach += half_along(mine.length, mine.width, heading - side)
         brakes = comes_to_rest(stage, mover)[0]
         end = (end[0] + brakes * math.cos(heading), end[1] + brakes * math.sin(heading))
+        change = side_change(stage, s)
+        if change is not None:
+            (px, py), _ = change.points(math.dist(start, end))
+            dx, dy = Frame(angle=-yaw).apply(-px, -py)
+            return (start[0] + dx, start[1] + dy, -yaw)
         return _beside(end, side + math.pi, reach, -yaw)
     if s.predicate is Predicate.UNDER:
         brakes = comes_to_rest(stage, mover)[0]

@@ -141,6 +141,7 @@ def _driven(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
             place(d, [rider], [mount], "on")
         return o
     place(d, s, o, "near")
+    d.scene.aboard.update((who, o[0]) for who in s)
     return o[:1]
 
 
