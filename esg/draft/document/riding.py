@@ -10,7 +10,7 @@ from esg.draft.discourse.bearing import bears, comes_off
 from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.scene import LIMBED, SPEEDS, Scene
-from esg.graph.joints import FOOT, SEAT
+from esg.graph.joints import FOOT, PILLION, SEAT
 from esg.graph.models import EdgeEvent, Joint
 
 _RIDDEN = lex.word_set("straddled or stood on")
@@ -48,7 +48,8 @@ def seat_riders(scene: Scene) -> None:
             continue
         _hand_over(scene, rider, mount)
         if rider not in scene.timeline.tracks:
-            _hold(scene, rider, mount, SEAT)
+            first = all(j.parent != mount for j in scene.joints)
+            _hold(scene, rider, mount, SEAT if first else PILLION)
     _hold_borne(scene)
 
 
