@@ -20,7 +20,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING, SELF_POWERED, SPEEDS
 from esg.draft.discourse.timeline import LAUNCHES, START
 from esg.draft.discourse.tracks import Motion
-from esg.draft.events.gaits import on_legs
+from esg.draft.events.gaits import gaits, on_legs
 from esg.draft.events.hanging import hanging, let_go
 from esg.draft.events.lengths import distance
 from esg.draft.events.roles import filling, role
@@ -63,7 +63,8 @@ def speed_of(d: Discourse, f: Frame, actors: list[str], mode: str) -> tuple[Quan
     told += [d.moves.stated[x] for x in actors if x in d.moves.stated]
     if not told:
         kind = kind_of(d, actors[0]) if actors else "ball"
-        afoot = kind in LIVING and not (flies_itself(d, actors[0]) or d.moves.flying & {*actors})
+        wings = bool(actors) and flies_itself(d, actors[0]) and f.verb.lemma not in gaits()
+        afoot = kind in LIVING and not (wings or d.moves.flying & {*actors})
         if afoot and (legs := on_legs(entity_of(d, actors[0]), f.verb.lemma)) is not None:
             return legs, False
         launched = mode in LAUNCHES and kind not in ("billiard", "projectile")
