@@ -144,6 +144,8 @@ def board(scene: Scene) -> None:
             continue  # "two women in a van pass a bus"
         if who not in entities or vehicle not in entities or who in scene.supported_by:
             continue
+        if entities[who].noun.kind != "person":
+            continue  # a dog that drives is to be seen
         noun = entities[vehicle].noun
         closed = noun.kind in ("vehicle", "flyer") and noun.dimensions_cm[2] > SEATED_CM
         if not closed or noun.name in _RIDDEN | _OPEN or comes_off(scene, who):

@@ -282,8 +282,11 @@ def _across(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
 
 
 def _through(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
-    """Through: into it, and out on another side."""
+    """Through: into it, and out on another side; through a street is along it."""
     reason = f"never is inside {q.goal}"
+    lanes = {r.parent for r in replay.scene.regions if r.kind == "lane"}
+    if any(replay.scene.bodies[j].name in lanes for j in _bodies(replay, q, body)):
+        return _along(replay, q, body, path)
     for region, container in volumes(replay, q.target):
         if container == body:
             continue
