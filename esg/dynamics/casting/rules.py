@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from esg.dynamics.casting.bodies import fit_freed, fit_grown, fit_movable, fit_solid, fit_springy
 from esg.dynamics.casting.chains import fit_chains, fit_sliding
 from esg.dynamics.casting.changes import Configs, with_assets
+from esg.dynamics.casting.chutes import fit_chutes
 from esg.dynamics.casting.containers import fit_containers, fit_holders
 from esg.dynamics.casting.dominoes import fit_falling
 from esg.dynamics.casting.fragile import fit_fragile
@@ -79,6 +80,7 @@ RULES = (
     _of_assets("it glides on snow", fit_snow),
     _of_assets("there is room on top for what goes down it", fit_roomy),
     _of_assets("what is on the slope is let go and arrives as stated", fit_sloped),
+    _of_assets("it ends over the rim of what is to be got into", fit_chutes),
     _of_assets("its hits are felt at the speed it may have", fit_felt),
     _of_assets("its hit is felt as slowly as it goes", fit_slow),
     _of_assets("what slides is still on its way when it is to arrive", fit_slippery),

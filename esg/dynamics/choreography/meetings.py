@@ -13,6 +13,7 @@ import math
 from esg.dynamics.choreography import (
     approaches,
     bounces,
+    chutes,
     encounters,
     falls,
     flights,
@@ -135,6 +136,11 @@ WITH_WHAT_WAITS = (
         "a is let go over b",
         throws.is_let_go,
         throws.drop,
+    ),
+    Meeting(
+        "a comes down a chute, and falls into b below its lip",
+        chutes.falls_in,
+        chutes.fall_in,
     ),
     Meeting(
         "a comes down a ramp, and b waits at its foot",
