@@ -5,6 +5,7 @@ Which things, of what parts and how they move is `esg/lexicon/articulations.csv`
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 import math
 import re
@@ -435,6 +436,7 @@ def _joint(
     turns = row.kind in ("hinge", "ball")
     long = 1.0 if turns else size
     words = (*named.adjectives, *named.head.lower().split(), *_left(scene, named))
+    words = (*words, *_gone_through(scene, named, words))
     start = max((_OPEN.get(a, 0.0) for a in words), default=0.0)
     start = (row.opened or 0.0) * start or (0.0 if _SHUT & {*words} else row.start)
 
@@ -481,6 +483,14 @@ def _left(scene: Scene, e: Entity) -> list[str]:
     """ "Left the gate ajar", "the door stands ajar": how it is as the scene starts."""
     told = re.search(rf"\b{re.escape(e.head)}\b[^.;]*?\b(ajar)\b", scene.text, re.IGNORECASE)
     return [] if told is None else [told[1].lower()]
+
+
+def _gone_through(scene: Scene, e: Entity, words: Sequence[str]) -> list[str]:
+    """ "The sheep walk through a gate": it stands open, if nothing happens to it."""
+    acting = {i for n in scene.timeline.nodes for i in n.participants}
+    head = re.escape(e.head)
+    told = re.search(rf"\bthrough (?:\w+ ){{1,3}}{head}\b", scene.text, re.IGNORECASE)
+    return [] if told is None or e.id in acting or _SHUT & {*words} else ["open"]
 
 
 def _stiff(row: Articulation, child: Entity) -> float | None:

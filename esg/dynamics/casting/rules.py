@@ -24,6 +24,7 @@ from esg.dynamics.casting.motion import (
     fit_steady,
 )
 from esg.dynamics.casting.openings import fit_openings
+from esg.dynamics.casting.passages import fit_passages
 from esg.dynamics.casting.reach import fit_reach
 from esg.dynamics.casting.surfaces import fit_ground, fit_ice, fit_snow
 from esg.dynamics.casting.toppling import fit_toppled
@@ -74,6 +75,7 @@ RULES = (
     _of_assets("the hit of one on the next counts", fit_grown),
     _of_assets("it is down before it hits the next one", fit_falling),
     _of_assets("something enters it", fit_openings),
+    _of_assets("what goes through it has room", fit_passages),
     _of_assets("what ends up inside fits through the opening and stays", fit_containers),
     _of_assets("the ground is said to be so", lambda doc, _: fit_ground(doc)),
     _of_assets("it slides on ice", fit_ice),

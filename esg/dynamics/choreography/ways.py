@@ -49,7 +49,7 @@ def state_course(stage: Stage) -> None:
     edge = stage.story.phases[lead][0].edge
     heading = edge.params.heading_deg
     angle = stage.frames.get(lead, Frame()).angle
-    if stage.anchor is not None:
+    if stage.anchor is not None or stage.yaw is not None:
         return
     if isinstance(heading, int | float) and edge.event in _DRIVEN:
         stage.yaw = math.radians(heading) - angle
