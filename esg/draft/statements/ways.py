@@ -116,6 +116,9 @@ def _by_others(book: Book, s: Said, mover: str, where: str) -> None:
         return
     if direction == "through" and targets == [GROUND]:
         direction = "across"  # "through a meadow", "through the park": it has no other side
+    street = structural(d, targets[0]) and entity_of(d, targets[0]).noun.name != "crossroad"
+    if direction == "through" and street:
+        direction = "along"  # "through a city street"
     if structural(d, targets[0]) and direction not in _ON_THE_WAY:
         return
     if direction in _ABOUT and d.scene.supported_by.get(mover) in targets:

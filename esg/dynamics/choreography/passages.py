@@ -8,7 +8,7 @@ import math
 
 from esg.dynamics.choreography.chutes import first_speed
 from esg.dynamics.choreography.setting_off import ride_of as gains
-from esg.dynamics.choreography.slopes import SAMPLE_M, come_down, ride_of, slope_of
+from esg.dynamics.choreography.slopes import AT_FOOT_M, SAMPLE_M, come_down, ride_of, slope_of
 from esg.dynamics.choreography.stage import Stage, speed_is_fixed
 from esg.dynamics.story.kinematics import Frame, Ride
 from esg.dynamics.story.stagecraft import coasting_drag
@@ -76,6 +76,19 @@ def ways_through(doc: EsgDocument, story: Story) -> Iterator[tuple[Statement, Pa
         found = passage_of(doc, s.target[0])
         if found is not None and found.owner not in story.phases:
             yield s, found
+
+
+def let_go_down(stage: Stage) -> None:
+    """What is let go at the top of a ramp and meets nothing: down to the foot, and off the ramp."""
+    slope = slope_of(stage.doc, stage.anchor) if stage.anchor is not None else None
+    phases = stage.story.phases[stage.lead]
+    lets_go = phases[0].edge.event is EdgeEvent.TOWARD and not stage.story.flies(stage.lead)
+    if slope is None or not lets_go or len(phases) > 1:
+        return
+    if phases[0].end.event is NodeEvent.TRIGGER and not phases[0].end.time_is_prescribed:
+        start = slope.crest - stage.inset(stage.lead)
+        off = stage.prop(stage.lead).half_length + AT_FOOT_M + SAMPLE_M
+        _let_go(stage, stage.lead, start, slope.foot - start + off)
 
 
 def lead_through(stage: Stage) -> None:
@@ -203,6 +216,7 @@ def _let_go(stage: Stage, mover: str, start: float, way: float) -> None:
     time, left = come_down(slope, ride, start, speed).at(start + way - SAMPLE_M)
     if not math.isfinite(time):
         return
+    stage.goes_down = True
     track.points[-1] = (way, 0.0)
     track.x, track.y, track.time, track.speed = way, 0.0, time, left
     stage.time[phase.end.id] = time

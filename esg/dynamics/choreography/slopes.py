@@ -12,7 +12,7 @@ from esg.dynamics.choreography.stage import Stage, speed_is_fixed
 from esg.dynamics.story.proxies import corners
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, prop, support_of, top_surface
 from esg.dynamics.story.story import Phase, Story, bounds
-from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
+from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
 Floats = NDArray[np.float64]
@@ -309,6 +309,20 @@ def rides(doc: EsgDocument, story: Story) -> list[tuple[TimelineNode, str, str, 
             continue
         if others and support_of(doc, others[0]) != support:
             out.append((end, actor, support, slope))
+    return out
+
+
+def runs_down(doc: EsgDocument, story: Story) -> list[tuple[str, str, Slope]]:
+    """What is let go on a ramp and meets nothing, as (who comes down, the ramp, its slope)."""
+    out: list[tuple[str, str, Slope]] = []
+    for actor, phases in story.phases.items():
+        support, first = support_of(doc, actor), phases[0]
+        free = first.end.event in (NodeEvent.TRIGGER, NodeEvent.STOP)
+        if support is None or not free or first.edge.event is not EdgeEvent.TOWARD:
+            continue
+        slope = None if story.flies(actor) else slope_of(doc, support)
+        if slope is not None:
+            out.append((actor, support, slope))
     return out
 
 

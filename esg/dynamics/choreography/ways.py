@@ -155,6 +155,16 @@ def ways_stated(doc: EsgDocument, story: Story) -> Iterator[Statement]:
             yield s
 
 
+def crossing_together(doc: EsgDocument) -> list[set[str]]:
+    """Those who cross the same street: they go the same way."""
+    nodes, out = doc.spatial_relation_graph.nodes, dict[str, set[str]]()
+    for s in doc.statements or ():
+        if s.predicate is Predicate.MOVES and s.direction == "across":
+            for road in (i for i in s.target if nodes[i].is_structural):
+                out.setdefault(road, set()).update(s.object)
+    return list(out.values())
+
+
 def _stated(stage: Stage) -> Iterator[Statement]:
     """Those of a mover of this stage."""
     return (s for s in ways_stated(stage.doc, stage.story) if s.object[0] in stage.tracks)
