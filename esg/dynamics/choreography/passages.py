@@ -21,6 +21,8 @@ BEFORE_M, BEHIND_M = 0.6, 0.4
 """Free way before and behind it, from the mover's ends."""
 LONGEST_S = 15.0
 """Longest time that a way is made longer for."""
+GOES_ON_S, CLIMBS = 0.8, 0.6
+"""How long what goes up a ramp goes on up there, and the least share of the ramp that it climbs."""
 FILE_M = 0.8
 """Gap between those that go through one behind the other."""
 HARDEST = 1.6
@@ -104,6 +106,27 @@ def lead_through(stage: Stage) -> None:
         elif key not in stage.places and key != stage.anchor:
             _place(stage, mover, passage)
             first[passage.owner] = mover
+
+
+def lead_up(stage: Stage, mover: str, other: str) -> tuple[float, float, float] | None:
+    """Where a ramp stands that a way leads up: x, y [m], yaw [rad]; None where none can.
+
+    The way ends where what goes on for a moment is still on the ramp's top.
+    """
+    slope, frame = slope_of(stage.doc, stage.member(other)), stage.frames.get(mover)
+    track, phases = stage.tracks[mover], stage.story.phases[mover]
+    free = len(phases) == 1 and phases[0].end.event is NodeEvent.TRIGGER
+    if slope is None or frame is None or not free or stage.anchor is not None:
+        return None
+    if stage.story.flies(mover) or phases[0].edge.event is EdgeEvent.TOWARD:
+        return None
+    before = BEFORE_M + stage.prop(mover).half_length
+    up = before + slope.foot - slope.crest
+    lengthen(stage, mover, max(up - GOES_ON_S * track.speed, before + CLIMBS * (up - before)))
+    heading = frame.angle + track.heading
+    x, y = frame.apply(0.0, 0.0)
+    at = before + slope.foot
+    return x + at * math.cos(heading), y + at * math.sin(heading), heading + math.pi
 
 
 def _goes_on_the_ground(stage: Stage, mover: str, passage: Passage) -> bool:

@@ -12,6 +12,7 @@ import math
 from esg.dynamics.choreography.clearing import thrown_over
 from esg.dynamics.choreography.hovering import top_of
 from esg.dynamics.choreography.kerbs import kerb_passed
+from esg.dynamics.choreography.passages import lead_up
 from esg.dynamics.choreography.placing import comes_to_rest
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, half_along
@@ -26,6 +27,8 @@ _BESIDE_M = 0.6
 """Gap to what something moves past or along, or gets beside."""
 _BETWEEN_M = 0.5
 """Gap on either side of what passes between two things."""
+_OVER_M = 0.5
+"""Gap under what flies to a place over something."""
 RESTING_M = 0.002
 """Gap under what rests on something at the start: less than what is measured as touching."""
 _SIDES: dict[Predicate, tuple[float, float]] = {
@@ -136,9 +139,16 @@ def pairs_passed(doc: EsgDocument, story: Story) -> Iterator[Statement]:
 def arrives(doc: EsgDocument, actor: str) -> bool:
     """Whether a side of something is where an actor's way ends."""
     return any(
-        s.predicate in _SIDES and s.when == "end" and actor in s.object
+        (s.predicate in _SIDES or s.predicate is Predicate.ABOVE)
+        and s.when == "end"
+        and actor in s.object
         for s in doc.statements or ()
     )
+
+
+def _ends_over(s: Statement) -> bool:
+    """Whether a statement tells of a place over something at the end."""
+    return s.predicate is Predicate.ABOVE and s.when == "end" and bool(s.object)
 
 
 def ways_stated(doc: EsgDocument, story: Story) -> Iterator[Statement]:
@@ -146,6 +156,7 @@ def ways_stated(doc: EsgDocument, story: Story) -> Iterator[Statement]:
     nodes = doc.spatial_relation_graph.nodes
     for s in doc.statements or ():
         ways = s.predicate is Predicate.MOVES or (s.predicate in _SIDES and s.when == "end")
+        ways |= _ends_over(s) and s.object[0] in story.phases and story.soars(s.object[0])
         perched = s.predicate is Predicate.SUPPORTED_BY and s.when == "start"
         ways |= perched and s.object[0] in story.phases and story.soars(s.object[0])
         if not ways or len(s.object) != 1 or len(s.target) != 1:
@@ -186,6 +197,9 @@ def _spot(
     mine, its = stage.prop(mover), stage.prop(other)
     if s.predicate is Predicate.SUPPORTED_BY:
         return (*start, heading + math.pi / 2)  # it leaves across what it sat on
+    if _ends_over(s):
+        stage.heights[mover] = top_of(stage, other) + _OVER_M
+        return _beside(end, heading, comes_to_rest(stage, mover)[0], None)
     if s.predicate in _SIDES:
         yaw = stage.yaw or 0.0
         x, y = _SIDES[s.predicate]
@@ -195,6 +209,8 @@ def _spot(
         brakes = comes_to_rest(stage, mover)[0]
         end = (end[0] + brakes * math.cos(heading), end[1] + brakes * math.sin(heading))
         return _beside(end, side + math.pi, reach, -yaw)
+    if s.direction == "up":
+        return lead_up(stage, mover, other)
     if s.direction == "toward":
         reach = mine.half_length + half_along(its.length, its.width, 0.0) + _AHEAD_M
         return _beside(end, heading, reach, None)
