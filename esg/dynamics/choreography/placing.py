@@ -21,6 +21,8 @@ from esg.dynamics.story.stagecraft import Prop, coasting_drag, support_of, targe
 from esg.dynamics.story.story import bounds
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, RegionType, TimelineNode
 
+BESIDE_M, WIDE = 0.3, 1.2
+"""Gap between two that come to the same thing side by side, and how much wider than both it is."""
 SHORT_OF_M = 0.15
 """Gap that is left to what is reached."""
 
@@ -103,6 +105,10 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> 
         x, y = frame.apply(track.x, track.y)
         _place_target(stage, a, b, x, y, track.heading + frame.angle, pa, node, gap)
     elif a not in stage.frames:
+        mate = _mate_at(stage, a, b)
+        if mate is not None:
+            _come_beside(stage, a, mate)
+            return
         bx, by, byaw = stage.places[b]
         pb = stage.prop(b)
         if _was_struck(stage, node, b):
@@ -126,6 +132,26 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> 
     x, y = stage.frames[a].apply(0.0, 0.0)
     turned = math.pi / 2 if is_swung(stage, node, a, b) else stage.reverse_yaw(a)
     stage.places[a] = (x, y, stage.frames[a].angle + turned)
+
+
+def _mate_at(stage: Stage, a: str, b: str) -> str | None:
+    """Who of a's group has come to b, which is wide enough for both side by side."""
+    nodes = stage.doc.spatial_relation_graph.nodes
+    group, room = nodes[stage.member(a)].group, stage.prop(b)
+    wide = max(room.length, room.width) > WIDE * (2.0 * stage.prop(a).width + BESIDE_M)
+    mates = (o for o in stage.tracks if o != a and stage.met.get(o) == b and o in stage.frames)
+    found = next((o for o in mates if group and nodes[stage.member(o)].group == group), None)
+    return found if wide and room.fixed else None
+
+
+def _come_beside(stage: Stage, a: str, mate: str) -> None:
+    """Lets a come to what a mate has come to, in the lane beside that one's."""
+    track, its, frame = stage.tracks[a], stage.tracks[mate], stage.frames[mate]
+    aside = stage.prop(a).half_width + stage.prop(mate).half_width + BESIDE_M
+    ahead = stage.prop(mate).half_length - stage.prop(a).half_length + its.points[1][0] - track.x
+    x, y = frame.apply(ahead, -aside)
+    stage.frames[a] = Frame(x, y, frame.angle)
+    stage.places[a] = (x, y, frame.angle + stage.reverse_yaw(a))
 
 
 def enter_beside(stage: Stage, actor: str) -> None:
