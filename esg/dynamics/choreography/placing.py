@@ -19,7 +19,14 @@ from esg.dynamics.story.kinematics import (
 from esg.dynamics.story.solid import beside_the_middle
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, support_of, target_yaw
 from esg.dynamics.story.story import bounds
-from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, RegionType, TimelineNode
+from esg.graph.models import (
+    EdgeEvent,
+    EsgDocument,
+    NodeEvent,
+    Predicate,
+    RegionType,
+    TimelineNode,
+)
 
 BESIDE_M, WIDE = 0.3, 1.2
 """Gap between two that come to the same thing side by side, and how much wider than both it is."""
@@ -105,7 +112,7 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> 
         x, y = frame.apply(track.x, track.y)
         _place_target(stage, a, b, x, y, track.heading + frame.angle, pa, node, gap)
     elif a not in stage.frames:
-        mate = _mate_at(stage, a, b)
+        mate = _mate_at(stage, node, a, b)
         if mate is not None:
             _come_beside(stage, a, mate)
             return
@@ -134,14 +141,19 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> 
     stage.places[a] = (x, y, stage.frames[a].angle + turned)
 
 
-def _mate_at(stage: Stage, a: str, b: str) -> str | None:
-    """Who of a's group has come to b, which is wide enough for both side by side."""
-    nodes = stage.doc.spatial_relation_graph.nodes
-    group, room = nodes[stage.member(a)].group, stage.prop(b)
-    wide = max(room.length, room.width) > WIDE * (2.0 * stage.prop(a).width + BESIDE_M)
-    mates = (o for o in stage.tracks if o != a and stage.met.get(o) == b and o in stage.frames)
-    found = next((o for o in mates if group and nodes[stage.member(o)].group == group), None)
-    return found if wide and room.fixed else None
+def _mate_at(stage: Stage, node: TimelineNode, a: str, b: str) -> str | None:
+    """Who is told to come to b before a does; None where b has no room for both side by side."""
+    pb, nodes = stage.prop(b), stage.story.nodes
+    wide = max(pb.length, pb.width) > WIDE * (2.0 * stage.prop(a).width + BESIDE_M)
+    for s in stage.doc.statements or ():
+        if s.predicate is not Predicate.BEFORE or s.object[1:] != (node.id,) or not wide:
+            continue
+        first = nodes.get(s.object[0])
+        keys = [] if first is None else list(map(stage.key, first.participants))
+        mate = next((k for k in keys if k in stage.frames and k in stage.tracks and k != a), None)
+        if b in keys and mate is not None and pb.fixed:
+            return mate
+    return None
 
 
 def _come_beside(stage: Stage, a: str, mate: str) -> None:

@@ -167,12 +167,14 @@ def ways_stated(doc: EsgDocument, story: Story) -> Iterator[Statement]:
 
 
 def crossing_together(doc: EsgDocument) -> list[set[str]]:
-    """Those who cross the same street: they go the same way."""
-    nodes, out = doc.spatial_relation_graph.nodes, dict[str, set[str]]()
+    """Those of one plural who cross the same street: they go the same way."""
+    nodes, out = doc.spatial_relation_graph.nodes, dict[tuple[str, str], set[str]]()
     for s in doc.statements or ():
-        if s.predicate is Predicate.MOVES and s.direction == "across":
-            for road in (i for i in s.target if nodes[i].is_structural):
-                out.setdefault(road, set()).update(s.object)
+        if s.predicate is not Predicate.MOVES or s.direction != "across":
+            continue
+        for road in (i for i in s.target if nodes[i].is_structural):
+            for who in s.object:
+                out.setdefault((road, nodes[who].group or who), set()).add(who)
     return list(out.values())
 
 
