@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from esg.dynamics.casting.changes import Configs, resized
-from esg.dynamics.choreography.passages import ways_through
+from esg.dynamics.choreography.courses.passages import ways_through
 from esg.dynamics.story.stagecraft import prop
 from esg.dynamics.story.story import Story
 from esg.graph.models import EsgDocument

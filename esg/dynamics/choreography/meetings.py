@@ -13,7 +13,6 @@ import math
 from esg.dynamics.choreography import (
     approaches,
     bounces,
-    chutes,
     encounters,
     falls,
     flights,
@@ -22,6 +21,7 @@ from esg.dynamics.choreography import (
     swings,
     throws,
 )
+from esg.dynamics.choreography.courses import chutes
 from esg.dynamics.choreography.hits import impacts
 from esg.dynamics.choreography.hits.caroms import carom, is_carom
 from esg.dynamics.choreography.moves import plain

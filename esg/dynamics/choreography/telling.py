@@ -13,11 +13,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
-from esg.dynamics.choreography.from_sides import go_from_side_to_side
+from esg.dynamics.choreography.courses.from_sides import go_from_side_to_side
+from esg.dynamics.choreography.courses.passages import lead_through, let_go_down, ways_through
 from esg.dynamics.choreography.handling import bounced, jumped, spun, taken, tell_guided
 from esg.dynamics.choreography.meetings import collision, enters
 from esg.dynamics.choreography.moves import controlled, plain, shattered, turned
-from esg.dynamics.choreography.passages import lead_through, let_go_down, ways_through
 from esg.dynamics.choreography.placing import enter_beside
 from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage

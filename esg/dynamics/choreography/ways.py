@@ -10,9 +10,9 @@ from collections.abc import Iterator
 import math
 
 from esg.dynamics.choreography.clearing import thrown_over
+from esg.dynamics.choreography.courses.passages import lead_up
 from esg.dynamics.choreography.hovering import top_of
 from esg.dynamics.choreography.kerbs import kerb_passed
-from esg.dynamics.choreography.passages import lead_up
 from esg.dynamics.choreography.placing import comes_to_rest
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, half_along

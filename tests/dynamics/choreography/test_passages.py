@@ -9,8 +9,8 @@ import pytest
 
 from esg.dynamics import start_hints
 from esg.dynamics.casting.passages import HIGH, WIDE
-from esg.dynamics.choreography.chutes import drop_needed, leap
-from esg.dynamics.choreography.passages import passage_of
+from esg.dynamics.choreography.courses.chutes import drop_needed, leap
+from esg.dynamics.choreography.courses.passages import passage_of
 from esg.dynamics.choreography.slopes import chute_of, slope_of
 from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.story.stagecraft import prop

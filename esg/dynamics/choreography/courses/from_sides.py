@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 import math
 
-from esg.dynamics.choreography.passages import lengthen
+from esg.dynamics.choreography.courses.passages import lengthen
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.story import Phase
 from esg.graph.models import NodeEvent, Predicate, Statement

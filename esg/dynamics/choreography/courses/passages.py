@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import dataclass
 import math
 
-from esg.dynamics.choreography.chutes import first_speed
+from esg.dynamics.choreography.courses.chutes import first_speed
 from esg.dynamics.choreography.setting_off import ride_of as gains
 from esg.dynamics.choreography.slopes import AT_FOOT_M, SAMPLE_M, come_down, ride_of, slope_of
 from esg.dynamics.choreography.stage import Stage, speed_is_fixed
