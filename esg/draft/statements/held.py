@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from esg.draft.discourse.core import entity_of, kind_of, structural
+from esg.draft.discourse.core import kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED
 from esg.draft.events.stated import start_of
@@ -44,10 +44,6 @@ def driver(book: Book, clause: Clause, s: Said, mover: str) -> None:
     riders = [i for i in riders if d.scene.supported_by.get(i, mover) == mover]
     if riders and kind_of(d, mover) in SELF_POWERED:
         open_ = d.scene.supported_by.get(riders[0]) == mover or s.row.states is not Predicate.INSIDE
-        if not open_ and d.scene.inside_of.get(riders[0]) != mover:
-            note = f"nobody is seen inside: the {entity_of(d, mover).head} goes by itself"
-            book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=tuple(riders), note=note)
-            return
         says = Predicate.SUPPORTED_BY if open_ else Predicate.INSIDE
         book.add(says, s.start, s.end, object=tuple(riders), target=(mover,))
 

@@ -41,19 +41,7 @@ def state(
     told = Told(d, book, frames, elements, tokens)
     for write_down in WRITTEN:
         write_down(told)
-    return tuple(sorted(_once(book.items), key=lambda s: s.start)) or None
-
-
-def _once(said: list[Statement]) -> list[Statement]:
-    """Without ways and flights that are owned up to in the same words: "climbing"."""
-    owned = [s for s in said if s.predicate is Predicate.NOT_REPRESENTED and s.note not in _CAUSES]
-
-    def is_owned(s: Statement) -> bool:
-        same = [x for x in owned if (x.start, x.end) == (s.start, s.end)]
-        return any(not x.object or {*x.object} & {*s.object} for x in same)
-
-    ways = (Predicate.MOVES, Predicate.AIRBORNE)
-    return [s for s in said if s.predicate not in ways or not is_owned(s)]
+    return tuple(sorted(book.items, key=lambda s: s.start)) or None
 
 
 def _clauses(told: Told) -> None:

@@ -17,7 +17,7 @@ from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Phrase
 from esg.draft.statements.book import Book, ids, span
 from esg.draft.statements.periods import STRAIGHT_DOWN_DEG, hurled, is_told, period, segments
-from esg.graph.models import EdgeEvent, NodeEvent, Predicate
+from esg.graph.models import NodeEvent, Predicate
 
 _ON_THE_WAY = ("along", "across", "through")
 """Directions that roads, fields and floors have, too."""
@@ -32,9 +32,6 @@ _SIDE_WORDS = {
 """The words of a side, of which the first in the text is where something starts."""
 _SPANS = lex.word_set("spans")
 _DOWN_ON = ("on", "onto", "upon", "atop", "on top of")
-_LEVEL = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION)
-_ON_THE_GROUND = "nothing leads up from the ground that it is on"
-_NO_STEPS = "legs do not climb steps"
 _STRAIGHT_DOWN = "it falls straight down"
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
 
@@ -101,22 +98,10 @@ def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
         return
     if clause.frame.verb.sense in TURNING or "turn" in d.scene.used.get(span(clause.frame), ""):
         return
-    if direction == "up" and _stays_down(d, mover):
-        book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=(mover,), note=_ON_THE_GROUND)
-        return
     if direction not in _TARGETED and direction != "between":
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), direction=direction, when=where)
         return
     _by_others(book, s, mover, where)
-
-
-def _stays_down(d: Discourse, mover: str) -> bool:
-    """Whether something goes about on the ground, where nothing leads up: "ride upwards"."""
-    legs = [e for e in d.timeline.edges if e.actor == mover]
-    level = all(e.event in _LEVEL and e.params.elevation_deg is None for e in legs)
-    host = d.scene.supported_by.get(mover, GROUND)
-    sloped = host in d.world.entities and "incline" in entity_of(d, host).noun.traits
-    return bool(legs) and level and not sloped and not flies_itself(d, mover)
 
 
 def _by_others(book: Book, s: Said, mover: str, where: str) -> None:
@@ -178,18 +163,10 @@ def _slope(book: Book, s: Said, mover: str, where: str) -> None:
     if on and (structural(d, on[0]) or kind_of(d, on[0]) == "water"):
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(on),
                  direction="along", when=where)  # fmt: skip
-    elif on and s.row.direction == "up" and _is_stepped(d, on[0]) and kind_of(d, mover) in LIVING:
-        book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=(mover,), note=_NO_STEPS)
     elif on:
         sloped = on if "incline" in entity_of(d, on[0]).noun.traits else []
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(sloped),
                  direction=s.row.direction, when=where)  # fmt: skip
-
-
-def _is_stepped(d: Discourse, node: str) -> bool:
-    return bool(
-        {"stairs", "staircase", "steps", "step", "ladder"} & {*entity_of(d, node).head.split()}
-    )
 
 
 def goal(book: Book, clause: Clause, s: Said, mover: str) -> None:
