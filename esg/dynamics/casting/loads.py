@@ -112,7 +112,7 @@ def _factors(last: float) -> Iterator[float]:
 
 
 def _loads(doc: EsgDocument) -> dict[str, list[str]]:
-    """What stands beside each other on what, stacks counted by their lowest; who sits has a seat."""
+    """What stands beside each other on what, stacks by their lowest; who sits has a seat."""
     stacks: set[str] = set()
     out: dict[str, list[str]] = {}
     nodes = doc.spatial_relation_graph.nodes

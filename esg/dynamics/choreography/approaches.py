@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import math
 
 from esg.dynamics.choreography.braking import brake_into
+from esg.dynamics.choreography.courses.rounds import way_needed
 from esg.dynamics.choreography.encounters import covers
 from esg.dynamics.choreography.flights import took_off
 from esg.dynamics.choreography.hits.caroms import is_carom
@@ -21,7 +22,6 @@ from esg.dynamics.choreography.hits.demands import (
 from esg.dynamics.choreography.hits.impacts import returns
 from esg.dynamics.choreography.hits.rows import row_after
 from esg.dynamics.choreography.hovering import fly_in
-from esg.dynamics.choreography.passages import way_needed
 from esg.dynamics.choreography.placing import (
     asked_distance,
     gap_at_start,

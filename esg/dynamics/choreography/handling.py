@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.choreography.courses.rounds import goes_somewhere, way_needed
 from esg.dynamics.choreography.leaps import crouch, landing, leap_to
 from esg.dynamics.choreography.meetings import collision
 from esg.dynamics.choreography.moves import plain
-from esg.dynamics.choreography.passages import goes_somewhere, way_needed
 from esg.dynamics.choreography.placing import join
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.throws import asked_height, is_dropped

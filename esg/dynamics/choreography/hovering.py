@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 
-from esg.dynamics.choreography.passages import ways_of
+from esg.dynamics.choreography.courses.rounds import ways_of
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.stagecraft import Prop, support_of, top_surface
 from esg.dynamics.story.story import Phase, bounds

@@ -14,6 +14,8 @@ import math
 
 import numpy as np
 
+from esg.dynamics.choreography.courses.from_sides import go_from_side_to_side
+from esg.dynamics.choreography.courses.passages import lead_through, let_go_down, ways_through
 from esg.dynamics.choreography.handling import bounced, jumped, spun, taken, tell_guided
 from esg.dynamics.choreography.meetings import collision, enters
 from esg.dynamics.choreography.moves import controlled, plain, shattered, turned
@@ -22,7 +24,13 @@ from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.swings import moved_by_joint, swung
 from esg.dynamics.choreography.throws import stand_behind
-from esg.dynamics.choreography.ways import pairs_passed, place_by_the_way, state_course, ways_stated
+from esg.dynamics.choreography.ways import (
+    crossing_together,
+    pairs_passed,
+    place_by_the_way,
+    state_course,
+    ways_stated,
+)
 from esg.dynamics.story.stagecraft import fit_to_surface
 from esg.dynamics.story.story import Story, read_story
 from esg.graph import models
@@ -103,6 +111,8 @@ def _components(doc: EsgDocument, story: Story) -> list[set[str]]:
     ]
     links += [{s.object[0], s.target[0]} for s in ways_stated(doc, story)]
     links += [{s.object[0], *s.target} for s in pairs_passed(doc, story)]
+    links += crossing_together(doc)
+    links += [{s.object[0], passage.owner} for s, passage in ways_through(doc, story)]
     for link in [s for s in links if s]:
         touching = [g for g in groups if g & link]
         merged = link.union(*touching)
@@ -183,6 +193,9 @@ def _tell(stage: Stage) -> None:
     for actor in stage.tracks:
         if actor not in stage.frames:
             enter_beside(stage, actor)
+    let_go_down(stage)
+    lead_through(stage)
+    go_from_side_to_side(stage)
     state_course(stage)
     place_by_the_way(stage)
 

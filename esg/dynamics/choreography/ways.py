@@ -10,21 +10,16 @@ from collections.abc import Iterator
 import math
 
 from esg.dynamics.choreography.clearing import thrown_over
+from esg.dynamics.choreography.courses.from_sides import SIDES
+from esg.dynamics.choreography.courses.passages import lead_up, passage_of
+from esg.dynamics.choreography.courses.rounds import middle_of, under
 from esg.dynamics.choreography.hovering import top_of
 from esg.dynamics.choreography.kerbs import kerb_passed
-from esg.dynamics.choreography.passages import (
-    BESIDE,
-    SIDES,
-    middle_of,
-    opening_of,
-    side_change,
-    under,
-)
 from esg.dynamics.choreography.placing import comes_to_rest
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, half_along
 from esg.dynamics.story.story import Story
-from esg.graph.models import EdgeEvent, EsgDocument, Predicate, Statement
+from esg.graph.models import EdgeEvent, EsgDocument, Predicate, RelationType, Statement
 
 _AHEAD_M = 1.0
 """Gap that is left to what something moves toward."""
@@ -34,8 +29,13 @@ _BESIDE_M = 0.6
 """Gap to what something moves past or along, or gets beside."""
 _BETWEEN_M = 0.5
 """Gap on either side of what passes between two things."""
+_OVER_M = 0.5
+"""Gap under what flies to a place over something."""
 RESTING_M = 0.002
 """Gap under what rests on something at the start: less than what is measured as touching."""
+_BESIDE = frozenset(
+    {RelationType.LEFT_OF, RelationType.RIGHT_OF, RelationType.IN_FRONT_OF, RelationType.BEHIND}
+)
 _DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION, EdgeEvent.TOWARD)
 Way = tuple[tuple[float, float], tuple[float, float], float]
 """Start and end [m] and heading [rad] of a motion, in the constellation's frame."""
@@ -47,7 +47,7 @@ def state_course(stage: Stage) -> None:
     edge = stage.story.phases[lead][0].edge
     heading = edge.params.heading_deg
     angle = stage.frames.get(lead, Frame()).angle
-    if stage.anchor is not None:
+    if stage.anchor is not None or stage.yaw is not None:
         return
     if isinstance(heading, int | float) and edge.event in _DRIVEN:
         stage.yaw = math.radians(heading) - angle
@@ -65,7 +65,7 @@ def _begins(stage: Stage, lead: str) -> float | None:
     """Heading [rad] from the side on which a mover is told to start of what it goes to, if any."""
     met = {n for phase in stage.story.phases[lead] for n in phase.end.participants if n != lead}
     for r in stage.doc.spatial_relation_graph.edges.binary_relations:
-        side = SIDES.get(Predicate(r.relation_type.value)) if r.relation_type in BESIDE else None
+        side = SIDES.get(Predicate(r.relation_type.value)) if r.relation_type in _BESIDE else None
         if side is None or {r.from_, r.to} - {lead} - met or lead not in (r.from_, r.to):
             continue
         x, y = side if r.from_ == lead else (-side[0], -side[1])
@@ -78,10 +78,6 @@ def _approach(stage: Stage, s: Statement) -> float:
 
     Beside it is reached along Y, in front and behind along X; from where it is said to start.
     """
-    change = side_change(stage, s)
-    if change is not None:
-        (ax, ay), (bx, by) = change.points(change.least_m)
-        return math.atan2(by - ay, bx - ax)
     x, _ = SIDES[s.predicate]
     begins = {
         r.relation_type.value
@@ -141,8 +137,16 @@ def pairs_passed(doc: EsgDocument, story: Story) -> Iterator[Statement]:
 def arrives(doc: EsgDocument, actor: str) -> bool:
     """Whether a side of something is where an actor's way ends."""
     return any(
-        s.predicate in SIDES and s.when == "end" and actor in s.object for s in doc.statements or ()
+        (s.predicate in SIDES or s.predicate is Predicate.ABOVE)
+        and s.when == "end"
+        and actor in s.object
+        for s in doc.statements or ()
     )
+
+
+def _ends_over(s: Statement) -> bool:
+    """Whether a statement tells of a place over something at the end."""
+    return s.predicate is Predicate.ABOVE and s.when == "end" and bool(s.object)
 
 
 def ways_stated(doc: EsgDocument, story: Story) -> Iterator[Statement]:
@@ -151,6 +155,7 @@ def ways_stated(doc: EsgDocument, story: Story) -> Iterator[Statement]:
     for s in doc.statements or ():
         ways = s.predicate is Predicate.MOVES or (s.predicate in SIDES and s.when == "end")
         ways |= s.predicate is Predicate.UNDER and s.when == "end"
+        ways |= _ends_over(s) and s.object[0] in story.phases and story.soars(s.object[0])
         perched = s.predicate is Predicate.SUPPORTED_BY and s.when == "start"
         ways |= perched and s.object[0] in story.phases and story.soars(s.object[0])
         if not ways or len(s.object) != 1 or len(s.target) != 1:
@@ -158,6 +163,18 @@ def ways_stated(doc: EsgDocument, story: Story) -> Iterator[Statement]:
         free = not nodes[s.target[0]].is_structural and s.target[0] not in story.phases
         if s.object[0] in story.phases and free:
             yield s
+
+
+def crossing_together(doc: EsgDocument) -> list[set[str]]:
+    """Those of one plural who cross the same street: they go the same way."""
+    nodes, out = doc.spatial_relation_graph.nodes, dict[tuple[str, str], set[str]]()
+    for s in doc.statements or ():
+        if s.predicate is not Predicate.MOVES or s.direction != "across":
+            continue
+        for road in (i for i in s.target if nodes[i].is_structural):
+            for who in s.object:
+                out.setdefault((road, nodes[who].group or who), set()).add(who)
+    return list(out.values())
 
 
 def _stated(stage: Stage) -> Iterator[Statement]:
@@ -181,6 +198,9 @@ def _spot(
     mine, its = stage.prop(mover), stage.prop(other)
     if s.predicate is Predicate.SUPPORTED_BY:
         return (*start, heading + math.pi / 2)  # it leaves across what it sat on
+    if _ends_over(s):
+        stage.heights[mover] = top_of(stage, other) + _OVER_M
+        return _beside(end, heading, comes_to_rest(stage, mover)[0], None)
     if s.predicate in SIDES:
         yaw = stage.yaw or 0.0
         x, y = SIDES[s.predicate]
@@ -189,21 +209,18 @@ def _spot(
         reach += half_along(mine.length, mine.width, heading - side)
         brakes = comes_to_rest(stage, mover)[0]
         end = (end[0] + brakes * math.cos(heading), end[1] + brakes * math.sin(heading))
-        change = side_change(stage, s)
-        if change is not None:
-            (px, py), _ = change.points(math.dist(start, end))
-            dx, dy = Frame(angle=-yaw).apply(-px, -py)
-            return (start[0] + dx, start[1] + dy, -yaw)
         return _beside(end, side + math.pi, reach, -yaw)
     if s.predicate is Predicate.UNDER:
         brakes = comes_to_rest(stage, mover)[0]
         end = (end[0] + brakes * math.cos(heading), end[1] + brakes * math.sin(heading))
         return under(stage, end, heading, other)
-    if s.direction == "through" and opening_of(stage, other) is not None:
+    if s.direction == "through" and passage_of(stage.doc, other) is not None:
         return (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]), heading)
-    bend = middle_of(stage.tracks[mover].points) if s.direction == "around" else None
-    if bend is not None:
-        return (*stage.frames[mover].apply(*bend), None)
+    if s.direction == "around":
+        bend = middle_of(stage.tracks[mover].points)
+        return None if bend is None else (*stage.frames[mover].apply(*bend), None)
+    if s.direction == "up":
+        return lead_up(stage, mover, other)
     if s.direction == "toward":
         reach = mine.half_length + half_along(its.length, its.width, 0.0) + _AHEAD_M
         return _beside(end, heading, reach, None)

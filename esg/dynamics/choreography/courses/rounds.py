@@ -1,29 +1,17 @@
-"""Ways through openings and under things: how long they must be, and where the thing stands."""
+"""Ways around, over and under things: how long they must be, and where the thing stands."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass
 import math
 
+from esg.dynamics.choreography.courses.passages import passage_of
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import wrap_angle
-from esg.graph.models import NamedRegion, Predicate, RelationType, Statement
+from esg.graph.models import Predicate, Statement
 
 BENDS_RAD = 0.02
 """A path bends where its heading changes by more."""
-SIDES: dict[Predicate, tuple[float, float]] = {
-    Predicate.LEFT_OF: (1.0, 0.0),
-    Predicate.RIGHT_OF: (-1.0, 0.0),
-    Predicate.IN_FRONT_OF: (0.0, 1.0),
-    Predicate.BEHIND: (0.0, -1.0),
-}
-"""Where something is that is on a side of another one: left is +X, front +Y."""
-BESIDE = frozenset(
-    {RelationType.LEFT_OF, RelationType.RIGHT_OF, RelationType.IN_FRONT_OF, RelationType.BEHIND}
-)
-PAST_SIDES, ASIDE_M = 1.4, 0.2
-"""How much farther off than aside a way past something begins and ends, and its gap to it."""
 _STEEP = ("up", "down")
 ROOM_M = 0.4
 """Way that is left before and behind what is gone through or over."""
@@ -45,79 +33,15 @@ def goes_somewhere(stage: Stage, actor: str) -> bool:
     return any(s.predicate is Predicate.MOVES and s.direction not in _STEEP for s in stated)
 
 
-def opening_of(stage: Stage, name: str) -> NamedRegion | None:
-    """What leads through a thing from its front to its back; None where nothing does."""
-    config = stage.prop(stage.key(name)).config
-    for region in config.regions if config is not None and config.proxies else ():
-        open_ended = 2.0 * region.half_extents_cm[0] >= config.dimensions_cm[0]
-        if open_ended and region.kind in ("area", "inside"):
-            return region
-    return None
-
-
 def way_needed(stage: Stage, actor: str) -> float:
     """Least way [m] on which an actor gets wholly through or over what the prompt has it pass."""
     mine, most = stage.prop(actor), 0.0
     for s in ways_of(stage, actor):
         its = stage.prop(stage.key(s.target[0]))
-        passes = s.direction == "through" and opening_of(stage, s.target[0]) is not None
+        passes = s.direction == "through" and passage_of(stage.doc, s.target[0]) is not None
         if passes or (s.direction == "across" and stage.story.soars(actor)):
             most = max(most, its.length + mine.length + 2.0 * ROOM_M)
-    for s in stage.doc.statements or ():
-        change = side_change(stage, s) if actor in s.object else None
-        if change is not None:
-            most = max(most, change.least_m)
     return most
-
-
-@dataclass(frozen=True)
-class SideChange:
-    """A way from one side of a thing to another one, in the viewer's axes: left +X, front +Y.
-
-    Args:
-        begins, ends: Unit vectors from the thing.
-        clear_m: Distance from its middle at which a way passes it.
-    """
-
-    begins: tuple[float, float]
-    ends: tuple[float, float]
-    clear_m: float
-
-    @property
-    def opposite(self) -> bool:
-        return self.begins[0] * self.ends[0] + self.begins[1] * self.ends[1] < 0.0
-
-    @property
-    def least_m(self) -> float:
-        """Least way that leads clear of the thing and well to both sides."""
-        return (2.0 * PAST_SIDES if self.opposite else 2.0) * self.clear_m
-
-    def points(self, way: float) -> tuple[tuple[float, float], tuple[float, float]]:
-        """Start and end [m] of a straight way of a length [m], from the middle of the thing."""
-        (bx, by), (ex, ey) = self.begins, self.ends
-        if not self.opposite:
-            out = way / math.sqrt(2.0)
-            return (out * bx, out * by), (out * ex, out * ey)
-        out, aside = 0.5 * way, min(self.clear_m, 0.5 * way / PAST_SIDES)
-        x, y = -aside * by, aside * bx
-        return (out * bx + x, out * by + y), (out * ex + x, out * ey + y)
-
-
-def side_change(stage: Stage, s: Statement) -> SideChange | None:
-    """What a statement of a side asks of a way that starts on another side of the same thing."""
-    if s.predicate not in SIDES or s.when != "end" or len(s.object) != 1 or len(s.target) != 1:
-        return None
-    mover, other = s.object[0], s.target[0]
-    for r in stage.doc.spatial_relation_graph.edges.binary_relations:
-        if {r.from_, r.to} != {mover, other} or r.relation_type not in BESIDE:
-            continue
-        x, y = SIDES[Predicate(r.relation_type.value)]
-        begins = (x, y) if r.from_ == mover else (-x, -y)
-        if begins != SIDES[s.predicate]:
-            mine, its = stage.prop(stage.key(mover)), stage.prop(stage.key(other))
-            clear = 0.5 * (math.hypot(mine.length, mine.width) + math.hypot(its.length, its.width))
-            return SideChange(begins, SIDES[s.predicate], clear + ASIDE_M)
-    return None
 
 
 def under(
