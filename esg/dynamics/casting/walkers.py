@@ -1,8 +1,8 @@
-"""Soles of those who only walk about: they do not drag on the ground.
+"""Those who only walk about keep their balance.
 
 A walker is moved by its program; what its soles rub off in every step tilts it forward and turns
 it back, by tens of degrees in a few seconds. So where nothing is to happen to it but its way, its
-soles are smooth, and its weight is low and hard to turn, as if its legs carried it.
+weight is low and hard to turn, as if its legs carried it.
 """
 
 from __future__ import annotations
@@ -12,8 +12,6 @@ from esg.dynamics.story.stagecraft import ground_friction, prop, support_of
 from esg.dynamics.story.story import POWERED, Story
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent
 
-SMOOTH = 0.05
-"""Friction of soles that do not drag."""
 STEADIER = 10.0
 """Factor on its inertia: its soles turn it against its way so much less."""
 SURELY = 0.6
@@ -26,8 +24,8 @@ _ON_THE_WAY = frozenset(
 """Events that nothing touches a walker in."""
 
 
-def fit_soles(doc: EsgDocument, story: Story) -> Configs:
-    """Smooth soles and a low weight of those who walk about and touch nothing."""
+def fit_balanced(doc: EsgDocument, story: Story) -> Configs:
+    """A low weight, hard to turn, of those who walk about and touch nothing."""
     nodes = doc.spatial_relation_graph.nodes
     out: Configs = {}
     walkers = {a for a in story.phases if _only_walks(doc, story, a)}
@@ -36,13 +34,11 @@ def fit_soles(doc: EsgDocument, story: Story) -> Configs:
         if not all(n in walkers for n, node in nodes.items() if node.asset_id == key):
             continue
         config, body = doc.asset_configurations[key], prop(doc, actor)
-        friction = min(config.friction, SMOOTH)
-        grip = 0.5 * (friction + ground_friction(doc))
+        grip = 0.5 * (config.friction + ground_friction(doc))
         x, y, z = config.center_of_mass_cm
         low = 100.0 * SURELY * min(body.half_length, body.half_width) / max(grip, 1e-3)
         out[key] = config.model_copy(
             update={
-                "friction": friction,
                 "center_of_mass_cm": (x, y, min(z, low)),
                 "inertia_kg_cm2": tuple(STEADIER * v for v in config.inertia_kg_cm2),
             }
