@@ -62,8 +62,7 @@ _IN_PART = re.compile(
     re.IGNORECASE,
 )
 _LOST = re.compile(
-    rf"\b(?:{'|'.join(sorted(lex.word_set('lost phrases (audit)'), key=len, reverse=True))})\b"
-    r"(?! of\b)",
+    rf"\b(?:{'|'.join(sorted(lex.word_set('lost phrases (audit)'), key=len, reverse=True))})\b",
     re.IGNORECASE,
 )
 _ALL_OF = re.compile(r"\b(?:all|both)\s+(?:of\s+)?(?:the\s+|these\s+|those\s+)?$", re.IGNORECASE)
@@ -133,7 +132,10 @@ def _in_part(case: Case) -> Iterator[Finding]:
 def _vanishing(case: Case) -> Iterator[Finding]:
     """ "He lets go, and it rolls back", "stops, waits a while and leaves"."""
     for m in _LOST.finditer(case.text):
-        if not accounted(case, *m.span()):
+        shown = case.text[m.end() :].startswith(" of ") and any(
+            m.start() <= v.start < m.end() and v.status == "used" for v in case.facts.verbs
+        )  # "lets go of a crate", which falls
+        if not shown and not accounted(case, *m.span()):
             yield Finding(*m.span(), NOTHING)
 
 

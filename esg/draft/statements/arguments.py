@@ -11,6 +11,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.events.stated import start_of
 from esg.draft.events.told import happened
 from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.grammar.clauses.modality import FAILED, STOPPED_FIRST
 from esg.draft.statements.account import CHAINS, NOTHING, PASSED_OVER, Account, Gap, held, nodes_of
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Predicate
@@ -38,6 +39,8 @@ _SEEN = frozenset(
 _PASSED = frozenset({"overtake", "pass"})
 """Senses of which no member of a row passes on what is done to it."""
 _TRIED = "an attempt"
+_ALMOST = "almost"
+NEARLY = "nothing in the scene shows how near it comes"
 _SHARE = re.compile(
     r"(?:one|two|three|four|five|some|many|few|several) of (?:the|its|his|her|their|these|those)\b",
     re.IGNORECASE,
@@ -175,18 +178,33 @@ def others_of(a: Account) -> Iterator[Gap]:
 
 
 def attempts(a: Account) -> Iterator[Gap]:
-    """ "Tries to push the peg into the hole": nothing happens between the two."""
+    """ "Tries to push the peg into the hole", "almost falls off": nothing of it is to be seen."""
     d = a.d
     for f in d.told:
         who, whom = {*nodes_of(d, f.subject)}, {*nodes_of(d, f.object)}
-        if f.unreal != _TRIED or not who:
+        if f.unreal == STOPPED_FIRST:
+            yield from _stops_short(a, f)
+        almost = f.unreal.startswith(_ALMOST)
+        if f.unreal not in (_TRIED, FAILED) and not almost:
             continue
         met = {*whom}.union(*({*nodes_of(d, p.mention)} for p in f.phrases)) - who
         acts = [{*n.participants} for n in d.timeline.nodes]
         acts += [{e.actor, e.target or ""} for e in d.timeline.edges]
-        if not any(who & act and (act & whom or (not whom and act & met)) for act in acts):
+        shown = any(who & act and (act & whom or (not whom and act & met)) for act in acts)
+        if who | (whom if almost else set()) and not (shown and f.unreal != FAILED):
             tried = tuple(nodes_of(d, f.subject))
-            yield Gap(f.verb.start, f.verb.end, "nothing of what is tried is shown", tried)
+            missing = NEARLY if almost else "nothing of what is tried is shown"
+            yield Gap(f.verb.start, f.verb.end, missing, tried)
+
+
+def _stops_short(a: Account, f: Frame) -> Iterator[Gap]:
+    """ "Stops just before crossing the line": where is that?"""
+    named = [f.object, *(p.mention for p in f.phrases)]
+    there = {i for m in named for i in nodes_of(a.d, m)}
+    asked = {c.to for n in a.d.timeline.nodes for c in n.constraints}
+    kept = {i for s in a.kept for i in s.target}
+    if any(named) and not there & (asked | kept):
+        yield Gap(f.verb.start, max(m.end for m in named if m is not None), NEARLY)
 
 
 def parts_alone(a: Account) -> Iterator[Gap]:
