@@ -271,8 +271,15 @@ def _acts(case: Case) -> Iterator[Finding]:
         for a in who if need.of == "object" else p.subjects if not p.objects else ():
             about = group(case, a) if not case.facts.owns_up(a.start, a.end) else frozenset[str]()
             facts = case.facts.about(about | under(case, about))
+            if _right_before(case, p.start) - about and need.of != "object":
+                continue  # "watches as his ball rolls": the parse says who watches
             if about and not any(f.kind in need.kinds for f in facts):
                 yield Finding(p.start, p.end, NO_SUCH, tuple(sorted(about)))
+
+
+def _right_before(case: Case, start: int) -> set[str]:
+    """The thing whose name ends where a word starts."""
+    return {n for _, end, n in case.facts.spans if 0 <= start - end <= 1}
 
 
 @dataclass(frozen=True)

@@ -43,6 +43,7 @@ _SETS_IN_MOTION = frozenset({"drop", "launch", "roll", "slide", "knock", "scatte
 _GUIDED = frozenset({"picked up", "put"})
 """What became of verbs whose object is guided, by nobody who is there."""
 _WAYS = frozenset({"along", "across", "through", "up", "down", "around", "past"})
+_TURNED = frozenset({NodeEvent.SPIN, NodeEvent.HEADING_REACHED, NodeEvent.SWING})
 NOTHING_MOVES = "nothing of the kind happens in the scene"
 COMES_DOWN = "nothing holds it any longer: it comes down"
 _HANGING = lex.word_set("hanging")
@@ -314,6 +315,13 @@ def _flies(d: Discourse) -> bool:
     return any(kind_of(d, i) not in LIMBED for i in set_off)
 
 
+def _unspun(d: Discourse, clause: Clause) -> bool:
+    """ "Clips a barrier and spins out": nothing has it turn."""
+    f = clause.frame
+    about = {*clause.movers, *_doers(f), *(f.object.entities if f.object is not None else [])}
+    return not any(n.event in _TURNED and about & {*n.participants} for n in d.timeline.nodes)
+
+
 def _met(d: Discourse, clause: Clause) -> bool:
     """Whether another body runs into what a clause moves."""
     hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
@@ -354,6 +362,7 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "untouched": _moved_by_none,
     "untied": lambda d, c: not _tied(d, c.frame),
     "unsent": _unsent,
+    "unspun": _unspun,
     "living": lambda d, c: (
         bool(c.movers) and all(kind_of(d, i) in LIMBED for i in c.movers) and not _met(d, c)
     ),
