@@ -25,6 +25,7 @@ from esg.draft.audit.case import (
     senses,
     under,
 )
+from esg.draft.text.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
 
 NOT_ALL = "only some of them do in the scene"
@@ -310,7 +311,8 @@ def _doubtful(case: Case) -> Iterator[Finding]:
     words = {w: None for w in re.findall(r"[a-z]+", case.text.lower())}
     singulars = {lex.singular(w)[0] for w in words} | {*words}
     for start, end, name in case.facts.spans:
-        head = (re.findall(r"[a-z]+", case.text[start:end].lower()) or [""])[-1]
+        named = re.findall(r"[a-z]+", case.text[start:end].lower()) or [""]
+        head = named[-2] if len(named) > 1 and parse_number(named[-1]) else named[-1]
         doubt = doubts().get(lex.singular(head)[0])
         asset = doc.asset_requirement[doc.spatial_relation_graph.nodes[name].asset_id]
         if doubt is None or asset.asset_category != doubt.drawn:

@@ -13,6 +13,7 @@ from esg.draft.events.told import happened
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.grammar.clauses.modality import FAILED, STOPPED_FIRST
 from esg.draft.statements.account import CHAINS, NOTHING, PASSED_OVER, Account, Gap, held, nodes_of
+from esg.draft.statements.phrases import NO_REFERENT
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Predicate
 
@@ -47,9 +48,11 @@ _SHARE = re.compile(
 )
 _COMES_OFF = frozenset({"fall", "drop", "roll", "slide", "topple", "launch", "fly", "breaking"})
 _LOOSENED = frozenset({"head"})
+_GIVEN = lex.word_set("blows (light verbs)")
+_GIVES = frozenset({"hit", "launch", "knock", "topple"})
 _LIFTED = lex.word_set("picks up")
 _NAMED_BEFORE = frozenset({"it", "him", "them"})
-NO_REFERENT = "nothing that was named before is meant"
+AT_ONCE = "nothing makes it wait so long"
 SOME = "only some of them do"
 FEWER = "only some of them do in the scene"
 NO_EVENT = "nothing of the kind happens in the scene"
@@ -195,6 +198,27 @@ def attempts(a: Account) -> Iterator[Gap]:
             tried = tuple(nodes_of(d, f.subject))
             missing = NEARLY if almost else "nothing of what is tried is shown"
             yield Gap(f.verb.start, f.verb.end, missing, tried)
+
+
+def by_nobody(a: Account) -> Iterator[Gap]:
+    """ "The kick sends the can flying": whose? Nothing in the scene touches it."""
+    for f in a.frames:
+        m = f.subject
+        if m is None or not m.attribute or m.head not in _GIVEN or m.possessor is not None:
+            continue
+        before = [g for g in a.d.told if g.verb.start < m.start and g.verb.sense in _GIVES]
+        whom = {*nodes_of(a.d, f.object)}
+        met = (n for n in a.d.timeline.nodes if n.event is NodeEvent.COLLISION)
+        if not before and not any(whom & {*n.participants} for n in met):
+            yield Gap(m.start, m.end, "nothing in the scene gives it", tuple(sorted(whom)))
+
+
+def unwaited(a: Account) -> Iterator[Gap]:
+    """ "Hovers for three seconds, then drops": it drops at once."""
+    for actor, lasting in a.d.moves.waiting.items():
+        later = (c for c in a.d.scene.clauses if actor in c.movers)
+        if any(c.frame.verb.start > lasting.end for c in later):
+            yield Gap(lasting.start, lasting.end, AT_ONCE, (actor,))
 
 
 def _stops_short(a: Account, f: Frame) -> Iterator[Gap]:

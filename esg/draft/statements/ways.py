@@ -169,7 +169,8 @@ def _slope(book: Book, s: Said, mover: str, where: str) -> None:
 def goal(book: Book, clause: Clause, s: Said, mover: str) -> None:
     """ "Runs to the left of a chair": where it gets to; beside what moves, where it keeps."""
     d = book.d
-    targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
+    itself = {mover, *(ids(clause.frame.subject) if clause.frame.object is None else ())}
+    targets = [i for i in things(s.phrase) if i not in itself and i in d.world.entities][:1]
     if not targets or structural(d, targets[0]) or is_told(d, mover, targets):
         return
     if _is_of_what_hangs(d, s, targets[0]):
