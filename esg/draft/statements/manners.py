@@ -109,8 +109,9 @@ def slid(book: Book, clause: Clause, s: Said, mover: str) -> None:
     Who slides a drawer shut does not slide.
     """
     f = clause.frame
-    does_it = f.object is not None and not f.verb.passive and mover not in f.object.entities
-    if not flies_itself(book.d, mover) and not (does_it and mover in _doers(f)):
+    done_to = [] if f.object is None or f.verb.passive else f.object.entities
+    does_it = bool(done_to) and mover not in done_to and mover in _doers(f)
+    if f.verb.sense != "fly" and not does_it:
         plainly(book, clause, s, mover)
 
 

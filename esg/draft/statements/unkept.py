@@ -27,7 +27,7 @@ from esg.draft.statements.ways import comes_to_ground
 from esg.graph.models import EdgeEvent, NodeEvent, Predicate
 
 _NO_PICTURE = lex.word_set("no picture (statements)")
-_PICTURED = frozenset({"refuse"})
+_PICTURED = frozenset({"refuse", "lose"})
 """Verbs without a picture that have one with an object."""
 _MANNERS = frozenset({"gently", "carefully", "slowly", "softly", "quickly", "then", "suddenly"})
 _NOT_TOLD = frozenset({"gerund", "no event of its own"})
@@ -403,6 +403,7 @@ def dropped(d: Discourse, f: Frame) -> str:
     if why is None or span in d.scene.used or f.unreal or f.times or why in _NOT_TOLD:
         return ""
     pictured = f.verb.lemma in _PICTURED and f.object is not None  # "refuses the jump"
+    pictured |= f.verb.lemma == "fail" and not d.text[f.verb.end :].startswith(" to ")
     if (
         f.verb.negated
         or (f.verb.lemma in _NO_PICTURE and not pictured)

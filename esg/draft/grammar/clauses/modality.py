@@ -20,7 +20,7 @@ NEAR = re.compile(
 )
 _IN_GROUP = re.compile(r"\b(?:almost|nearly)\b", re.IGNORECASE)
 _NEVER = re.compile(
-    r"\bnever\s+(?:\w+ly\s+)?$"
+    r"\b(?:never|no longer)\s+(?:\w+ly\s+)?$"
     r"|(?:n't|\bnot|\bnever|\bwithout)\s+(?:let|letting|allow|allowing)\s+(?:[\w'-]+\s+){1,4}$",
     re.IGNORECASE,
 )
@@ -39,6 +39,9 @@ _COUNTERFACTUAL = re.compile(
     r"\b(?:should|would|could|might)(?:n[\u2019']t)?\s+(?:\w+\s+)?have\b|\bought to have\b",
     re.IGNORECASE,
 )
+_HARDLY = re.compile(r"\b(?:hardly|scarcely|barely)\s+$", re.IGNORECASE)
+_STIRS = frozenset({"move", "budge", "stir", "shift", "bounce", "wobble"})
+"""Verbs that "hardly" denies, as far as one sees: "the middle one hardly moves"."""
 FAILED = "an attempt that fails"
 STOPPED_FIRST = "it stops before that"
 _IN_VAIN = re.compile(
@@ -143,6 +146,8 @@ def _denied(f: Frame, text: str) -> bool:
         return True
     none = (f.subject if not f.relative else None, *met)
     if any(m is not None and _none_of(text, m.start) for m in none):
+        return True
+    if f.verb.lemma in _STIRS and _HARDLY.search(text, max(0, f.verb.start - 12), f.verb.start):
         return True
     return _NEVER.search(text, max(0, f.verb.start - 60), f.verb.start) is not None
 
