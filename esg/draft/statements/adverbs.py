@@ -108,11 +108,12 @@ def _of_several(a: Account, w: Word) -> bool:
 def _times(a: Account, counted: bool) -> Iterator[Gap]:
     """ "Butts a gate four times": it does so once."""
     for m in a.d.mentions:
-        every = m.determiner in _EVERY or bool(_EVERY & {*m.adjectives})
+        every = m.determiner in _EVERY
         again = m.attribute and m.head == "time" and ((m.count or 0) > 1 or every)
-        figure = re.match(r"\s+(?:as|the)\s", a.d.text[m.end :])
+        figure = not every and re.match(r"\s+(?:as|the)\s", a.d.text[m.end :])
         if again and not counted and not figure:
-            yield Gap(m.start, m.end, ONCE)
+            start = a.d.text.lower().rfind(m.determiner, 0, m.end) if every else m.start
+            yield Gap(start, m.end, ONCE)
 
 
 def _says_how(a: Account, w: Word) -> bool:

@@ -183,7 +183,9 @@ def phrases(a: Account) -> Iterator[Gap]:
         about -= others
         if _off_a_side(a, about, p):
             yield Gap(max(start_of(p, a.d.text), 0), m.end, "nothing sees to the side")
-        elif about and not (_answered(a, about, others, p, f) if others else _no_place(a, about, p)):
+        elif about and not (
+            _answered(a, about, others, p, f) if others else _no_place(a, about, p)
+        ):
             start = max(start_of(p, a.d.text), 0)
             back = p.prep in _BACK_TO and a.d.text[:start].lower().endswith(" back ")
             missing = f'nothing in the scene stands for "{p.prep}"'
@@ -191,7 +193,7 @@ def phrases(a: Account) -> Iterator[Gap]:
 
 
 def _off_a_side(a: Account, about: set[str], p: Phrase) -> bool:
-    """ "Slides off the left side of the table": over any of its edges, if no word leads it there."""
+    """ "Slides off the left side of the table": over any edge, if no word leads it there."""
     m = p.mention
     words = {*m.part.split(), *([m.head] if m.attribute else [])} if m is not None else set[str]()
     if p.prep not in _OFF or not words & _SIDES.keys():

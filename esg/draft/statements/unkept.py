@@ -322,6 +322,16 @@ def _unspun(d: Discourse, clause: Clause) -> bool:
     return not any(n.event in _TURNED and about & {*n.participants} for n in d.timeline.nodes)
 
 
+def _not_through(d: Discourse, clause: Clause) -> bool:
+    """ "Smashes through a wall", which stays whole and in the way."""
+    f = clause.frame
+    told = "through" in d.text[f.verb.start : f.verb.end + 9].lower().split()
+    broken = (n for n in d.timeline.nodes if n.event in (NodeEvent.BREAK, NodeEvent.TOPPLE))
+    met = {*(f.object.entities if f.object is not None else [])}
+    met |= {i for p in f.phrases if p.mention is not None for i in p.mention.entities}
+    return told and bool(met) and not any(met & {*n.participants} for n in broken)
+
+
 def _met(d: Discourse, clause: Clause) -> bool:
     """Whether another body runs into what a clause moves."""
     hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
@@ -363,6 +373,7 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "untied": lambda d, c: not _tied(d, c.frame),
     "unsent": _unsent,
     "unspun": _unspun,
+    "through": _not_through,
     "living": lambda d, c: (
         bool(c.movers) and all(kind_of(d, i) in LIMBED for i in c.movers) and not _met(d, c)
     ),

@@ -7,7 +7,6 @@ from itertools import pairwise
 from esg.draft.grammar.rewrites.conditions import is_word
 from esg.draft.text.elements import Element, Mention, Word
 
-
 _WAYS = frozenset({"up", "down", "over", "onto", "to", "into", "on", "off", "under", "through"})
 _LEVELS = ("below", "above", "beneath", "underneath")
 
