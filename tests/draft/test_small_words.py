@@ -63,6 +63,7 @@ _EVENTS = (
     ("A helium balloon released from the floor rises.", ""),
     ("The pendulum stops at the top of its swing.", "Stop(pendulum_1)"),
     ("A wheel keeps turning.", "Spin(wheel_1)"),
+    ("A girl gives a coin another twirl.", "Spin(coin_1)"),
 )  # fmt: skip
 _NO_SLIDE = ("A man slides a drawer shut.", "A girl slides a plate across the table.")
 
@@ -120,6 +121,17 @@ def test_what_floats_goes_up(prompt: str) -> None:
     assert doc.timeline_system is not None
     climbs = [e.params.elevation_deg for e in doc.timeline_system.sequence_graph.edges]
     assert climbs[-1] is not None and _owned(doc) == []
+
+
+def test_who_falls_on_its_back_moves_away_from_nothing() -> None:
+    doc = draft("A robot kicks a ball and falls on its back.")
+    assert not [s for s in doc.statements or () if s.text == "back"]
+
+
+def test_who_lands_on_a_cart_and_rides_it_ends_on_it() -> None:
+    doc = draft("A cat jumps off a fridge, lands on a cart and rides it across the room.")
+    ends = [(s.object, s.target) for s in doc.statements or () if s.predicate is Predicate.ENDS_ON]
+    assert ends == [(("cat_1",), ("cart_1",))]
 
 
 def test_the_arm_of_a_machine_is_no_human_one() -> None:

@@ -62,6 +62,8 @@ def _back(book: Book, clause: Clause, s: Said, mover: str) -> None:
     "Is hit and slides out of view" is away from what has hit it.
     """
     d, f, since = book.d, clause.frame, book.d.timeline.node(clause.since.get(mover, START))
+    if f.verb.sense == "topple":
+        return  # "falls on its back"
     others = tuple(i for i in clause.movers if i != mover) if "apart" in s.row.words else ()
     struck_here = since is not None and since.event is NodeEvent.COLLISION
     met = [*since.participants] if since is not None and struck_here else list[str]()
