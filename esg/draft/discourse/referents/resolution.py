@@ -121,9 +121,9 @@ def _by_its_noun(world: World, m: Mention, subject: bool, avoid: list[str]) -> l
     owner = m.possessor
     if m.role and m.determiner != "a" and (driven := _driven(world, owner)):
         return driven  # "the driver brakes": the car
-    if owner is not None and not owner.pronoun and owner.noun is not None and not _any(owner, m):
-        if not _stays_behind(world, owner, m):
-            resolve(world, owner)  # "the man's hat": the man is there too
+    known = owner is not None and not owner.pronoun and owner.noun is not None
+    if owner is not None and known and not (_any(owner, m) or _stays_behind(world, owner, m)):
+        resolve(world, owner)  # "the man's hat": the man is there too
     found = existing(world, m, avoid)
     if subject and found and m.determiner in ("a", "an") and all_rest(world, found):
         found = []  # "two parked cars ... a car brakes": one more
