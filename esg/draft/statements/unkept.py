@@ -319,6 +319,8 @@ def _unspun(d: Discourse, clause: Clause) -> bool:
     """ "Clips a barrier and spins out": nothing has it turn."""
     f = clause.frame
     about = {*clause.movers, *_doers(f), *(f.object.entities if f.object is not None else [])}
+    if d.timeline.node(d.scene.used.get((f.verb.start, f.verb.end), "")) is not None:
+        return False  # what turns on its axle
     return not any(n.event in _TURNED and about & {*n.participants} for n in d.timeline.nodes)
 
 
