@@ -41,7 +41,7 @@ _KNOWN = frozenset({*_THE, "these", "those", "its", "his", "her", "their"}) | fr
     {"both", "all", "each", "every"}
 )
 _NEIGHBOURS = frozenset({"neighbor", "neighbour"})
-_LEFT_ALONE = frozenset({"building", "plant", "structure", "vehicle"})
+_LEFT_ALONE = frozenset({"building", "plant", "vehicle"})
 """Kinds of things that are without their owners."""
 _DRIVEN = ("vehicle", "flyer", "cart", "watercraft")
 
