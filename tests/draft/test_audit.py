@@ -103,11 +103,6 @@ _CASES = {
             "pulled",
         ),
         ("The lowest of three stacked boxes is pulled out by a robot.", "pulled"),
-        ("A racing car accelerates to 30 m/s, spins around and slides into a wall.", "spins"),
-        (
-            "The tram hits a van, the van spins into a fruit stand, and three melons roll into the street.",
-            "spins",
-        ),
     ),
     things.TWO_NAMES: (
         (
@@ -179,10 +174,6 @@ _CASES = {
             " and the lamp falls onto the coffee table.",
             "a rug",
         ),
-        (
-            "Spawn six crates in two stacks of three and have a truck ram the left stack at 12 m/s.",
-            "a truck",
-        ),
     ),
     things.A_VERB: (
         (
@@ -222,11 +213,6 @@ _CASES = {
             "A red metal sphere enters from the left and strikes a resting blue rubber cube, which slides a"
             " short way and stops. The sphere rolls on slowly and leaves the picture at the bottom.",
             "rolls",
-        ),
-        (
-            "Slow motion: a glass marble is dropped into a metal bowl, runs round the inside in smaller and"
-            " smaller circles and settles in the middle.",
-            "runs",
         ),
         (
             "A black hockey puck slides over smooth ice, hits the boards at an angle and slides away.",

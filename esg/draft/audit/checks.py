@@ -25,6 +25,7 @@ from esg.draft.audit.case import (
     senses,
     under,
 )
+from esg.draft.text.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
 
 NOT_ALL = "only some of them do in the scene"
@@ -62,8 +63,7 @@ _IN_PART = re.compile(
     re.IGNORECASE,
 )
 _LOST = re.compile(
-    rf"\b(?:{'|'.join(sorted(lex.word_set('lost phrases (audit)'), key=len, reverse=True))})\b"
-    r"(?! of\b)",
+    rf"\b(?:{'|'.join(sorted(lex.word_set('lost phrases (audit)'), key=len, reverse=True))})\b",
     re.IGNORECASE,
 )
 _ALL_OF = re.compile(r"\b(?:all|both)\s+(?:of\s+)?(?:the\s+|these\s+|those\s+)?$", re.IGNORECASE)
@@ -133,7 +133,10 @@ def _in_part(case: Case) -> Iterator[Finding]:
 def _vanishing(case: Case) -> Iterator[Finding]:
     """ "He lets go, and it rolls back", "stops, waits a while and leaves"."""
     for m in _LOST.finditer(case.text):
-        if not accounted(case, *m.span()):
+        shown = case.text[m.end() :].startswith(" of ") and any(
+            m.start() <= v.start < m.end() and v.status == "used" for v in case.facts.verbs
+        )  # "lets go of a crate", which falls
+        if not shown and not accounted(case, *m.span()):
             yield Finding(*m.span(), NOTHING)
 
 
@@ -269,8 +272,15 @@ def _acts(case: Case) -> Iterator[Finding]:
         for a in who if need.of == "object" else p.subjects if not p.objects else ():
             about = group(case, a) if not case.facts.owns_up(a.start, a.end) else frozenset[str]()
             facts = case.facts.about(about | under(case, about))
+            if _right_before(case, p.start) - about and need.of != "object":
+                continue  # "watches as his ball rolls": the parse says who watches
             if about and not any(f.kind in need.kinds for f in facts):
                 yield Finding(p.start, p.end, NO_SUCH, tuple(sorted(about)))
+
+
+def _right_before(case: Case, start: int) -> set[str]:
+    """The thing whose name ends where a word starts."""
+    return {n for _, end, n in case.facts.spans if 0 <= start - end <= 1}
 
 
 @dataclass(frozen=True)
@@ -301,7 +311,8 @@ def _doubtful(case: Case) -> Iterator[Finding]:
     words = {w: None for w in re.findall(r"[a-z]+", case.text.lower())}
     singulars = {lex.singular(w)[0] for w in words} | {*words}
     for start, end, name in case.facts.spans:
-        head = (re.findall(r"[a-z]+", case.text[start:end].lower()) or [""])[-1]
+        named = re.findall(r"[a-z]+", case.text[start:end].lower()) or [""]
+        head = named[-2] if len(named) > 1 and parse_number(named[-1]) else named[-1]
         doubt = doubts().get(lex.singular(head)[0])
         asset = doc.asset_requirement[doc.spatial_relation_graph.nodes[name].asset_id]
         if doubt is None or asset.asset_category != doubt.drawn:

@@ -14,6 +14,7 @@ _OBJECTS = frozenset({"dobj", "dative", "attr"})
 _RELATIVES = frozenset({"who", "which", "that", "whom"})
 _PLACES = frozenset({"where", "when", "why"})
 _NOBODY = frozenset({"nobody", "nothing", "none", "neither", "noone"})
+_HARDLY = frozenset({"hardly", "scarcely", "barely"})
 _SMALL = frozenset({"prt", "advmod"})
 _UNREAL_AUX = frozenset({"would", "could", "should", "might", "may", "must"})
 _PARTICIPLES = frozenset({"VBG", "VBN"})
@@ -193,6 +194,7 @@ def _child(p: Proposition, child: Any) -> None:
     elif dep == "prep":
         _prep(p, child)
     elif dep in _SMALL:
+        p.negated |= child.lower_ in _HARDLY
         p.small += [(c.lower_, c.idx, c.idx + len(c)) for c in _coordinated(child)]
         for c in child.children:
             if c.dep_ == "prep":

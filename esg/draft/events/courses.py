@@ -157,6 +157,7 @@ def _head_so(d: Discourse, mover: str, was: Before, s: Said, first: bool) -> Non
     elif way in _STEEP and s.phrase is None and first and climbs(d, mover):
         share = _WINGS if kind_of(d, mover) == "animal" else 1.0
         _change(d, mover, was, climb_deg=share * _STEEP[way])
+        d.timeline.tracks[mover].direction = ForceDirection.ANY_3D
     elif way == "up" and kind_of(d, mover) != "flyer":
         _change(d, mover, was, thrown_up=True)
     elif way == "backward" and first:

@@ -31,7 +31,11 @@ NO_EDGE = "all that moves stays in the picture"
 _COUNTED = frozenset({NodeEvent.BOUNCE, NodeEvent.JUMP, NodeEvent.SPIN, NodeEvent.SWING})
 """Events that happen as often as is said."""
 ONCE = "it happens once"
+NOT_BEFORE = "nothing in the scene has it happen before"
 NOT_TIMED = "nothing sees to it that the others come later"
+_THIN = 0.3
+"""Height over width of what lies flat by itself, at most."""
+_EVERY = frozenset({"each", "every"})
 _UNMEASURED = frozenset({NodeEvent.SCENE_START, NodeEvent.TRIGGER})
 _ARRIVING = lex.word_set("arriving (first)")
 NO_MANNER = "manner is not simulated"
@@ -104,10 +108,12 @@ def _of_several(a: Account, w: Word) -> bool:
 def _times(a: Account, counted: bool) -> Iterator[Gap]:
     """ "Butts a gate four times": it does so once."""
     for m in a.d.mentions:
-        again = m.attribute and m.head == "time" and (m.count or 0) > 1
-        figure = re.match(r"\s+(?:as|the)\s", a.d.text[m.end :])
+        every = m.determiner in _EVERY
+        again = m.attribute and m.head == "time" and ((m.count or 0) > 1 or every)
+        figure = not every and re.match(r"\s+(?:as|the)\s", a.d.text[m.end :])
         if again and not counted and not figure:
-            yield Gap(m.start, m.end, ONCE)
+            start = a.d.text.lower().rfind(m.determiner, 0, m.end) if every else m.start
+            yield Gap(start, m.end, ONCE)
 
 
 def _says_how(a: Account, w: Word) -> bool:
@@ -143,9 +149,39 @@ def _stated(a: Account, w: Word) -> bool:
     return any(s.start < w.end and w.start < s.end for s in a.said)
 
 
+def _happens_once(a: Account, w: Word) -> bool:
+    """ "Hits the nail repeatedly", "falls again and again": it does so once, if nothing counts."""
+    about = {i for f in a.frames if w.low in f.adverbs for i in about_of(a.d, f)}
+    counted = (n for n in a.d.timeline.nodes if n.event in _COUNTED)
+    return bool(about) and not any(about & {*n.participants} for n in counted)
+
+
+def _not_flat(a: Account, w: Word) -> bool:
+    """ "Presses the can flat": nothing has it tip over, and it is not thin."""
+    told = (f for f in a.frames if "flat" in f.adverbs)
+    f = min(told, key=lambda f: abs(f.verb.start - w.start), default=None)
+    about = about_of(a.d, f) if f is not None else set[str]()
+    down = {i for n in a.d.timeline.nodes if n.event is NodeEvent.TOPPLE for i in n.participants}
+    sizes = [sorted(entity_of(a.d, i).noun.dimensions_cm) for i in about]
+    return f is not None and not about & down and not any(x < _THIN * y for x, y, _ in sizes)
+
+
+def _never_before(a: Account, w: Word) -> bool:
+    """ "The book falls onto the floor again": nothing has happened to it before."""
+    told = (f for f in a.frames if "again" in f.adverbs)
+    f = min(told, key=lambda f: abs(f.verb.start - w.start), default=None)
+    if f is None or f.unreal or f.verb.negated:
+        return False
+    about, earlier = about_of(a.d, f), (g for g in a.d.told if g.verb.start < f.verb.start)
+    return not any(about & about_of(a.d, g) for g in earlier)
+
+
 _UNMET: tuple[tuple[str, Callable[[Account, Word], bool], str], ...] = (
     ("indeed", _goes_back_and_forth, NOTHING),
     ("only", _of_several, NOTHING),
     ("first", _no_race, NOT_TIMED),
+    ("again", _never_before, NOT_BEFORE),
+    ("flat", _not_flat, NOTHING),
+    ("repeatedly", _happens_once, ONCE),
 )
 """Adverbs with the question whether the document leaves them out, and what is said of them then."""

@@ -11,7 +11,9 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.events.stated import start_of
 from esg.draft.events.told import happened
 from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.grammar.clauses.modality import FAILED, STOPPED_FIRST
 from esg.draft.statements.account import CHAINS, NOTHING, PASSED_OVER, Account, Gap, held, nodes_of
+from esg.draft.statements.phrases import NO_REFERENT
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Predicate
 
@@ -38,15 +40,19 @@ _SEEN = frozenset(
 _PASSED = frozenset({"overtake", "pass"})
 """Senses of which no member of a row passes on what is done to it."""
 _TRIED = "an attempt"
+_ALMOST = "almost"
+NEARLY = "nothing in the scene shows how near it comes"
 _SHARE = re.compile(
     r"(?:one|two|three|four|five|some|many|few|several) of (?:the|its|his|her|their|these|those)\b",
     re.IGNORECASE,
 )
 _COMES_OFF = frozenset({"fall", "drop", "roll", "slide", "topple", "launch", "fly", "breaking"})
 _LOOSENED = frozenset({"head"})
+_GIVEN = lex.word_set("blows (light verbs)")
+_GIVES = frozenset({"hit", "launch", "knock", "topple"})
 _LIFTED = lex.word_set("picks up")
 _NAMED_BEFORE = frozenset({"it", "him", "them"})
-NO_REFERENT = "nothing that was named before is meant"
+AT_ONCE = "nothing makes it wait so long"
 SOME = "only some of them do"
 FEWER = "only some of them do in the scene"
 NO_EVENT = "nothing of the kind happens in the scene"
@@ -175,18 +181,54 @@ def others_of(a: Account) -> Iterator[Gap]:
 
 
 def attempts(a: Account) -> Iterator[Gap]:
-    """ "Tries to push the peg into the hole": nothing happens between the two."""
+    """ "Tries to push the peg into the hole", "almost falls off": nothing of it is to be seen."""
     d = a.d
     for f in d.told:
         who, whom = {*nodes_of(d, f.subject)}, {*nodes_of(d, f.object)}
-        if f.unreal != _TRIED or not who:
+        if f.unreal == STOPPED_FIRST:
+            yield from _stops_short(a, f)
+        almost = f.unreal.startswith(_ALMOST)
+        if f.unreal not in (_TRIED, FAILED) and not almost:
             continue
         met = {*whom}.union(*({*nodes_of(d, p.mention)} for p in f.phrases)) - who
         acts = [{*n.participants} for n in d.timeline.nodes]
         acts += [{e.actor, e.target or ""} for e in d.timeline.edges]
-        if not any(who & act and (act & whom or (not whom and act & met)) for act in acts):
+        shown = any(who & act and (act & whom or (not whom and act & met)) for act in acts)
+        if who | (whom if almost else set()) and not (shown and f.unreal != FAILED):
             tried = tuple(nodes_of(d, f.subject))
-            yield Gap(f.verb.start, f.verb.end, "nothing of what is tried is shown", tried)
+            missing = NEARLY if almost else "nothing of what is tried is shown"
+            yield Gap(f.verb.start, f.verb.end, missing, tried)
+
+
+def by_nobody(a: Account) -> Iterator[Gap]:
+    """ "The kick sends the can flying": whose? Nothing in the scene touches it."""
+    for f in a.frames:
+        m = f.subject
+        if m is None or not m.attribute or m.head not in _GIVEN or m.possessor is not None:
+            continue
+        before = [g for g in a.d.told if g.verb.start < m.start and g.verb.sense in _GIVES]
+        whom = {*nodes_of(a.d, f.object)}
+        met = (n for n in a.d.timeline.nodes if n.event is NodeEvent.COLLISION)
+        if not before and not any(whom & {*n.participants} for n in met):
+            yield Gap(m.start, m.end, "nothing in the scene gives it", tuple(sorted(whom)))
+
+
+def unwaited(a: Account) -> Iterator[Gap]:
+    """ "Hovers for three seconds, then drops": it drops at once."""
+    for actor, lasting in a.d.moves.waiting.items():
+        later = (c for c in a.d.scene.clauses if actor in c.movers)
+        if any(c.frame.verb.start > lasting.end for c in later):
+            yield Gap(lasting.start, lasting.end, AT_ONCE, (actor,))
+
+
+def _stops_short(a: Account, f: Frame) -> Iterator[Gap]:
+    """ "Stops just before crossing the line": where is that?"""
+    named = [f.object, *(p.mention for p in f.phrases)]
+    there = {i for m in named for i in nodes_of(a.d, m)}
+    asked = {c.to for n in a.d.timeline.nodes for c in n.constraints}
+    kept = {i for s in a.kept for i in s.target}
+    if any(named) and not there & (asked | kept):
+        yield Gap(f.verb.start, max(m.end for m in named if m is not None), NEARLY)
 
 
 def parts_alone(a: Account) -> Iterator[Gap]:

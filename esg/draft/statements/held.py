@@ -10,7 +10,7 @@ from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Phrase
 from esg.draft.statements.book import Book, ids, span
 from esg.draft.statements.periods import period
-from esg.graph.models import Predicate
+from esg.graph.models import NodeEvent, Predicate
 
 _POSTURES = {
     **dict.fromkeys(("hang", "dangle", "suspend"), Predicate.HANGS_FROM),
@@ -41,11 +41,23 @@ def driver(book: Book, clause: Clause, s: Said, mover: str) -> None:
     riders = [i for i in ids(clause.frame.subject) if i in d.world.entities]
     riders = [i for i in riders if i not in clause.movers]
     riders = [i for i in riders if kind_of(d, i) in LIMBED]
+    if s.row.states is Predicate.SUPPORTED_BY:
+        _comes_to_ride(book, s, [i for i in riders if d.scene.supported_by.get(i)], mover)
     riders = [i for i in riders if d.scene.supported_by.get(i, mover) == mover]
     if riders and kind_of(d, mover) in SELF_POWERED:
         open_ = d.scene.supported_by.get(riders[0]) == mover or s.row.states is not Predicate.INSIDE
         says = Predicate.SUPPORTED_BY if open_ else Predicate.INSIDE
         book.add(says, s.start, s.end, object=tuple(riders), target=(mover,))
+
+
+def _comes_to_ride(book: Book, s: Said, riders: list[str], mover: str) -> None:
+    """ "Jumps off a fridge, lands on a cart and rides it": in the end it is on the cart."""
+    hits = (n for n in book.d.timeline.nodes if n.event is NodeEvent.COLLISION)
+    met = {i for n in hits if mover in n.participants for i in n.participants}
+    for rider in riders:
+        if rider in met and book.d.scene.supported_by[rider] != mover:
+            book.add(Predicate.ENDS_ON, s.start, s.end, object=(rider,), target=(mover,),
+                     when="end")  # fmt: skip
 
 
 def tow(book: Book, clause: Clause) -> None:

@@ -16,6 +16,7 @@ from esg.draft.events.hanging import SENT_UP, UNMET, row_of
 from esg.draft.events.motions import ROLLING, can_roll, flies_itself
 from esg.draft.events.stated import start_of
 from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.grammar.clauses.modality import STOPPED_FIRST
 from esg.draft.statements.book import Told, ids, span, word_end
 from esg.draft.statements.periods import is_told, segment_from, since_the_jolt
 from esg.draft.statements.struck import struck
@@ -109,12 +110,16 @@ def _borne(t: Told) -> None:
                 book.add(Predicate.STAYS_UPRIGHT, *words, object=(rider,), when=when)
 
 
+_ARRIVES = frozenset({"hit", "reach"})
+
+
 def _unmet(t: Told) -> None:
-    """ "Stops just before hitting a child", "puts it down without touching the cup"."""
+    """ "Stops just before hitting a child", "before it reaches her", "without touching the cup"."""
     d, book = t.d, t.book
     for f in t.frames:
         spared = f.verb.sense == "stop" and "before" in f.verb.extra and not f.unreal
         spared = spared or d.scene.used.get(span(f)) == UNMET
+        spared = spared or (f.unreal == STOPPED_FIRST and f.verb.sense in _ARRIVES)
         who = [i for i in ids(f.subject) if i in d.world.entities] if spared else []
         others = tuple(i for i in ids(f.object) if i in d.world.entities and i not in who)
         if who and others and not is_told(d, who[0], [*others]):

@@ -13,6 +13,7 @@ from esg.draft.events.courses import GENTLE_BRAKE_CM_S2, HARD_BRAKE_CM_S2, chose
 from esg.draft.events.gaits import on_legs
 from esg.draft.events.hanging import SENT_UP
 from esg.draft.events.motions import can_roll, flies_itself
+from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.book import Book, span
 from esg.draft.statements.periods import hurled, period, segment_from, segments
 from esg.draft.verbphrases import verb_readings
@@ -100,6 +101,22 @@ def rolled(book: Book, clause: Clause, s: Said, mover: str) -> None:
         book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=(mover,), note=note)
     else:
         plainly(book, clause, s, mover)
+
+
+def slid(book: Book, clause: Clause, s: Said, mover: str) -> None:
+    """ "A crate slides"; of a balloon "slips away" says that it goes off into the air.
+
+    Who slides a drawer shut does not slide.
+    """
+    f = clause.frame
+    done_to = [] if f.object is None or f.verb.passive else f.object.entities
+    does_it = bool(done_to) and mover not in done_to and mover in _doers(f)
+    if f.verb.sense != "fly" and not does_it:
+        plainly(book, clause, s, mover)
+
+
+def _doers(f: Frame) -> list[str]:
+    return [] if f.subject is None else f.subject.entities
 
 
 def plainly(book: Book, clause: Clause, s: Said, mover: str) -> None:

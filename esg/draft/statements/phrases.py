@@ -55,6 +55,12 @@ _SIDES = {
     "right": "right_of",
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
+_OFF = frozenset({"off", "off of"})
+_TURNED_TO = frozenset({"left", "right", "front", "back", "forward", "backward"})
+_BESIDE_IT = frozenset(
+    {"behind", "in front of", "under", "beside", "next to", "past", "around", "above", "over"}
+)
+NO_REFERENT = "nothing that was named before is meant"
 _BORNE = frozenset({"inside_of", "on"})
 _TO_A_PART = frozenset({"to", "toward", "towards", "at", "in", "into", "under", "with"})
 _BACK_TO = frozenset({"into", "to", "onto", "down", "toward", "towards"})
@@ -171,12 +177,29 @@ def phrases(a: Account) -> Iterator[Gap]:
             yield Gap(max(start_of(p, a.d.text), 0), m.end, "there are no others in the scene")
         if not about and p.prep in _SIDED and {m.head, m.part} & {"left", "right"}:
             yield Gap(max(start_of(p, a.d.text), 0), m.end, NOTHING)  # of whom is not clear
+        if m.pronoun and p.prep in _BESIDE_IT and others and about and about <= others:
+            yield Gap(max(start_of(p, a.d.text), 0), m.end, NO_REFERENT, tuple(sorted(about))[:1])
+            continue
         about -= others
-        if about and not (_answered(a, about, others, p, f) if others else _no_place(a, about, p)):
+        if _off_a_side(a, about, p):
+            yield Gap(max(start_of(p, a.d.text), 0), m.end, "nothing sees to the side")
+        elif about and not (
+            _answered(a, about, others, p, f) if others else _no_place(a, about, p)
+        ):
             start = max(start_of(p, a.d.text), 0)
             back = p.prep in _BACK_TO and a.d.text[:start].lower().endswith(" back ")
             missing = f'nothing in the scene stands for "{p.prep}"'
             yield Gap(start - 5 * back, m.end, missing, tuple(sorted(about))[:1])
+
+
+def _off_a_side(a: Account, about: set[str], p: Phrase) -> bool:
+    """ "Slides off the left side of the table": over any edge, if no word leads it there."""
+    m = p.mention
+    words = {*m.part.split(), *([m.head] if m.attribute else [])} if m is not None else set[str]()
+    if p.prep not in _OFF or not words & _SIDES.keys():
+        return False
+    led = (s for s in a.kept if s.direction in _TURNED_TO and about & {*s.object})
+    return not any(led)
 
 
 def _waited_for(a: Account, p: Phrase, f: Frame | None) -> bool:
@@ -255,8 +278,10 @@ def _placed(a: Account) -> set[str]:
 
 def _side_of_a_turn(d: Discourse, f: Frame, p: Phrase) -> bool:
     """ "Turns to the left": an event has the side."""
-    sided = p.mention is not None and {p.mention.head, p.mention.part} & {"left", "right"}
-    return bool(sided) and turns(d, about_of(d, f))
+    words = set[str]() if p.mention is None else {p.mention.head, p.mention.part}
+    about, sided = about_of(d, f), words & {"left", "right"}
+    ways = [n.extra.get("turn_direction") for n in d.timeline.nodes if about & {*n.participants}]
+    return bool(sided) and turns(d, about) and (not {*ways} <= {None, "any"} or None in ways)
 
 
 def _no_place(a: Account, about: set[str], p: Phrase) -> bool:

@@ -13,7 +13,7 @@ from esg.draft.statements.account import Account
 from esg.draft.statements.book import Book, Told, span
 from esg.draft.statements.held import carried, driver, posture, support, tow
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
-from esg.draft.statements.manners import flown, gains, paced, plainly, rolled
+from esg.draft.statements.manners import flown, gains, paced, rolled, slid
 from esg.draft.statements.order import ALONE, UNKEPT, orders, started_alone
 from esg.draft.statements.unclaimed import unclaimed
 from esg.draft.statements.unkept import BY_ITSELF, UNCARRIED, UNTOUCHED, dropped, missing
@@ -164,7 +164,7 @@ _SAYINGS: dict[Predicate, Callable[[Book, Clause, Said, str], None]] = {
     Predicate.FASTER_THAN: paced,
     Predicate.CARRIED_BY: carried,
     Predicate.ROLLS: rolled,
-    Predicate.SLIDES: plainly,
+    Predicate.SLIDES: slid,
     Predicate.AIRBORNE: flown,
     Predicate.INSIDE: driver,
     Predicate.SUPPORTED_BY: driver,

@@ -18,12 +18,14 @@ from esg.draft.statements.adverbs import adverbs
 from esg.draft.statements.arguments import (
     arguments,
     attempts,
+    by_nobody,
     fewer,
     idle,
     left_behind,
     others_of,
     parts_alone,
     some_of,
+    unwaited,
 )
 from esg.draft.statements.phrases import adrift, phrases
 from esg.draft.statements.places import alone, from_nothing, hung, lengths, up_and_down
@@ -112,6 +114,8 @@ _FINDERS: tuple[Callable[[Account], Iterator[Gap]], ...] = (
     one_of_several,
     parts_alone,
     attempts,
+    by_nobody,
+    unwaited,
     adverbs,
     _particles,
     qualities,

@@ -27,7 +27,7 @@ from esg.draft.statements.ways import comes_to_ground
 from esg.graph.models import EdgeEvent, NodeEvent, Predicate
 
 _NO_PICTURE = lex.word_set("no picture (statements)")
-_PICTURED = frozenset({"refuse"})
+_PICTURED = frozenset({"refuse", "lose"})
 """Verbs without a picture that have one with an object."""
 _MANNERS = frozenset({"gently", "carefully", "slowly", "softly", "quickly", "then", "suddenly"})
 _NOT_TOLD = frozenset({"gerund", "no event of its own"})
@@ -43,6 +43,7 @@ _SETS_IN_MOTION = frozenset({"drop", "launch", "roll", "slide", "knock", "scatte
 _GUIDED = frozenset({"picked up", "put"})
 """What became of verbs whose object is guided, by nobody who is there."""
 _WAYS = frozenset({"along", "across", "through", "up", "down", "around", "past"})
+_TURNED = frozenset({NodeEvent.SPIN, NodeEvent.HEADING_REACHED, NodeEvent.SWING})
 NOTHING_MOVES = "nothing of the kind happens in the scene"
 COMES_DOWN = "nothing holds it any longer: it comes down"
 _HANGING = lex.word_set("hanging")
@@ -314,6 +315,25 @@ def _flies(d: Discourse) -> bool:
     return any(kind_of(d, i) not in LIMBED for i in set_off)
 
 
+def _unspun(d: Discourse, clause: Clause) -> bool:
+    """ "Clips a barrier and spins out": nothing has it turn."""
+    f = clause.frame
+    about = {*clause.movers, *_doers(f), *(f.object.entities if f.object is not None else [])}
+    if d.timeline.node(d.scene.used.get((f.verb.start, f.verb.end), "")) is not None:
+        return False  # what turns on its axle
+    return not any(n.event in _TURNED and about & {*n.participants} for n in d.timeline.nodes)
+
+
+def _not_through(d: Discourse, clause: Clause) -> bool:
+    """ "Smashes through a wall", which stays whole and in the way."""
+    f = clause.frame
+    told = "through" in d.text[f.verb.start : f.verb.end + 9].lower().split()
+    broken = (n for n in d.timeline.nodes if n.event in (NodeEvent.BREAK, NodeEvent.TOPPLE))
+    met = {*(f.object.entities if f.object is not None else [])}
+    met |= {i for p in f.phrases if p.mention is not None for i in p.mention.entities}
+    return told and bool(met) and not any(met & {*n.participants} for n in broken)
+
+
 def _met(d: Discourse, clause: Clause) -> bool:
     """Whether another body runs into what a clause moves."""
     hits = (n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION)
@@ -354,6 +374,8 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "untouched": _moved_by_none,
     "untied": lambda d, c: not _tied(d, c.frame),
     "unsent": _unsent,
+    "unspun": _unspun,
+    "through": _not_through,
     "living": lambda d, c: (
         bool(c.movers) and all(kind_of(d, i) in LIMBED for i in c.movers) and not _met(d, c)
     ),
@@ -394,6 +416,7 @@ def dropped(d: Discourse, f: Frame) -> str:
     if why is None or span in d.scene.used or f.unreal or f.times or why in _NOT_TOLD:
         return ""
     pictured = f.verb.lemma in _PICTURED and f.object is not None  # "refuses the jump"
+    pictured |= f.verb.lemma == "fail" and not d.text[f.verb.end :].startswith(" to ")
     if (
         f.verb.negated
         or (f.verb.lemma in _NO_PICTURE and not pictured)

@@ -64,6 +64,8 @@ def _back(book: Book, clause: Clause, s: Said, mover: str) -> None:
     "Is hit and slides out of view" is away from what has hit it.
     """
     d, f, since = book.d, clause.frame, book.d.timeline.node(clause.since.get(mover, START))
+    if f.verb.sense == "topple":
+        return  # "falls on its back"
     others = tuple(i for i in clause.movers if i != mover) if "apart" in s.row.words else ()
     struck_here = since is not None and since.event is NodeEvent.COLLISION
     met = [*since.participants] if since is not None and struck_here else list[str]()
@@ -175,7 +177,8 @@ def _slope(book: Book, s: Said, mover: str, where: str) -> None:
 def goal(book: Book, clause: Clause, s: Said, mover: str) -> None:
     """ "Runs to the left of a chair": where it gets to; beside what moves, where it keeps."""
     d = book.d
-    targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities][:1]
+    itself = {mover, *(ids(clause.frame.subject) if clause.frame.object is None else ())}
+    targets = [i for i in things(s.phrase) if i not in itself and i in d.world.entities][:1]
     if not targets or structural(d, targets[0]) or is_told(d, mover, targets):
         return
     if _is_of_what_hangs(d, s, targets[0]):

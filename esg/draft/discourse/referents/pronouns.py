@@ -28,6 +28,7 @@ from esg.draft.text.elements import Mention
 
 _BEINGS = frozenset({"animal", "robot"})
 _DRIVEN = lex.word_set("driven (persons)")
+_LINKS = lex.word_set("links")
 _MOVERS = _BEINGS | _DRIVEN | {"person", "flyer", "toyvehicle"}
 _HE = lex.word_set("he")
 _SHE = lex.word_set("she")
@@ -126,7 +127,8 @@ def _being(world: World, m: Mention, subject: bool, avoid: list[str]) -> list[st
     lone = [ids[0] for ids in reversed(sets) if len(ids) == 1 and ids[0] not in avoid]
     alone = [world.entities[i] for i in lone if i in world.entities]
     for e in alone:
-        if e.noun.kind == "generic" and not e.known and e.group is None:
+        named = e.noun.kind == "generic" and not e.known and e.group is None
+        if named and e.head.split()[-1] not in _LINKS:
             e.noun, e.known = lex.nouns()["person"], True
             return [e.id]
     beings = [e for e in alone if e.noun.kind in _BEINGS]

@@ -41,6 +41,8 @@ _KNOWN = frozenset({*_THE, "these", "those", "its", "his", "her", "their"}) | fr
     {"both", "all", "each", "every"}
 )
 _NEIGHBOURS = frozenset({"neighbor", "neighbour"})
+_LEFT_ALONE = frozenset({"building", "plant", "vehicle"})
+"""Kinds of things that are without their owners."""
 _DRIVEN = ("vehicle", "flyer", "cart", "watercraft")
 
 
@@ -119,7 +121,8 @@ def _by_its_noun(world: World, m: Mention, subject: bool, avoid: list[str]) -> l
     owner = m.possessor
     if m.role and m.determiner != "a" and (driven := _driven(world, owner)):
         return driven  # "the driver brakes": the car
-    if owner is not None and not owner.pronoun and owner.noun is not None and not _any(owner, m):
+    known = owner is not None and not owner.pronoun and owner.noun is not None
+    if owner is not None and known and not (_any(owner, m) or _stays_behind(world, owner, m)):
         resolve(world, owner)  # "the man's hat": the man is there too
     found = existing(world, m, avoid)
     if subject and found and m.determiner in ("a", "an") and all_rest(world, found):
@@ -128,6 +131,13 @@ def _by_its_noun(world: World, m: Mention, subject: bool, avoid: list[str]) -> l
         found = []  # "a curling stone hits the guard stone": not itself
     enrich(world, m, found)
     return found or counted_parts(world, m) or create(world, m)
+
+
+def _stays_behind(world: World, owner: Mention, m: Mention) -> bool:
+    """ "The neighbour's hedge", "the player's car": whose it is need not be there."""
+    person = owner.noun is not None and owner.noun.kind == "person" and not owner.plural
+    fixed = m.noun is not None and m.noun.kind in _LEFT_ALONE
+    return person and fixed and not any(same_kind(owner, e) for e in world.entities.values())
 
 
 def _itself(world: World, m: Mention, found: list[str], avoid: list[str]) -> bool:

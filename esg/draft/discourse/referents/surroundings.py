@@ -90,9 +90,17 @@ def noun_here(
         name = "floor"  # "over the edge onto the tiles"
     elif name == "stump" and m.plural and cricket:
         name = "cricket stump"
+    elif m.head == "arm" and _of_a_machine(m, named):
+        name = "robot arm"
     elif (m.head == "plane" and _sloped(m)) or (m.head in _LEANT and m.after_prep == "down"):
         name = "ramp"
     return noun if name == noun.name else lex.nouns()[name]
+
+
+def _of_a_machine(m: Mention, named: list[Entity]) -> bool:
+    """ "The arm pushes the can": who has it was not named, and it does something itself."""
+    told = m.determiner == "the" and not (m.plural or m.possessor or m.after_prep)
+    return told and not any(e.noun.kind in ("person", "animal", "robot") for e in named)
 
 
 def _sloped(m: Mention) -> bool:

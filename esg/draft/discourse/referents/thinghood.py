@@ -28,6 +28,8 @@ _SHARES = frozenset({"half", "third", "quarter"})
 _RIMS = frozenset({"rim", "brim", "lip"})
 _GAPS = frozenset({"gap", "opening", "space"})
 _GO_INTO_GAPS = frozenset({"vehicle", "person", "animal", "cart", "toyvehicle"})
+_STOOD_ON = frozenset({"wheel", "leg", "foot", "paw", "hoof"})
+_MOTIONS = lex.word_set("own motions")
 _LANES = lex.word_set("lanes of a road")
 _UNSEEN = lex.word_set("unseen light and weather") | lex.word_set("unseen fluids")
 
@@ -162,6 +164,17 @@ def _unseen(world: World, m: Mention, subject: bool) -> bool:
     return m.noun is None and {m.head, m.head + "s"} <= _UNSEEN
 
 
+def _stands_on(world: World, m: Mention, subject: bool) -> bool:
+    """ "Tips onto two wheels", "hops on one leg": as many of its own as are named."""
+    few = m.count is not None and m.count <= 3 and m.after_prep in ("on", "onto")
+    return few and m.head in _STOOD_ON and not (m.determiner or m.adjectives or m.group_word)
+
+
+def _own_motion(world: World, m: Mention, subject: bool) -> bool:
+    """ "Stops at the top of its swing": what it does, and no swing to sit on."""
+    return m.determiner in _OWN and m.head in _MOTIONS and bool(m.after_prep)
+
+
 def _place_name(world: World, m: Mention, subject: bool) -> bool:
     """ "at cambodia", "in Los Angeles": nouns that nobody knows, where something is."""
     words = m.text.split()
@@ -190,6 +203,8 @@ _TESTS: tuple[Callable[[World, Mention, bool], bool], ...] = (
     _its_parts,
     _load_bed,
     _share,
+    _own_motion,
+    _stands_on,
     _place_name,
 )
 

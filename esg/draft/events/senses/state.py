@@ -277,7 +277,9 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             d.moves.waiting[actor] = lasting
             mark_used(d, lasting, "waiting time")
     met = things(f.phrase("at", "on", "in", "against", "onto", "upon"))
-    if f.verb.lemma == "stick" and not f.reduced and s and met and not at_rest(d, s[0]):
+    if f.verb.lemma == "settle" and not f.reduced and any(not at_rest(d, a) for a in s):
+        read_as(d, "stop", f, s, o)  # "rolls back and settles in the corner"
+    elif f.verb.lemma == "stick" and not f.reduced and s and met and not at_rest(d, s[0]):
         add_hit(d, f, s[:1], met[:1], time_of(d, f))
     else:
         read_be(d, f, s, o)

@@ -20,7 +20,7 @@ NEAR = re.compile(
 )
 _IN_GROUP = re.compile(r"\b(?:almost|nearly)\b", re.IGNORECASE)
 _NEVER = re.compile(
-    r"\bnever\s+(?:\w+ly\s+)?$"
+    r"\b(?:never|no longer)\s+(?:\w+ly\s+)?$"
     r"|(?:n't|\bnot|\bnever|\bwithout)\s+(?:let|letting|allow|allowing)\s+(?:[\w'-]+\s+){1,4}$",
     re.IGNORECASE,
 )
@@ -39,6 +39,14 @@ _COUNTERFACTUAL = re.compile(
     r"\b(?:should|would|could|might)(?:n[\u2019']t)?\s+(?:\w+\s+)?have\b|\bought to have\b",
     re.IGNORECASE,
 )
+_HARDLY = re.compile(r"\b(?:hardly|scarcely|barely)\s+$", re.IGNORECASE)
+_STIRS = frozenset({"move", "budge", "stir", "shift", "bounce", "wobble"})
+"""Verbs that "hardly" denies, as far as one sees: "the middle one hardly moves"."""
+FAILED = "an attempt that fails"
+STOPPED_FIRST = "it stops before that"
+_IN_VAIN = re.compile(
+    r"\b(?:in vain|to no avail|without (?:any )?success|unsuccessfully|too heavy)\b", re.IGNORECASE
+)
 _ENDS = re.compile(r"[.;!?\n]")
 _NOBODY = re.compile(r"\b(?:nobody|no[ -]one)\s+$", re.IGNORECASE)
 _NONE_OF = re.compile(r"(?:none|neither)\s+of\b", re.IGNORECASE)
@@ -52,6 +60,8 @@ _STOPS_DOING = re.compile(
 )
 _NO_ONE = re.compile(r"\bno[ -]one$", re.IGNORECASE)
 
+_MOTIONS = frozenset({"cross", "own", "roll", "slide", "fly"})
+"""Senses that make no event, and are asked all the same whether they happen."""
 _WISHES = lex.word_set("wishes")
 _ATTEMPTS = lex.word_set("attempts")
 _TRIED_IS_DONE = lex.word_set("tried is done")
@@ -137,6 +147,8 @@ def _denied(f: Frame, text: str) -> bool:
     none = (f.subject if not f.relative else None, *met)
     if any(m is not None and _none_of(text, m.start) for m in none):
         return True
+    if f.verb.lemma in _STIRS and _HARDLY.search(text, max(0, f.verb.start - 12), f.verb.start):
+        return True
     return _NEVER.search(text, max(0, f.verb.start - 60), f.verb.start) is not None
 
 
@@ -175,7 +187,9 @@ def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> st
         return "it did not happen"
     if _unwanted(f, earlier):
         return "a wish"
-    if f.verb.sense not in _EVENTS and f.verb.sense not in ("own", "roll", "slide", "fly"):
+    if _failed(f, earlier, later, text):
+        return FAILED
+    if f.verb.sense not in _EVENTS and f.verb.sense not in _MOTIONS:
         return ""
     if _ends_in(f, text):
         f.link = "then"
@@ -185,6 +199,18 @@ def _reason(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> st
     return next((reason for applies, reason in _REASONS if applies(told)), "").format(
         modal=f.verb.modal
     )
+
+
+def _failed(f: Frame, earlier: list[Frame], later: list[Frame], text: str) -> bool:
+    """ "Tries to lift the box and fails", "tries in vain to lift it, but it does not budge"."""
+    g = _governor(f, earlier)
+    if "tried" not in f.verb.extra and (g is None or g.verb.lemma not in _ATTEMPTS):
+        return False
+    start, end = (g or f).verb.start, _ENDS.search(text, f.verb.end)
+    if _IN_VAIN.search(text, start, end.start() if end else len(text)):
+        return True
+    fails = any(h.verb.lemma == "fail" and not h.verb.negated for h in later[:2])
+    return fails or (_contrast(f, text) and any(h.verb.negated for h in later[:1]))
 
 
 def _unwanted(f: Frame, earlier: list[Frame]) -> bool:
@@ -225,7 +251,7 @@ def _stopped_first(t: _Told) -> bool:
         return True  # "turns around before it reaches the wall"
     down = does in ("fall", "topple") and event == "reach" and main.subject is t.frame.subject
     ended = does == "stop" or down
-    return ended and event in ("hit", "reach", "enter", "fall", "own", "knock", "topple")
+    return ended and event in ("hit", "reach", "enter", "fall", "own", "cross", "knock", "topple")
 
 
 def _only_tried(t: _Told) -> bool:
@@ -263,7 +289,7 @@ _REASONS: tuple[tuple[Callable[[_Told], bool], str], ...] = (
     (_prevented, "it is prevented"),
     (_about_to, "about to: it does not happen yet"),
     (_only_meant, "it was only meant to happen"),
-    (_stopped_first, "it stops before that"),
+    (_stopped_first, STOPPED_FIRST),
     (_only_tried, "an attempt"),
     (_wished, "a wish"),
     (_not_reached, "a purpose that is not reached"),

@@ -10,6 +10,8 @@ _WHO = frozenset({"he", "she", "they", "i", "we", "you", "someone", "somebody"})
 """Subjects that need no article."""
 _DONE_TO = frozenset({"launch", "drop", "hit", "carry", "knock", "tow"})
 """Senses of verbs whose object may stand before them."""
+_MADE = lex.word_set("made (relatives)")
+_BEFORE_THE_VERB = frozenset({"just", "already", "only", "had", "has", "have", "once"})
 _NOUNS = frozenset({"NOUN", "PROPN"})
 _STOPS = frozenset(".;:!?\n")
 _MOST = 3
@@ -56,11 +58,13 @@ def _verb_of(tokens: list[Token], i: int) -> int:
             return -1
     elif tokens[i].low not in _WHO:
         return -1
-    told = k < len(tokens) and tokens[k].tag == "VERB"
-    past = told and any(
-        r.form == "past" and r.sense in _DONE_TO for r in verb_readings(tokens[k].low)
-    )
-    return k if past else -1
+    while k < len(tokens) and tokens[k].low in _BEFORE_THE_VERB:
+        k += 1
+    if k >= len(tokens) or tokens[k].tag != "VERB":
+        return -1
+    readings = [r for r in verb_readings(tokens[k].low) if r.form in ("past", "pp")]
+    done = any(r.form == "past" and r.sense in _DONE_TO for r in readings)
+    return k if done or (readings and tokens[k].low in _MADE) else -1
 
 
 def _bare(tokens: list[Token], verb: int, sub: bool) -> bool:
