@@ -24,6 +24,7 @@ _OF_THE_GROUND = frozenset({"structural", "decal"})
 _SCENES = lex.word_set("scenes")
 _ALIKE = lex.word_set("behave alike")
 _NO_SUCH = lex.word_set("drawn as another")
+_DRIVEN = frozenset({"flyer", "vehicle", "watercraft"})
 _TWINS = lex.word_set("twins")
 
 
@@ -99,8 +100,8 @@ def names_another(words: str, last: str) -> bool:
     if kind is None or "part" in kind.flags or _OF_THE_GROUND & head.traits:
         return False  # "a bus lane"
     behaves = _behaves(kind).kind
-    if head.kind == behaves == "person":
-        return False
+    if head.kind == behaves == "person" or (head.kind in _DRIVEN and behaves != head.kind):
+        return False  # a cable car goes as cars do
     if own is not None:
         ratio = max(own.dimensions_cm) / max(head.dimensions_cm)
         return own.name != head.name and (behaves != head.kind or not 0.5 < ratio < 2.0)

@@ -25,6 +25,10 @@ _CLOSED = (
 """What is no first word of a compound."""
 
 
+_LINKS = lex.word_set("links")
+"""Ropes and lines, which what they are for tells nothing new of."""
+
+
 @cache
 def _rows() -> dict[str, str]:
     """Compounds by their words, and the noun that each is read as: `compounds.csv`."""
@@ -92,7 +96,7 @@ def _spelled(one: str, joined: str) -> str:
     last = one.rpartition(" ")[2]
     if joined in lex.nouns():
         return joined
-    if last in lex.PARTS or lex.is_part(last):
+    if last in lex.PARTS or lex.is_part(last) or last in _LINKS:
         return ""
     known = last in lex.nouns()
     if not known and (last in lex.SUBSTANCES or no_things().get(last) == "substance"):

@@ -66,6 +66,7 @@ _VESSELS = lex.word_set("vessels (noun heads)")
 _THEM = ("it", "him", "her", "them")
 _STACKS = ("stack", "pile", "tower", "heap")
 _FIGURES = lex.word_set("parts of figures")
+_LIMBS = (lex.BODY_PARTS | _FIGURES) - lex.PARTS
 _IN_THE_SKY = lex.word_set("hangs in the sky")
 _UNDER_THE_SKY = lex.word_set("under the sky")
 _GROUPS = lex.word_set("people")
@@ -372,10 +373,7 @@ def _people(c: Chunks, p: Place, m: Mention) -> Head | None:
     if not people_here(c, p.at):
         return OTHER
     told = m.determiner not in ("", "the") or m.count is not None
-    several_told = word != "crowd" and any(
-        isinstance(e, Mention) and (e.plural or e.group_word) for e in c.elements
-    )
-    those = m.determiner == "the" and word in lex.GROUP_WORDS and several_told  # "the group"
+    those = m.determiner == "the" and word in lex.GROUP_WORDS and word != "crowd"
     verb = several and m.determiner in ("a", "an")  # "an engine couples onto five wagons"
     caption = not several and not c.elements  # "Happy family with two kids"
     named = told or m.determiner or ((several or caption) and m.adjectives)
@@ -430,7 +428,7 @@ def _piece(c: Chunks, p: Place, m: Mention) -> Head | None:
 
 def _body_part(c: Chunks, p: Place, m: Mention) -> Head | None:
     """ "his arm"."""
-    if m.determiner == "the" and p.low in lex.BODY_PARTS | _FIGURES:
+    if m.determiner == "the" and p.low in _LIMBS:
         whose = low_at(c, p.at + 1) == "of" and low_at(c, p.at + 2) in lex.DETERMINERS
         if whose and not m.adjectives:  # "the tail of the dog"
             m.head = lex.singular(p.low)[0]
