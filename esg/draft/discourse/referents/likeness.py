@@ -100,7 +100,7 @@ def names_another(words: str, last: str) -> bool:
     if kind is None or "part" in kind.flags or _OF_THE_GROUND & head.traits:
         return False  # "a bus lane"
     behaves = _behaves(kind).kind
-    if head.kind == behaves == "person" or (head.kind in _DRIVEN and behaves != head.kind):
+    if head.kind == behaves == "person" or head.kind in _DRIVEN:
         return False  # a cable car goes as cars do
     if own is not None:
         ratio = max(own.dimensions_cm) / max(head.dimensions_cm)
@@ -111,6 +111,11 @@ def names_another(words: str, last: str) -> bool:
     named = _drawn().get(last)
     hyponym = above.concept == last and named is not None and named.name == last  # "a bell tower"
     return above.stands_in and above.kind != head.category and not hyponym
+
+
+def in_wordnet(words: str) -> bool:
+    """Whether WordNet has a noun of a thing that is spelled so, in the singular and lower case."""
+    return words in hypernyms()
 
 
 def in_dictionary(words: str) -> bool:

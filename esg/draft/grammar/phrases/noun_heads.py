@@ -352,9 +352,12 @@ def _unknown_after(c: Chunks, j: int, m: Mention) -> int:
     single, several = lex.singular(token.low)
     nothing = (names_no_thing(token.low) and not _weighs(c, j, j, m)) or wisp(c, j)
     pack = packed(c, single, m)
-    if (single in lex.ATTRIBUTES or nothing) and pack is None:
+    if single in PIECES:
+        return j + 1  # "the pizza slice"
+    people = single in _GROUPS and bool(m.determiner) and low_at(c, j + 1) != "of"
+    if (single in lex.ATTRIBUTES or nothing) and pack is None and not people:
         m.attribute, m.head, m.noun = True, single, None
-    elif single in _GROUPS and m.determiner:
+    elif people:
         m.noun, m.head, m.plural, m.group_word = lex.nouns()["person"], "person", True, single
         m.pattern = lex.GROUP_WORDS.get(single) or "scatter"  # "the football team"
     elif single in lex.PARTS:
@@ -750,10 +753,32 @@ def _part_of_whole(c: Chunks, j: int, m: Mention) -> int | None:
     if not (own or (owner.noun is not None and lex.is_part(m.head, owner.noun))):
         return None
     row = articulations().get(owner.head)
-    if not (met or own) and (row is None or not row.tips):  # "The pans of a balance": ends of its beam
+    if limb and row is not None and not row.tips:
+        return None  # "the arm of a catapult"
+    if not (met or own) and (
+        row is None or not row.tips
+    ):  # "The pans of a balance": ends of its beam
         return None
     owner.part, owner.start = m.head, m.start
     c.elements.append(owner)
+    return after
+
+
+def _of_furniture(c: Chunks, j: int, m: Mention) -> int:
+    """ "The drawer of the desk": the desk comes with its drawer; the token after it, or j.
+
+    What was named before stands there already.
+    """
+    if m.head != "drawer" or low_at(c, j) != "of":
+        return j
+    found = _owner(c, j + 1)
+    if found is None:
+        return j
+    owner, after = found
+    told = any(isinstance(e, Mention) and e.head == owner.head for e in c.elements)
+    if told or owner.noun is None or owner.noun.kind not in ("furniture", "table"):
+        return j
+    m.adjectives.append(owner.head)
     return after
 
 
@@ -762,6 +787,7 @@ def _complete(c: Chunks, p: Place, j: int, m: Mention) -> int | None:
     tokens = c.tokens
     if (whole := _part_of_whole(c, j, m)) is not None:
         return whole
+    j = _of_furniture(c, j, m)
     j = member_of_row(c, j, m) or letters(c, j, m)
     if set(m.adjectives) & lex.ORDINALS.keys() and low_at(c, j + 1) in ("the", "top", "bottom"):
         k = j + 2 if low_at(c, j + 1) == "the" else j + 1
