@@ -342,7 +342,9 @@ def looks_like_verb(c: Chunks, j: int, m: Mention) -> bool:
         or m.determiner not in ("a", "an", "the", "this", "that", "its")
     ):
         return False
-    nxt = low_at(c, j + 1)
+    before, nxt = low_at(c, j - 1), low_at(c, j + 1)
+    if m.group_word and lex.singular(before)[0] == before:
+        return False  # "a pair of oven mitts"
     return not (verb_readings(nxt) or nxt in lex.MODALS or nxt == "'s")
 
 
