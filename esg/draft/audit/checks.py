@@ -284,11 +284,11 @@ class Doubt:
 
 
 @cache
-def doubts() -> dict[str, Doubt]:
-    """Nouns of several senses: what they are drawn as, and what beside them tells another one."""
+def doubts() -> dict[tuple[str, str], Doubt]:
+    """Nouns of several senses, by what they are drawn as: what beside them tells another one."""
     with open(lex.DATA / "doubts.csv", encoding="utf-8", newline="") as file:
         return {
-            r["noun"]: Doubt(
+            (r["noun"], r["drawn"]): Doubt(
                 r["drawn"], frozenset(r["beside"].split("|")), r["meant"], r["example"]
             )
             for r in csv.DictReader(file, delimiter=";")
@@ -302,9 +302,9 @@ def _doubtful(case: Case) -> Iterator[Finding]:
     singulars = {lex.singular(w)[0] for w in words} | {*words}
     for start, end, name in case.facts.spans:
         head = (re.findall(r"[a-z]+", case.text[start:end].lower()) or [""])[-1]
-        doubt = doubts().get(lex.singular(head)[0])
         asset = doc.asset_requirement[doc.spatial_relation_graph.nodes[name].asset_id]
-        if doubt is None or asset.asset_category != doubt.drawn:
+        doubt = doubts().get((lex.singular(head)[0], asset.asset_category))
+        if doubt is None:
             continue
         said = any(start <= a < end for a, _ in case.facts.said)  # of the noun, not of its place
         if singulars & doubt.cues and not said:

@@ -764,30 +764,11 @@ def _part_of_whole(c: Chunks, j: int, m: Mention) -> int | None:
     return after
 
 
-def _of_furniture(c: Chunks, j: int, m: Mention) -> int:
-    """ "The drawer of the desk": the desk comes with its drawer; the token after it, or j.
-
-    What was named before stands there already.
-    """
-    if m.head != "drawer" or low_at(c, j) != "of":
-        return j
-    found = _owner(c, j + 1)
-    if found is None:
-        return j
-    owner, after = found
-    told = any(isinstance(e, Mention) and e.head == owner.head for e in c.elements)
-    if told or owner.noun is None or owner.noun.kind not in ("furniture", "table"):
-        return j
-    m.adjectives.append(owner.head)
-    return after
-
-
 def _complete(c: Chunks, p: Place, j: int, m: Mention) -> int | None:
     """Adds the phrase with the names and owners that follow its head."""
     tokens = c.tokens
     if (whole := _part_of_whole(c, j, m)) is not None:
         return whole
-    j = _of_furniture(c, j, m)
     j = member_of_row(c, j, m) or letters(c, j, m)
     if set(m.adjectives) & lex.ORDINALS.keys() and low_at(c, j + 1) in ("the", "top", "bottom"):
         k = j + 2 if low_at(c, j + 1) == "the" else j + 1
