@@ -393,8 +393,11 @@ def _acted_on(c: Chunks, i: int, previous: Element | None) -> bool:
     joined = isinstance(previous, Word) and previous.kind in ("conj", "adv") and told
     opens = previous is None or (isinstance(previous, Word) and previous.low in ".;!?\n")
     if noun[2]:
-        one = isinstance(previous, Mention) and not previous.plural
-        one = one and (previous.determiner or previous.pronoun in _SUBJECTS)
+        one = (
+            isinstance(previous, Mention)
+            and not previous.plural
+            and (previous.determiner or previous.pronoun in _SUBJECTS)
+        )
         if nxt in _OUT and low_at(c, i + 2) in _ARTICLES:
             nxt = low_at(c, i + 2)  # "and saws off the end"
         listed = isinstance(previous, Word) and previous.low == "," and told and nxt in _OBJECTS
