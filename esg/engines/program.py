@@ -55,6 +55,7 @@ Damping is applied by every engine as v *= max(0, 1 - c dt) once per step.
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Iterable, Sequence
 from dataclasses import asdict, dataclass, fields, replace
 from enum import IntEnum
@@ -428,10 +429,25 @@ def _never(primitive: Primitive) -> Primitive | None:
     return replace(primitive, time=math.inf) if isinstance(primitive, DriveJoint) else None
 
 
+def _union(programs: list[Program]) -> list[Primitive]:
+    """Those of the fullest program, and after them what others have more of of one kind."""
+    union = [*max(programs, key=lambda p: len(p.primitives)).primitives]
+    have = Counter(_subject(p) for p in union)
+    for program in programs:
+        seen = Counter[tuple[str, str, str]]()
+        for p in program.primitives:
+            seen[_subject(p)] += 1
+            if seen[_subject(p)] > have[_subject(p)]:
+                have[_subject(p)] += 1
+                union.append(p)
+    return union
+
+
 def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBatch:
     """Stacks programs of one structure (kinds and bodies in the same order).
 
-    Primitives are kept in the order of the program that has the most; a batch whose primitives
+    Primitives are kept in the order of the program that has the most, what others have more of
+    follows; a batch whose primitives
     change order between worlds is still executed correctly, because primitives of different bodies
     commute and those of one body must keep their order. A hold that another world needs, as it has
     to slow down to a speed first, never begins, and a motor that only another one has to switch
@@ -447,11 +463,11 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
     if not programs:
         raise ValueError("need at least one program")
     index = {n: i for i, n in enumerate(names)}
-    fullest = max(programs, key=lambda p: len(p.primitives))
-    signature = [_subject(p) for p in fullest.primitives]
+    union = _union(programs)
+    signature = [_subject(p) for p in union]
     table = np.full((len(programs), len(signature), FIELDS), np.nan)
     until = np.zeros((len(signature), len(names)), bool)
-    for k, p in enumerate(fullest.primitives):
+    for k, p in enumerate(union):
         if p.body not in index and not isinstance(p, DriveJoint):
             raise ValueError(f"program moves unknown body {p.body!r}; bodies are {list(names)}")
         if isinstance(p, Lasting):
@@ -465,13 +481,12 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
             match = next((q for q in remaining if _subject(q) == key), None)
             if match is not None:
                 remaining.remove(match)
-            row = match or _never(fullest.primitives[k])
+            row = match or _never(union[k])
             if row is None:
                 what = key[1] or key[2]
                 raise ValueError(f"program {w} has no {key[0]} of {what!r} in position {k}")
             table[w, k] = _row(row)
-        if remaining:
-            raise ValueError(f"program {w} has {len(remaining)} primitives too many")
+        assert not remaining
     kinds = [c.kind for c in KINDS]
     return ProgramBatch(
         kind=np.array([kinds.index(k) for k, _, _ in signature], np.int32),

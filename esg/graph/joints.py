@@ -21,6 +21,8 @@ Floats = NDArray[np.float64]
 
 FOOT, SEAT = "foot", "seat"
 """Mounts that no asset has to name: its origin, and the middle of its first surface or its top."""
+PILLION, BEHIND_CM = "pillion", 38.0
+"""The mount of who sits behind somebody, and how far behind the seat it is [cm]."""
 FRONT, REAR = "front", "rear"
 """Mounts that no asset has to name: where it is drawn along, and where it draws something."""
 TOWED = (REAR, FRONT)
@@ -72,13 +74,17 @@ def pose_of(frame: Frame) -> Pose:
 
 
 def mount_of(asset: AssetConfiguration, name: str | None) -> Mount | None:
-    """The mount of that name; None if the asset has none. Every asset has `FOOT` and `SEAT`."""
+    """The mount of that name; None if the asset has none.
+
+    Every asset has `FOOT`, `SEAT`, `PILLION`, `FRONT` and `REAR`.
+    """
     if name == FOOT:
         return Mount(name=FOOT, position_cm=(0.0, 0.0, 0.0), axis=UP)
-    if name == SEAT:
+    if name in (SEAT, PILLION):
         top = (0.0, 0.0, asset.dimensions_cm[2])
-        seat = next((s.center_cm for s in asset.support_surfaces), top)
-        return Mount(name=SEAT, position_cm=seat, axis=UP)
+        x, y, z = next((s.center_cm for s in asset.support_surfaces), top)
+        behind = BEHIND_CM if name == PILLION else 0.0
+        return Mount(name=name, position_cm=(x - behind, y, z), axis=UP)
     if name in (FRONT, REAR):
         length, _, height = asset.dimensions_cm
         end = (0.5 * length if name == FRONT else -0.5 * length, 0.0, hitch_cm(height))

@@ -196,7 +196,8 @@ def _further_event(node: TimelineNode, one: str, other: str | None) -> SuiteEven
 def _edge_event(edge: TimelineEdge, measurable: set[str]) -> SuiteEvent | None:
     if edge.event is EdgeEvent.BRAKE:
         return SuiteEvent(id=edge.id, type="brakes", object=_ref([edge.actor]))
-    if edge.event in _OWN_POWER and edge.to not in measurable:
+    hovers = edge.params.speed == 0.0  # it holds its height, and goes nowhere
+    if edge.event in _OWN_POWER and edge.to not in measurable and not hovers:
         return SuiteEvent(id=edge.id, type="moves", object=_ref([edge.actor]))
     return None
 

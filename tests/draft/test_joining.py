@@ -247,3 +247,52 @@ def test_what_a_drawer_is_part_of_is_not_in_it() -> None:
     doc = draft("A drawer of a cabinet slides open and pushes a ball off a chair.")
     nodes = doc.spatial_relation_graph.nodes
     assert nodes["cabinet_1"].semantic_region == nodes["drawer_1"].semantic_region
+
+
+@pytest.mark.parametrize(
+    ("prompt", "mount"),
+    [
+        ("Two identical lanterns hang from a beam.", "hook"),
+        ("Three lanterns hang from a beam.", "hook"),
+        ("Two church bells hang from a wooden beam.", "bar"),
+    ],
+)
+def test_things_hang_side_by_side_from_one_beam(prompt: str, mount: str) -> None:
+    """Give each its own place on a beam on two posts that is wide enough for all."""
+    doc = draft(prompt)
+    hung = joints(doc)
+    (beam,) = {j.parent for j in hung}
+    places = [j.parent_mount for j in hung]
+    assert places == [f"{mount} {k} of {len(hung)}" for k in range(1, len(hung) + 1)]
+    asset = doc.asset_requirement[doc.spatial_relation_graph.nodes[str(beam)].asset_id]
+    assert asset.asset_category == "beam_on_posts"
+    drawn = resolve(doc).asset_configurations[doc.spatial_relation_graph.nodes[str(beam)].asset_id]
+    across = {m.name: m.position_cm[1] for m in drawn.mounts or ()}
+    first, second = (across[str(p)] for p in places[:2])
+    assert second - first > 44.0
+
+
+@pytest.mark.parametrize("host", ["branch", "bracket"])
+def test_what_hangs_from_no_beam_hangs_from_an_arm(host: str) -> None:
+    """Keep the arm of a post for what is no beam, and one place on it."""
+    (joint,) = joints(draft(f"A lantern hangs from a {host}."))
+    assert joint.parent_mount == "hook"
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "Two balls roll side by side; the left one hits the wall first.",
+        "Two cars drive toward a barrier and the red one hits it first.",
+        "Two marbles roll across the floor. The larger one hits the block first.",
+    ],
+)
+def test_who_does_not_hit_first_hits_later(prompt: str) -> None:
+    """Let the other one of two hit the same thing later, and say so."""
+    doc = draft(prompt)
+    assert doc.timeline_system is not None
+    hits = [n for n in doc.timeline_system.sequence_graph.nodes if n.event.value == "Collision"]
+    assert [n.participants[1] for n in hits] == [hits[0].participants[1]] * 2
+    assert hits[0].participants[0] != hits[1].participants[0]
+    (order,) = [s for s in doc.statements or () if s.predicate is Predicate.BEFORE]
+    assert order.object == (hits[0].id, hits[1].id)

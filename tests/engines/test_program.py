@@ -406,6 +406,21 @@ def test_a_hold_that_only_another_world_needs_never_begins():
         )
 
 
+def test_worlds_that_have_more_of_different_kinds_share_a_batch() -> None:
+    """Neither of two programs of the same length holds the other; each keeps what it has."""
+
+    def held(name: str, *starts: float) -> list[HoldVelocity]:
+        return [HoldVelocity(name, t, t + 0.4, 1.0, 0.0) for t in starts]
+
+    one = Program((*held("a", 0.0, 0.5), *held("b", 0.0)), 1.0)
+    other = Program((*held("a", 0.0), *held("b", 0.0, 0.5)), 1.0)
+    batch = batch_programs([one, other], NAMES)
+    start = batch.table[:, :, Column.START]
+    assert sorted(batch.body.tolist()) == [0, 0, 1, 1]
+    assert np.isfinite(start).sum(axis=1).tolist() == [3, 3]
+    assert np.sort(start[1, batch.body == 1]).tolist() == [0.0, 0.5]
+
+
 def test_a_path_passes_its_points_with_their_velocities():
     path = GuideAlong("a", 1.0, (0.0, 0.5, 2.0), ((0, 0, 0), (1, 2, 3), (4, 4, 4)),
                       ((1, 0, 0), (0, 1, 0), (0, 0, -2)))  # fmt: skip

@@ -87,8 +87,8 @@ def test_a_finished_folder_is_not_waited_for(
 def test_nobody_waits_for_ever(folder: Path) -> None:
     assert f"process {os.getpid()} still draws them" in settled(folder, 0.1)
     start = time.monotonic()
-    assert len(all_settled([folder] * 5, 0.1)) == 5
-    assert time.monotonic() - start < 1.0
+    assert len(all_settled([folder] * 8, 1.0)) == 8
+    assert time.monotonic() - start < 6.0  # one second for all of them, not one each
 
 
 def test_a_process_that_has_ended_is_not_waited_for(folder: Path, ended: int) -> None:

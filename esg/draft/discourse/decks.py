@@ -46,6 +46,10 @@ def is_driven(scene: Scene, node: str) -> bool:
     return moved and is_deck(scene.world.entities[node])
 
 
+UNDER_WAY, SHORE_CM = 4.0, 300.0
+"""Lengths of water before and behind a boat, and what is left to its shores."""
+
+
 def lay_decks(scene: Scene) -> None:
     """Makes a flat surface of a deck on which everything stays, and a roomy body of another.
 
@@ -64,6 +68,26 @@ def lay_decks(scene: Scene) -> None:
             _carry(scene, deck, [i for i in on_it if i in acting], falls)
         elif not (falls or enters or _LEAVES.search(scene.text)):
             _flatten(scene, deck, list(dict.fromkeys([*on_it, *acting])))
+
+
+def widen_waters(scene: Scene) -> None:
+    """Makes water as large as those need who are under way on it, side by side.
+
+    Args:
+        scene: Places and motions of the prompt; changed in place.
+    """
+    entities = scene.world.entities
+    for water, e in entities.items():
+        afloat = [i for i, on in scene.supported_by.items() if on == water and i in entities]
+        if e.noun.name != "pool" or e.dimensions_prescribed or not afloat:
+            continue
+        if not any(i in scene.timeline.tracks for i in afloat):
+            continue
+        sizes = [entities[i].dimensions_cm or entities[i].noun.dimensions_cm for i in afloat]
+        long = UNDER_WAY * max(max(s[:2]) for s in sizes) + SHORE_CM
+        wide = 2.0 * sum(min(s[:2]) for s in sizes) + SHORE_CM
+        usual = e.dimensions_cm or e.noun.dimensions_cm
+        e.dimensions_cm = [max(usual[0], long), max(usual[1], wide), usual[2]]
 
 
 def _carry(scene: Scene, deck: str, on_it: list[str], falls: list[str]) -> None:

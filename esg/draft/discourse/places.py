@@ -55,6 +55,8 @@ def place(
     kind = RELATION_PREPS.get(prep)
     if kind is None or not others or d.scene.links & {*things, *others}:
         return
+    if prep in ("in", "inside") and kind_of(d, others[0]) in ("vehicle", "flyer"):
+        d.scene.aboard.update((t, others[0]) for t in things if kind_of(d, t) == "person")
     carried = d.scene.supported_by  # "left of them" is beside the lower one of two
     other = next((o for o in others if carried.get(o) not in others), others[0])
     end = kind == "on" and bool(part) and part.split()[-1] in _ENDS

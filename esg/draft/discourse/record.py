@@ -106,8 +106,12 @@ class Moves:
     """What leans on something, so that it tips over when it falls."""
     on_top: dict[str, str] = field(default_factory=dict[str, str])
     """What moves about on something, and on what."""
+    hovering: set[str] = field(default_factory=set[str])
+    """What is told to hold its height in the air at first."""
     upon: dict[str, str] = field(default_factory=dict[str, str])
     """What somebody has leapt onto, and is on."""
+    outrun: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
+    """Events of those who come first, and the same events of those who come later."""
     still: dict[str, int] = field(default_factory=dict[str, int])
     """What is said not to move, and where the prompt says so."""
     stays: dict[str, int] = field(default_factory=dict[str, int])

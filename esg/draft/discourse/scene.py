@@ -60,6 +60,8 @@ class Scene:
     """Implied supports: (kind of need, node id)."""
     supported_by: dict[str, str] = field(default_factory=dict[str, str])
     inside_of: dict[str, str] = field(default_factory=dict[str, str])
+    aboard: dict[str, str] = field(default_factory=dict[str, str])
+    """Who is told to be in a vehicle or to drive it."""
     shut_in: dict[str, str] = field(default_factory=dict[str, str])
     """What is told to be in something that is hollow only once a door of it is told of."""
     attached: dict[str, str] = field(default_factory=dict[str, str])

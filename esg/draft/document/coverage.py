@@ -158,6 +158,8 @@ def _mention(m: Mention, words: str, scene: Scene) -> _Fate:
         warning = f'"{e.head}" is not in the lexicon; a stand-in of 40 cm and 5 kg is used.'
         note = "not in the lexicon: a sized stand-in is used"
         return _Fate("object", "used", note, warning, pointer)
+    if named and scene.aboard.keys() >= {*named}:
+        return _Fate("object", note="inside a vehicle, out of sight")
     if m.pronoun in _NO_OBJECT:
         return _Fate("object", "ignored", "refers to no object")
     if m.pronoun:

@@ -9,7 +9,7 @@ from __future__ import annotations
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.decks import is_driven, lay_decks
+from esg.draft.discourse.decks import is_driven, lay_decks, widen_waters
 from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.registry import add_entity
@@ -17,7 +17,7 @@ from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import GROUND, Scene
 from esg.draft.discourse.windows import START
 from esg.draft.document.joining import ARM_CM, join_parts, lowers
-from esg.draft.document.riding import put_into_cars, seat_riders
+from esg.draft.document.riding import board, put_into_cars, seat_riders
 from esg.draft.document.towing import tie_tows
 from esg.graph.models import EventConstraint, ForceDirection, NodeEvent, TimelineEdge
 from esg.lexicon.grounds import grounds
@@ -57,7 +57,9 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     _set_up_billiards(scene, reasons)
     seat_riders(scene)
     put_into_cars(scene)
+    board(scene)
     lay_decks(scene)
+    widen_waters(scene)
     _throw_what_rolls_too_low(scene, prompt)
     _kick_from_the_ground(scene)
     _lay_slope(scene, prompt, reasons)

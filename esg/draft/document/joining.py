@@ -5,6 +5,7 @@ Which things, of what parts and how they move is `esg/lexicon/articulations.csv`
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 import math
 import re
@@ -59,6 +60,10 @@ MEETS_CM = 12.0
 """What hangs reaches so far below the top of what it is told to meet, or four fifths of that."""
 _ENDS = ("front end", "back end")
 """Mounts of a seesaw's board: the one that is down at the upper limit of its hinge, the other."""
+_BEAM, _BEAMS, _BEAM_MOUNTS = "beam on posts", lex.word_set("beams"), ("hook", "bar")
+"""What a beam that things hang from is drawn as, what it is called, and where things hang there."""
+_MOST_ON_A_BEAM, _APART = 5, 1.5
+"""How many things a beam has places for, and how far apart these are over the widest thing."""
 _MOTIONS = (EdgeEvent.DRIVE, EdgeEvent.RELEASE)
 _MODES = ("drive", "release")
 _TURNS = (NodeEvent.OPEN, NodeEvent.CLOSE)
@@ -122,6 +127,7 @@ def join_parts(scene: Scene) -> list[str]:
             _below_its_flap(scene, e)
         if row.carries == "becomes":
             _hand_over(scene, e.id, added[0].id)
+    _side_by_side(scene)
     _seat_on_seesaws(scene)
     return reasons
 
@@ -402,10 +408,43 @@ def _served(scene: Scene, row: Articulation, named: Entity) -> list[Entity]:
         return parts
     taken = {name for j in scene.joints for name in (j.child, j.parent)}
     for e in scene.world.entities.values():
-        if head_of(e) in row.serves and e.id not in taken and row.count == 1:
-            _become(e, row.with_part)
+        if head_of(e) not in row.serves or row.count != 1:
+            continue
+        if e.id not in taken:
+            _become(e, _BEAM if _lies_on_posts(row, e) else row.with_part)
             return [e]
+        if e.noun.name == _BEAM and _lies_on_posts(row, e):
+            return [e]  # beside what hangs there already
     return []
+
+
+def _lies_on_posts(row: Articulation, e: Entity) -> bool:
+    """Whether something hangs from a beam, and not from the arm of a post."""
+    return head_of(e) in _BEAMS and row.parent_mount in _BEAM_MOUNTS
+
+
+def _side_by_side(scene: Scene) -> None:
+    """Spreads what hangs from one beam along it; the beam is as high and wide as it takes."""
+    entities = scene.world.entities
+    for beam in [e for e in entities.values() if e.part and e.noun.name == _BEAM]:
+        hung = [j for j in scene.joints if j.parent == beam.id][:_MOST_ON_A_BEAM]
+        if not hung or beam.dimensions_prescribed:
+            continue
+        bodies = [entities[j.child] for j in hung]
+        length, width, _ = lex.part(_BEAM).dimensions_cm
+        room = _APART * max(max(dimensions_of(e)[:2]) for e in bodies)
+        wide = max(width, (len(hung) + 1) * room)
+        beam.dimensions_cm = [length, wide, max(_hook_height(scene, e) for e in bodies)]
+        for k, joint in enumerate(hung, start=1):
+            if len(hung) > 1:
+                told = {"parent_mount": f"{joint.parent_mount} {k} of {len(hung)}"}
+                scene.joints[scene.joints.index(joint)] = joint.model_copy(update=told)
+
+
+def _hook_height(scene: Scene, e: Entity) -> float:
+    """Height [cm] of the gallows that something usually hangs from."""
+    row = articulation_of(scene, scene.text, e)
+    return 0.0 if row is None else lex.part(row.with_part).dimensions_cm[2]
 
 
 def _not_placed(scene: Scene, node: str) -> None:
@@ -435,6 +474,7 @@ def _joint(
     turns = row.kind in ("hinge", "ball")
     long = 1.0 if turns else size
     words = (*named.adjectives, *named.head.lower().split(), *_left(scene, named))
+    words = (*words, *_gone_through(scene, named, words))
     start = max((_OPEN.get(a, 0.0) for a in words), default=0.0)
     start = (row.opened or 0.0) * start or (0.0 if _SHUT & {*words} else row.start)
 
@@ -481,6 +521,14 @@ def _left(scene: Scene, e: Entity) -> list[str]:
     """ "Left the gate ajar", "the door stands ajar": how it is as the scene starts."""
     told = re.search(rf"\b{re.escape(e.head)}\b[^.;]*?\b(ajar)\b", scene.text, re.IGNORECASE)
     return [] if told is None else [told[1].lower()]
+
+
+def _gone_through(scene: Scene, e: Entity, words: Sequence[str]) -> list[str]:
+    """ "The sheep walk through a gate": it stands open, if nothing happens to it."""
+    acting = {i for n in scene.timeline.nodes for i in n.participants}
+    head = re.escape(e.head)
+    told = re.search(rf"\bthrough (?:\w+ ){{1,3}}{head}\b", scene.text, re.IGNORECASE)
+    return [] if told is None or e.id in acting or _SHUT & {*words} else ["open"]
 
 
 def _stiff(row: Articulation, child: Entity) -> float | None:

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from collections import Counter
+import re
+
 from esg.draft import lexicon as lex
 from esg.draft.discourse.bearing import bears, comes_off
 from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.scene import LIMBED, SPEEDS, Scene
-from esg.graph.joints import FOOT, SEAT
+from esg.graph.joints import FOOT, PILLION, SEAT
 from esg.graph.models import EdgeEvent, Joint
 
 _RIDDEN = lex.word_set("straddled or stood on")
@@ -15,6 +18,14 @@ _RIDES = lex.word_set("rides")
 _GAITS = frozenset({"canter", "gallop", "trot"})
 _DRIVERS = frozenset({"driver", "motorist", "chauffeur"})
 _DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION, EdgeEvent.TURN, EdgeEvent.BRAKE)
+_GETS_OUT = re.compile(
+    r"\b(?:gets?|got|steps?|stepped|climbs?|climbed|jumps?|jumped|hops?|leaps?|falls?|crawls?)\s+"
+    r"(?:out|off)\b|\b(?:exits?|exited|alights?|alighted|ejected|thrown out)\b",
+    re.IGNORECASE,
+)
+_OPEN = lex.word_set("open vehicles")
+SEATED_CM = 110.0
+"""Height of a vehicle in which somebody may sit out of sight [cm]."""
 THROWN_OFF_MPS = 3.0
 """A change of speed within a step that takes a rider off: of a jolt at twice a walker's pace.
 Estimate of ours; nobody holds more than a few times his weight for so short a time."""
@@ -37,7 +48,8 @@ def seat_riders(scene: Scene) -> None:
             continue
         _hand_over(scene, rider, mount)
         if rider not in scene.timeline.tracks:
-            _hold(scene, rider, mount, SEAT)
+            first = all(j.parent != mount for j in scene.joints)
+            _hold(scene, rider, mount, SEAT if first else PILLION)
     _hold_borne(scene)
 
 
@@ -115,6 +127,36 @@ def put_into_cars(scene: Scene) -> None:
         motion = scene.timeline.tracks[e.id].motion
         if motion is not None and motion.speed == SPEEDS["person"]:
             motion.speed = SPEEDS["vehicle"]
+
+
+def board(scene: Scene) -> None:
+    """Leaves out who is in a closed vehicle all the time: behind its windows nobody is seen.
+
+    Args:
+        scene: Places and motions of the prompt; changed in place.
+    """
+    entities = scene.world.entities
+    if _GETS_OUT.search(scene.text):
+        return
+    drives = Counter(v for who, v in scene.aboard.items() if who in scene.timeline.tracks)
+    for who, vehicle in scene.aboard.items():
+        if drives[vehicle] > 1:
+            continue  # "two women in a van pass a bus"
+        if who not in entities or vehicle not in entities or who in scene.supported_by:
+            continue
+        if entities[who].noun.kind != "person":
+            continue  # a dog that drives is to be seen
+        noun = entities[vehicle].noun
+        closed = noun.kind in ("vehicle", "flyer") and noun.dimensions_cm[2] > SEATED_CM
+        if not closed or noun.name in _RIDDEN | _OPEN or comes_off(scene, who):
+            continue
+        _hand_over(scene, who, vehicle)
+        acts = who in scene.timeline.tracks
+        if acts or any(who in n.participants for n in scene.timeline.nodes):
+            continue
+        label = entities.pop(who).label
+        scene.relations = [r for r in scene.relations if who not in (r.source, r.target)]
+        scene.warnings.append(f"The {label} is inside the {entities[vehicle].label}, out of sight.")
 
 
 def _mount(scene: Scene, e: Entity) -> None:

@@ -45,7 +45,7 @@ from esg.draft.events.timing import (
     settle,
     time_of,
 )
-from esg.draft.events.told import happened, last_event, mates_of, moves, recent, traits_of
+from esg.draft.events.told import happened, last_event, mates_of, moves, recent, size_of, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
 from esg.graph.models import ForceDirection, NodeEvent
@@ -55,6 +55,8 @@ _GOING = lex.word_set("going (acts)")
 WAYS = lex.word_set("ways (acts)")
 _HOLDING = lex.word_set("holding (acts)")
 _OPENINGS = frozenset({"hole", "water"})
+_FITS_IN = 0.8
+"""Longest side of what ends up in a vessel over the longer side of the vessel's outline."""
 _ENDING_IN = ("cause", "fall", "land", "pocket", "launch", "drop", "reach")
 _STANDING = ("noop", "be", "posture")
 
@@ -240,7 +242,8 @@ def go_into(
     elif p.prep != "into" and sense not in _ENDING_IN and not _goal(d, other):
         return
     elif enterable(d, other) or (
-        _from_above(d, f, actor, other) and takes_up_from_above(d, other, p.prep)
+        (_from_above(d, f, actor, other) or _down_a_chute(d, actor, other))
+        and takes_up_from_above(d, other, p.prep)
     ):
         enter(d, f, actor, other, time)
     else:
@@ -267,6 +270,13 @@ def _from_above(d: Discourse, f: Frame, actor: str, other: str) -> bool:
     if sense == "bounce" and bounces_over(d, actor, other):
         return True
     return "there" in f.adverbs and actor in d.moves.came_down
+
+
+def _down_a_chute(d: Discourse, actor: str, other: str) -> bool:
+    """Whether a slope leads something into what it has room in: a marble, not a car, into a box."""
+    if not comes_down_a_slope(d, actor) or other in d.scene.supported_by:
+        return False
+    return max(size_of(d, actor)) < _FITS_IN * max(size_of(d, other)[:2])
 
 
 def add_event(

@@ -12,7 +12,7 @@ from esg.draft.discourse.core import entity_of, kind_of, movable
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import head_of
-from esg.draft.discourse.scene import SPEEDS
+from esg.draft.discourse.scene import LIVING, SPEEDS
 from esg.draft.discourse.tracks import Motion
 from esg.draft.discourse.windows import START
 from esg.draft.events.motions import flies_itself, own, paced
@@ -288,7 +288,9 @@ def keep_on(d: Discourse) -> None:
         told = any(actor in n.participants for n in d.timeline.nodes)
         if motion is None or motion.prescribed or told or not isinstance(motion.speed, tuple):
             continue
-        most = max(max(size_of(d, host)[:2]) / (2.0 * _ABOUT_S), LEAST_SPEED_CM_S)
+        # Who walks starts at one end and stops by itself; what rolls starts in the middle.
+        room = max(size_of(d, host)[:2]) * (1.0 if kind_of(d, actor) in LIVING else 0.5)
+        most = max(room / _ABOUT_S, LEAST_SPEED_CM_S)
         if most < motion.speed[1]:
             motion.speed = (min(motion.speed[0], 0.5 * most), round(most, 4))
 

@@ -44,7 +44,13 @@ from esg.draft.discourse.scene import SELF_POWERED, Scene
 from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.acts import add_event, outcomes
-from esg.draft.events.courses import by_its_participle, come_on, follow, keep_on, snapshot
+from esg.draft.events.courses import (
+    by_its_participle,
+    come_on,
+    follow,
+    keep_on,
+    snapshot,
+)
 from esg.draft.events.cupboards import out_of_a_cupboard
 from esg.draft.events.denials import touches_none
 from esg.draft.events.following import follow_on

@@ -20,7 +20,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING, SELF_POWERED, SPEEDS
 from esg.draft.discourse.timeline import LAUNCHES, START
 from esg.draft.discourse.tracks import Motion
-from esg.draft.events.gaits import on_legs
+from esg.draft.events.gaits import gaits, on_legs
 from esg.draft.events.hanging import hanging, let_go
 from esg.draft.events.lengths import distance
 from esg.draft.events.roles import filling, role
@@ -63,7 +63,8 @@ def speed_of(d: Discourse, f: Frame, actors: list[str], mode: str) -> tuple[Quan
     told += [d.moves.stated[x] for x in actors if x in d.moves.stated]
     if not told:
         kind = kind_of(d, actors[0]) if actors else "ball"
-        afoot = kind in LIVING and not (flies_itself(d, actors[0]) or d.moves.flying & {*actors})
+        wings = bool(actors) and flies_itself(d, actors[0]) and f.verb.lemma not in gaits()
+        afoot = kind in LIVING and not (wings or d.moves.flying & {*actors})
         if afoot and (legs := on_legs(entity_of(d, actors[0]), f.verb.lemma)) is not None:
             return legs, False
         launched = mode in LAUNCHES and kind not in ("billiard", "projectile")
@@ -307,6 +308,7 @@ def target_of(d: Discourse, f: Frame, avoid: list[str]) -> list[str]:
 def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
     """Common part of all self motion: speed, target, and what the phrases say happens."""
     jolted_off(d, f, actors)
+    _hovered_before(d, f, actors)
     fresh = [a for a in actors if at_rest(d, a)]
     under = moves_on_it(d, f, fresh)
     d.moves.on_top.update((a, under[0]) for a in fresh if under)
@@ -340,6 +342,16 @@ def motion(d: Discourse, f: Frame, actors: list[str], mode: str | None) -> None:
         _comes_off(d, f, actors, fresh)
     _lasts_for(d, f, actors)
     d.outcomes(f, actors)
+
+
+def _hovered_before(d: Discourse, f: Frame, actors: list[str]) -> None:
+    """ "Hovers, then flies away": it holds its height until then."""
+    for actor in actors:
+        track = d.timeline.tracks.get(actor)
+        motion_ = track.motion if track is not None else None
+        if track is not None and motion_ is not None and motion_.speed == 0.0:
+            d.add_event(NodeEvent.TRIGGER, (actor,), f, time_of(d, f))
+            track.motion = None
 
 
 def jolted_off(d: Discourse, f: Frame, actors: list[str]) -> None:

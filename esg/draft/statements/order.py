@@ -43,6 +43,10 @@ class Ordered:
 
 def orders(d: Discourse) -> Iterator[Ordered]:
     """The order of clauses about different things, as far as words tell it."""
+    for first, later in d.moves.outrun:
+        f = next((g for g, n in d.times.of_frame if n == first), None)
+        if f is not None:
+            yield Ordered(f.verb.start, f.verb.end, Predicate.BEFORE, (first, later))
     for clause in d.scene.clauses:
         earlier = told_after(d, clause.frame)
         if earlier:

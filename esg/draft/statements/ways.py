@@ -51,8 +51,10 @@ def moved(book: Book, clause: Clause, s: Said, mover: str) -> None:
     others = [i for i in acted_on if i != mover and i in d.world.entities][:1]
     if not targeted or (others and not is_told(d, mover, others)):
         target = tuple(others) if targeted else ()
+        rounds = s.row.direction == "around"
         book.add(s.row.states, s.start, s.end, object=(mover,), target=target,
-                 direction=s.row.direction, when=period(d, clause, mover))  # fmt: skip
+                 direction=s.row.direction,
+                 when="throughout" if rounds else period(d, clause, mover))  # fmt: skip
         _lengthwise(book, s, mover, target, s.row.direction or "", period(d, clause, mover))
 
 
@@ -96,7 +98,8 @@ def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
     if direction in ("left", "right") and _drops(d, mover):
         book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=(mover,), note=_STRAIGHT_DOWN)
         return
-    if clause.frame.verb.sense in TURNING or "turn" in d.scene.used.get(span(clause.frame), ""):
+    turns = clause.frame.verb.sense in TURNING
+    if turns or ("turn" in d.scene.used.get(span(clause.frame), "") and direction != "around"):
         return
     if direction not in _TARGETED and direction != "between":
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), direction=direction, when=where)
@@ -111,8 +114,10 @@ def _by_others(book: Book, s: Said, mover: str, where: str) -> None:
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities]
     if not targets or is_told(d, mover, targets):
         return  # what it meets is an event
-    if over and targets == [GROUND]:  # "flies over a forest"
-        book.add(Predicate.ABOVE, s.start, s.end, object=(mover,), target=(GROUND,), when=where)
+    stays = mover in d.moves.hovering  # "hovers over a car"
+    if over and (targets == [GROUND] or stays):  # "flies over a forest"
+        book.add(Predicate.ABOVE, s.start, s.end, object=(mover,), target=tuple(targets[:1]),
+                 when="start" if stays else where)  # fmt: skip
         return
     if direction == "through" and targets == [GROUND]:
         direction = "across"  # "through a meadow", "through the park": it has no other side
@@ -125,6 +130,7 @@ def _by_others(book: Book, s: Said, mover: str, where: str) -> None:
     if not targets:
         return
     some = tuple(targets) if direction == "between" else tuple(targets[:1])
+    where = "throughout" if direction == "around" else where  # its course bends, that is all
     book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=some, direction=direction,
              when=where)  # fmt: skip
     _lengthwise(book, s, mover, some, direction, where)

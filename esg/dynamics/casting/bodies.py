@@ -73,13 +73,14 @@ def _run_down(doc: EsgDocument, story: Story) -> set[str]:
 
 
 def fit_movable(doc: EsgDocument, story: Story) -> Configs:
-    """What the timeline moves, movable."""
+    """What the timeline moves and what a joint holds, movable: a deck of asphalt turns, too."""
     assert doc.timeline_system is not None
     names = {e.actor for e in doc.timeline_system.sequence_graph.edges}
     for node in story.nodes.values():
         if node.event in MOVES and node.participants:
             names.update(story.expand(node.participants[0]))
     names |= _run_down(doc, story)
+    names |= {j.child for j in doc.spatial_relation_graph.joints or ()}
     out: Configs = {}
     for name, node in doc.spatial_relation_graph.nodes.items():
         config = doc.asset_configurations.get(node.asset_id)

@@ -11,8 +11,9 @@ import math
 
 from esg.dynamics.casting.changes import resized
 from esg.dynamics.choreography.bounces import apex_after
+from esg.dynamics.choreography.slopes import slope_of
 from esg.dynamics.choreography.throws import fallen, is_dropped, stated_height
-from esg.dynamics.story.stagecraft import support_of, top_surface
+from esg.dynamics.story.stagecraft import prop, support_of, top_surface
 from esg.dynamics.story.story import Story, bounds
 from esg.graph.models import (
     AssetConfiguration,
@@ -73,6 +74,15 @@ def comes_down(story: Story, node: TimelineNode, thing: str) -> bool:
     )
 
 
+def down_a_slope(doc: EsgDocument, story: Story, thing: str, owner: str) -> bool:
+    """Whether a thing comes down a slope to a container on the ground, and falls in (`chutes`)."""
+    support, holder = support_of(doc, thing), prop(doc, owner)
+    if support is None or story.flies(thing) or support_of(doc, owner) is not None:
+        return False
+    entered = holder.fixed or holder.wheeled  # a garage, a van
+    return not entered and slope_of(doc, support) is not None
+
+
 def fit_containers(doc: EsgDocument, story: Story) -> dict[str, AssetConfiguration]:
     """Configurations of containers and of what they shall hold, changed where they must be."""
     out: dict[str, AssetConfiguration] = {}
@@ -87,6 +97,7 @@ def fit_containers(doc: EsgDocument, story: Story) -> dict[str, AssetConfigurati
                 holder, mouth = hollow, found
                 out[keys[1]] = hollow
         falls = comes_down(story, node, thing)
+        slides = not falls and down_a_slope(doc, story, thing, owner)
         highest = _below_edge(doc, thing, owner) if falls else math.inf
         if holder.dimensions_cm[2] > highest:
             lower = _lowered(doc, keys[1], holder, highest)
@@ -100,7 +111,7 @@ def fit_containers(doc: EsgDocument, story: Story) -> dict[str, AssetConfigurati
             holder = out[keys[1]] = resized(doc, keys[1], holder, grow)
         if shrink < 1.0:
             body = out[keys[0]] = resized(doc, keys[0], body, shrink)
-        if not falls:
+        if not (falls or slides):
             continue
         depth = 0.02 * mouth.half_extents_cm[2] * grow
         drop = max(_drop_height(doc, story, node, thing), _comes_through(doc, story, node))

@@ -112,13 +112,18 @@ def _factors(last: float) -> Iterator[float]:
 
 
 def _loads(doc: EsgDocument) -> dict[str, list[str]]:
-    """What stands beside each other on what, stacks counted by their lowest."""
+    """What stands beside each other on what, stacks by their lowest; who sits has a seat."""
     stacks: set[str] = set()
     out: dict[str, list[str]] = {}
     nodes = doc.spatial_relation_graph.nodes
+    seated = {
+        j.child
+        for j in doc.spatial_relation_graph.joints or ()
+        if j.kind == "fixed" and j.parent_mount is not None
+    }
     for name, node in nodes.items():
         support = support_of(doc, name)
-        if support is None or nodes[support].is_structural:
+        if support is None or nodes[support].is_structural or name in seated:
             continue
         config = doc.asset_configurations.get(node.asset_id)
         if config is None or not config.proxies or not _stands_on(doc, name):

@@ -21,6 +21,7 @@ from esg.dynamics.choreography.slopes import (
     come_down,
     ride_of,
     rides,
+    runs_down,
     slows_enough,
 )
 from esg.dynamics.story.stagecraft import (
@@ -122,16 +123,13 @@ def fit_sloped(doc: EsgDocument, story: Story) -> Configs:
     What slides down has half of the slope's pull left by friction; wheels roll.
     """
     out: Configs = {}
+    for actor, ramp, slope in runs_down(doc, story):
+        _slick_enough(doc, actor, ramp, slope, out)
     for node, actor, ramp, slope in rides(doc, story):
         body = prop(doc, actor)
         keys = _asset(doc, actor), _asset(doc, ramp)
         configs = {k: out.get(k, doc.asset_configurations[k]) for k in keys}
-        if not body.rolls:
-            allowed = ROLLING if body.wheeled else LETS_GO * slope.steepness
-            for key in keys if not body.wheeled else keys[1:]:
-                if configs[key].friction > allowed:
-                    configs[key] = configs[key].model_copy(update={"friction": allowed})
-                    out[key] = configs[key]
+        configs |= _slick_enough(doc, actor, ramp, slope, out)
         friction = 0.5 * sum(configs[k].friction for k in keys)
         ride = replace(ride_of(body, prop(doc, ramp)), on_slope=0.0 if body.rolls else friction)
         if not (body.rolls or body.wheeled) and node.time_is_prescribed and node.timestamp:
@@ -151,6 +149,28 @@ def fit_sloped(doc: EsgDocument, story: Story) -> Configs:
             made = resized(doc, keys[1], doc.asset_configurations[keys[1]], factor)
             out[keys[1]] = made.model_copy(update={"friction": configs[keys[1]].friction})
     return out
+
+
+def _slick_enough(doc: EsgDocument, actor: str, ramp: str, slope: Slope, out: Configs) -> Configs:
+    """Gives a ramp and what does not roll down it the friction with which it lets that go.
+
+    Args:
+        doc: With assets resolved.
+        actor, ramp: What goes down what.
+        slope: Of the ramp.
+        out: What is chosen so far; what is chosen here is put there, too.
+    """
+    body, chosen = prop(doc, actor), Configs()
+    if body.rolls:
+        return chosen
+    keys = _asset(doc, actor), _asset(doc, ramp)
+    allowed = ROLLING if body.wheeled else LETS_GO * slope.steepness
+    for key in keys if not body.wheeled else keys[1:]:
+        config = out.get(key, doc.asset_configurations[key])
+        if config.friction > allowed:
+            chosen[key] = config.model_copy(update={"friction": allowed})
+    out.update(chosen)
+    return chosen
 
 
 def _breaks_at(

@@ -7,7 +7,7 @@ that is a shell of walls and a roof whose front (+X) is open; from above it is a
 from __future__ import annotations
 
 from esg.dynamics.casting.changes import resized
-from esg.dynamics.casting.containers import comes_down
+from esg.dynamics.casting.containers import comes_down, down_a_slope
 from esg.dynamics.story.story import Story
 from esg.graph.models import (
     AssetConfiguration,
@@ -84,7 +84,7 @@ def _opened(
         entering = f"{nodes[thing].label} {thing}".lower()
         kind = next((v for k, v in GOALS.items() if k in entering), "goal")
         return _remade(doc, key, config, kind, name, usual_size=True)
-    if comes_down(story, node, thing):
+    if comes_down(story, node, thing) or down_a_slope(doc, story, thing, owner):
         for kind in VESSELS:
             made = _remade(doc, key, config, kind, name)
             if made is not None:

@@ -6,6 +6,7 @@ from dataclasses import dataclass, replace
 import math
 
 from esg.dynamics.choreography.braking import brake_into
+from esg.dynamics.choreography.courses.rounds import way_needed
 from esg.dynamics.choreography.encounters import covers
 from esg.dynamics.choreography.flights import took_off
 from esg.dynamics.choreography.hits.caroms import is_carom
@@ -191,7 +192,7 @@ def slide_in(stage: Stage, e: Encounter) -> None:
         stage.rng,
         adjustable=not speed_is_fixed(phase),
     )
-    way = max(way, _past_the_end(stage, e.a, e.b), _room_after(stage, e.a, e.b))
+    way = max(way, _past_the_end(stage, e.a, e.b), _room_after(stage, e.a, e.b), _passing(stage, e))
     stage.nominal[f"{phase.edge.id}/speed"] = speed
     _arrive(stage, e, demand, Run(way, lasts, left))
 
@@ -325,7 +326,7 @@ def _run_up(stage: Stage, e: Encounter, demand: Demand) -> float:
     if returns(stage, e.node, a, e.b):
         run = min(run, max(RETURN_M, RETURN_S * speed))
     run = min(run, _fresh_run(stage, a, e.coming, speed))
-    return max(run, _past_the_end(stage, a, e.b))
+    return max(run, _past_the_end(stage, a, e.b), _passing(stage, e))
 
 
 def _throwing_distance(stage: Stage, e: Encounter, demand: Demand, run: float) -> float:
@@ -400,6 +401,11 @@ def _room_after(stage: Stage, a: str, b: str) -> float:
         return max(AFTER_BOUNCE_M, AFTER_BOUNCE_S * stage.tracks[a].speed, least)
     fallen = first.height if stage.story.topples(stage.member(before)) else 0.0
     return max(first.length, first.width, 0.8 * fallen) + 0.5 * second.half_length + 0.3
+
+
+def _passing(stage: Stage, e: Encounter) -> float:
+    """Least way [m] of a first run that leads through or over something."""
+    return way_needed(stage, e.a) if e.coming is stage.story.phases[e.a][0] else 0.0
 
 
 def _past_the_end(stage: Stage, a: str, b: str) -> float:

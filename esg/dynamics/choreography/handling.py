@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.choreography.courses.rounds import goes_somewhere, way_needed
 from esg.dynamics.choreography.leaps import crouch, landing, leap_to
 from esg.dynamics.choreography.meetings import collision
 from esg.dynamics.choreography.moves import plain
@@ -35,6 +36,8 @@ LEAST_DROP_M, HIGHEST_DROP_M, REBOUND_MPS = 1.0, 6.0, 0.6
 """Height of a drop from which something leaves its last bounce at a speed that counts."""
 HAND_M = 1.0
 """Height of a hand that throws something straight up."""
+LEAP_LENGTHS = 4.0
+"""Lengths of its own that somebody covers who jumps across, past or toward something."""
 STEEP_DEG = 80.0
 
 
@@ -116,6 +119,9 @@ def jumped(stage: Stage, node: TimelineNode) -> None:
         if support_of(stage.doc, stage.member(actor)):
             crouch(stage, actor, phase)
         duration = 2.0 * rise / GRAVITY_MPS2
+        if over is None and phase.edge.params.speed is None:
+            onward = LEAP_LENGTHS * body.length if goes_somewhere(stage, actor) else 0.0
+            speed = max(speed, max(onward, way_needed(stage, actor)) / (count * duration))
         stage.nominal[f"{phase.edge.id}/rise"] = rise
         stage.nominal[f"{phase.edge.id}/speed"] = speed
         begin = track.time

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.choreography.courses.rounds import ways_of
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.stagecraft import Prop, support_of, top_surface
 from esg.dynamics.story.story import Phase, bounds
-from esg.graph.models import EdgeEvent, NodeEvent, TimelineEdge, TimelineNode
+from esg.graph.models import EdgeEvent, NodeEvent, Predicate, TimelineEdge, TimelineNode
 
 LEAST_M = 1.0
 """Clearance over the ground where the target is tall enough."""
@@ -15,6 +16,10 @@ USUAL_M = 4.0
 """Height up to which it flies at what is taller."""
 SINKS_TO_M = 0.5
 """Gap to the ground that is left under what comes down."""
+CLEARS_M = 0.5
+"""Gap to the top of what is flown over."""
+UNDERSIDE = 0.6
+"""Share of its height below which there is room under something."""
 SHARE = 0.6
 """Share of the height of a target's broadest part at which it is met."""
 
@@ -41,7 +46,25 @@ def cruise(stage: Stage, actor: str) -> float:
                 continue
             if not lands_on(stage, actor, name):
                 found.append(_level_with(stage, body, name))
-    return min(found, default=max(LEAST_M, min(2.0, USUAL_M - body.height)))
+    height = min(found, default=max(LEAST_M, min(2.0, USUAL_M - body.height)))
+    over, below = _flown_over(stage, actor), _flown_under(stage, actor)
+    return max(min(height, max(below - body.height, SINKS_TO_M)), over)
+
+
+def _flown_over(stage: Stage, actor: str) -> float:
+    """Least height [m] at which all is cleared that the prompt has an actor fly over."""
+    ways = [s.target[0] for s in ways_of(stage, actor) if s.direction == "across"]
+    return max((top_of(stage, name) + CLEARS_M for name in ways), default=0.0)
+
+
+def _flown_under(stage: Stage, actor: str) -> float:
+    """Greatest height [m] of what flies under something."""
+    tops = [
+        top_of(stage, s.target[0])
+        for s in stage.doc.statements or ()
+        if s.predicate is Predicate.UNDER and actor in s.object and len(s.target) == 1
+    ]
+    return min((UNDERSIDE * top for top in tops), default=math.inf)
 
 
 def fly_in(stage: Stage, node: TimelineNode, actor: str, phase: Phase, way: float) -> None:

@@ -21,6 +21,7 @@ from esg.dynamics.choreography import (
     swings,
     throws,
 )
+from esg.dynamics.choreography.courses import chutes
 from esg.dynamics.choreography.hits import impacts
 from esg.dynamics.choreography.hits.caroms import carom, is_carom
 from esg.dynamics.choreography.moves import plain
@@ -135,6 +136,11 @@ WITH_WHAT_WAITS = (
         "a is let go over b",
         throws.is_let_go,
         throws.drop,
+    ),
+    Meeting(
+        "a comes down a chute, and falls into b below its lip",
+        chutes.falls_in,
+        chutes.fall_in,
     ),
     Meeting(
         "a comes down a ramp, and b waits at its foot",

@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.choreography.braking import brake
+from esg.dynamics.choreography.courses.rounds import way_needed, widest_turn
 from esg.dynamics.choreography.falls import goes_over_edge, over_edge, tip_over
 from esg.dynamics.choreography.placing import comes_to_rest, gap_left, join
 from esg.dynamics.choreography.setting_off import gain_of, ride_of
@@ -30,6 +31,8 @@ AT_ONCE_S, USUAL_DROP_M = 0.02, 0.8
 """What is hit breaks so soon; what comes down breaks where a fall of that height ends."""
 SHORT_S = (1.2, 1.8)
 """Time of a run to nowhere [s]."""
+LEAST_MPS = 0.2
+"""Speed below which nothing is waited for until it has passed something."""
 USUAL_S = 2.0
 """Time of a segment where nothing says how long it lasts."""
 SLIDES_ON = 0.4
@@ -58,6 +61,8 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
         else:
             least, most, _ = bounds(phase.edge.params.duration, SHORT_S)
             duration = float(stage.rng.uniform(least, most)) * stage.tight
+            if phase.edge.params.duration is None:
+                duration = max(duration, _passes_in(stage, actor, phase))
         if turns_back(stage.story, phase, lambda name: stage.prop(name).fixed):
             track.heading += math.pi
         _advance(stage, actor, phase, duration)
@@ -67,6 +72,12 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
         arrived = [prescribed if prescribed is not None else max(low, min(high, low + 0.5))]
     stage.time[node.id] = max(arrived)
     stage.nominal[f"{node.id}/time"] = stage.time[node.id]
+
+
+def _passes_in(stage: Stage, actor: str, phase: Phase) -> float:
+    """How long [s] a run takes that leads through or over something; 0 if it leads nowhere."""
+    way = way_needed(stage, actor) if phase is stage.story.phases[actor][0] else 0.0
+    return way / max(stage.speed(actor, phase), LEAST_MPS) if way else 0.0
 
 
 def turned(stage: Stage, node: TimelineNode) -> None:
@@ -80,6 +91,9 @@ def turned(stage: Stage, node: TimelineNode) -> None:
         low, high, fixed = bounds(phase.edge.params.turn_rate_deg_s, (25.0, 70.0))
         steady = math.degrees(turns_at(stage.doc, stage.member(actor)) / max(ride.speed, 0.1))
         usual = min(max(45.0, low), high, steady)
+        wide = widest_turn(stage, actor)
+        if wide and not fixed:
+            usual = max(low, min(usual, math.degrees(ride.speed / wide)))
         rate = math.radians(low if fixed else usual)
         degrees, sign = turn_of(phase)
         stage.nominal[f"{phase.edge.id}/turn_rate"] = rate

@@ -19,8 +19,17 @@ from esg.dynamics.story.kinematics import (
 from esg.dynamics.story.solid import beside_the_middle
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, support_of, target_yaw
 from esg.dynamics.story.story import bounds
-from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, RegionType, TimelineNode
+from esg.graph.models import (
+    EdgeEvent,
+    EsgDocument,
+    NodeEvent,
+    Predicate,
+    RegionType,
+    TimelineNode,
+)
 
+BESIDE_M, WIDE = 0.3, 1.2
+"""Gap between two that come to the same thing side by side, and how much wider than both it is."""
 SHORT_OF_M = 0.15
 """Gap that is left to what is reached."""
 
@@ -103,6 +112,10 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> 
         x, y = frame.apply(track.x, track.y)
         _place_target(stage, a, b, x, y, track.heading + frame.angle, pa, node, gap)
     elif a not in stage.frames:
+        mate = _mate_at(stage, node, a, b)
+        if mate is not None:
+            _come_beside(stage, a, mate)
+            return
         bx, by, byaw = stage.places[b]
         pb = stage.prop(b)
         if _was_struck(stage, node, b):
@@ -126,6 +139,31 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> 
     x, y = stage.frames[a].apply(0.0, 0.0)
     turned = math.pi / 2 if is_swung(stage, node, a, b) else stage.reverse_yaw(a)
     stage.places[a] = (x, y, stage.frames[a].angle + turned)
+
+
+def _mate_at(stage: Stage, node: TimelineNode, a: str, b: str) -> str | None:
+    """Who is told to come to b before a does; None where b has no room for both side by side."""
+    pb, nodes = stage.prop(b), stage.story.nodes
+    wide = max(pb.length, pb.width) > WIDE * (2.0 * stage.prop(a).width + BESIDE_M)
+    for s in stage.doc.statements or ():
+        if s.predicate is not Predicate.BEFORE or s.object[1:] != (node.id,) or not wide:
+            continue
+        first = nodes.get(s.object[0])
+        keys = [] if first is None else list(map(stage.key, first.participants))
+        mate = next((k for k in keys if k in stage.frames and k in stage.tracks and k != a), None)
+        if b in keys and mate is not None and pb.fixed:
+            return mate
+    return None
+
+
+def _come_beside(stage: Stage, a: str, mate: str) -> None:
+    """Lets a come to what a mate has come to, in the lane beside that one's."""
+    track, its, frame = stage.tracks[a], stage.tracks[mate], stage.frames[mate]
+    aside = stage.prop(a).half_width + stage.prop(mate).half_width + BESIDE_M
+    ahead = stage.prop(mate).half_length - stage.prop(a).half_length + its.points[1][0] - track.x
+    x, y = frame.apply(ahead, -aside)
+    stage.frames[a] = Frame(x, y, frame.angle)
+    stage.places[a] = (x, y, frame.angle + stage.reverse_yaw(a))
 
 
 def enter_beside(stage: Stage, actor: str) -> None:

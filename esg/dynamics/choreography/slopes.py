@@ -12,7 +12,7 @@ from esg.dynamics.choreography.stage import Stage, speed_is_fixed
 from esg.dynamics.story.proxies import corners
 from esg.dynamics.story.stagecraft import Prop, coasting_drag, prop, support_of, top_surface
 from esg.dynamics.story.story import Phase, Story, bounds
-from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
+from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
 
 Floats = NDArray[np.float64]
@@ -62,6 +62,11 @@ class Slope:
     @property
     def height(self) -> float:
         return float(self.z[0])
+
+    @property
+    def lip(self) -> float:
+        """Height of its foot over the ground."""
+        return float(self.z[-1])
 
     @property
     def steepness(self) -> float:
@@ -118,6 +123,23 @@ def slope_of(doc: EsgDocument, name: str) -> Slope | None:
         doc: A document with assets.
         name: The support.
     """
+    slope = _way_down(doc, name)
+    return None if slope is None or slope.lip > min(LIP_M, 0.5 * slope.height) else slope
+
+
+def chute_of(doc: EsgDocument, name: str) -> Slope | None:
+    """The way down before a support's highest surface where that ends in the air, else None.
+
+    Args:
+        doc: A document with assets.
+        name: The support.
+    """
+    slope = _way_down(doc, name)
+    return slope if slope is not None and slope_of(doc, name) is None else None
+
+
+def _way_down(doc: EsgDocument, name: str) -> Slope | None:
+    """The way down before a support's highest surface, None if there is a step in it."""
     config = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
     surface = top_surface(doc, name)
     lane = surface.center_cm[1]
@@ -131,7 +153,7 @@ def slope_of(doc: EsgDocument, name: str) -> Slope | None:
         return None
     x = np.linspace(start + 1e-3, end - 1e-3, count)
     z = np.max([_top(c[:, [0, 2]], x) for c in parts], axis=0)
-    if not np.isfinite(z).all() or z[-1] > min(100.0 * LIP_M, 0.5 * surface.center_cm[2]):
+    if not np.isfinite(z).all():
         return None
     fall = -np.diff(np.concatenate([[surface.center_cm[2]], z]))
     if fall.max() > STEEPEST * (x[1] - x[0]) + 1.0 or fall.min() < -0.5:
@@ -287,6 +309,20 @@ def rides(doc: EsgDocument, story: Story) -> list[tuple[TimelineNode, str, str, 
             continue
         if others and support_of(doc, others[0]) != support:
             out.append((end, actor, support, slope))
+    return out
+
+
+def runs_down(doc: EsgDocument, story: Story) -> list[tuple[str, str, Slope]]:
+    """What is let go on a ramp and meets nothing, as (who comes down, the ramp, its slope)."""
+    out: list[tuple[str, str, Slope]] = []
+    for actor, phases in story.phases.items():
+        support, first = support_of(doc, actor), phases[0]
+        free = first.end.event in (NodeEvent.TRIGGER, NodeEvent.STOP)
+        if support is None or not free or first.edge.event is not EdgeEvent.TOWARD:
+            continue
+        slope = None if story.flies(actor) else slope_of(doc, support)
+        if slope is not None:
+            out.append((actor, support, slope))
     return out
 
 

@@ -98,6 +98,7 @@ class Stage:
         overtaken: Who was overtaken, by whom, when [s] and where on that one's way [m].
         landed: How many have leapt onto something.
         lifted: An actor without a place of its own that starts on the anchor beside its target.
+        goes_down: Whether the lead is let go at the top of a ramp and meets nothing there.
         edge_run: Distance [m] from the lead's start to the anchor's edge, None if it does not
             matter.
     """
@@ -124,6 +125,7 @@ class Stage:
         self.arcs: dict[str, Arc] = {}
         self.tipped: set[str] = set()
         self.edge_run: float | None = None
+        self.goes_down = False
         self.thrown_back: set[str] = set()
         self.way_back: dict[str, float] = {}
         self.struck: dict[str, float] = {}
@@ -168,7 +170,7 @@ class Stage:
 
     def leaves_its_support(self) -> bool:
         """Whether what starts on the anchor shall meet something that stands elsewhere."""
-        if self.airborne:
+        if self.airborne or self.goes_down:
             return True
         members = [self.member(k) for k in self.places]
         own = {self.anchor, self.lifted}

@@ -10,24 +10,33 @@ told when the scene is cast; the document keeps it (`record`), and it is read fr
 from __future__ import annotations
 
 from dataclasses import dataclass
+import math
 
 import numpy as np
 
+from esg.dynamics.choreography.courses.from_sides import go_from_side_to_side
+from esg.dynamics.choreography.courses.passages import lead_through, let_go_down, ways_through
 from esg.dynamics.choreography.handling import bounced, jumped, spun, taken, tell_guided
 from esg.dynamics.choreography.meetings import collision, enters
 from esg.dynamics.choreography.moves import controlled, plain, shattered, turned
-from esg.dynamics.choreography.placing import enter_beside
+from esg.dynamics.choreography.placing import comes_to_rest, enter_beside
 from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.swings import moved_by_joint, swung
 from esg.dynamics.choreography.throws import stand_behind
-from esg.dynamics.choreography.ways import pairs_passed, place_by_the_way, state_course, ways_stated
+from esg.dynamics.choreography.ways import (
+    crossing_together,
+    pairs_passed,
+    place_by_the_way,
+    state_course,
+    ways_stated,
+)
 from esg.dynamics.story.stagecraft import fit_to_surface
 from esg.dynamics.story.story import Story, read_story
 from esg.graph import models
 from esg.graph.canonical import entropy
 from esg.graph.casting import effective
-from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
+from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
 from esg.layout.problem.hints import Constellation, StartHints, stored_hints
 
 HANDLERS = {
@@ -102,6 +111,8 @@ def _components(doc: EsgDocument, story: Story) -> list[set[str]]:
     ]
     links += [{s.object[0], s.target[0]} for s in ways_stated(doc, story)]
     links += [{s.object[0], *s.target} for s in pairs_passed(doc, story)]
+    links += crossing_together(doc)
+    links += [{s.object[0], passage.owner} for s, passage in ways_through(doc, story)]
     for link in [s for s in links if s]:
         touching = [g for g in groups if g & link]
         merged = link.union(*touching)
@@ -150,12 +161,27 @@ def _play(stage: Stage) -> Stage:
         if stage.anchor is not None and stage.leaves_its_support():
             if stage.start_at_edge():
                 break
-        elif stage.anchor is None or fit_to_surface(stage.doc, stage.anchor, stage.places):
+        elif stage.anchor is None or fit_to_surface(
+            stage.doc, stage.anchor, stage.places, _walked_to(stage)
+        ):
             break
         stage = stage.tighter()
     if stage.anchor is None:
         stand_behind(stage)
     return stage
+
+
+def _walked_to(stage: Stage) -> dict[str, tuple[float, float]]:
+    """Where those end that walk about and stop by themselves: x, y [m]."""
+    out: dict[str, tuple[float, float]] = {}
+    for actor, track in stage.tracks.items():
+        last = stage.story.phases[actor][-1]
+        walks = stage.held(actor) and last.edge.event is EdgeEvent.UNIFORM_MOTION
+        if walks and last.end.event is NodeEvent.TRIGGER and actor in stage.frames:
+            way = comes_to_rest(stage, actor)[0]
+            x, y = track.x + way * math.cos(track.heading), track.y + way * math.sin(track.heading)
+            out[actor] = stage.frames[actor].apply(x, y)
+    return {actor: end for actor, end in out.items() if actor in stage.places}
 
 
 def _tell(stage: Stage) -> None:
@@ -167,6 +193,9 @@ def _tell(stage: Stage) -> None:
     for actor in stage.tracks:
         if actor not in stage.frames:
             enter_beside(stage, actor)
+    let_go_down(stage)
+    lead_through(stage)
+    go_from_side_to_side(stage)
     state_course(stage)
     place_by_the_way(stage)
 

@@ -10,6 +10,9 @@ from collections.abc import Iterator
 import math
 
 from esg.dynamics.choreography.clearing import thrown_over
+from esg.dynamics.choreography.courses.from_sides import SIDES
+from esg.dynamics.choreography.courses.passages import lead_up, passage_of
+from esg.dynamics.choreography.courses.rounds import middle_of, under
 from esg.dynamics.choreography.hovering import top_of
 from esg.dynamics.choreography.kerbs import kerb_passed
 from esg.dynamics.choreography.placing import comes_to_rest
@@ -26,15 +29,10 @@ _BESIDE_M = 0.6
 """Gap to what something moves past or along, or gets beside."""
 _BETWEEN_M = 0.5
 """Gap on either side of what passes between two things."""
+_OVER_M = 0.5
+"""Gap under what flies to a place over something."""
 RESTING_M = 0.002
 """Gap under what rests on something at the start: less than what is measured as touching."""
-_SIDES: dict[Predicate, tuple[float, float]] = {
-    Predicate.LEFT_OF: (1.0, 0.0),
-    Predicate.RIGHT_OF: (-1.0, 0.0),
-    Predicate.IN_FRONT_OF: (0.0, 1.0),
-    Predicate.BEHIND: (0.0, -1.0),
-}
-"""The side of the other thing on which something gets to be: left is +X, front +Y."""
 _BESIDE = frozenset(
     {RelationType.LEFT_OF, RelationType.RIGHT_OF, RelationType.IN_FRONT_OF, RelationType.BEHIND}
 )
@@ -49,13 +47,13 @@ def state_course(stage: Stage) -> None:
     edge = stage.story.phases[lead][0].edge
     heading = edge.params.heading_deg
     angle = stage.frames.get(lead, Frame()).angle
-    if stage.anchor is not None:
+    if stage.anchor is not None or stage.yaw is not None:
         return
     if isinstance(heading, int | float) and edge.event in _DRIVEN:
         stage.yaw = math.radians(heading) - angle
         return
     for s in _stated(stage):
-        if s.predicate in _SIDES and s.object[:1] == (lead,):
+        if s.predicate in SIDES and s.object[:1] == (lead,):
             stage.yaw = _approach(stage, s) - angle
             return
     begins = _begins(stage, lead)
@@ -67,7 +65,7 @@ def _begins(stage: Stage, lead: str) -> float | None:
     """Heading [rad] from the side on which a mover is told to start of what it goes to, if any."""
     met = {n for phase in stage.story.phases[lead] for n in phase.end.participants if n != lead}
     for r in stage.doc.spatial_relation_graph.edges.binary_relations:
-        side = _SIDES.get(Predicate(r.relation_type.value)) if r.relation_type in _BESIDE else None
+        side = SIDES.get(Predicate(r.relation_type.value)) if r.relation_type in _BESIDE else None
         if side is None or {r.from_, r.to} - {lead} - met or lead not in (r.from_, r.to):
             continue
         x, y = side if r.from_ == lead else (-side[0], -side[1])
@@ -80,7 +78,7 @@ def _approach(stage: Stage, s: Statement) -> float:
 
     Beside it is reached along Y, in front and behind along X; from where it is said to start.
     """
-    x, _ = _SIDES[s.predicate]
+    x, _ = SIDES[s.predicate]
     begins = {
         r.relation_type.value
         for r in stage.doc.spatial_relation_graph.edges.binary_relations
@@ -109,9 +107,12 @@ def place_by_the_way(stage: Stage) -> None:
 def _gates_and_pairs(stage: Stage) -> None:
     """Puts two things on either side of a way that leads between them."""
     for s in pairs_passed(stage.doc, stage.story):
-        keys = [stage.key(other) for other in s.target]
+        keys = [stage.key(other) for other in s.target[:2]]
+        placed = {*keys} & {*stage.places, stage.anchor}
+        if keys[0] == keys[1]:
+            keys = [*s.target[:2]]  # two of a kind: each has its place
         way = _way(stage, s.object[0]) if s.object[0] in stage.tracks else None
-        if way is None or keys[0] == keys[1] or {*keys} & {*stage.places, stage.anchor}:
+        if way is None or placed:
             continue
         start, end, heading = way
         middle = (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]))
@@ -125,27 +126,36 @@ def _gates_and_pairs(stage: Stage) -> None:
 
 
 def pairs_passed(doc: EsgDocument, story: Story) -> Iterator[Statement]:
-    """The statements of a way of one mover between two things that wait."""
+    """The statements of a way of one mover between two or more things that wait."""
     nodes = doc.spatial_relation_graph.nodes
     for s in doc.statements or ():
         waiting = all(i not in story.phases and not nodes[i].is_structural for i in s.target)
-        if s.direction == "between" and len(s.object) == 1 and len(s.target) == 2 and waiting:
+        if s.direction == "between" and len(s.object) == 1 and len(s.target) > 1 and waiting:
             yield s
 
 
 def arrives(doc: EsgDocument, actor: str) -> bool:
     """Whether a side of something is where an actor's way ends."""
     return any(
-        s.predicate in _SIDES and s.when == "end" and actor in s.object
+        (s.predicate in SIDES or s.predicate is Predicate.ABOVE)
+        and s.when == "end"
+        and actor in s.object
         for s in doc.statements or ()
     )
+
+
+def _ends_over(s: Statement) -> bool:
+    """Whether a statement tells of a place over something at the end."""
+    return s.predicate is Predicate.ABOVE and s.when == "end" and bool(s.object)
 
 
 def ways_stated(doc: EsgDocument, story: Story) -> Iterator[Statement]:
     """The statements of ways that have one mover and one other thing, which waits."""
     nodes = doc.spatial_relation_graph.nodes
     for s in doc.statements or ():
-        ways = s.predicate is Predicate.MOVES or (s.predicate in _SIDES and s.when == "end")
+        ways = s.predicate is Predicate.MOVES or (s.predicate in SIDES and s.when == "end")
+        ways |= s.predicate is Predicate.UNDER and s.when == "end"
+        ways |= _ends_over(s) and s.object[0] in story.phases and story.soars(s.object[0])
         perched = s.predicate is Predicate.SUPPORTED_BY and s.when == "start"
         ways |= perched and s.object[0] in story.phases and story.soars(s.object[0])
         if not ways or len(s.object) != 1 or len(s.target) != 1:
@@ -153,6 +163,18 @@ def ways_stated(doc: EsgDocument, story: Story) -> Iterator[Statement]:
         free = not nodes[s.target[0]].is_structural and s.target[0] not in story.phases
         if s.object[0] in story.phases and free:
             yield s
+
+
+def crossing_together(doc: EsgDocument) -> list[set[str]]:
+    """Those of one plural who cross the same street: they go the same way."""
+    nodes, out = doc.spatial_relation_graph.nodes, dict[tuple[str, str], set[str]]()
+    for s in doc.statements or ():
+        if s.predicate is not Predicate.MOVES or s.direction != "across":
+            continue
+        for road in (i for i in s.target if nodes[i].is_structural):
+            for who in s.object:
+                out.setdefault((road, nodes[who].group or who), set()).add(who)
+    return list(out.values())
 
 
 def _stated(stage: Stage) -> Iterator[Statement]:
@@ -176,15 +198,29 @@ def _spot(
     mine, its = stage.prop(mover), stage.prop(other)
     if s.predicate is Predicate.SUPPORTED_BY:
         return (*start, heading + math.pi / 2)  # it leaves across what it sat on
-    if s.predicate in _SIDES:
+    if _ends_over(s):
+        stage.heights[mover] = top_of(stage, other) + _OVER_M
+        return _beside(end, heading, comes_to_rest(stage, mover)[0], None)
+    if s.predicate in SIDES:
         yaw = stage.yaw or 0.0
-        x, y = _SIDES[s.predicate]
+        x, y = SIDES[s.predicate]
         side = math.atan2(y, x) - yaw
         reach = half_along(its.length, its.width, -yaw - side) + _BESIDE_M
         reach += half_along(mine.length, mine.width, heading - side)
         brakes = comes_to_rest(stage, mover)[0]
         end = (end[0] + brakes * math.cos(heading), end[1] + brakes * math.sin(heading))
         return _beside(end, side + math.pi, reach, -yaw)
+    if s.predicate is Predicate.UNDER:
+        brakes = comes_to_rest(stage, mover)[0]
+        end = (end[0] + brakes * math.cos(heading), end[1] + brakes * math.sin(heading))
+        return under(stage, end, heading, other)
+    if s.direction == "through" and passage_of(stage.doc, other) is not None:
+        return (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]), heading)
+    if s.direction == "around":
+        bend = middle_of(stage.tracks[mover].points)
+        return None if bend is None else (*stage.frames[mover].apply(*bend), None)
+    if s.direction == "up":
+        return lead_up(stage, mover, other)
     if s.direction == "toward":
         reach = mine.half_length + half_along(its.length, its.width, 0.0) + _AHEAD_M
         return _beside(end, heading, reach, None)

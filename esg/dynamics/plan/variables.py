@@ -328,6 +328,7 @@ class Declarations:
             backward = params.backward is True
             top = 100.0 * top_speed(self.cast.doc, actor, backward)
             high = max(min(high, top), low) if not backward else top
+        high = max(min(high, 100.0 * self.nominal.get(f"{edge.id}/at_most", math.inf)), low)
         if self.story.tips(phase):
             low, high = 50.0 * nominal, 400.0 * nominal
         borne = self.unbroken_until_it_falls(actor, phase)

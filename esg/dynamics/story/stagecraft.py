@@ -287,7 +287,10 @@ def broadest_surface(doc: EsgDocument, name: str) -> SupportSurface:
 
 
 def fit_to_surface(
-    doc: EsgDocument, anchor: str, places: dict[str, tuple[float, float, float | None]]
+    doc: EsgDocument,
+    anchor: str,
+    places: dict[str, tuple[float, float, float | None]],
+    ends: dict[str, tuple[float, float]] | None = None,
 ) -> bool:
     """Centres a choreography on its support's surface, along its longer side; False if too large.
 
@@ -295,6 +298,7 @@ def fit_to_surface(
         doc: The document.
         anchor: Supporting node.
         places: Positions [m] and yaws [rad] by key, changed in place on success.
+        ends: Where those come to rest that stay on it [m], by key.
     """
     surface = broadest_surface(doc, anchor)
     half = np.array(surface.half_extents_cm) / 100.0
@@ -302,7 +306,8 @@ def fit_to_surface(
     turn = half[1] > half[0]
     room = half[::-1] if turn else half
     points: list[tuple[float, float]] = []
-    for key, (x, y, yaw) in places.items():
+    last = [(key, (*end, places[key][2])) for key, end in (ends or {}).items()]
+    for key, (x, y, yaw) in [*places.items(), *last]:
         name = key[6:] if key.startswith("group:") else key
         nodes = doc.spatial_relation_graph.nodes
         if name not in nodes:

@@ -199,6 +199,7 @@ def users(
     """Sorts the members of a planned unit by what they have to do with a street."""
     out = Users({}, {}, {}, {})
     active = drivers(doc, unit, shape) or drivers(doc, unit, shape, afoot=True)
+    active = {n: heading for n, heading in active.items() if not goes_across(doc, n, road)}
     along = _one_way_or_the_other(doc, {n: active[n] for n in unit.members if n in active})
     members = sorted(unit.members.items(), key=lambda m: m[0] not in list(along)[:1])
     for name, pose in members:
@@ -278,6 +279,12 @@ def drivers(
             ):
                 out[name] = math.atan2(onward[1] - start[1], onward[0] - start[0])
     return out
+
+
+def goes_across(doc: EsgDocument, name: str, road: str) -> bool:
+    """Whether something is told to cross a street, and not to drive along it."""
+    told = (s for s in doc.statements or () if s.predicate is Predicate.MOVES)
+    return any(s.direction == "across" and name in s.object and road in s.target for s in told)
 
 
 def goes_along(doc: EsgDocument, name: str) -> bool:

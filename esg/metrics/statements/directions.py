@@ -8,6 +8,7 @@ import math
 
 import numpy as np
 
+from esg.metrics.binding import Binding
 from esg.metrics.events.space import inside_volume, volumes
 from esg.metrics.geometry import gets_ahead
 from esg.metrics.replay import Floats, Replay
@@ -281,10 +282,29 @@ def _across(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
     return Kept.when(most >= ACROSS_SHARE, reason, share=most)
 
 
+def _passages(replay: Replay, target: Binding) -> list[tuple[int | None, int | None]]:
+    """What is gone through: the opening of a gateway, and of the frame that a leaf turns in."""
+    frames = {j.child: j.parent for j in replay.scene.joints if j.kind == "hinge"}
+    out: list[tuple[int | None, int | None]] = []
+    for region, container in volumes(replay, target):
+        name = "" if container is None else replay.scene.bodies[container].name
+        owners = (name, frames.get(name))
+        openings = [
+            (i, None)
+            for i, r in enumerate(replay.scene.regions)
+            if container is not None and r.parent in owners and r.name.endswith("/inside")
+        ]
+        out += openings or [(region, container)]
+    return list(dict.fromkeys(out))
+
+
 def _through(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
-    """Through: into it, and out on another side."""
+    """Through: into it, and out on another side; through a street is along it."""
     reason = f"never is inside {q.goal}"
-    for region, container in volumes(replay, q.target):
+    lanes = {r.parent for r in replay.scene.regions if r.kind == "lane"}
+    if any(replay.scene.bodies[j].name in lanes for j in _bodies(replay, q, body)):
+        return _along(replay, q, body, path)
+    for region, container in _passages(replay, q.target):
         if container == body:
             continue
         inside = inside_volume(replay, body, region, container)[0][q.window.frames]

@@ -151,6 +151,25 @@ def gallows(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.mount("bar", (0.0, y, z), _ACROSS)
 
 
+@builder("beam_on_posts", "free")
+def beam_on_posts(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Beam along Y on two braced posts; up to five things hang on it (hook), or about it (bar)."""
+    t = 0.04 * min(120.0, H)
+    for y in (t - W / 2, W / 2 - t):
+        s.slab((-L / 2, L / 2), (y - t, y + t), (0, 1.4 * t), c, solid=1)
+        s.slab((-t, t), (y - t, y + t), (1.4 * t, H - 1.6 * t), c, solid=1)
+        for x in (-L / 2 + t, L / 2 - t):
+            s.rod(0.5 * t, (x, y, 1.4 * t), (0, y, 0.35 * H), c, sections=12)
+    s.slab((-t, t), (-W / 2, W / 2), (H - 1.6 * t, H), shade(c, 0.9), solid=1)
+    z = H - 2 * t
+    for many in range(1, 6):
+        for k in range(1, many + 1):
+            y = W * (k / (many + 1) - 0.5)
+            which = f" {k} of {many}" if many > 1 else ""
+            s.mount(f"hook{which}", (0.0, y, z), (0.0, 0.0, -1.0))
+            s.mount(f"bar{which}", (0.0, y, z), _ACROSS)
+
+
 @builder("sign_board")
 def sign_board(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Painted board that faces X on two short rods, drawn at 4 x 60 x 50."""

@@ -188,6 +188,30 @@ def ramp(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.surface("top", H, ((landing + L / 2) / 2, W / 2), ((landing - L / 2) / 2, 0))
 
 
+@builder("raised_chute", "free")
+def raised_chute(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """Trough on legs from a landing on its high end (-X) down to a lip at 0.6 of its height."""
+    lip, t = 0.6 * H, 0.05 * H
+    landing, rim = -L / 2 + 0.22 * L, 0.08 * W
+    floor = [(-L / 2, H), (landing, H), (L / 2, lip), (L / 2, lip - t), (-L / 2, H - t)]
+    s.extrude(floor, (-W / 2 + rim, W / 2 - rim), c, rough=0.6)
+    # One piece: what goes down would catch on the seam of two, which its collisions know of.
+    s.proxy_hull([(x, y * (W / 2 - rim), z) for x, z in floor for y in (-1, 1)])
+    high = min(0.25 * W, 0.8 * (H - lip))
+    level = landing + high * (L / 2 - landing) / (H - lip)
+    wall = [(landing, H - t), (L / 2, lip - t), (L / 2, lip + high), (level, H), (landing, H)]
+    for y in ((-W / 2, -W / 2 + rim), (W / 2 - rim, W / 2)):
+        s.extrude(wall, y, shade(c, 0.85))
+        s.proxy_hull([(x, q, z) for x, z in wall for q in y])
+    leg = max(0.12 * W, 0.025 * L)
+    for x in (-L / 2 + leg, 0.22 * L):
+        top = H - t - (x + L / 2) / L * (H - lip) - 0.002 * H
+        for y in (-1, 1):
+            side = sorted((y * W / 2, y * (W / 2 - leg)))
+            s.slab((x - leg / 2, x + leg / 2), (side[0], side[1]), (0, top), shade(c, 0.7), solid=1)
+    s.surface("top", H, ((landing + L / 2) / 2, W / 2 - rim), ((landing - L / 2) / 2, 0))
+
+
 @builder("stairs", "free")
 def stairs(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Straight staircase descending from -X to +X; the number of steps follows the height."""

@@ -13,6 +13,7 @@ from esg.draft.text.elements import Mention
 
 _AT_A_BAR = lex.word_set("at a bar")
 _FRICTION = frozenset({"frictionless", "rough", "smooth", "slippery"})
+_LEANT = lex.word_set("boards (leant)")
 _ROOMS = lex.word_set("rooms")
 
 
@@ -89,7 +90,7 @@ def noun_here(
         name = "floor"  # "over the edge onto the tiles"
     elif name == "stump" and m.plural and cricket:
         name = "cricket stump"
-    elif m.head == "plane" and _sloped(m):
+    elif (m.head == "plane" and _sloped(m)) or (m.head in _LEANT and m.after_prep == "down"):
         name = "ramp"
     return noun if name == noun.name else lex.nouns()[name]
 

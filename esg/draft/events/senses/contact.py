@@ -27,7 +27,17 @@ from esg.draft.events.roles import role
 from esg.draft.events.senses.launch import launch_by, motion_of_things, read_launch
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import enterable, moved_by_others, time_of
-from esg.draft.events.told import amount, at_rest, constrain, ignore, last_of, recent, things
+from esg.draft.events.told import (
+    amount,
+    at_rest,
+    constrain,
+    ignore,
+    last_of,
+    mates_of,
+    moves,
+    recent,
+    things,
+)
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
@@ -37,6 +47,8 @@ _PLACES_HIT = lex.word_set("places hit")
 _FELLING = lex.word_set("felling")
 _AHEAD = frozenset({"in front of", "before"})
 _STUMBLING = frozenset({"trip", "stumble"})
+LATER_S = (0.3, 1.5)
+"""How much later comes who does not come first."""
 _BESIDE = re.compile(
     r"\s*(?:,\s*)?(?:\(|at|with\s+(?:an?\s+)?(?:constant\s+)?(?:speed|velocity)\s+of|doing|going"
     r"|(?:which\s+is\s+|that\s+is\s+)?(?:moving|travell?ing|driving|rolling|sliding|coming)"
@@ -76,9 +88,24 @@ def read_hit(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     changing = [m for m in movers if braking(d, m) or comes_down_a_slope(d, m)]
     nodes = add_hit(d, f, movers, targets, time)
     _speed_at_hit(d, f, nodes, changing)
+    _hits_first(d, f, movers, targets, nodes)
     if not o and not f.verb.passive:
         _hits_more(d, f, movers, targets)
     _goes_on_to(d, f, targets, bool(o and nodes))
+
+
+def _hits_first(
+    d: Discourse, f: Frame, movers: list[str], targets: list[str], nodes: list[str]
+) -> None:
+    """ "Two balls roll; the left one hits the wall first": the other one hits it later."""
+    if "first" not in f.adverbs or len(movers) != 1 or len(targets) != 1 or len(nodes) != 1:
+        return
+    rivals = [i for i in mates_of(d, movers[0]) if i != movers[0]]
+    if len(rivals) != 1 or not moves(d, rivals[0]) or f.verb.negated:
+        return
+    for later in add_hit(d, f, rivals, targets):
+        constrain(d.timeline.node(later), "time_since", LATER_S, rivals[0], since=nodes[0])
+        d.moves.outrun.append((nodes[0], later))
 
 
 def _goes_on_to(d: Discourse, f: Frame, targets: list[str], sent: bool) -> None:

@@ -48,6 +48,11 @@ _TURNING = lex.word_set("turns to a side")
 _LEFT_THEN_RIGHT = re.compile(
     r"\s+(?:left|right)\b,?\s+(?:and\s+|then\s+)+(?:left|right)\b", re.IGNORECASE
 )
+_CIRCLING = frozenset({"circle", "orbit"})
+_ROUND_DEG, _ROUND_RATES = 300.0, (10.0, 90.0)
+"""How far somebody goes around something [degrees] and how fast that turns [degrees/s]."""
+_STAYS_AT = frozenset({"in", "at", "above", "on", "near", "beside", "next to", "within"})
+"""Prepositions of where something hovers that goes nowhere: "floats in the air", "above a pond"."""
 _BRANCHES = ("at", "into", "onto")
 """Prepositions of where a way turns off: "goes left at the lights"; else it is the way it comes."""
 _AT_A_TARGET = lex.word_set("goes at a target")
@@ -85,6 +90,16 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     motion(d, f, actors, "own" if by_itself or afoot else None)
     if f.verb.lemma in _AT_A_TARGET:
         aim_at(d, f, actors, next(iter(target_of(d, f, actors)), None))
+    if kind in SELF_POWERED and _gone_around(d, f, actors, o):
+        turn(d, f, actors, "left", _ROUND_DEG, _ROUND_RATES)
+
+
+def _gone_around(d: Discourse, f: Frame, actors: list[str], o: list[str]) -> bool:
+    """ "Runs around a tree", "circles a tower": what stands in the middle of its way."""
+    middle = o if f.verb.lemma in _CIRCLING else things(f.phrase("around", "round"))
+    middle = [i for i in middle if i not in actors and not structural(d, i)]
+    moving = any(moves(d, i) for i in middle) or f.phrase("corner") is not None
+    return bool(middle) and not moving and not f.unreal and not f.verb.negated
 
 
 def _all_fly(d: Discourse, actors: list[str]) -> bool:
@@ -126,17 +141,19 @@ def _driven(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
             place(d, [rider], [mount], "on")
         return o
     place(d, s, o, "near")
+    d.scene.aboard.update((who, o[0]) for who in s)
     return o[:1]
 
 
 def _hovers(d: Discourse, f: Frame, actors: list[str]) -> None:
     """ "A drone floats in the air": it holds its height, and goes nowhere unless it is said."""
-    ways = [p for p in f.phrases if p.mention is not None and not p.mention.attribute]
+    ways = [p for p in f.phrases if p.prep not in _STAYS_AT and things(p)]
     for actor in actors:
         d.moves.flying.add(actor)
         if ways or quantity_of(d, f, "speed") is not None:
             motion(d, f, [actor], None)
         else:
+            d.moves.hovering.add(actor)
             own(d, actor, 0.0, False)
     mark_used(d, f, "hovering")
 

@@ -27,7 +27,7 @@ from esg.draft.discourse.scene import LIMBED, SELF_POWERED, Relation
 from esg.draft.events.acts import add_event, add_hit
 from esg.draft.events.hanging import turning
 from esg.draft.events.lengths import starts_apart
-from esg.draft.events.motions import motion, sets_off_late
+from esg.draft.events.motions import flies_itself, motion, own, sets_off_late
 from esg.draft.events.roles import is_tool
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import speed_after, start_height, time_of
@@ -49,6 +49,7 @@ from esg.draft.text.quantities import Amount
 from esg.graph.models import NodeEvent, Quantity
 
 _WAITING = lex.word_set("waiting")
+_HOVERING = lex.word_set("hovers")
 _STILL = re.compile(
     r"(?:stay|remain|sit|stand|lie|keep)\w*\s+(?:\w+ly\s+)?"
     r"(?:still|motionless|stationary|immobile|unmoved|where (?:it is|they are)|in place|put)\b",
@@ -164,8 +165,8 @@ def _bears(d: Discourse, node: str) -> bool:
 
 def _tell(d: Discourse, owners: list[str], told: list[Amount], word: str, prep: str = "") -> None:
     """What quantities say of things, one value each where there are as many."""
-    for o, own in zip(owners, dealt(told, len(owners)), strict=True):
-        for a in own:
+    for o, its in zip(owners, dealt(told, len(owners)), strict=True):
+        for a in its:
             if a.dimension == "speed":
                 d.moves.stated[o] = a
             elif a.dimension == "length" and prep == "at" and word == "height":
@@ -284,6 +285,11 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         add_hit(d, f, s[:1], met[:1], time_of(d, f))
     else:
         read_be(d, f, s, o)
+    if f.verb.lemma in _HOVERING and not f.unreal and not f.verb.negated:
+        for actor in [a for a in s if flies_itself(d, a) and at_rest(d, a)]:
+            d.moves.hovering.add(actor)
+            d.moves.flying.add(actor)
+            own(d, actor, 0.0, False)  # "hovers above a table": its motors hold it there
 
 
 def stands_there(d: Discourse, f: Frame, bodies: list[str]) -> None:
@@ -351,8 +357,8 @@ def read_measure(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 
 def _measured(d: Discourse, f: Frame, bodies: list[str], word: str) -> None:
-    for t, own in zip(bodies, dealt([a for _, a in amounts_of(d, f)], len(bodies)), strict=True):
-        for a in own:
+    for t, its in zip(bodies, dealt([a for _, a in amounts_of(d, f)], len(bodies)), strict=True):
+        for a in its:
             if apply_amount(d.world, entity_of(d, t), a, word):
                 mark_used(d, a, t)
 

@@ -19,6 +19,8 @@ from esg.graph.models import ForceDirection, NodeEvent
 
 _LEAST_TURN_S = 0.01
 """A turn told to last less has no rate of its own."""
+ROUND_DEG_S = 18.0
+"""How fast a course bends that leads around something large [degrees/s]."""
 _IN_PLACE = frozenset({"on", "atop", "on top of", "under", "above", "over", "behind", "in front of"}
                      | {"beside", "next to", "near", "with", "above", "against"})  # fmt: skip
 """Prepositions of where something turns that goes nowhere."""
@@ -94,8 +96,15 @@ def _first_turn(d: Discourse, f: Frame, angles: list[Amount]) -> float:
     return degrees
 
 
-def turn(d: Discourse, f: Frame, actors: list[str], direction: str, degrees: float) -> None:
-    """Each actor turns from when the clause says on, or until then."""
+def turn(
+    d: Discourse,
+    f: Frame,
+    actors: list[str],
+    direction: str,
+    degrees: float,
+    rates: tuple[float, float] | None = None,
+) -> None:
+    """Each actor turns from when the clause says on, or until then; rates in degrees/s."""
     for actor in [a for a in actors if movable(d, a)]:
         track = d.timeline.track(actor)
         done_to = f.object is not None and actor in f.object.entities
@@ -113,10 +122,12 @@ def turn(d: Discourse, f: Frame, actors: list[str], direction: str, degrees: flo
         begin = add_event(d, NodeEvent.TRIGGER, (actor,), f, time, stem="turn_start")
         track.closed = True
         told: dict[str, object] = {"turn_direction": direction, "turn_degrees": degrees}
-        params = {**told, "turn_rate_deg_s": _rates(degrees, lasting)}
+        params = {**told, "turn_rate_deg_s": rates or _rates(degrees, lasting)}
         swing = Motion("turn", now.speed, now.prescribed, None, params)
         d.timeline.move(actor, swing, direction_of(d, actor, "own"))
         end = add_event(d, NodeEvent.HEADING_REACHED, (actor,), f, ends, **told)
+        if rates is not None:
+            d.timeline.node(end).usual = degrees / ROUND_DEG_S
         if lasting is not None:
             constrain(d.timeline.node(end), "time_since", lasting.value, actor, since=begin)
             mark_used(d, lasting, f"duration of the turn up to {end}")
