@@ -292,7 +292,7 @@ SUBORDINATORS = word_set("subordinators")
 PARTS = word_set("parts")
 PARTS_OF = PARTS | word_set("parts before of")
 GARMENTS = word_set("garments")
-ATTRIBUTES = word_set("attributes")
+ATTRIBUTES = word_set("attributes") | word_set("cities") | word_set("countries")
 """Nouns that name no object: measures, events, media."""
 RETOLD_NOUNS = word_set("retold nouns")
 """Nouns of events that a prompt has told before: "after that bump it falls"."""
@@ -313,6 +313,8 @@ GROUP_WORDS: dict[str, str | None] = {
     "procession": "queue",
     "team": "scatter", "circle": "scatter", "dozens": "scatter", "dozen": None,
     "half-dozen": None, "trio": None, "load": "scatter", "pack": "scatter",
+    **dict.fromkeys(("swarm", "school", "shoal", "colony", "litter", "bouquet", "troupe", "batch",
+                     "assortment", "throng", "brood"), "scatter"),
 }  # fmt: skip
 ARRANGEMENTS: dict[str, str] = {
     "triangle": "pins", "formation": "pins", "pyramid": "stack", "tower": "stack", "pile": "stack",

@@ -19,6 +19,7 @@ from esg.draft.events.interpret import begin, interpret
 from esg.draft.grammar.clauses.builder import build_clauses
 from esg.draft.grammar.clauses.modality import mark_unreal
 from esg.draft.grammar.phrases.chunker import chunk
+from esg.draft.grammar.phrases.compounds import join_compounds
 from esg.draft.grammar.phrases.contact import name_relatives
 from esg.draft.grammar.phrases.inverted import straight_verbs
 from esg.draft.grammar.phrases.modifiers import join_modifiers
@@ -79,7 +80,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
         UserError: If the prompt is empty, too long, not English, or names no object.
     """
     text = screen(prompt)
-    tokens = join_modifiers(tokenize(text, pos_tags(text)), text)
+    tokens = join_compounds(join_modifiers(tokenize(text, pos_tags(text)), text))
     tokens = straight_verbs(name_relatives(tokens))
     elements = chunk(text, tokens)
     for _, put_plainly in _REWRITES:

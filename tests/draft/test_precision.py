@@ -186,7 +186,7 @@ def test_both_are_the_two_that_act_alike() -> None:
 @pytest.mark.parametrize(
     ("prompt", "expected"),
     [
-        ("A car hits a traffic barrel after 2 seconds.", ("Collision", "barrel_1")),
+        ("A car hits a traffic barrel after 2 seconds.", ("Collision", "traffic_barrel_1")),
         ("A chocolate bar falls off the shelf.", ("Fall", "chocolate_bar_1")),
     ],
 )

@@ -313,7 +313,7 @@ def test_what_an_event_tells_is_not_stated_again() -> None:
 @pytest.mark.parametrize(
     ("prompt", "says", "who", "other"),
     [
-        ("A man drives a car.", "inside", "man_1", "car_1"),
+        ("A man drives a tractor.", "inside", "man_1", "tractor_1"),
         ("A man rides a horse.", "supported_by", "man_1", "horse_1"),
         ("A truck carries a crate along a road.", "carried_by", "crate_1", "truck_1"),
     ],

@@ -294,11 +294,11 @@ class Doubt:
 
 
 @cache
-def doubts() -> dict[str, Doubt]:
-    """Nouns of several senses: what they are drawn as, and what beside them tells another one."""
+def doubts() -> dict[tuple[str, str], Doubt]:
+    """Nouns of several senses, by what they are drawn as: what beside them tells another one."""
     with open(lex.DATA / "doubts.csv", encoding="utf-8", newline="") as file:
         return {
-            r["noun"]: Doubt(
+            (r["noun"], r["drawn"]): Doubt(
                 r["drawn"], frozenset(r["beside"].split("|")), r["meant"], r["example"]
             )
             for r in csv.DictReader(file, delimiter=";")
@@ -313,9 +313,9 @@ def _doubtful(case: Case) -> Iterator[Finding]:
     for start, end, name in case.facts.spans:
         named = re.findall(r"[a-z]+", case.text[start:end].lower()) or [""]
         head = named[-2] if len(named) > 1 and parse_number(named[-1]) else named[-1]
-        doubt = doubts().get(lex.singular(head)[0])
         asset = doc.asset_requirement[doc.spatial_relation_graph.nodes[name].asset_id]
-        if doubt is None or asset.asset_category != doubt.drawn:
+        doubt = doubts().get((lex.singular(head)[0], asset.asset_category))
+        if doubt is None:
             continue
         said = any(start <= a < end for a, _ in case.facts.said)  # of the noun, not of its place
         if singulars & doubt.cues and not said:

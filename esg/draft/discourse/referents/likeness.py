@@ -24,6 +24,8 @@ _OF_THE_GROUND = frozenset({"structural", "decal"})
 _SCENES = lex.word_set("scenes")
 _ALIKE = lex.word_set("behave alike")
 _NO_SUCH = lex.word_set("drawn as another")
+_DRIVEN = frozenset({"flyer", "vehicle", "watercraft"})
+_TWINS = lex.word_set("twins")
 
 
 def unknown_noun(head: str, adjectives: list[str] | None = None) -> lex.Noun:
@@ -40,7 +42,8 @@ def unknown_noun(head: str, adjectives: list[str] | None = None) -> lex.Noun:
         like = lex.nouns()["person"]
         return replace(like, name=head, description=f"{head}, a person", synonyms=(), like="person")
     before = [a for a in (adjectives or [])[-1:] if a.isalpha()]
-    said = [re.sub(r"[^a-z0-9]+", " ", words) for words in (" ".join([*before, head]), head)]
+    one = [head.removesuffix("s")] if head in _TWINS else []  # "the tongs", in WordNet "tong"
+    said = [re.sub(r"[^a-z0-9]+", " ", w) for w in (" ".join([*before, head]), head, *one)]
     return next((n for words in said if (n := _like(words, head))), None) or nameless(head)
 
 
@@ -59,7 +62,7 @@ def _like(words: str, head: str) -> lex.Noun | None:
     if model.kind not in _ALIKE or place:
         model = replace(model, kind="generic")
     figures = above if own is None else None
-    none_such = words in _NO_SUCH if own is not None else above is not None and above.stands_in
+    none_such = words in _NO_SUCH or (own is None and above is not None and above.stands_in)
     mass = figures.mass_kg if figures is not None else None
     if (mass or kind.mass_kg) < _ROOTED_KG:
         model = replace(model, traits=model.traits - {"fixed"})  # "a tumbleweed" is like a bush
@@ -78,6 +81,50 @@ def _like(words: str, head: str) -> lex.Noun | None:
         like=f"{kind.name} of {max(length, width, height):g} cm",
         stand_in=kind.name if none_such else "",
     )
+
+
+def names_another(words: str, last: str) -> bool:
+    """ "A pipe cleaner": whether a noun of two words is another thing than its last one names.
+
+    So it is where the library has a row of its own for it, of another size or behaviour, or where
+    WordNet puts it under a concept that is not its last word, and the kind that stands for it
+    is not that of the last word.
+
+    Args:
+        words: The noun as the dictionaries spell it, in the singular and lower case ("cable car").
+        last: Its last word, a noun of the lexicon.
+    """
+    own, above = _drawn().get(words), hypernyms().get(words)
+    kind = own or (_named().get(above.kind) if above is not None else None)
+    head = lex.nouns()[last]
+    if kind is None or "part" in kind.flags or _OF_THE_GROUND & head.traits:
+        return False  # "a bus lane"
+    behaves = _behaves(kind).kind
+    if head.kind == behaves == "person" or head.kind in _DRIVEN:
+        return False  # a cable car goes as cars do
+    if own is not None:
+        ratio = max(own.dimensions_cm) / max(head.dimensions_cm)
+        return own.name != head.name and (behaves != head.kind or not 0.5 < ratio < 2.0)
+    assert above is not None
+    if head.kind == "person":
+        return True  # "a mud guard", "a pipe cleaner"
+    named = _drawn().get(last)
+    hyponym = above.concept == last and named is not None and named.name == last  # "a bell tower"
+    return above.stands_in and above.kind != head.category and not hyponym
+
+
+def in_wordnet(words: str) -> bool:
+    """Whether WordNet has a noun of a thing that is spelled so, in the singular and lower case."""
+    return words in hypernyms()
+
+
+def in_dictionary(words: str) -> bool:
+    """Whether the library or WordNet has a noun of a thing that is spelled so.
+
+    Args:
+        words: The noun in the singular and lower case.
+    """
+    return words in _drawn() or words in hypernyms()
 
 
 @cache

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 from functools import partial
+import math
 import re
 
 from esg.draft import lexicon as lex
@@ -131,6 +132,9 @@ def _carried_by_its_owner(d: Discourse, owners: list[str], things: list[str]) ->
     if not owners:
         return
     held = [i for i in things if kind_of(d, i) not in _HAS_A_DECK and movable(d, i)]
+    room = math.prod(d.world.entities[owners[0]].noun.dimensions_cm)
+    if holds(d, owners[0]):  # "the drawer of the cabinet" holds no cabinet
+        held = [i for i in held if math.prod(d.world.entities[i].noun.dimensions_cm) <= room]
     if holds(d, owners[0]):
         place(d, held, owners[:1], "in")
     elif "support" in traits_of(d, owners[0]) or kind_of(d, owners[0]) == "cart":

@@ -42,6 +42,7 @@ from esg.draft.grammar.phrases.noun_questions import (
 from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
 from esg.draft.grammar.phrases.reader import (
     compound_noun,
+    element_before,
     known_adjective,
     looks_like_verb,
     named_before,
@@ -64,6 +65,11 @@ _WAYS = lex.word_set("ways (noun heads)")
 _VESSELS = lex.word_set("vessels (noun heads)")
 _THEM = ("it", "him", "her", "them")
 _STACKS = ("stack", "pile", "tower", "heap")
+_FIGURES = lex.word_set("parts of figures")
+_LIMBS = (lex.BODY_PARTS | _FIGURES) - lex.PARTS
+_IN_THE_SKY = lex.word_set("hangs in the sky")
+_UNDER_THE_SKY = lex.word_set("under the sky")
+_GROUPS = lex.word_set("people")
 _OWN = ("his", "her", "its", "their")
 _HANDS = frozenset({"left", "left-hand", "right", "right-hand"})
 _DOING = frozenset({"do", "does", "did", "perform", "execute", "attempt"})
@@ -230,12 +236,22 @@ def _continues(c: Chunks, k: int, following: NounMatch, m: Mention) -> bool:
     acts = low_at(c, k + 1) in lex.DETERMINERS | lex.PRONOUNS
     if following[2] and (m.determiner in _SINGULAR or (readings and acts)):
         return False  # "a door swings shut", "a cyclist signals": no plural after "a"
+    if following[2] and _stuff_of(c, k):
+        return True  # "on its iron wheels."
     swings = following[2] and any(r.form == "s" for r in readings)
     if swings and low_at(c, k + 1) in _WAYS:
         return False  # "the quad bike swings left"
     named = following[0].kind in _VESSELS or low in _MOSTLY_NOUNS
     vessel = m.determiner and named and ends_phrase(c, k)
     return not (readings and following[1] == 1 and not (vessel or compound_noun(c, k, m)))
+
+
+def _stuff_of(c: Chunks, k: int) -> bool:
+    """Whether the plural at token k is what a noun of stuff before it is told of, after "on"."""
+    before, after = c.elements[-1] if c.elements else None, token_at(c, k + 1)
+    ends = after is None or after.kind == "punct" or after.low in ("and", "in", "on", "of")
+    met = isinstance(before, Word) and before.kind == "prep"
+    return met and ends and low_at(c, k - 1) in lex.MATERIALS and c.tokens[k].tag == "NOUN"
 
 
 _COMPARED = lex.word_set("compared (measures)")
@@ -336,8 +352,14 @@ def _unknown_after(c: Chunks, j: int, m: Mention) -> int:
     single, several = lex.singular(token.low)
     nothing = (names_no_thing(token.low) and not _weighs(c, j, j, m)) or wisp(c, j)
     pack = packed(c, single, m)
-    if (single in lex.ATTRIBUTES or nothing) and pack is None:
+    if single in PIECES:
+        return j + 1  # "the pizza slice"
+    people = single in _GROUPS and bool(m.determiner) and low_at(c, j + 1) != "of"
+    if (single in lex.ATTRIBUTES or nothing) and pack is None and not people:
         m.attribute, m.head, m.noun = True, single, None
+    elif people:
+        m.noun, m.head, m.plural, m.group_word = lex.nouns()["person"], "person", True, single
+        m.pattern = lex.GROUP_WORDS.get(single) or "scatter"  # "the football team"
     elif single in lex.PARTS:
         m.part = single
     elif single not in ("other", "one"):
@@ -354,7 +376,7 @@ def _people(c: Chunks, p: Place, m: Mention) -> Head | None:
     if not people_here(c, p.at):
         return OTHER
     told = m.determiner not in ("", "the") or m.count is not None
-    those = m.determiner == "the" and word in lex.GROUP_WORDS  # "the group": who was named
+    those = m.determiner == "the" and word in lex.GROUP_WORDS and word != "crowd"
     verb = several and m.determiner in ("a", "an")  # "an engine couples onto five wagons"
     caption = not several and not c.elements  # "Happy family with two kids"
     named = told or m.determiner or ((several or caption) and m.adjectives)
@@ -382,6 +404,18 @@ def _wisp(c: Chunks, p: Place, m: Mention) -> Head | None:
     return Head(p.at + words)
 
 
+def _far_off(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "Under a pale moon", "stars twinkling above": light in the sky, and no body."""
+    single, several = lex.singular(p.low)
+    before = element_before(c)
+    under = isinstance(before, Word) and before.low in _UNDER_THE_SKY
+    stars = several and single == "star" and not m.determiner and m.count is None
+    if single not in _IN_THE_SKY or not (under or stars) or match_noun(c, p.at + 1) is not None:
+        return OTHER
+    m.attribute, m.head, m.plural = True, single, several
+    return Head(p.at + 1)
+
+
 def _piece(c: Chunks, p: Place, m: Mention) -> Head | None:
     """ "a roll of tape": the thing itself."""
     if p.low not in PIECES or low_at(c, p.at + 1) != "of":
@@ -397,6 +431,11 @@ def _piece(c: Chunks, p: Place, m: Mention) -> Head | None:
 
 def _body_part(c: Chunks, p: Place, m: Mention) -> Head | None:
     """ "his arm"."""
+    if m.determiner == "the" and p.low in _LIMBS:
+        whose = low_at(c, p.at + 1) == "of" and low_at(c, p.at + 2) in lex.DETERMINERS
+        if whose and not m.adjectives:  # "the tail of the dog"
+            m.head = lex.singular(p.low)[0]
+            return Head(p.at + 1)
     if p.low not in lex.BODY_PARTS or not (low_at(c, p.first - 1) == "'s" or m.determiner in _OWN):
         return OTHER
     m.head, m.attribute = p.low, False
@@ -677,6 +716,7 @@ HEADS: tuple[HeadReader, ...] = (
     _body_part,
     _people,
     _wisp,
+    _far_off,
     _known,
     _rest,
     _piece,
@@ -699,16 +739,25 @@ def _part_of_whole(c: Chunks, j: int, m: Mention) -> int | None:
     """ "On the seat of a chair": the chair; the token after it, None if no whole is named."""
     before = c.elements[-1] if c.elements else None
     met = isinstance(before, Verb) or (isinstance(before, Word) and before.kind in ("prep", "to"))
-    if low_at(c, j) != "of" or not lex.is_part(m.head):
+    limb = m.head in lex.BODY_PARTS or m.head in _FIGURES
+    if low_at(c, j) != "of" or not (limb or lex.is_part(m.head)):
         return None
     found = _owner(c, j + 1)
     if found is None:
         return None
     owner, after = found
-    if not owner.determiner or owner.noun is None or not lex.is_part(m.head, owner.noun):
+    solid = not (owner.attribute or owner.pronoun) and getattr(owner.noun, "kind", "") != "ground"
+    own = limb and m.determiner == "the" and solid
+    if not owner.determiner or (owner.noun is None and not own):
+        return None
+    if not (own or (owner.noun is not None and lex.is_part(m.head, owner.noun))):
         return None
     row = articulations().get(owner.head)
-    if not met and (row is None or not row.tips):  # "The pans of a balance": ends of its beam
+    if limb and row is not None and not row.tips:
+        return None  # "the arm of a catapult"
+    if not (met or own) and (
+        row is None or not row.tips
+    ):  # "The pans of a balance": ends of its beam
         return None
     owner.part, owner.start = m.head, m.start
     c.elements.append(owner)

@@ -17,6 +17,8 @@ from esg.lexicon.hypernyms import hypernyms
 _NOUNS_FIRST = lex.word_set("nouns first")
 _ALSO_NOUNS = lex.word_set("also nouns")
 _ARTICLES = frozenset({"a", "an", "the", "its", "his", "her", "their", "another"})
+_SUBJECTS = frozenset({"he", "she", "it"})
+_OUT = frozenset({"away", "down", "off", "out", "over", "up"})
 _OBJECTS = frozenset({"it", "him", "them"})
 _COMMANDS = lex.word_set("commands")
 _SMALL = lex.PREPOSITIONS | lex.ADVERBS | lex.MODALS | lex.DETERMINERS | lex.PRONOUNS
@@ -340,7 +342,9 @@ def looks_like_verb(c: Chunks, j: int, m: Mention) -> bool:
         or m.determiner not in ("a", "an", "the", "this", "that", "its")
     ):
         return False
-    nxt = low_at(c, j + 1)
+    before, nxt = low_at(c, j - 1), low_at(c, j + 1)
+    if m.group_word and lex.singular(before)[0] == before:
+        return False  # "a pair of oven mitts"
     return not (verb_readings(nxt) or nxt in lex.MODALS or nxt == "'s")
 
 
@@ -389,7 +393,13 @@ def _acted_on(c: Chunks, i: int, previous: Element | None) -> bool:
     joined = isinstance(previous, Word) and previous.kind in ("conj", "adv") and told
     opens = previous is None or (isinstance(previous, Word) and previous.low in ".;!?\n")
     if noun[2]:
-        one = isinstance(previous, Mention) and not previous.plural and previous.determiner
+        one = (
+            isinstance(previous, Mention)
+            and not previous.plural
+            and (previous.determiner or previous.pronoun in _SUBJECTS)
+        )
+        if nxt in _OUT and low_at(c, i + 2) in _ARTICLES:
+            nxt = low_at(c, i + 2)  # "and saws off the end"
         listed = isinstance(previous, Word) and previous.low == "," and told and nxt in _OBJECTS
         return bool(listed) or (bool(one or joined) and nxt in _ARTICLES | _OBJECTS)
     known = match_noun(c, i) is not None
@@ -446,7 +456,8 @@ def stands_for_noun(c: Chunks, k: int, m: Mention) -> bool:
     anything, and with nothing behind it, the word is a noun.
     """
     token, nxt = c.tokens[k], token_at(c, k + 1)
-    forms = {r.form for r in verb_readings(token.low) if r.sense != "hit"}  # "rams it broadside"
+    readings = verb_readings(token.low)
+    forms = {r.form for r in readings}
     ends = nxt is None or nxt.kind == "punct" or nxt.low in ("and", "is")
     part = low_at(c, k - 1) in lex.PARTS  # "its roof rack" is the bus's
     if m.plural or part or not m.determiner or forms != {"base"} or not ends:
@@ -455,7 +466,8 @@ def stands_for_noun(c: Chunks, k: int, m: Mention) -> bool:
     before = low_at(c, first - 1) if first else ""
     verb = c.elements[-1] if c.elements else None
     lets = isinstance(verb, Verb) and verb.lemma in _LETTING
-    acted_on = before in lex.PREPOSITIONS or bool(verb_readings(before))
+    hits = any(r.sense == "hit" for r in readings)  # "rams the van broadside"
+    acted_on = before in lex.PREPOSITIONS or (bool(verb_readings(before)) and not hits)
     return token.tag == "NOUN" and acted_on and not lets
 
 
