@@ -34,6 +34,7 @@ PROMPTS = {
     "a turns about an upright axle": "A door swings open and knocks over a vase.",
     "a slides out on its joint": "The top drawer of a dresser slides out and pushes a stool.",
     "a is let go over b": "A basketball is dropped onto a wooden crate.",
+    "a comes down a chute": "A marble rolls down a chute into a tin cup.",
     "a comes down a ramp": "A ball rolls down a ramp and hits a box.",
     "a brakes": "A sled slides at 7 m/s, brakes and hits a snowman.",
     "a was pushed": "A hockey puck slides into a goal.",

@@ -73,21 +73,22 @@ def ways_through(doc: EsgDocument, story: Story) -> Iterator[tuple[Statement, Pa
     for s in doc.statements or ():
         if s.predicate is not Predicate.MOVES or s.direction != "through":
             continue
-        if len(s.object) != 1 or len(s.target) != 1 or s.object[0] not in story.phases:
+        if len(s.object) != 1 or len(s.target) != 1:
             continue
         found = passage_of(doc, s.target[0])
-        if found is not None and found.owner not in story.phases:
+        moves = s.object[0] in story.phases
+        if moves and found is not None and found.owner not in story.phases:
             yield s, found
 
 
 def let_go_down(stage: Stage) -> None:
     """What is let go at the top of a ramp and meets nothing: down to the foot, and off the ramp."""
     slope = slope_of(stage.doc, stage.anchor) if stage.anchor is not None else None
-    phases = stage.story.phases[stage.lead]
-    lets_go = phases[0].edge.event is EdgeEvent.TOWARD and not stage.story.flies(stage.lead)
-    if slope is None or not lets_go or len(phases) > 1:
+    first, *more = stage.story.phases[stage.lead]
+    lets_go = first.edge.event is EdgeEvent.TOWARD and not stage.story.flies(stage.lead)
+    if slope is None or not lets_go or more:
         return
-    if phases[0].end.event is NodeEvent.TRIGGER and not phases[0].end.time_is_prescribed:
+    if first.end.event is NodeEvent.TRIGGER and not first.end.time_is_prescribed:
         start = slope.crest - stage.inset(stage.lead)
         off = stage.prop(stage.lead).half_length + AT_FOOT_M + SAMPLE_M
         _let_go(stage, stage.lead, start, slope.foot - start + off)
