@@ -32,6 +32,8 @@ _SIDE_WORDS = {
 """The words of a side, of which the first in the text is where something starts."""
 _SPANS = lex.word_set("spans")
 _DOWN_ON = ("on", "onto", "upon", "atop", "on top of")
+_SHEDS = frozenset({"incline", "round", "goal"})
+"""Traits of what nothing stays on that comes down from above."""
 _STRAIGHT_DOWN = "it falls straight down"
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
 
@@ -239,6 +241,9 @@ def landed(book: Book, clause: Clause, p: Phrase) -> None:
         return
     hosts = [i for i in things(p) if i in d.world.entities and p.prep in _DOWN_ON][:1]
     for mover in clause.movers if hosts else []:
+        if comes_down_on(d, clause, mover, hosts[0]):
+            book.add(Predicate.ENDS_ON, *words, object=(mover,), target=tuple(hosts), when="end")
+            continue
         edges = list(segments(d, mover))
         kinds = {n.id: n.event for n in d.timeline.nodes}
         over = bool(edges) and measurable(kinds.get(edges[-1].to, NodeEvent.TRIGGER))
@@ -256,6 +261,26 @@ def comes_to_ground(d: Discourse, clause: Clause, mover: str) -> bool:
     told = [n for n in d.timeline.nodes if mover in n.participants and measurable(n.event)]
     fell = bool(told) and told[-1].event is NodeEvent.FALL
     return fell or (not told and hurled(d, mover))
+
+
+def comes_down_on(d: Discourse, clause: Clause, mover: str, host: str) -> bool:
+    """Whether what fell or was thrown stays on the thing that it lands on: nothing more is told.
+
+    Who is landed on, what turns or gives way under it, slopes and what rolls keep nothing.
+    """
+    noun = entity_of(d, host).noun
+    if kind_of(d, host) in LIVING or noun.traits & _SHEDS or host in _jointed(d):
+        return False
+    if mover == host or kind_of(d, mover) in LIVING or flies_itself(d, mover):
+        return False
+    told = [n for n in d.timeline.nodes if mover in n.participants and measurable(n.event)]
+    last = bool(told) and told[-1].event is NodeEvent.COLLISION and host in told[-1].participants
+    fell = any(n.event is NodeEvent.FALL for n in told) or hurled(d, mover)
+    return last and (fell or _drops(d, mover)) and not _goes_elsewhere(d, clause, mover)
+
+
+def _jointed(d: Discourse) -> set[str]:
+    return {name for j in d.scene.joints for name in (j.child, j.parent) if name}
 
 
 def leapt(book: Book, p: Phrase) -> None:

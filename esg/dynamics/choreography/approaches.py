@@ -34,6 +34,7 @@ from esg.dynamics.choreography.slopes import descend, goes_down
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
 from esg.dynamics.choreography.throws import (
     asked_height,
+    comes_to_lie,
     hand_height,
     is_lobbed,
     level_height,
@@ -202,7 +203,7 @@ def come(stage: Stage, e: Encounter) -> None:
     gaining = _gains(stage, e.a, e.coming, demand.speed)
     run = _run_up(stage, e, demand)
     demand = _slow_enough(stage, e, demand)
-    if _thrown(stage, e.a) and not is_lobbed(stage, e.node) and stage.anchor is None:
+    if _thrown(stage, e.a) and not _comes_down(stage, e) and stage.anchor is None:
         run = _throwing_distance(stage, e, demand, run)
     speed, lasts = _pace(stage, e, demand, run)
     ride = gaining or ride_of(stage, e.a, e.coming, speed)
@@ -341,8 +342,13 @@ def _thrown(stage: Stage, a: str) -> bool:
 
 
 def _tossed(stage: Stage, e: Encounter) -> bool:
-    """Whether a comes down into what opens upwards, at a speed that is open."""
-    return _thrown(stage, e.a) and is_lobbed(stage, e.node) and not speed_is_fixed(e.coming)
+    """Whether a comes down into what opens upwards or on a top, at a speed that is open."""
+    return _thrown(stage, e.a) and _comes_down(stage, e) and not speed_is_fixed(e.coming)
+
+
+def _comes_down(stage: Stage, e: Encounter) -> bool:
+    """Whether a throw ends from above: in an opening, or where it is to lie."""
+    return is_lobbed(stage, e.node) or comes_to_lie(stage, e.node, e.a, e.b)
 
 
 def _pace(stage: Stage, e: Encounter, demand: Demand, run: float) -> tuple[float, float]:

@@ -14,6 +14,7 @@ from esg.graph.models import (
     EdgeEvent,
     EsgDocument,
     NamedRegion,
+    Predicate,
     SupportSurface,
 )
 from esg.units import GRAVITY_MPS2
@@ -277,6 +278,17 @@ def climb_height(doc: EsgDocument, body: Prop, support: str) -> float | None:
     height = surface.center_cm[2] / 100.0
     room = max(surface.half_extents_cm[:2]) / 50.0
     return height if height > body.height and body.length < 0.7 * room else None
+
+
+def lies_on(doc: EsgDocument, thing: str, host: str) -> bool:
+    """Whether a thing that comes down on a host is said to stay there."""
+    nodes = doc.spatial_relation_graph.nodes
+    if host not in nodes or nodes[host].is_structural:
+        return False
+    return any(
+        s.predicate is Predicate.ENDS_ON and thing in s.object and host in s.target
+        for s in doc.statements or ()
+    )
 
 
 def broadest_surface(doc: EsgDocument, name: str) -> SupportSurface:
