@@ -32,6 +32,8 @@ _SIDE_WORDS = {
 """The words of a side, of which the first in the text is where something starts."""
 _SPANS = lex.word_set("spans")
 _DOWN_ON = ("on", "onto", "upon", "atop", "on top of")
+_SENT = ("over", "across", "through", "past")
+"""What leads on from a hit: "hits a ball over the net"."""
 _SHEDS = frozenset({"incline", "round", "goal"})
 """Traits of what nothing stays on that comes down from above."""
 _STRAIGHT_DOWN = "it falls straight down"
@@ -103,12 +105,30 @@ def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
     if direction not in _TARGETED and direction != "between":
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), direction=direction, when=where)
         return
-    _by_others(book, s, mover, where)
+    _by_others(book, clause, s, mover, where)
 
 
-def _by_others(book: Book, s: Said, mover: str, where: str) -> None:
+def _sent_on(d: Discourse, clause: Clause, s: Said, mover: str) -> tuple[str, str] | None:
+    """ "A racket hits a ball over the net": what is hit goes that way, from the hit on."""
+    f = clause.frame
+    if f.verb.sense != "hit" or f.verb.passive or f.object is None or s.phrase is None:
+        return None
+    if s.phrase.prep not in _SENT or start_of(s.phrase, d.text) < f.object.end:
+        return None
+    hits = [n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION and mover in n.participants]
+    for met in f.object.entities:
+        hit = next((n for n in hits if met in n.participants and met != mover), None)
+        if hit is not None:
+            return met, f"{hit.id}..end"
+    return None
+
+
+def _by_others(book: Book, clause: Clause, s: Said, mover: str, where: str) -> None:
     """The way with respect to what a phrase names: "past a cone", "between them"."""
     d, direction = book.d, s.row.direction or ""
+    sent = _sent_on(d, clause, s, mover)
+    if sent is not None:
+        mover, where = sent
     over = s.phrase is not None and s.phrase.prep == "over"
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities]
     if not targets or is_told(d, mover, targets):
