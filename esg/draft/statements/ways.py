@@ -115,7 +115,9 @@ def _sent_on(d: Discourse, clause: Clause, s: Said, mover: str) -> tuple[str, st
         return None
     if s.phrase.prep not in _SENT or start_of(s.phrase, d.text) < f.object.end:
         return None
-    hits = [n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION and mover in n.participants]
+    hits = [
+        n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION and mover in n.participants
+    ]
     for met in f.object.entities:
         hit = next((n for n in hits if met in n.participants and met != mover), None)
         if hit is not None:

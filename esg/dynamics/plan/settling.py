@@ -26,6 +26,8 @@ LANDED_S = 0.5
 CAUGHT, CAUGHT_S = 8.0, 0.05
 """Damping [1/s] of what shall lie on the thing that it lands on, as of a fruit on a sack, and when it
 sets in after the touch: at 1 m/s it rolls 12 cm."""
+ON_TABLE, TABLE_S = 2.5, 0.1
+"""Damping [1/s] of what rolls along a table and stays on it, as on a cloth, and from when on [s]."""
 _LIES = frozenset({Predicate.ENDS_ON, Predicate.ENDS_IN, Predicate.ENDS_NEAR, Predicate.AT_REST})
 
 
@@ -43,6 +45,8 @@ def rolls_out(
     """
     actor = body.name
     stops = phase.end.event is NodeEvent.STOP and phase.edge.params.spin == "roll"
+    if f"{phase.edge.id}/most" in cast.nominal:
+        return []  # as `comes_to_lie` has it
     if not stops or body.roll_radius <= 0.0 or cast.story.flies(actor) or end <= start:
         return []
     needed = math.log(max(speed, STILL_MPS) / STILL_MPS) / (end - start)
@@ -62,9 +66,14 @@ def comes_to_lie(cast: Cast, body: Body, done: Sequence[Primitive]) -> list[Prim
         body: Whose program it is.
         done: The primitives so far.
     """
-    told = _stops_by_itself(cast, body.name) or any(
-        s.predicate in _LIES and s.when == "end" and body.name in s.object
-        for s in cast.doc.statements or ()
+    most = f"{cast.story.phases[body.name][-1].edge.id}/most"
+    told = (
+        most in cast.nominal
+        or _stops_by_itself(cast, body.name)
+        or any(
+            s.predicate in _LIES and s.when == "end" and body.name in s.object
+            for s in cast.doc.statements or ()
+        )
     )
     caught = any(lies_on(cast.doc, body.name, host) for host in cast.scene.names)
     if not told or (body.roll_radius <= 0.0 and not caught) or cast.story.soars(body.name):
@@ -76,6 +85,8 @@ def comes_to_lie(cast: Cast, body: Body, done: Sequence[Primitive]) -> list[Prim
         for node in cast.story.nodes.values()
         if body.name in node.participants and node.event is not NodeEvent.STOP
     ]
+    if most in cast.nominal:
+        return [_damped(body.name, TABLE_S, ON_TABLE)]
     if caught:
         return [_damped(body.name, max(times, default=0.0) + CAUGHT_S, CAUGHT)]
     high = max(body.position[2] - body.half_extents[2], 0.0)

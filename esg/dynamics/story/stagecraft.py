@@ -291,6 +291,14 @@ def lies_on(doc: EsgDocument, thing: str, host: str) -> bool:
     )
 
 
+def stays_on(doc: EsgDocument, thing: str) -> str | None:
+    """The table or shelf that a thing moves on and does not leave, None if nobody says so."""
+    host = support_of(doc, thing)
+    said = (s for s in doc.statements or () if s.predicate is Predicate.SUPPORTED_BY)
+    stays = any(thing in s.object and host in s.target and s.when != "start" for s in said)
+    return host if stays else None
+
+
 def broadest_surface(doc: EsgDocument, name: str) -> SupportSurface:
     """The largest surface of a table or shelf."""
     config = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
