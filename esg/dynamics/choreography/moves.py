@@ -39,7 +39,7 @@ ROOM_ON_TOP = 0.75
 moves on it, that what stays on it may use."""
 MOST_ON_TOP_MPS = 4.0
 ROLLS_ON_TOP = 2.0
-"""Speed [m/s] over the way [m] of what rolls along a table: it is slowed from soon after its start."""
+"""Speed [m/s] over the way [m] of what rolls along a table, where it is soon slowed."""
 REBOUND_S = 0.15
 """Time from a hit of something fixed to the brake that follows it."""
 

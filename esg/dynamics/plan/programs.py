@@ -679,7 +679,7 @@ class Composer:
             course.out.append(AdjustProperties(actor, end, braking=self._brakes(course)))
 
     def _keeps_its_feet(self, leg: _Leg) -> bool:
-        """Whether who runs into something on foot has nothing more to do than not to fall over it."""
+        """Whether who runs into something on foot has only to stay on his feet after that."""
         actor, node = leg.phase.edge.actor, leg.phase.end
         if node.event is not NodeEvent.COLLISION or not on_foot(prop(self.doc, actor)):
             return False
@@ -689,7 +689,7 @@ class Composer:
         return bool(met) and still and leg.last and not any(actor in n.participants for n in after)
 
     def _stands(self, leg: _Leg, speed: float) -> HoldVelocity:
-        """What a drive at a speed [m/s] overrides until it ends: then it comes to rest on its feet."""
+        """What a drive at a speed [m/s] overrides until it ends: then who came stops, upright."""
         actor, met = leg.phase.edge.actor, self.cast.contacts(leg.phase)
         rate = usual_halt(self.doc, actor, abs(speed), held=True)
         free = (n for n in self._others(actor) if not self.scene.body(n).static)

@@ -24,10 +24,10 @@ a floor, or a ball on short grass."""
 LANDED_S = 0.5
 """It sets in so long after the last event, and after a fall from where it starts."""
 CAUGHT, CAUGHT_S = 8.0, 0.05
-"""Damping [1/s] of what shall lie on the thing that it lands on, as of a fruit on a sack, and when it
-sets in after the touch: at 1 m/s it rolls 12 cm."""
+"""Damping [1/s] of what shall lie on the thing that it lands on, as of a fruit on a sack, and when
+it sets in after the touch: at 1 m/s it rolls 12 cm."""
 ON_TABLE, TABLE_S = 2.5, 0.1
-"""Damping [1/s] of what rolls along a table and stays on it, as on a cloth, and from when on [s]."""
+"""Damping [1/s] of what rolls along a table and stays there, as on a cloth, and from when [s]."""
 _LIES = frozenset({Predicate.ENDS_ON, Predicate.ENDS_IN, Predicate.ENDS_NEAR, Predicate.AT_REST})
 
 
