@@ -303,9 +303,9 @@ def test_overlaps_impulses_and_strangers_are_told() -> None:
 
 
 def test_leaves_weigh_less_than_their_pot() -> None:
-    """A pot below the centre of mass and twice its volume of leaves above it."""
-    pot = Shape("box", (0.06, 0.06, 0.04), (0.0, 0.0, -0.04))
-    leaves = Shape("box", (0.1, 0.1, 0.11), (0.0, 0.0, 0.13))
+    """A pot below the centre of mass and eight times its volume of leaves above it."""
+    pot = Shape("box", (0.07, 0.07, 0.03), (0.0, 0.0, -0.03))
+    leaves = Shape("box", (0.1, 0.1, 0.13), (0.0, 0.0, 0.13))
     plant = replace(
         box("plant", (0.1, 0.1, 0.16), 6.0, (0.0, 0.0, 1.0)),
         shapes=(pot, leaves),
