@@ -93,3 +93,10 @@ def test_the_crossbar_is_not_the_whole_goal() -> None:
 
 def test_clatter_is_a_fall() -> None:
     assert not _missing("A frying pan slides off the stove and clatters to the floor.")
+
+
+def test_balloons_rise_no_faster_than_their_lift_carries_them() -> None:
+    system = draft("A balloon rises into the sky.").timeline_system
+    assert system is not None
+    (edge,) = system.sequence_graph.edges
+    assert edge.params.speed == (50.0, 190.0)
