@@ -249,7 +249,10 @@ def _demand(stage: Stage, e: Encounter) -> Demand:
     again = struck_again(stage, node, a, b)
     chained = (pa.rolls and pb.rolls and goes_on(stage, node, b)) or is_carom(stage, node, a, b)
     slow = stage.slowly(a, phase)
-    least = min_hit_speed(pa, pb) if slow is None else min(min_hit_speed(pa, pb), slow)
+    # Who only comes near, or passes, has no hit to be felt, however light he is.
+    touches = node.event not in GAPPED
+    felt_at = min_hit_speed(pa, pb) if touches else 0.0
+    least = felt_at if slow is None else min(felt_at, slow)
     if chained:
         least *= CHAINED
     elif goes_on(stage, node, b) and not (again or row_after(stage, a, b)):
@@ -259,7 +262,7 @@ def _demand(stage: Stage, e: Encounter) -> Demand:
     if stage.story.falls(stage.member(b)) and phase.edge.event is EdgeEvent.TOWARD:
         needed = max(needed, fall_speed(pa, pb))
     needed = max(needed, demanded(stage, node, a, b), thrown_off_speed(stage, node, a))
-    if not chained:
+    if not chained and touches:
         felt = felt_speed(pa, pb)
         needed = max(needed, felt if slow is None else min(felt, max(slow, felt / FELT_SURELY)))
     speed = stage.speed(a, phase, max(least, needed), needed)
