@@ -100,3 +100,10 @@ def test_balloons_rise_no_faster_than_their_lift_carries_them() -> None:
     assert system is not None
     (edge,) = system.sequence_graph.edges
     assert edge.params.speed == (50.0, 190.0)
+
+
+def test_what_flies_from_a_thing_sits_on_it_at_first() -> None:
+    (on,) = stated(
+        draft("A butterfly flies from a flower to a fence post."), Predicate.SUPPORTED_BY
+    )
+    assert (on.object, on.target, on.when) == (("butterfly_1",), ("flower_1",), "start")

@@ -681,7 +681,9 @@ class Composer:
     def _keeps_its_feet(self, leg: _Leg) -> bool:
         """Whether who runs into something on foot has only to stay on his feet after that."""
         actor, node = leg.phase.edge.actor, leg.phase.end
-        if node.event is not NodeEvent.COLLISION or not on_foot(prop(self.doc, actor)):
+        if node.event is not NodeEvent.COLLISION or self.story.soars(actor):
+            return False
+        if not on_foot(prop(self.doc, actor)):
             return False
         met = self.cast.contacts(leg.phase)
         still = not any(name in self.story.phases for name in met)
