@@ -25,6 +25,8 @@ SLICK = 0.35
 """Friction below which the ground counts as ice."""
 LONGEST_CLIMBER_M = 1.2
 """What is longer does not get up on a table."""
+LIGHTEST_LANDING_KG = 0.04
+"""What is lighter comes down too softly for a hit (0.1 N s) at 3 m/s: it has to be thrown hard."""
 LONGEST_SLIDE_S = 1.3
 """Longest time of a slide nobody gave a time for."""
 TO_EDGE_M = 0.15
@@ -281,9 +283,11 @@ def climb_height(doc: EsgDocument, body: Prop, support: str) -> float | None:
 
 
 def lies_on(doc: EsgDocument, thing: str, host: str) -> bool:
-    """Whether a thing that comes down on a host is said to stay there."""
+    """Whether a thing that comes down on a host is said to stay there, and can be felt to land."""
     nodes = doc.spatial_relation_graph.nodes
     if host not in nodes or nodes[host].is_structural:
+        return False
+    if doc.asset_configurations[nodes[thing].asset_id].mass_kg < LIGHTEST_LANDING_KG:
         return False
     return any(
         s.predicate is Predicate.ENDS_ON and thing in s.object and host in s.target
