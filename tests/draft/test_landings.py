@@ -107,3 +107,17 @@ def test_what_flies_from_a_thing_sits_on_it_at_first() -> None:
         draft("A butterfly flies from a flower to a fence post."), Predicate.SUPPORTED_BY
     )
     assert (on.object, on.target, on.when) == (("butterfly_1",), ("flower_1",), "start")
+
+
+@pytest.mark.parametrize(
+    ("prompt", "drawn"),
+    [
+        ("A milk carton falls out of the fridge as the door opens.", "fridge_door"),
+        ("A cat sits beside the fridge when the door swings open and hits it.", "fridge_door"),
+        ("A door opens and hits the fridge. The door falls.", "door_leaf"),
+        ("A man walks through the door and hits the fridge.", "door_leaf"),
+    ],
+)
+def test_the_door_is_that_of_the_fridge_told_of_before(prompt: str, drawn: str) -> None:
+    node = draft(prompt).spatial_relation_graph.nodes["door_1"]
+    assert node.asset_id.startswith(drawn)
