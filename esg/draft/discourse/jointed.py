@@ -90,7 +90,7 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
 
 
 def _of_what_is_there(scene: Scene, text: str, e: Entity) -> list[str]:
-    """ "Falls out of the fridge as the door opens": no door was told of before, and a fridge was."""
+    """ "Falls out of the fridge as the door opens": a fridge was told of, and no door."""
     head, low = head_of(e), text.lower()
     at = low.find(f"the {head}")
     if e.adjectives or at < 0 or re.search(rf"\b(?:an?|two|another)\s+(?:\w+\s+)?{head}\b", low):
