@@ -182,7 +182,7 @@ def fit_landed(doc: EsgDocument, story: Story) -> Configs:
     out: Configs = {}
     for thing in nodes:
         hosts = [n for n in nodes if lies_on(doc, thing, n)]
-        if not hosts or story.soars(thing):
+        if not hosts or (thing in story.phases and story.soars(thing)):
             continue
         for name, most in ((thing, DULL), *((host, 0.0) for host in hosts)):
             config = doc.asset_configurations[nodes[name].asset_id]
