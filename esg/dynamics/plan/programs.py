@@ -679,9 +679,12 @@ class Composer:
             course.out.append(AdjustProperties(actor, end, braking=self._brakes(course)))
 
     def _keeps_its_feet(self, leg: _Leg) -> bool:
-        """Whether who runs into something on foot has only to stay on his feet after that."""
+        """Whether who runs into something on foot has only to stay on his feet after that.
+
+        A later leg comes to its speed by and by: nothing that stands before it is overridden.
+        """
         actor, node = leg.phase.edge.actor, leg.phase.end
-        if node.event is not NodeEvent.COLLISION or self.story.soars(actor):
+        if node.event is not NodeEvent.COLLISION or self.story.soars(actor) or not leg.first:
             return False
         if not on_foot(prop(self.doc, actor)):
             return False

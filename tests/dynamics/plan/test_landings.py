@@ -95,6 +95,7 @@ def test_what_rolls_along_a_table_is_slowed_before_its_edge() -> None:
         ("A man runs into a barrel.", True),
         ("A dog runs into a box and knocks it over.", True),
         ("A man runs into a barrel and falls over.", False),
+        ("A cat leaps from a chair onto a table and bumps a jar, which topples over.", False),
         ("A car drives into a barrel.", False),
     ],
 )
