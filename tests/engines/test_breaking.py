@@ -300,3 +300,20 @@ def test_overlaps_impulses_and_strangers_are_told() -> None:
     assert "['melon_piece_1'] cannot be" in said
     (said,) = breaking_problems(SimScene("s", (replace(whole, break_impulse=None), *pieces)))
     assert "has fragments and none" in said
+
+
+def test_leaves_weigh_less_than_their_pot() -> None:
+    """A pot below the centre of mass and eight times its volume of leaves above it."""
+    pot = Shape("box", (0.07, 0.07, 0.03), (0.0, 0.0, -0.03))
+    leaves = Shape("box", (0.1, 0.1, 0.13), (0.0, 0.0, 0.13))
+    plant = replace(
+        box("plant", (0.1, 0.1, 0.16), 6.0, (0.0, 0.0, 1.0)),
+        shapes=(pot, leaves),
+        break_impulse=5.0,
+    )
+    _, pieces = broken(plant, 12)
+    offset = np.array([p.position for p in pieces]) - plant.position
+    mass = np.array([p.mass for p in pieces])
+    assert mass.sum() == pytest.approx(6.0)
+    assert np.abs(mass @ offset).max() / 6.0 < 1e-6
+    assert mass.min() > 0.0

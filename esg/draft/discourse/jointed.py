@@ -74,6 +74,8 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
         others = [x for x in scene.world.entities.values() if x is not e]
         if its := [name for x in others if (name := f"{head_of(x)} {head}") in articulations()]:
             return its  # "A clock stands there. Its pendulum swings."
+    if hollow := _of_what_is_there(scene, text, e):
+        return hollow
     nouns = lex.nouns()
     if head in _SPRINGS and _run_into(scene, e):
         return [BUMPER]
@@ -85,6 +87,21 @@ def _names(scene: Scene, text: str, e: Entity) -> list[str]:
         *([f"hanging {head}"] if _below_ceiling(scene, e) or e.id in scene.hung else []),
         head,
     ]
+
+
+def _of_what_is_there(scene: Scene, text: str, e: Entity) -> list[str]:
+    """ "Falls out of the fridge as the door opens": a fridge was told of, and no door."""
+    head, low = head_of(e), text.lower()
+    at = low.find(f"the {head}")
+    if e.adjectives or at < 0 or re.search(rf"\b(?:an?|two|another)\s+(?:\w+\s+)?{head}\b", low):
+        return []
+    named = [
+        (f"{head_of(x)} {head}", x)
+        for x in scene.world.entities.values()
+        if x is not e and 0 <= low.find(head_of(x)) < at
+    ]
+    rows = articulations()
+    return [n for n, _ in named if n in rows and rows[n].with_part in _HOLLOW]
 
 
 def of_a_house(scene: Scene, text: str, e: Entity) -> bool:

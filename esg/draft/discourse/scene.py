@@ -119,7 +119,7 @@ SPEEDS: dict[str, Quantity] = {
     "animal": (80.0, 800.0), "robot": (30.0, 200.0), "cart": (50.0, 400.0),
     "watercraft": (50.0, 500.0), "flyer": (200.0, 1500.0), "roll": (100.0, 1000.0),
     "slide": (100.0, 800.0), "throw": (300.0, 2000.0), "drop": 0.0, "fly": (300.0, 2000.0),
-    "billiard": (50.0, 600.0), "projectile": (500.0, 4000.0),
+    "billiard": (50.0, 600.0), "projectile": (500.0, 4000.0), "floater": (50.0, 190.0),
 }  # fmt: skip
 
 """Plausible speeds [cm/s] where the prompt gives none; sources in docs/drafting.md."""

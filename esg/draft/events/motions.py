@@ -68,6 +68,8 @@ def speed_of(d: Discourse, f: Frame, actors: list[str], mode: str) -> tuple[Quan
         if afoot and (legs := on_legs(entity_of(d, actors[0]), f.verb.lemma)) is not None:
             return legs, False
         launched = mode in LAUNCHES and kind not in ("billiard", "projectile")
+        if not launched and actors and kind != "flyer" and _floats(d, actors[0]):
+            kind = "floater"
         return SPEEDS[mode] if launched else SPEEDS.get(kind, (50.0, 600.0)), False
     a = told[0]
     mark_used(d, a, "speed")
@@ -85,9 +87,13 @@ def flies_itself(d: Discourse, actor: str) -> bool:
     """Whether it stays in the air by its own power: aircraft, birds, winged insects."""
     e = entity_of(d, actor)
     winged = e.noun.material == "feather" or e.label.rpartition(" ")[2] in _WINGED
-    if e.label.rpartition(" ")[2] in _FLOATERS:
+    if _floats(d, actor):
         return True
     return e.noun.kind == "flyer" or (e.noun.kind == "animal" and winged)
+
+
+def _floats(d: Discourse, actor: str) -> bool:
+    return entity_of(d, actor).label.rpartition(" ")[2] in _FLOATERS
 
 
 def can_roll(d: Discourse, actor: str) -> bool:

@@ -9,7 +9,7 @@ from esg.draft.events.stated import start_of
 from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Phrase
 from esg.draft.statements.book import Book, ids, span
-from esg.draft.statements.periods import period
+from esg.draft.statements.periods import hurled, period
 from esg.graph.models import NodeEvent, Predicate
 
 _POSTURES = {
@@ -17,6 +17,7 @@ _POSTURES = {
     **dict.fromkeys(("lean", "prop"), Predicate.LEANS_ON),
 }
 """What verbs of posture say of what holds something."""
+_LENGTHWISE = ("along", "across")
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
 
@@ -108,9 +109,12 @@ def support(book: Book, clause: Clause, p: Phrase) -> None:
     d = book.d
     if p.mention is None or p.prep not in ("on", "along", "across", "atop"):
         return
-    if clause.frame.verb.sense not in _LASTING:
+    sense = clause.frame.verb.sense
+    if sense not in _LASTING and (sense != "launch" or p.prep not in _LENGTHWISE):
         return
     for mover in clause.movers:
+        if sense == "launch" and hurled(d, mover):
+            continue  # "throws a ball across a table"
         host = d.scene.supported_by.get(mover)
         road = next((i for i in things(p) if structural(d, i) and i != GROUND), None)
         if host is None and road is not None and p.prep == "on":

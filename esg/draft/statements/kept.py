@@ -90,7 +90,7 @@ def _borne(t: Told) -> None:
     said = [(ids(m), p, False) for m, p in d.attached]
     said += [(ids(f.subject), p, f.verb.lemma == "stand") for f in t.frames for p in f.phrases]
     for about, p, stands in said:
-        hosts = ids(p.mention) if p.prep in _CARRIED_ON else []
+        hosts = ids(p.mention) if p.prep in _CARRIED_ON or p.prep == "from" else []
         for rider in about:
             bearer = d.scene.supported_by.get(rider, "")
             if bearer not in hosts or p.mention is None:
@@ -99,7 +99,7 @@ def _borne(t: Told) -> None:
             if bearer != GROUND and _sets_off(t, rider):
                 book.add(Predicate.SUPPORTED_BY, *words, object=(rider,), target=(bearer,),
                          when="start")  # fmt: skip
-            if rider in d.timeline.tracks or not bears(d.scene, bearer):
+            if p.prep == "from" or rider in d.timeline.tracks or not bears(d.scene, bearer):
                 continue
             parted = borne_until(d.scene, rider, bearer)
             when = "throughout" if parted is None else f"start..{parted}"

@@ -81,7 +81,10 @@ def unseen(
     taken += [(e.start, e.end) for e in elements if getattr(e, "low", "") in _EDGES]
     told = [*_unseen_of_tables(d, setting, taken, lies)]
     yield from told
+    named = {word for e in d.world.entities.values() for word in e.head.split()}
     for found in _CONTENTS.finditer(d.text):
+        if found.group().split()[-1].lower() in named:
+            continue  # "a stack of oil drums"
         if any(start < found.start() < end for start, end in drawn):
             yield found.start(), found.end(), FLUIDS  # "a bowl of water"
     for m in d.mentions:

@@ -32,6 +32,10 @@ _SIDE_WORDS = {
 """The words of a side, of which the first in the text is where something starts."""
 _SPANS = lex.word_set("spans")
 _DOWN_ON = ("on", "onto", "upon", "atop", "on top of")
+_SENT = ("over", "across", "through", "past")
+"""What leads on from a hit: "hits a ball over the net"."""
+_SHEDS = frozenset({"incline", "round", "goal"})
+"""Traits of what nothing stays on that comes down from above."""
 _STRAIGHT_DOWN = "it falls straight down"
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
 
@@ -106,12 +110,32 @@ def _direction(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
     if direction not in _TARGETED and direction != "between":
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), direction=direction, when=where)
         return
-    _by_others(book, s, mover, where)
+    _by_others(book, clause, s, mover, where)
 
 
-def _by_others(book: Book, s: Said, mover: str, where: str) -> None:
+def _sent_on(d: Discourse, clause: Clause, s: Said, mover: str) -> tuple[str, str] | None:
+    """ "A racket hits a ball over the net": what is hit goes that way, from the hit on."""
+    f = clause.frame
+    if f.verb.sense != "hit" or f.verb.passive or f.object is None or s.phrase is None:
+        return None
+    if s.phrase.prep not in _SENT or start_of(s.phrase, d.text) < f.object.end:
+        return None
+    hits = [
+        n for n in d.timeline.nodes if n.event is NodeEvent.COLLISION and mover in n.participants
+    ]
+    for met in f.object.entities:
+        hit = next((n for n in hits if met in n.participants and met != mover), None)
+        if hit is not None:
+            return met, f"{hit.id}..end"
+    return None
+
+
+def _by_others(book: Book, clause: Clause, s: Said, mover: str, where: str) -> None:
     """The way with respect to what a phrase names: "past a cone", "between them"."""
     d, direction = book.d, s.row.direction or ""
+    sent = _sent_on(d, clause, s, mover)
+    if sent is not None:
+        mover, where = sent
     over = s.phrase is not None and s.phrase.prep == "over"
     targets = [i for i in things(s.phrase) if i != mover and i in d.world.entities]
     if not targets or is_told(d, mover, targets):
@@ -248,6 +272,9 @@ def landed(book: Book, clause: Clause, p: Phrase) -> None:
         return
     hosts = [i for i in things(p) if i in d.world.entities and p.prep in _DOWN_ON][:1]
     for mover in clause.movers if hosts else []:
+        if comes_down_on(d, clause, mover, hosts[0]):
+            book.add(Predicate.ENDS_ON, *words, object=(mover,), target=tuple(hosts), when="end")
+            continue
         edges = list(segments(d, mover))
         kinds = {n.id: n.event for n in d.timeline.nodes}
         over = bool(edges) and measurable(kinds.get(edges[-1].to, NodeEvent.TRIGGER))
@@ -265,6 +292,26 @@ def comes_to_ground(d: Discourse, clause: Clause, mover: str) -> bool:
     told = [n for n in d.timeline.nodes if mover in n.participants and measurable(n.event)]
     fell = bool(told) and told[-1].event is NodeEvent.FALL
     return fell or (not told and hurled(d, mover))
+
+
+def comes_down_on(d: Discourse, clause: Clause, mover: str, host: str) -> bool:
+    """Whether what fell or was thrown stays on the thing that it lands on: nothing more is told.
+
+    Who is landed on, what turns or gives way under it, slopes and what rolls keep nothing.
+    """
+    noun = entity_of(d, host).noun
+    if kind_of(d, host) in LIVING or noun.traits & _SHEDS or host in _jointed(d):
+        return False
+    if mover == host or kind_of(d, mover) in LIVING or flies_itself(d, mover):
+        return False
+    told = [n for n in d.timeline.nodes if mover in n.participants and measurable(n.event)]
+    last = bool(told) and told[-1].event is NodeEvent.COLLISION and host in told[-1].participants
+    fell = any(n.event is NodeEvent.FALL for n in told) or hurled(d, mover)
+    return last and (fell or _drops(d, mover)) and not _goes_elsewhere(d, clause, mover)
+
+
+def _jointed(d: Discourse) -> set[str]:
+    return {name for j in d.scene.joints for name in (j.child, j.parent) if name}
 
 
 def leapt(book: Book, p: Phrase) -> None:

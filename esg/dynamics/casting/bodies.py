@@ -6,7 +6,7 @@ import itertools
 import math
 
 from esg.dynamics.casting.changes import Configs, resized
-from esg.dynamics.story.stagecraft import prop
+from esg.dynamics.story.stagecraft import lies_on, prop
 from esg.dynamics.story.story import Story
 from esg.graph.models import EsgDocument, NodeEvent, Proxy, ProxyKind
 from esg.units import GRAVITY_MPS2
@@ -26,6 +26,8 @@ UNFOUNDED = frozenset({
 """Words of categories of what is too heavy for a ball and yet only stands on the ground."""
 MANY_TIMES = 5.0
 """So many times as heavy is a vehicle that shoves such things aside."""
+DULL = 0.1
+"""Most restitution of what is to lie where it lands."""
 MOVES = (NodeEvent.TOPPLE, NodeEvent.FALL, NodeEvent.STOP)
 
 
@@ -172,4 +174,19 @@ def fit_springy(doc: EsgDocument, story: Story) -> Configs:
             config = doc.asset_configurations[nodes[b].asset_id]
             if config.proxies and config.restitution < SPRINGY:
                 out[nodes[b].asset_id] = config.model_copy(update={"restitution": SPRINGY})
+    return out
+
+
+def fit_landed(doc: EsgDocument, story: Story) -> Configs:
+    """What comes down on something and is to stay there hardly bounces."""
+    nodes = doc.spatial_relation_graph.nodes
+    out: Configs = {}
+    for thing in nodes:
+        hosts = [n for n in nodes if lies_on(doc, thing, n)]
+        if not hosts or (thing in story.phases and story.soars(thing)):
+            continue
+        for name, most in ((thing, DULL), *((host, 0.0) for host in hosts)):
+            config = doc.asset_configurations[nodes[name].asset_id]
+            if config.restitution > most:
+                out[nodes[name].asset_id] = config.model_copy(update={"restitution": most})
     return out

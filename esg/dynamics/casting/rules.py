@@ -5,7 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from esg.dynamics.casting.bodies import fit_freed, fit_grown, fit_movable, fit_solid, fit_springy
+from esg.dynamics.casting.bodies import (
+    fit_freed,
+    fit_grown,
+    fit_landed,
+    fit_movable,
+    fit_solid,
+    fit_springy,
+)
 from esg.dynamics.casting.chains import fit_chains, fit_sliding
 from esg.dynamics.casting.changes import Configs, with_assets
 from esg.dynamics.casting.chutes import fit_chutes
@@ -74,6 +81,7 @@ RULES = (
     Rule("lying flat it could not fall over", _upright),
     _of_assets("the timeline moves it", fit_movable),
     _of_assets("something lands on it", fit_solid),
+    _of_assets("it stays where it lands", fit_landed),
     _of_assets("the hit of one on the next counts", fit_grown),
     _of_assets("it is down before it hits the next one", fit_falling),
     _of_assets("something enters it", fit_openings),

@@ -35,6 +35,7 @@ from esg.dynamics.choreography.slopes import descend, goes_down
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
 from esg.dynamics.choreography.throws import (
     asked_height,
+    comes_to_lie,
     hand_height,
     is_lobbed,
     level_height,
@@ -203,7 +204,7 @@ def come(stage: Stage, e: Encounter) -> None:
     gaining = _gains(stage, e.a, e.coming, demand.speed)
     run = _run_up(stage, e, demand)
     demand = _slow_enough(stage, e, demand)
-    if _thrown(stage, e.a) and not is_lobbed(stage, e.node) and stage.anchor is None:
+    if _thrown(stage, e.a) and not _comes_down(stage, e) and stage.anchor is None:
         run = _throwing_distance(stage, e, demand, run)
     speed, lasts = _pace(stage, e, demand, run)
     ride = gaining or ride_of(stage, e.a, e.coming, speed)
@@ -249,7 +250,10 @@ def _demand(stage: Stage, e: Encounter) -> Demand:
     again = struck_again(stage, node, a, b)
     chained = (pa.rolls and pb.rolls and goes_on(stage, node, b)) or is_carom(stage, node, a, b)
     slow = stage.slowly(a, phase)
-    least = min_hit_speed(pa, pb) if slow is None else min(min_hit_speed(pa, pb), slow)
+    # Who only comes near, or passes, has no hit to be felt, however light he is.
+    touches = node.event not in GAPPED
+    felt_at = min_hit_speed(pa, pb) if touches else 0.0
+    least = felt_at if slow is None else min(felt_at, slow)
     if chained:
         least *= CHAINED
     elif goes_on(stage, node, b) and not (again or row_after(stage, a, b)):
@@ -259,7 +263,7 @@ def _demand(stage: Stage, e: Encounter) -> Demand:
     if stage.story.falls(stage.member(b)) and phase.edge.event is EdgeEvent.TOWARD:
         needed = max(needed, fall_speed(pa, pb))
     needed = max(needed, demanded(stage, node, a, b), thrown_off_speed(stage, node, a))
-    if not chained:
+    if not chained and touches:
         felt = felt_speed(pa, pb)
         needed = max(needed, felt if slow is None else min(felt, max(slow, felt / FELT_SURELY)))
     speed = stage.speed(a, phase, max(least, needed), needed)
@@ -342,8 +346,13 @@ def _thrown(stage: Stage, a: str) -> bool:
 
 
 def _tossed(stage: Stage, e: Encounter) -> bool:
-    """Whether a comes down into what opens upwards, at a speed that is open."""
-    return _thrown(stage, e.a) and is_lobbed(stage, e.node) and not speed_is_fixed(e.coming)
+    """Whether a comes down into what opens upwards or on a top, at a speed that is open."""
+    return _thrown(stage, e.a) and _comes_down(stage, e) and not speed_is_fixed(e.coming)
+
+
+def _comes_down(stage: Stage, e: Encounter) -> bool:
+    """Whether a throw ends from above: in an opening, or where it is to lie."""
+    return is_lobbed(stage, e.node) or comes_to_lie(stage, e.node, e.a, e.b)
 
 
 def _pace(stage: Stage, e: Encounter, demand: Demand, run: float) -> tuple[float, float]:

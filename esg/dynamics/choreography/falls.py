@@ -8,7 +8,7 @@ import math
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.slabs import REACH, are_slabs, down_first
-from esg.dynamics.story.stagecraft import Prop, coasting_drag, support_of, top_surface
+from esg.dynamics.story.stagecraft import Prop, coasting_drag, lies_on, support_of, top_surface
 from esg.dynamics.story.story import Phase, bounds
 from esg.graph.models import NodeEvent, TimelineNode
 from esg.units import GRAVITY_MPS2
@@ -23,6 +23,9 @@ COUNTS_AS_FALL = 0.75
 FALLEN, PAST_HALF, NEAR = 0.82, 1.4, 0.3
 """How far from the foot of what tips over something stands, over the one's height, over its own and
 at least over the one's: it is met well after half of the fall, which is when that counts as one."""
+ROLLS_ON = 0.3
+"""What is to stay on something comes down so far before its middle, over half of its length: it
+rolls or slides on."""
 MEETINGS = (NodeEvent.COLLISION, NodeEvent.REACH, NodeEvent.ENTER_REGION)
 
 
@@ -92,6 +95,8 @@ def land(stage: Stage, e: Encounter) -> None:
     x, y = frame.apply(track.x, track.y)
     # What is hardly lower would stop its fall: it is met from the side, on the ground.
     reach = stage.prop(a).half_length + pb.half_length if beside else 0.0
+    if lies_on(stage.doc, stage.member(a), stage.member(b)):
+        reach += ROLLS_ON * pb.half_length
     x, y = x + reach * math.cos(heading), y + reach * math.sin(heading)
     stage.places[b] = (x, y, heading + math.pi)
     stage.time[node.id] = track.time

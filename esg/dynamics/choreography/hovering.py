@@ -79,9 +79,22 @@ def fly_in(stage: Stage, node: TimelineNode, actor: str, phase: Phase, way: floa
     """
     height = stage.heights.setdefault(actor, cruise(stage, actor))
     names = [n for n in node.participants if stage.key(n) != actor]
+    perch = _perch(stage, actor)
+    if perch is not None and phase is stage.story.phases[actor][0] and not climbs_at(phase.edge):
+        stage.nominal[f"{phase.edge.id}/slope"] = (height - perch) / max(way, 0.5)
+        return
     if node.event is NodeEvent.COLLISION and names and lands_on(stage, actor, names[0]):
         drop = max(height - top_of(stage, names[0]), 0.0)
         stage.nominal[f"{phase.edge.id}/slope"] = -drop / max(way, 0.5)
+
+
+def _perch(stage: Stage, actor: str) -> float | None:
+    """Height [m] of what an actor is said to sit on at the start, None if nobody says so."""
+    name = stage.member(actor)
+    host = support_of(stage.doc, name)
+    said = (s for s in stage.doc.statements or () if s.predicate is Predicate.SUPPORTED_BY)
+    sits = any(name in s.object and host in s.target and s.when == "start" for s in said)
+    return top_surface(stage.doc, host).center_cm[2] / 100.0 if host and sits else None
 
 
 def climbs_at(edge: TimelineEdge) -> float:

@@ -12,7 +12,7 @@ from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, sliding_travel
 from esg.dynamics.story.paces import turns_at
-from esg.dynamics.story.stagecraft import coasting_drag, top_surface
+from esg.dynamics.story.stagecraft import coasting_drag, prop, stays_on, top_surface
 from esg.dynamics.story.story import (
     CRUISES,
     ON_THE_SPOT,
@@ -37,6 +37,12 @@ USUAL_S = 2.0
 """Time of a segment where nothing says how long it lasts."""
 SLIDES_ON = 0.4
 """Share of the time to rest after which something that slides is acted upon at the latest."""
+ROOM_ON_TOP = 0.75
+"""Share of the way from the middle of a table to its far edge, along which the layout turns what
+moves on it, that what stays on it may use."""
+MOST_ON_TOP_MPS = 4.0
+ROLLS_ON_TOP = 2.0
+"""Speed [m/s] over the way [m] of what rolls along a table, where it is soon slowed."""
 REBOUND_S = 0.15
 """Time from a hit of something fixed to the brake that follows it."""
 
@@ -154,9 +160,13 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float | None) -> 
         end = max(0.0, start + rate * duration)
         track.straight(0.5 * (start + end) * duration, duration, end)
         return
-    stage.nominal[f"{edge.id}/speed"] = speed
     body = stage.prop(actor)
     drag = coasting_drag(body)
+    most = _fastest_on_top(stage, actor, phase)
+    if most is not None:
+        # Slower it would be seen to go nowhere.
+        speed = stage.nominal[f"{edge.id}/most"] = min(most, MOST_ON_TOP_MPS)
+    stage.nominal[f"{edge.id}/speed"] = speed
     if edge.event is EdgeEvent.TOWARD and drag > 0.0 and not stage.story.flies(actor):
         if not phase.end.time_is_prescribed:
             # What shall stop slides to rest; what is acted upon later is not at rest by then.
@@ -175,6 +185,33 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float | None) -> 
     track.straight(ride.way(duration), duration, ride.left(duration))
     if halts:
         track.straight(*comes_to_rest(stage, actor), 0.0)
+
+
+def _fastest_on_top(stage: Stage, actor: str, phase: Phase) -> float | None:
+    """Speed [m/s] at which what is sent along a table comes to rest before its edge.
+
+    Args:
+        stage: The stage.
+        actor: What slides or rolls.
+        phase: How; what rolls is damped (`plan.settling`).
+
+    Returns:
+        None where it may leave the table, goes on, or the speed is told.
+    """
+    host, edge = stays_on(stage.doc, stage.member(actor)), phase.edge
+    alone = len(stage.story.phases[actor]) == 1 and phase.end.event in (
+        NodeEvent.STOP, NodeEvent.TRIGGER
+    )  # fmt: skip
+    sent = edge.event is EdgeEvent.TOWARD and not stage.story.flies(actor)
+    if host is None or not (alone and sent) or edge.speed_is_prescribed:
+        return None
+    x, y = top_surface(stage.doc, host).half_extents_cm
+    body = stage.prop(actor)
+    room = ROOM_ON_TOP * (max(x, y) / 100.0 - body.half_length)
+    if room <= 0.0 or body.wheeled:
+        return None
+    rubs = 0.5 * (body.friction + prop(stage.doc, host).friction) * GRAVITY_MPS2
+    return room * ROLLS_ON_TOP if body.rolls else math.sqrt(2.0 * rubs * room)
 
 
 def _stop_time(node: TimelineNode) -> float | None:

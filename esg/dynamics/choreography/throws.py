@@ -8,7 +8,14 @@ import math
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.driving import QUICKLY_S
 from esg.dynamics.story.kinematics import Frame
-from esg.dynamics.story.stagecraft import Prop, prop, release_height, support_of, top_surface
+from esg.dynamics.story.stagecraft import (
+    Prop,
+    lies_on,
+    prop,
+    release_height,
+    support_of,
+    top_surface,
+)
 from esg.dynamics.story.story import Phase, Story, bounds
 from esg.dynamics.story.suspension import landing_place
 from esg.dynamics.story.tipping import FLIES_AT
@@ -210,6 +217,13 @@ def is_lobbed(stage: Stage, node: TimelineNode) -> bool:
     if node.event is not NodeEvent.ENTER_REGION or owner not in nodes:
         return False
     return opens_upwards(stage.doc.asset_configurations[nodes[owner].asset_id].regions, name)
+
+
+def comes_to_lie(stage: Stage, node: TimelineNode, a: str, b: str) -> bool:
+    """Whether what is thrown at something comes down on its top, where it is said to stay."""
+    flies = stage.story.flies(a) and not stage.story.soars(a)
+    hits = node.event is NodeEvent.COLLISION
+    return flies and hits and lies_on(stage.doc, stage.member(a), stage.member(b))
 
 
 def slowest_passage(stage: Stage, node: TimelineNode) -> float:

@@ -11,10 +11,11 @@ from esg.dynamics.choreography.flights import flown_to
 from esg.dynamics.choreography.handling import goes_straight_up
 from esg.dynamics.choreography.slopes import slope_of
 from esg.dynamics.plan.aim import aim_point, region_center, rim_point
-from esg.dynamics.story.stagecraft import support_of
+from esg.dynamics.story.stagecraft import lies_on, support_of, top_surface
 from esg.dynamics.story.story import ON_THE_SPOT, Phase, Story, read_story, rebounds, stranded
-from esg.engines.scene import Region, SimScene
+from esg.engines.scene import Body, Region, SimScene
 from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
+from esg.units import quat_rotate
 
 NOT_DRIVEN = (EdgeEvent.TOWARD, *ON_THE_SPOT)
 """What begins so does not turn to where it goes."""
@@ -80,8 +81,17 @@ class Cast:
         if not target:
             return None
         body = self.scene.body(actor)
+        if lies_on(self.doc, actor, target) and not self.story.soars(actor):
+            return self._on_top(body, target)
         rim = rim_point(self.scene, body, target)
         return aim_point(body, self.scene.body(target)) if rim is None else rim
+
+    def _on_top(self, body: Body, target: str) -> NDArray[np.float64]:
+        """Where the middle of a body is that lies on the top of another [m], shape [3]."""
+        host, surface = self.scene.body(target), top_surface(self.doc, target)
+        center = np.array(surface.center_cm) / 100.0 + np.array(host.origin_offset)
+        top = np.array(host.position) + quat_rotate(np.array(host.quaternion), center)
+        return top + np.array([0.0, 0.0, body.half_extents[2]])
 
     def _bank_point(self, actor: str, phase: Phase) -> NDArray[np.float64] | None:
         """Where the choreography has a ball hit a board to come down in the hoop before it."""

@@ -542,6 +542,8 @@ class Composer:
             until_contact=until,
             climb=self._climb(edge, abs(speed), steep) if soars else None,
         )
+        if self._keeps_its_feet(leg) and not self.cast.leaves_support(actor, phase):
+            course.out.append(self._stands(leg, speed))
         course.out += [hold] if steep else _ridden(hold, ride)
         if steep < 0.0 and leg.last:  # it stays in the air where it has come down to
             course.out.append(self._hover(actor, end, 0.0, course.heading))
@@ -675,6 +677,31 @@ class Composer:
             course.out.append(self._halts(course, end))
         elif stays:
             course.out.append(AdjustProperties(actor, end, braking=self._brakes(course)))
+
+    def _keeps_its_feet(self, leg: _Leg) -> bool:
+        """Whether who runs into something on foot has only to stay on his feet after that.
+
+        A later leg comes to its speed by and by: nothing that stands before it is overridden.
+        """
+        actor, node = leg.phase.edge.actor, leg.phase.end
+        if node.event is not NodeEvent.COLLISION or self.story.soars(actor) or not leg.first:
+            return False
+        if not on_foot(prop(self.doc, actor)):
+            return False
+        met = self.cast.contacts(leg.phase)
+        still = not any(name in self.story.phases for name in met)
+        after = self.story.after(node.id)
+        return bool(met) and still and leg.last and not any(actor in n.participants for n in after)
+
+    def _stands(self, leg: _Leg, speed: float) -> HoldVelocity:
+        """What a drive at a speed [m/s] overrides until it ends: then who came stops, upright."""
+        actor, met = leg.phase.edge.actor, self.cast.contacts(leg.phase)
+        rate = usual_halt(self.doc, actor, abs(speed), held=True)
+        free = (n for n in self._others(actor) if not self.scene.body(n).static)
+        return HoldVelocity(
+            actor, leg.start, math.inf, 0.0, 0.0,
+            until_contact=tuple(n for n in free if n not in met), gains=rate, loses=rate,
+        )  # fmt: skip
 
     def _halts(self, course: _Course, time: float) -> HoldVelocity:
         """It slows down within a step or two, and stands on its feet until something touches it."""

@@ -33,6 +33,8 @@ from esg.engines.scene import Body, Region
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineEdge, TimelineNode
 from esg.units import GRAVITY_MPS2
 
+SLOWER = 0.8
+"""Least speed of what is to stay on a table, over the one that brings it near its edge."""
 SOFTLY = 0.6
 """Share of the blow that breaks it at which what is to fall first is pushed at most: with a
 restitution of a half it takes nine tenths."""
@@ -331,6 +333,10 @@ class Declarations:
         high = max(min(high, 100.0 * self.nominal.get(f"{edge.id}/at_most", math.inf)), low)
         if self.story.tips(phase):
             low, high = 50.0 * nominal, 400.0 * nominal
+        most = self.nominal.get(f"{edge.id}/most")
+        if most is not None:
+            high = 100.0 * most
+            low = SLOWER * high
         borne = self.unbroken_until_it_falls(actor, phase)
         if borne is not None and not (fixed or edge.speed_is_prescribed):
             high = min(high, 100.0 * SOFTLY * borne)

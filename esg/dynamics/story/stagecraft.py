@@ -14,6 +14,7 @@ from esg.graph.models import (
     EdgeEvent,
     EsgDocument,
     NamedRegion,
+    Predicate,
     SupportSurface,
 )
 from esg.units import GRAVITY_MPS2
@@ -24,6 +25,8 @@ SLICK = 0.35
 """Friction below which the ground counts as ice."""
 LONGEST_CLIMBER_M = 1.2
 """What is longer does not get up on a table."""
+LIGHTEST_LANDING_KG = 0.04
+"""What is lighter comes down too softly for a hit (0.1 N s) at 3 m/s: it has to be thrown hard."""
 LONGEST_SLIDE_S = 1.3
 """Longest time of a slide nobody gave a time for."""
 TO_EDGE_M = 0.15
@@ -277,6 +280,27 @@ def climb_height(doc: EsgDocument, body: Prop, support: str) -> float | None:
     height = surface.center_cm[2] / 100.0
     room = max(surface.half_extents_cm[:2]) / 50.0
     return height if height > body.height and body.length < 0.7 * room else None
+
+
+def lies_on(doc: EsgDocument, thing: str, host: str) -> bool:
+    """Whether a thing that comes down on a host is said to stay there, and can be felt to land."""
+    nodes = doc.spatial_relation_graph.nodes
+    if host not in nodes or nodes[host].is_structural:
+        return False
+    if doc.asset_configurations[nodes[thing].asset_id].mass_kg < LIGHTEST_LANDING_KG:
+        return False
+    return any(
+        s.predicate is Predicate.ENDS_ON and thing in s.object and host in s.target
+        for s in doc.statements or ()
+    )
+
+
+def stays_on(doc: EsgDocument, thing: str) -> str | None:
+    """The table or shelf that a thing moves on and does not leave, None if nobody says so."""
+    host = support_of(doc, thing)
+    said = (s for s in doc.statements or () if s.predicate is Predicate.SUPPORTED_BY)
+    stays = any(thing in s.object and host in s.target and s.when != "start" for s in said)
+    return host if stays else None
 
 
 def broadest_surface(doc: EsgDocument, name: str) -> SupportSurface:

@@ -23,6 +23,8 @@ SAMPLES = 4000
 """Points by which seeds are spread over the volume."""
 SMALLEST = 0.02
 """What is smaller than this share of a cell's volume is left out: a sliver has no proper hull."""
+AIRIEST = 0.01
+"""Least density of a fragment over the mean one, where the body's is not even."""
 THINNEST_M = 2e-4
 GAP_M = 1e-4
 """Collision shapes of fragments stay so far behind their own faces: what starts in touch along a
@@ -182,11 +184,18 @@ def _shared(mass: float, volume: Floats, centre: Floats) -> Floats:
     if factor.min() < 0.1:
         found = lsq_linear(rows, goal, (-0.9, 9.0))
         factor = 1.0 + found.x
-    shares = plain * factor
-    rest = np.abs(rows @ factor - [1.0, 0.0, 0.0, 0.0]).max()
-    if rest > 1e-9:
+    if _astray(rows, factor) > 1e-9:
+        # Leaves and stalks are mostly air.
+        found = lsq_linear(rows, goal, (AIRIEST - 1.0, 9.0), method="bvls")
+        factor = 1.0 + found.x
+    if _astray(rows, factor) > 1e-9:
         raise ValueError("the centre of mass lies outside of the fragments")
-    return np.asarray(mass * shares, np.float64)
+    return np.asarray(mass * plain * factor, np.float64)
+
+
+def _astray(rows: Floats, factor: Floats) -> float:
+    """How far shares of mass are from one mass about the origin, shares of the largest way."""
+    return float(np.abs(rows @ factor - [1.0, 0.0, 0.0, 0.0]).max())
 
 
 def _piece(

@@ -11,6 +11,7 @@ from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import build_scene, start_hints
 from esg.dynamics.casting import fitted
+from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.plan.planner import make_plan
 from esg.engines.program import HoldVelocity, batch_programs
 from esg.engines.registry import get_engine
@@ -164,3 +165,17 @@ def test_an_aeroplane_does_not_go_straight_up():
     doc = draft("A plane takes off.")
     assert doc.timeline_system is not None
     assert all(e.params.elevation_deg is None for e in doc.timeline_system.sequence_graph.edges)
+
+
+def test_a_flight_from_a_perch_leads_up_or_down_to_its_goal() -> None:
+    up = choreograph(fitted(resolve(draft("A butterfly flies from a flower to a fence post."))))
+    down = choreograph(fitted(resolve(draft("A pigeon flies from a wall to a car."))))
+    (rises,) = [v for name, v in up.nominal.items() if name.endswith("/slope")]
+    (sinks,) = [v for name, v in down.nominal.items() if name.endswith("/slope")]
+    assert rises > 0.0 > sinks
+
+
+def test_who_only_comes_near_is_no_faster_than_his_kind() -> None:
+    """A hit of half a gram would have to be as fast as it can fly to be felt."""
+    near = choreograph(fitted(resolve(draft("A butterfly flies to a fence post.")))).nominal
+    assert near["butterfly_1_drive/speed"] < 4.0
