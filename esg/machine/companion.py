@@ -140,10 +140,14 @@ def handed(work: Callable[[], T]) -> Generator[Callable[[], T] | None]:
     yield result
 
 
-def load_rest() -> None:
-    """Loads what is left to be loaded here: for who waits for something else."""
+def load_rest(over: Callable[[], bool]) -> None:
+    """Loads what is left to be loaded here, for who waits for something else.
+
+    Args:
+        over: Whether that is there: what is still left then is loaded by who needs it.
+    """
     found = _current.get()
-    while found is not None and found.meanwhile:
+    while found is not None and found.meanwhile and not over():
         found.load_next()
 
 
