@@ -13,7 +13,6 @@ from contextlib import contextmanager, suppress
 from functools import partial
 import multiprocessing
 from multiprocessing.connection import wait
-from pathlib import Path
 import signal
 from typing import Any
 
@@ -190,24 +189,8 @@ def compile_all(needed: Needed, progress: Progress | None = None) -> None:
 
     forks = "fork" in multiprocessing.get_all_start_methods()
     own = [k for k in needed if forks and k[1] == "cpu"]
-    missing = []
-    for one in own:
-        if _is_there(*one):
-            tell(one[0].name)
-        else:
-            missing.append(one)
-    _in_processes(missing, tell)
+    _in_processes(own, tell)
     _in_threads([k for k in needed if k not in own], tell)
-
-
-def _is_there(module: Any, device: str, block_dim: int | None) -> bool:
-    """Whether a module of kernels has been compiled before, told by its files' names alone."""
-    wp = quiet_warp()
-    block = module.options["block_dim"] if block_dim is None else block_dim
-    folder = Path(wp.config.kernel_cache_dir, module.get_module_identifier(block))
-    binary = module._get_compile_output_name(wp.get_device(device), block_dim=block)
-    names = (binary, module._get_meta_name(block_dim=block))
-    return all((folder / name).exists() for name in names)
 
 
 def _in_processes(needed: list[Any], tell: Callable[[str], None]) -> None:
