@@ -12,7 +12,7 @@ import threading
 from types import ModuleType
 from typing import Any
 
-SEARCH = ("esg.dynamics", "esg.dynamics.strategies", "newton")
+SEARCH = ("esg.dynamics", "esg.dynamics.strategies", "newton", "scipy.spatial")
 FILM = (
     "esg.assets.geometry.mesh", "esg.view.preview", "av", "scipy.ndimage", "esg.compile.export",
 )  # fmt: skip
@@ -51,7 +51,7 @@ def load_search() -> None:
     """Loads what a search needs, its engines' kernels included."""
     from esg.engines.doctor import load_kernels
 
-    with _spared(LATER, WITHOUT), _unread():
+    with _spared(LATER | UNASKED, WITHOUT), _unread():
         _load(SEARCH)
         load_kernels()
 

@@ -18,7 +18,7 @@ import sys
 import time
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from esg.machine.answering import can_go_on, let_go
+from esg.machine.answering import can_go_on, let_go, lower
 from esg.machine.beside import end_with, may_fork
 
 if TYPE_CHECKING:
@@ -179,6 +179,8 @@ def _serve(pipe: Connection, idle: Sequence[Work], owner: int) -> None:
             except Exception:
                 answer = (False, None)
             pipe.send_bytes(pickle.dumps((time.process_time(), *answer)))
+            if can_go_on():
+                lower()  # what comes now is for pictures, which nobody waits for
     except (EOFError, OSError):
         pass
     finally:
