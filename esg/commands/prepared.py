@@ -32,7 +32,7 @@ def prepared(device: str | None) -> bool:
     Args:
         device: As of `esg setup`.
     """
-    with contextlib.suppress(OSError, ValueError, TypeError):
+    with contextlib.suppress(OSError, ValueError, TypeError, LookupError):
         told = json.loads((cache_dir() / NOTE).read_bytes())[_machine(device)]
         return bool(told) and all(Path(p).stat().st_size == size for p, size in told.items())
     return False

@@ -29,9 +29,9 @@ _BEVEL_CREASE_DEG = 57.0
 """On what is bevelled: edges and corners stand at 45 and 55 degrees to its faces, and are shaded
 into them."""
 _ROUND = frozenset({"cylinder", "lathe", "torus"})
-_KEPT_BYTES = 24 * 2**20
-"""Of surfaces that a process keeps: scenes of a dataset differ in colours and share most parts of
-most things. A part takes 34 kB on average, and some many times as much."""
+_KEPT_BYTES = 8 * 2**20
+"""Of surfaces that a process keeps: things share parts; whole meshes are kept as files hold them. A
+part takes 34 kB on average, and some many times as much."""
 _KEPT_OUTLINES = 8192
 """Of parts, a few hundred bytes each."""
 _EVEN = 0.02

@@ -27,8 +27,8 @@ _VERTICES, _INDICES = 34962, 34963
 _SAMPLER = {"magFilter": 9729, "minFilter": 9987, "wrapS": 10497, "wrapT": 10497}
 """Linear, with mipmaps, repeated."""
 _MIME = {"png": "image/png", "jpg": "image/jpeg"}
-_KEPT_BYTES = 6 * 2**20
-"""Of tangents that a process keeps: scenes of a dataset share most of their surfaces."""
+_KEPT_BYTES = 2 * 2**20
+"""Of tangents that a process keeps: exports of one scene ask for those of a surface again."""
 _kept: Recent[bytes, NDArray[np.float32]] = Recent(_KEPT_BYTES, lambda array: array.nbytes)
 MOVED = 1e-6
 """Smallest change [m, or of a quaternion] that counts as motion."""
