@@ -101,7 +101,8 @@ class _Later(ModuleType):
                 assert spec is not None
                 assert spec.loader is not None
                 spec.loader.exec_module(self)
-                self.__class__ = ModuleType
+                executed: Any = self
+                executed.__class__ = ModuleType
         if name in vars(self):
             return vars(self)[name]
         raise AttributeError(f"module {self.__name__!r} has no attribute {name!r}")

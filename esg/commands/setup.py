@@ -31,8 +31,8 @@ def setup(*, device: str | None = None, again: bool = False) -> int:
         again: Go through all of it, even where it was done before and is still there.
     """
     from esg.api.inputs import check_cache
-    from esg.commands.prepared import note_prepared, prepared
     from esg.paths import cache_dir, kernel_cache_dir
+    from esg.prepared import note_prepared, prepared
 
     check_cache()
     if not again and prepared(device):

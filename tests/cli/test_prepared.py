@@ -6,10 +6,10 @@ from pathlib import Path
 
 import pytest
 
-from esg.commands import prepared as module
+from esg import prepared as module
 from esg.commands import setup
-from esg.commands.prepared import NOTE, note_prepared, prepared
 from esg.paths import kernel_cache_dir
+from esg.prepared import NOTE, note_prepared, prepared
 
 
 @pytest.fixture

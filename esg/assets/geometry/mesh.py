@@ -84,9 +84,13 @@ class Model:
     wheel: int | None = None
     axle_cm: Vec3 | None = None
 
-    @cached_property
+    @property
     def surface(self) -> Surface:
         """In the asset's frame, or about the axle of its wheel [cm]; it cannot be written to."""
+        return self._surface
+
+    @cached_property
+    def _surface(self) -> Surface:
         surfaces = [piece.surface() for piece in self.pieces]
         if self.axle_cm is not None:
             surfaces = [s._replace(vertices=s.vertices - self.axle_cm) for s in surfaces]

@@ -36,9 +36,12 @@ def _spacy_model() -> Any:
 
 def _bare() -> Any:
     """Makes a tokenizer without rules: those of a model are read from its files anyway."""
-    from spacy.tokenizer import Tokenizer
+    tokenizer: Any = import_module("spacy.tokenizer")
 
-    return lambda nlp: Tokenizer(nlp.vocab)
+    def make(nlp: Any) -> Any:
+        return tokenizer.Tokenizer(nlp.vocab)
+
+    return make
 
 
 def _spacy() -> Any:

@@ -38,12 +38,16 @@ def unread() -> Generator[None]:
     before = adjoint.__init__, Module._find_references
     adjoint.__getattr__ = _read
     adjoint.__init__ = _declared(before[0])
-    vars_of: Any = Module
-    vars_of._find_references = lambda *_: None
+    module: Any = Module
+    module._find_references = _looks_up_nothing
     try:
         yield
     finally:
-        adjoint.__init__, vars_of._find_references = before
+        adjoint.__init__, module._find_references = before
+
+
+def _looks_up_nothing(module: Any, adjoint: Any) -> None:
+    """What a module's references come to where nobody loads one twice."""
 
 
 def _declared(read: Callable[..., None]) -> Callable[..., None]:

@@ -67,4 +67,4 @@ def test_files_of_models_are_those_of_their_scene(name: str) -> None:
     again = entry, entry.dimensions_cm, entry.color_rgb, False, Appearance(seed=3)
     models, _ = mesh._models(*again)
     assert mesh._drawn_glb(*again)
-    assert not any("surface" in vars(model) for model in models)
+    assert not any("_surface" in vars(model) for model in models)
