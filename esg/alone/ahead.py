@@ -17,10 +17,11 @@ FILM = (
     "esg.assets.geometry.mesh", "esg.view.preview", "av", "scipy.ndimage", "esg.compile.export",
 )  # fmt: skip
 PICTURES = (
-    "esg.assets.geometry.mesh", "sapien", "pxr.Sdf", "pxr.Usd", "pxr.UsdGeom", "pxr.UsdPhysics",
-    "pxr.UsdShade", "esg.compile.export", "esg.view.preview", "esg.view.setting",
+    "esg.assets.geometry.mesh", "esg.assets.geometry.shapes", "sapien", "esg.compile.replay",
+    "pxr.Sdf", "pxr.Usd", "pxr.UsdGeom", "pxr.UsdPhysics", "pxr.UsdShade", "esg.compile.export",
+    "esg.view.preview", "esg.view.setting",
 )  # fmt: skip
-RECORDS = ("duckdb", "pyarrow.parquet", "esg.store")
+RECORDS = ("duckdb", "pyarrow.parquet", "pyarrow.compute", "esg.store")
 """Libraries and modules, in the order in which a scene comes to need them."""
 LATER = frozenset(
     f"newton.{name}"
