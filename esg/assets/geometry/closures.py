@@ -42,7 +42,7 @@ def key_of(make: Any) -> Key | None:
 
 def _tell(value: Any, codes: list[CodeType], told: list[str]) -> None:
     """Adds what tells a value from others: codes of functions, and texts of all else."""
-    kind = type(value)
+    kind: Any = type(value)
     if kind in _COMMON:
         told.append(f"{kind.__name__} {value!r}")
         return
