@@ -42,11 +42,11 @@ def key_of(make: Any) -> Key | None:
 
 def _tell(value: Any, codes: list[CodeType], told: list[str]) -> None:
     """Adds what tells a value from others: codes of functions, and texts of all else."""
-    kind: Any = type(value)
+    kind = type(value)
     if kind in _COMMON:
         told.append(f"{kind.__name__} {value!r}")
         return
-    if kind is tuple and _COMMON.issuperset(map(type, value)):
+    if type(value) is tuple and _COMMON.issuperset(map(type, value)):
         told.append(f"tuple {value!r}")  # which writes no two of these values alike
         return
     if isinstance(value, Enum):
