@@ -104,6 +104,11 @@ def code_version(stage: str) -> str:
     return digest.hexdigest()[:16]
 
 
+def sources_hash() -> str:
+    """Hex digest of all files of the package."""
+    return _tree_hash(".")
+
+
 @cache
 def _tree_hash(part: str) -> str:
     root = _ROOT / part

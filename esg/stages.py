@@ -267,10 +267,10 @@ def _beside_compiler(state: SceneState) -> None:
         return
     drawn = partial(_draw_assets, state)
     with ThreadPoolExecutor(1) as pool, handed(drawn):
-        pool.submit(_compile_class, state)  # what it has to complain of the replay tells
+        compiled = pool.submit(_compile_class, state)  # what it complains of the replay tells
         with contextlib.suppress(Exception):  # told by the stage that needs it
             drawn()
-        load_rest()
+        load_rest(compiled.done)
 
 
 def _compile_class(state: SceneState) -> None:

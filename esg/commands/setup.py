@@ -22,22 +22,35 @@ PACKAGES = ("esg", "tasks", "flows")
 """Packages of the project."""
 
 
-def setup(*, device: str | None = None) -> int:
-    """Compile and cache all kernels (a few minutes the first time, seconds afterwards).
+def setup(*, device: str | None = None, again: bool = False) -> int:
+    """Compile and cache all kernels (a few minutes the first time, a second afterwards).
 
     Args:
         device: Whose kernels are compiled beside those of the processor, such as cuda:0; that of
             this machine, if it has one, unless it is cpu.
+        again: Go through all of it, even where it was done before and is still there.
     """
+    from esg.api.inputs import check_cache
+    from esg.paths import cache_dir, kernel_cache_dir
+    from esg.prepared import note_prepared, prepared
+
+    check_cache()
+    if not again and prepared(device):
+        print("all of it is there already (--again goes through it anyway)")
+    else:
+        _prepare(_gpu(device))
+        note_prepared(device)
+    _step("bytecode of the modules", _bytecode)
+    print(f"ready; caches are in {cache_dir()} and {kernel_cache_dir()}")
+    return 0
+
+
+def _prepare(gpu: str | None) -> None:
     from pathlib import Path
     import tempfile
 
-    from esg.api.inputs import check_cache
     from esg.engines import warmup
-    from esg.paths import cache_dir, kernel_cache_dir
 
-    check_cache()
-    gpu = _gpu(device)
     _step("scheduler database", _prefect)
     _step("kernels of the processor, side by side", lambda: _ahead("cpu"))
     if gpu is not None:
@@ -49,9 +62,6 @@ def setup(*, device: str | None = None) -> int:
         for number, sample in enumerate(SAMPLES, 1):
             name = f"sample scene {number} of {len(SAMPLES)}"
             _step(name, lambda s=sample: _sample(*s, Path(folder)))
-    _step("bytecode of the modules", _bytecode)
-    print(f"ready; caches are in {cache_dir()} and {kernel_cache_dir()}")
-    return 0
 
 
 def _gpu(device: str | None) -> str | None:

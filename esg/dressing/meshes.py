@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Hashable, Iterator
 from dataclasses import dataclass
-from functools import lru_cache
 import math
 from typing import Any
 
@@ -19,6 +18,7 @@ from esg.dressing.builders import BUILDERS, Wish
 from esg.dressing.solids import Drawing
 from esg.graph.models import AssetConfiguration, Dressing, DressingItem, Marking, Vec3
 from esg.lexicon.places import surfaces
+from esg.machine.recent import Recent
 from esg.units import CM_PER_M
 
 Floats = NDArray[np.float64]
@@ -48,6 +48,14 @@ class Mesh:
     uvs: Floats
     look: Look
     color: Color
+
+
+def _bytes(meshes: list[Mesh]) -> int:
+    return sum(a.nbytes for m in meshes for a in (m.vertices, m.faces, m.normals, m.uvs))
+
+
+_kept: Recent[Hashable, list[Mesh]] = Recent(16 * 2**20, _bytes)
+"""What the library drew: what stands in a row is built once."""
 
 
 def surface_look(name: str, color: Color | None = None) -> tuple[Look, Color]:
@@ -84,9 +92,9 @@ def _standing(item: DressingItem, night: bool) -> Iterator[Mesh]:
         [[math.cos(yaw), math.sin(yaw), 0.0], [-math.sin(yaw), math.cos(yaw), 0.0], [0, 0, 1.0]]
     )
     at = np.array(item.position_cm) / CM_PER_M
-    made = _built if item.kind in BUILDERS else _library
     key = (item.kind, item.size_cm, item.surface, item.color_rgb, item.variant, night)
-    for own in made(*key):
+    built = item.kind in BUILDERS
+    for own in _built(*key) if built else _kept.get(key, lambda: _library(*key)):
         name = f"{item.id}/{own.name}" if item.wall is None else f"{item.wall}/{item.id}_{own.name}"
         yield Mesh(
             name,
@@ -122,11 +130,10 @@ def _built(
     return out
 
 
-@lru_cache(maxsize=64)
 def _library(
     kind: str, size_cm: Vec3, surface: str | None, color: Color | None, variant: int, night: bool
 ) -> list[Mesh]:
-    """An entry of the parametric library; what stands in a row is built once."""
+    """An entry of the parametric library."""
     entry = entries_by_name()[kind]
     config = AssetConfiguration(
         asset_name=kind,

@@ -37,6 +37,8 @@ class _Answering:
 
 
 _here = _Answering()
+_low: set[int] = set()
+"""The process that has low priority, if it is this one."""
 
 
 def can_go_on() -> bool:
@@ -110,8 +112,17 @@ def lowly(work: Callable[[], T], owner: int) -> T:
         owner: The process that goes on meanwhile.
     """
     if os.getpid() != owner:
-        _lower()
+        lower()
     return work()
+
+
+def lower() -> None:
+    """Gives this process low priority, for all that it still does."""
+    if _low != {os.getpid()}:
+        _low.clear()
+        _low.add(os.getpid())
+        with contextlib.suppress(OSError):
+            os.nice(LESS)
 
 
 def _to_the_background() -> None:
@@ -120,16 +131,11 @@ def _to_the_background() -> None:
     for number in (signal.SIGINT, signal.SIGHUP):
         signal.signal(number, signal.SIG_IGN)
     let_go()
-    _lower()
+    lower()
     # Where each session is a group of its own to the scheduler, the group's niceness counts.
     if os.getsid(0) == os.getpid():
         with contextlib.suppress(OSError):
             Path("/proc/self/autogroup").write_text(str(LESS))
-
-
-def _lower() -> None:
-    with contextlib.suppress(OSError):
-        os.nice(LESS)
 
 
 def _flush() -> None:

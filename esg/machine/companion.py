@@ -18,7 +18,7 @@ import sys
 import time
 from typing import TYPE_CHECKING, Any, TypeVar
 
-from esg.machine.answering import can_go_on, let_go
+from esg.machine.answering import can_go_on, let_go, lower
 from esg.machine.beside import end_with, may_fork
 
 if TYPE_CHECKING:
@@ -140,10 +140,14 @@ def handed(work: Callable[[], T]) -> Generator[Callable[[], T] | None]:
     yield result
 
 
-def load_rest() -> None:
-    """Loads what is left to be loaded here: for who waits for something else."""
+def load_rest(over: Callable[[], bool]) -> None:
+    """Loads what is left to be loaded here, for who waits for something else.
+
+    Args:
+        over: Whether that is there: what is still left then is loaded by who needs it.
+    """
     found = _current.get()
-    while found is not None and found.meanwhile:
+    while found is not None and found.meanwhile and not over():
         found.load_next()
 
 
@@ -175,6 +179,8 @@ def _serve(pipe: Connection, idle: Sequence[Work], owner: int) -> None:
             except Exception:
                 answer = (False, None)
             pipe.send_bytes(pickle.dumps((time.process_time(), *answer)))
+            if can_go_on():
+                lower()  # what comes now is for pictures, which nobody waits for
     except (EOFError, OSError):
         pass
     finally:

@@ -12,6 +12,9 @@ from esg.assets.looks import Color
 
 RASTER_PX = 256
 """Edge of the largest level that the fast renderer keeps of a texture."""
+_KEPT = 24
+"""Textures that a process keeps so, of 1.3 MiB each: more than a scene has. All that there are took
+600 scenes of a dataset to gather."""
 
 
 def linear(srgb: Any) -> NDArray[np.float32]:
@@ -28,7 +31,7 @@ def encoded(light: Any) -> NDArray[np.uint8]:
     return np.floor(np.clip(srgb, 0, 1) * 255 + 0.5).astype(np.uint8)
 
 
-@lru_cache(maxsize=64)
+@lru_cache(maxsize=_KEPT)
 def pyramid(name: str, size: int = RASTER_PX) -> tuple[NDArray[np.float32], ...]:
     """A texture's linear colour and roughness, shape [n, n, 4], at n = size, size / 2, ..., 1.
 

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from functools import partial
+import importlib
 import os
 from pathlib import Path
 import signal
 import sys
 import time
+from types import ModuleType
 
 import pytest
 
 from esg.alone import guarded
+from esg.alone.ahead import _spared
 from esg.limits import StageTimeout, limited
 from esg.machine import beside as module
 from esg.machine.beside import forking
@@ -102,9 +105,43 @@ def test_this_process_loads_the_rest_when_it_has_nothing_to_do(tmp_path: Path) -
             time.sleep(0.5)  # the answer is there
             result()
         assert _what_is_loaded(tmp_path) == ["first"]
-        load_rest()
+        load_rest(lambda: True)  # what it would do meanwhile is done
+        assert _what_is_loaded(tmp_path) == ["first"]
+        load_rest(lambda: False)
         assert _what_is_loaded(tmp_path) == ["first", "second", "third"]
-    load_rest()  # nor does anything go wrong without a companion
+    load_rest(lambda: False)  # nor does anything go wrong without a companion
+
+
+def test_what_is_spared_is_executed_at_its_first_use(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    folder = tmp_path / "spared_package"
+    folder.mkdir()
+    (folder / "__init__.py").write_text(
+        "from spared_package.heavy import weight\nown = weight + 1\n"
+    )
+    (folder / "heavy.py").write_text("weight = 41\n")
+    (folder / "light.py").write_text("name = 'light'\n")
+    (tmp_path / "spared_user.py").write_text(
+        "import spared_package\nfrom spared_package.light import name\n"
+        "try:\n    import spared_absent\nexcept ImportError:\n    spared_absent = None\n"
+    )
+    (tmp_path / "spared_absent.py").write_text("")
+    monkeypatch.syspath_prepend(tmp_path)
+    try:
+        with _spared(frozenset({"spared_package"}), frozenset({"spared_absent"})):
+            user = vars(importlib.import_module("spared_user"))
+        assert user["name"] == "light"
+        assert user["spared_absent"] is None
+        assert "spared_package.heavy" not in sys.modules
+        assert user["spared_package"].own == 42
+        assert type(user["spared_package"]) is ModuleType
+        with pytest.raises(AttributeError, match=r"spared_package.*nothing"):
+            _ = user["spared_package"].nothing
+        assert importlib.import_module("spared_absent")  # where nobody leaves it out
+    finally:
+        for name in [n for n in sys.modules if n.startswith("spared_")]:
+            del sys.modules[name]
 
 
 @pytest.mark.parametrize("work", [_dies, _fails])
@@ -160,7 +197,8 @@ def test_what_draws_loads_no_engine_of_the_search() -> None:
     """The command itself imports neither Newton nor its kernels before the search: it has no time."""
     code = (
         "import sys, esg.alone.guarded, esg.alone.ahead as ahead; ahead.load_pictures();"
-        "print(sorted({'newton', 'mujoco', 'torch', 'prefect'} & set(sys.modules)))"
+        "ahead.load_records();"
+        "print(sorted({'newton', 'mujoco', 'pandas', 'prefect', 'torch'} & set(sys.modules)))"
     )
     import subprocess
 

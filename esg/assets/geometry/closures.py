@@ -13,6 +13,8 @@ import numpy as np
 Key = tuple[tuple[CodeType, ...], bytes]
 
 _PLAIN = (bool, int, float, str, bytes, type(None), np.floating, np.integer)
+_COMMON = frozenset({bool, int, float, str, type(None)})
+"""Most of what closures enclose, none of it an `Enum`."""
 
 
 class _Opaque(Exception):
@@ -41,6 +43,12 @@ def key_of(make: Any) -> Key | None:
 def _tell(value: Any, codes: list[CodeType], told: list[str]) -> None:
     """Adds what tells a value from others: codes of functions, and texts of all else."""
     kind = type(value)
+    if kind in _COMMON:
+        told.append(f"{kind.__name__} {value!r}")
+        return
+    if type(value) is tuple and _COMMON.issuperset(map(type, value)):
+        told.append(f"tuple {value!r}")  # which writes no two of these values alike
+        return
     if isinstance(value, Enum):
         inside = [value.value]
     elif isinstance(value, _PLAIN):

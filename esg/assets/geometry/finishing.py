@@ -29,9 +29,9 @@ _BEVEL_CREASE_DEG = 57.0
 """On what is bevelled: edges and corners stand at 45 and 55 degrees to its faces, and are shaded
 into them."""
 _ROUND = frozenset({"cylinder", "lathe", "torus"})
-_KEPT_BYTES = 24 * 2**20
-"""Of surfaces that a process keeps: scenes of a dataset differ in colours and share most parts of
-most things. A part takes 34 kB on average, and some many times as much."""
+_KEPT_BYTES = 8 * 2**20
+"""Of surfaces that a process keeps: things share parts; whole meshes are kept as files hold them. A
+part takes 34 kB on average, and some many times as much."""
 _KEPT_OUTLINES = 8192
 """Of parts, a few hundred bytes each."""
 _EVEN = 0.02
@@ -102,6 +102,10 @@ class Drawing:
             self._mesh = self._make()
         return self._mesh
 
+    def drop(self) -> None:
+        """Forgets the mesh; it is drawn again for who asks again."""
+        self._mesh = None
+
 
 def finished(
     drawing: Drawing, tile_cm: float, *, grain: bool = False, smallest_cm: float = np.inf
@@ -117,9 +121,16 @@ def finished(
     Returns:
         Arrays that cannot be written to: the same part gives the same ones.
     """
-    how = (float(tile_cm), bool(grain), float(smallest_cm))
-    key = drawing.outline.digest + repr(how).encode()
+    key = finished_key(drawing, tile_cm, grain=grain, smallest_cm=smallest_cm)
     return _surfaces.get(key, lambda: _fixed(drawing.mesh(), tile_cm, grain, smallest_cm))
+
+
+def finished_key(
+    drawing: Drawing, tile_cm: float, *, grain: bool = False, smallest_cm: float = np.inf
+) -> bytes:
+    """What tells a finished part from others, without finishing it; arguments as of `finished`."""
+    how = (float(tile_cm), bool(grain), float(smallest_cm))
+    return drawing.outline.digest + repr(how).encode()
 
 
 def _fixed(mesh: trimesh.Trimesh, tile_cm: float, grain: bool, smallest_cm: float) -> Surface:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cached_property, lru_cache
 import hashlib
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -20,12 +20,19 @@ from esg.assets.appearance import USUAL, Appearance
 from esg.assets.appearances import appearances, first_of_asset
 from esg.assets.colors import color_word
 from esg.assets.configuration import node_mesh_path, parametric_entry
-from esg.assets.geometry.finishing import Drawing, Surface, completed, finished, joined
+from esg.assets.geometry.finishing import (
+    Drawing,
+    Surface,
+    completed,
+    finished,
+    finished_key,
+    joined,
+)
 from esg.assets.geometry.rolling import drawn_size, is_rolling_form, rolling
 from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
 from esg.assets.geometry.sketch import Sketch
 from esg.assets.geometry.wheels import wheels_of
-from esg.assets.gltf.asset import asset_glb
+from esg.assets.gltf.asset import asset_glb, models_glb
 from esg.assets.imports.imported import load_imported
 from esg.assets.library.catalogue import Entry, build_sketch
 from esg.assets.looks import Color, Look
@@ -40,22 +47,64 @@ if TYPE_CHECKING:
 
 
 @dataclass(frozen=True)
+class _Piece:
+    """One part of a model, and how it is finished."""
+
+    drawing: Drawing
+    tile_cm: float
+    grain: bool
+    smallest_cm: float
+
+    def surface(self) -> Surface:
+        return finished(self.drawing, self.tile_cm, grain=self.grain, smallest_cm=self.smallest_cm)
+
+    def key(self) -> bytes:
+        return finished_key(
+            self.drawing, self.tile_cm, grain=self.grain, smallest_cm=self.smallest_cm
+        )
+
+
+@dataclass(frozen=True)
 class Model:
     """What is of one look and turns together.
 
     Args:
         name: Unique in its asset.
-        surface: In the asset's frame, or about the axle of its wheel [cm].
+        pieces: Its parts.
         look: How it looks.
         color: sRGB in [0, 1] of the surface on average.
         wheel: Index of its wheel; None for what does not turn.
+        axle_cm: Of that wheel.
     """
 
     name: str
-    surface: Surface
+    pieces: tuple[_Piece, ...]
     look: Look
     color: Color
     wheel: int | None = None
+    axle_cm: Vec3 | None = None
+
+    @property
+    def surface(self) -> Surface:
+        """In the asset's frame, or about the axle of its wheel [cm]; it cannot be written to."""
+        return self._surface
+
+    @cached_property
+    def _surface(self) -> Surface:
+        surfaces = [piece.surface() for piece in self.pieces]
+        if self.axle_cm is not None:
+            surfaces = [s._replace(vertices=s.vertices - self.axle_cm) for s in surfaces]
+        surface = joined(surfaces)
+        for array in surface:
+            array.setflags(write=False)
+        for piece in self.pieces:
+            piece.drawing.drop()
+        return surface
+
+    @property
+    def key(self) -> bytes:
+        """Tells its surface from others, without making it."""
+        return b"".join([repr(self.axle_cm).encode(), *(piece.key() for piece in self.pieces)])
 
 
 _BEVELLED = 0.03
@@ -152,33 +201,27 @@ def _models(
     """What an entry draws, together what is of one look and turns together, and its wheels.
 
     A scene's record asks for each of its assets more than once: for files, exports and pictures.
-    Their arrays cannot be written to.
     """
     sketch = _sketch(entry, dimensions_cm, color, rolls, appearance)
     wheels = wheels_of(sketch) or ()
     drawings = [Drawing(part.mesh) for part in sketch.parts]
     smallest = _BEVELLED * max((d.outline.extent_cm for d in drawings), default=0.0)
-    groups: dict[tuple[Look, Color, int | None], tuple[list[str], list[Surface]]] = {}
+    groups: dict[tuple[Look, Color, int | None], tuple[list[str], list[_Piece]]] = {}
     for part, drawing in zip(sketch.parts, drawings, strict=True):
         look = look_of(part.material, part.color, roughness=part.roughness, alpha=part.alpha)
-        surface = finished(
-            drawing, 100.0 * look.tile_m, grain=has_grain(look.texture), smallest_cm=smallest
-        )
-        if part.axle is not None:
-            surface = surface._replace(vertices=surface.vertices - wheels[part.axle].axle_cm)
+        piece = _Piece(drawing, 100.0 * look.tile_m, has_grain(look.texture), smallest)
         red, green, blue = (round(c, 4) for c in part.color)
-        names, surfaces = groups.setdefault((look, (red, green, blue), part.axle), ([], []))
+        names, pieces = groups.setdefault((look, (red, green, blue), part.axle), ([], []))
         names.append(part.name)
-        surfaces.append(surface)
+        pieces.append(piece)
     taken = {wheel.name for wheel in wheels}
     out: list[Model] = []
-    for (look, color, axle), (names, surfaces) in groups.items():
+    for (look, color, axle), (names, pieces) in groups.items():
         name = names[0] if len(set(names)) == 1 else look.material
         name = name if axle is None else f"{wheels[axle].name}_{name}"
-        surface = joined(surfaces)
-        for array in surface:
-            array.setflags(write=False)
-        out.append(Model(_free_name(name, color, taken), surface, look, color, axle))
+        at = None if axle is None else wheels[axle].axle_cm
+        model = Model(_free_name(name, color, taken), tuple(pieces), look, color, axle, at)
+        out.append(model)
     return tuple(out), wheels
 
 
@@ -234,7 +277,7 @@ def glb_bytes(config: AssetConfiguration, appearance: Appearance = USUAL) -> byt
 def _drawn_glb(
     entry: Entry, dimensions_cm: Vec3, color: Color, rolls: bool, appearance: Appearance
 ) -> bytes:
-    return asset_glb(_drawn(entry, dimensions_cm, color, rolls, appearance))
+    return models_glb(*_models(entry, dimensions_cm, color, rolls, appearance))
 
 
 def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:

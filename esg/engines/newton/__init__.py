@@ -8,12 +8,17 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from esg.engines.newton.declaring import unread
     from esg.engines.newton.engine import NewtonEngine, clear_cache
     from esg.engines.newton.setup import quiet_warp
 
-__all__ = ["NewtonEngine", "clear_cache", "quiet_warp"]
+__all__ = ["NewtonEngine", "clear_cache", "quiet_warp", "unread"]
 
-_MODULES = {"engine": ("NewtonEngine", "clear_cache"), "setup": ("quiet_warp",)}
+_MODULES = {
+    "declaring": ("unread",),
+    "engine": ("NewtonEngine", "clear_cache"),
+    "setup": ("quiet_warp",),
+}
 
 
 def __getattr__(name: str) -> Any:

@@ -8,7 +8,6 @@ import math
 
 import numpy as np
 from numpy.typing import NDArray
-from scipy.ndimage import gaussian_filter1d, maximum_filter1d
 
 from esg.units import quat_rotate
 from esg.view.camera import Camera
@@ -199,7 +198,7 @@ def _followed(
 ) -> Take:
     """A camera on an arm from the smoothed middle; the arm is as long as the longest nearby."""
     width = soft / max(float(times[1] - times[0]), 1e-6)
-    longest = maximum_filter1d(away, max(1, round(width)), mode="nearest")
+    longest = _most(away, width)
     scale = _soft(longest, width) / away
     center = _soft(middle, width)
     eye = center + _soft(arm * scale[:, None], width)
@@ -220,13 +219,22 @@ def _contained(action: Action, take: Take, view: View) -> Take:
         if float(over.max()) <= 1.0 + 1e-3:
             break
         width = 0.25 / max(float(take.time_s[1] - take.time_s[0]), 1e-6)
-        away = _soft(maximum_filter1d(over, max(1, round(3 * width)), mode="nearest"), width)
+        away = _soft(_most(over, 3 * width), width)
         eye = take.target + (take.eye - take.target) * away[:, None]
         take = replace(take, eye=_above(eye))
     return take
 
 
+def _most(values: Floats, width: float) -> Floats:
+    # Imported where a film is directed: who only makes a sheet needs no scipy for it.
+    from scipy.ndimage import maximum_filter1d
+
+    return maximum_filter1d(values, max(1, round(width)), mode="nearest")
+
+
 def _soft(values: Floats, width: float) -> Floats:
+    from scipy.ndimage import gaussian_filter1d
+
     return gaussian_filter1d(values, max(width, 1e-3), axis=0, mode="nearest")
 
 

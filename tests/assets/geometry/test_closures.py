@@ -36,6 +36,7 @@ def test_equal_values_have_one_key(value: Any) -> None:
 def test_other_values_and_other_code_have_other_keys() -> None:
     """Nothing that draws otherwise is taken for the same: numbers of other kind or sign, arrays."""
     values: list[Any] = [1, 1.0, True, 0.0, -0.0, (1, 2), [1, 2], (1, (2,)), "1",
+                         (1.0, 2), (True, 2), ("1", 2), ("1, 2",), (-0.0,), (0.0,), (None,), ("None",),
                          np.zeros(2), np.zeros(2, np.float32), np.zeros((2, 1)), {1: 2}]  # fmt: skip
     keys = [key_of(_drawing(value)) for value in values]
     keys += [key_of(lambda: _ball(1.0)), key_of(lambda: _ball(2.0))]

@@ -10,7 +10,10 @@ import pytest
 import trimesh
 
 from esg.assets import build_mesh, resolve, write_meshes
+from esg.assets.appearance import Appearance
+from esg.assets.geometry import mesh
 from esg.assets.geometry.mesh import glb_bytes
+from esg.assets.gltf.asset import asset_glb
 from esg.assets.library.catalogue import entries_by_name
 from esg.assets.stage import configure
 from esg.outcomes import UserError
@@ -52,3 +55,16 @@ def test_unwritable_folder_is_one_clear_message(tmp_path: Path) -> None:
     (tmp_path / "meshes").write_text("a file where a folder should be")
     with pytest.raises(UserError, match="cannot write"):
         write_meshes(document("can"), tmp_path)
+
+
+@pytest.mark.parametrize("name", ["car", "crate", "bottle", "ball", "ground"])
+def test_files_of_models_are_those_of_their_scene(name: str) -> None:
+    """A file whose meshes are kept, drawn for another look, has the bytes of one that is drawn."""
+    entry = entries_by_name()[name]
+    for seed in (1, 2):
+        how = entry, entry.dimensions_cm, entry.color_rgb, False, Appearance(seed=seed)
+        assert mesh._drawn_glb(*how) == asset_glb(mesh._drawn(*how))
+    again = entry, entry.dimensions_cm, entry.color_rgb, False, Appearance(seed=3)
+    models, _ = mesh._models(*again)
+    assert mesh._drawn_glb(*again)
+    assert not any("_surface" in vars(model) for model in models)
