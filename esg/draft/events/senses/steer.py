@@ -126,8 +126,9 @@ def turn(
         swing = Motion("turn", now.speed, now.prescribed, None, params)
         d.timeline.move(actor, swing, direction_of(d, actor, "own"))
         end = add_event(d, NodeEvent.HEADING_REACHED, (actor,), f, ends, **told)
-        if rates is not None:
-            d.timeline.node(end).usual = degrees / ROUND_DEG_S
+        ended = d.timeline.node(end)
+        if rates is not None and ended is not None:
+            ended.usual = degrees / ROUND_DEG_S
         if lasting is not None:
             constrain(d.timeline.node(end), "time_since", lasting.value, actor, since=begin)
             mark_used(d, lasting, f"duration of the turn up to {end}")
