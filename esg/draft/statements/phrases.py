@@ -166,12 +166,8 @@ def phrases(a: Account) -> Iterator[Gap]:
         if id(m) in tools and m is not None and not _acts(a, {*nodes_of(a.d, m)}):
             yield Gap(max(start_of(p, a.d.text), 0), m.end, IDLE, tuple(nodes_of(a.d, m)))
             continue
-        if m is None or p.amount is not None or m.amounts or m.count == 0:
-            continue  # "with no other cars": none is drawn
-        if p.prep in _WHY and not _waited_for(a, p, f):
+        if m is None or _needs_no_answer(a, p, m, f):
             continue
-        if p.prep == "than" and any(0 <= m.start - b <= 1 for _, b in a.d.scene.compared):
-            continue  # "is heavier than a ball": it is
         others = {*nodes_of(a.d, m)}
         if m.pronoun and "other" in m.adjectives and about and about <= others:
             yield Gap(max(start_of(p, a.d.text), 0), m.end, "there are no others in the scene")
@@ -190,6 +186,16 @@ def phrases(a: Account) -> Iterator[Gap]:
             back = p.prep in _BACK_TO and a.d.text[:start].lower().endswith(" back ")
             missing = f'nothing in the scene stands for "{p.prep}"'
             yield Gap(start - 5 * back, m.end, missing, tuple(sorted(about))[:1])
+
+
+def _needs_no_answer(a: Account, p: Phrase, m: Mention, f: Frame | None) -> bool:
+    """Phrases of measures, of nothing, of reasons, and of what is compared already."""
+    if p.amount is not None or m.amounts or m.count == 0:
+        return True  # "with no other cars": none is drawn
+    if p.prep in _WHY and not _waited_for(a, p, f):
+        return True
+    compared = p.prep == "than" and any(0 <= m.start - b <= 1 for _, b in a.d.scene.compared)
+    return compared  # "is heavier than a ball": it is
 
 
 def _off_a_side(a: Account, about: set[str], p: Phrase) -> bool:

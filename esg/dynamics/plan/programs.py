@@ -545,10 +545,7 @@ class Composer:
         if self._keeps_its_feet(leg) and not self.cast.leaves_support(actor, phase):
             course.out.append(self._stands(leg, speed))
         course.out += [hold] if steep else _ridden(hold, ride)
-        if steep < 0.0 and leg.last:  # it stays in the air where it has come down to
-            course.out.append(self._hover(actor, end, 0.0, course.heading))
-        if turns:
-            course.out += self._steered(actor, start, end)
+        self._while_held(course, leg, end, steep)
         course.heading += rate * (end - start) if turns else 0.0
         lasted = min(end, leg.duration) - start
         course.speed = max(0.0, ride.left(lasted) + acceleration * lasted)
@@ -560,6 +557,13 @@ class Composer:
         course.clock = min(end, max(start, told))
         if leg.last:
             self._end_drive(course, leg, end, pushed is not None)
+
+    def _while_held(self, course: _Course, leg: _Leg, end: float, steep: float) -> None:
+        """What stays in the air where it has come down to, and wheels that are steered."""
+        if steep < 0.0 and leg.last:
+            course.out.append(self._hover(course.actor, end, 0.0, course.heading))
+        if leg.phase.edge.event is EdgeEvent.TURN:
+            course.out += self._steered(course.actor, leg.start, end)
 
     def _speed(self, course: _Course, leg: _Leg, descends: bool) -> float:
         """What it drives at [m/s]: as theta says, else as the choreography expects, or on as it is.

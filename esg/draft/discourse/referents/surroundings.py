@@ -86,15 +86,20 @@ def noun_here(
         name = "floor"  # "in a garage a ball rolls": where the scene is
     elif name == "hula hoop" and m.head == "hoop" and basket:
         name = "basketball hoop"
-    elif name == "roof tile" and m.plural and m.determiner == "the":
-        name = "floor"  # "over the edge onto the tiles"
-    elif name == "stump" and m.plural and cricket:
-        name = "cricket stump"
+    elif m.plural:
+        name = _of_many(m, name, cricket=cricket)
     elif m.head == "arm" and _of_a_machine(m, named):
         name = "robot arm"
     elif (m.head == "plane" and _sloped(m)) or (m.head in _LEANT and m.after_prep == "down"):
         name = "ramp"
     return noun if name == noun.name else lex.nouns()[name]
+
+
+def _of_many(m: Mention, name: str, *, cricket: bool) -> str:
+    """What a plural names that is another thing than one of its kind."""
+    if name == "roof tile" and m.determiner == "the":
+        return "floor"  # "over the edge onto the tiles"
+    return "cricket stump" if name == "stump" and cricket else name
 
 
 def _of_a_machine(m: Mention, named: list[Entity]) -> bool:

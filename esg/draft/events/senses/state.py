@@ -268,11 +268,8 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     left = f.verb.lemma == "stay" and "still" in f.adverbs  # "leaves the cup where it is"
     if (left or _STILL.match(d.text, f.verb.start)) and not f.unreal:
         d.moves.stays.update((a, f.verb.start) for a in s if movable(d, a))
-    if f.verb.lemma in _PATIENT and lasting is None and not f.reduced and not f.unreal:
-        waiting = [*s, *(d.scene.supported_by.get(a, a) for a in s)]  # "a cyclist on a bike waits"
-        d.moves.patient.update(
-            a for a in waiting if kind_of(d, a) in SELF_POWERED and at_rest(d, a)
-        )
+    if lasting is None:
+        _waits_for_nobody_knows_how_long(d, f, s)
     for actor in [a for a in s if waits and kind_of(d, a) in SELF_POWERED]:
         if moves(d, actor):
             add_event(d, NodeEvent.TRIGGER, (actor,), f, None)  # "drives for 4 s, waits"
@@ -287,11 +284,27 @@ def read_posture(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         add_hit(d, f, s[:1], met[:1], time_of(d, f))
     else:
         read_be(d, f, s, o)
-    if f.verb.lemma in _HOVERING and not f.unreal and not f.verb.negated:
-        for actor in [a for a in s if flies_itself(d, a) and at_rest(d, a)]:
-            d.moves.hovering.add(actor)
-            d.moves.flying.add(actor)
-            own(d, actor, 0.0, False)  # "hovers above a table": its motors hold it there
+    if f.verb.lemma in _HOVERING:
+        _holds_its_height(d, f, s)
+
+
+def _waits_for_nobody_knows_how_long(d: Discourse, f: Frame, s: list[str]) -> None:
+    """ "A cyclist on a bike waits": so does the bike."""
+    if f.verb.lemma in _PATIENT and not f.reduced and not f.unreal:
+        waiting = [*s, *(d.scene.supported_by.get(a, a) for a in s)]
+        d.moves.patient.update(
+            a for a in waiting if kind_of(d, a) in SELF_POWERED and at_rest(d, a)
+        )
+
+
+def _holds_its_height(d: Discourse, f: Frame, s: list[str]) -> None:
+    """ "Hovers above a table": its motors hold it there."""
+    if f.unreal or f.verb.negated:
+        return
+    for actor in [a for a in s if flies_itself(d, a) and at_rest(d, a)]:
+        d.moves.hovering.add(actor)
+        d.moves.flying.add(actor)
+        own(d, actor, 0.0, False)
 
 
 def stands_there(d: Discourse, f: Frame, bodies: list[str]) -> None:

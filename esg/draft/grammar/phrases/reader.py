@@ -393,17 +393,18 @@ def _acted_on(c: Chunks, i: int, previous: Element | None) -> bool:
     joined = isinstance(previous, Word) and previous.kind in ("conj", "adv") and told
     opens = previous is None or (isinstance(previous, Word) and previous.low in ".;!?\n")
     if noun[2]:
-        one = (
-            isinstance(previous, Mention)
-            and not previous.plural
-            and (previous.determiner or previous.pronoun in _SUBJECTS)
-        )
         if nxt in _OUT and low_at(c, i + 2) in _ARTICLES:
             nxt = low_at(c, i + 2)  # "and saws off the end"
         listed = isinstance(previous, Word) and previous.low == "," and told and nxt in _OBJECTS
-        return bool(listed) or (bool(one or joined) and nxt in _ARTICLES | _OBJECTS)
+        return bool(listed) or ((joined or _is_one(previous)) and nxt in _ARTICLES | _OBJECTS)
     known = match_noun(c, i) is not None
     return known and (opens or joined) and (nxt in _ARTICLES or (opens and nxt in _OBJECTS))
+
+
+def _is_one(e: Element | None) -> bool:
+    """Whether an element names one thing that may do something."""
+    named = isinstance(e, Mention) and not e.plural
+    return named and bool(e.determiner or e.pronoun in _SUBJECTS)
 
 
 def _unknown_in_s(c: Chunks, i: int, previous: Element | None) -> bool:
