@@ -98,8 +98,8 @@ def _of_what_is_there(scene: Scene, text: str, e: Entity) -> list[str]:
     named = [
         (f"{head_of(x)} {head}", x)
         for x in scene.world.entities.values()
-        if x is not e and 0 <= low.find(head_of(x)) < at
-    ]
+        if x is not e and x.id not in scene.timeline.tracks and 0 <= low.find(head_of(x)) < at
+    ]  # a fridge that falls off a truck is moved as one
     rows = articulations()
     return [n for n, _ in named if n in rows and rows[n].with_part in _HOLLOW]
 

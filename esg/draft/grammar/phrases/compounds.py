@@ -151,7 +151,10 @@ def _noun_here(tokens: list[Token], i: int, n: int) -> bool:
 def _may_stand(tokens: list[Token], i: int) -> bool:
     """Whether a noun of two words that no row spells may stand at token i: neither is a verb."""
     first, last = tokens[i], tokens[i + 1]
-    if any(r.form != "base" for r in verb_readings(last.low)) and last.tag != "NOUN":
+    readings = verb_readings(last.low)
+    if last.tag == "VERB" and readings:
+        return False  # "the sheep walk through a gate"
+    if any(r.form != "base" for r in readings) and last.tag != "NOUN":
         return False
     if not _noun_here(tokens, i, 2):
         return False
