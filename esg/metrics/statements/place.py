@@ -58,7 +58,7 @@ def supported_by(replay: Replay, q: StatementQuery, body: int) -> Kept:
 def _carried_in_set(
     replay: Replay, q: StatementQuery, body: int, frames: Frames, above: frozenset[int]
 ) -> Bools:
-    held = carried(replay, body, q.target, frames)
+    held = carried(replay, body, q.target, frames) | _seated(replay, body, q, frames)
     for other in q.object.bodies:
         if other == body or other in above or held.mean() >= MOST:
             continue
@@ -66,6 +66,16 @@ def _carried_in_set(
         if on_it.any():
             held = held | (on_it & _carried_in_set(replay, q, other, frames, above | {body}))
     return held
+
+
+def _seated(replay: Replay, body: int, q: StatementQuery, frames: Frames) -> Bools:
+    """Held to the target from above: who sits behind another rider, over no surface of it."""
+    out = np.zeros(len(frames), bool)
+    for j in joined(replay):
+        if j.joint.kind == "fixed" and j.child == body and j.parent in q.target.bodies:
+            above = lowest_curve(replay, body) > replay.position[:, j.parent, 2]
+            out |= (j.intact & above)[frames]
+    return out
 
 
 def within(replay: Replay, q: StatementQuery, body: int) -> Bools:
