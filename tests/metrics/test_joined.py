@@ -153,3 +153,16 @@ def test_energy_of_a_spring_is_not_gained_from_nothing():
         "spring", "bob_1", "beam_1", parent_at=(0.0, 0.0, 4.0), upper=1.0, stiffness=k
     )  # fmt: skip
     assert checks(world)["energy"]
+
+
+@pytest.mark.parametrize(
+    ("height", "joined", "kept"), [(1.3, True, True), (1.3, False, False), (-0.7, True, False)]
+)
+def test_who_is_fixed_to_a_bike_from_above_is_carried_by_it(height, joined, kept):
+    """A pillion rider sits over no surface of it; what is fixed to it from below hangs there."""
+    world = World(2.0).add(body("bike_1", Shape("box", (0.8, 0.2, 0.4))), x=line(0.0, 2.0), z=2.0)
+    rider = body("rider_1", Shape("box", (0.15, 0.2, 0.4)))
+    world.add(rider, x=line(-0.9, 2.0), z=2.0 + height)
+    if joined:
+        world.join("fixed", "rider_1", "bike_1")
+    assert world.states(says="supported_by", object="rider", target="bike").kept is kept
