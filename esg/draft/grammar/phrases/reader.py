@@ -403,8 +403,9 @@ def _acted_on(c: Chunks, i: int, previous: Element | None) -> bool:
 
 def _is_one(e: Element | None) -> bool:
     """Whether an element names one thing that may do something."""
-    named = isinstance(e, Mention) and not e.plural
-    return named and bool(e.determiner or e.pronoun in _SUBJECTS)
+    if not isinstance(e, Mention) or e.plural:
+        return False
+    return bool(e.determiner or e.pronoun in _SUBJECTS)
 
 
 def _unknown_in_s(c: Chunks, i: int, previous: Element | None) -> bool:
