@@ -258,6 +258,13 @@ def own(
     d.timeline.move(actor, Motion("own", speed, prescribed, target), direction_of(d, actor, "own"))
 
 
+def hover(d: Discourse, actor: str) -> None:
+    """ "Hovers above a table", "floats in the air": its motors hold it where it is."""
+    d.moves.hovering.add(actor)
+    d.moves.flying.add(actor)
+    own(d, actor, 0.0, False)
+
+
 def start_motion(
     d: Discourse, f: Frame, actors: list[str], mode: str | None = None, target: str | None = None
 ) -> None:

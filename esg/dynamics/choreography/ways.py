@@ -195,27 +195,24 @@ def _spot(
 ) -> tuple[float, float, float | None] | None:
     """Where the other thing stands: x, y [m], yaw [rad] (None: any)."""
     start, end, heading = way
+    middle = (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]))
     mine, its = stage.prop(mover), stage.prop(other)
     if s.predicate is Predicate.SUPPORTED_BY:
         return (*start, heading + math.pi / 2)  # it leaves across what it sat on
     if _ends_over(s):
         stage.heights[mover] = top_of(stage, other) + _OVER_M
-        return _beside(end, heading, comes_to_rest(stage, mover)[0], None)
+        return (*_rest(stage, mover, way), None)
     if s.predicate in SIDES:
         yaw = stage.yaw or 0.0
         x, y = SIDES[s.predicate]
         side = math.atan2(y, x) - yaw
         reach = half_along(its.length, its.width, -yaw - side) + _BESIDE_M
         reach += half_along(mine.length, mine.width, heading - side)
-        brakes = comes_to_rest(stage, mover)[0]
-        end = (end[0] + brakes * math.cos(heading), end[1] + brakes * math.sin(heading))
-        return _beside(end, side + math.pi, reach, -yaw)
+        return _beside(_rest(stage, mover, way), side + math.pi, reach, -yaw)
     if s.predicate is Predicate.UNDER:
-        brakes = comes_to_rest(stage, mover)[0]
-        end = (end[0] + brakes * math.cos(heading), end[1] + brakes * math.sin(heading))
-        return under(stage, end, heading, other)
+        return under(stage, _rest(stage, mover, way), heading, other)
     if s.direction == "through" and passage_of(stage.doc, other) is not None:
-        return (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]), heading)
+        return (*middle, heading)
     if s.direction == "around":
         bend = middle_of(stage.tracks[mover].points)
         return None if bend is None else (*stage.frames[mover].apply(*bend), None)
@@ -230,9 +227,8 @@ def _spot(
     if s.direction == "across" and (over := thrown_over(stage, mover, other)) is not None:
         return over
     if s.direction == "across" and stage.story.flies(mover):
-        return (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]), None)
+        return (*middle, None)
     if s.direction in ("past", "along"):
-        middle = (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]))
         lengthwise = 0.0 if its.length >= its.width else math.pi / 2
         reach = mine.half_width + 0.5 * min(its.length, its.width) + _BESIDE_M
         kerb = kerb_passed(stage, mover, other)
@@ -241,6 +237,13 @@ def _spot(
             return _beside(middle, heading + kerb.side * math.pi / 2, reach, heading + kerb.turned)
         return _beside(middle, heading + math.pi / 2, reach, heading + lengthwise)
     return None
+
+
+def _rest(stage: Stage, mover: str, way: Way) -> tuple[float, float]:
+    """Where a mover has come to rest behind the end of its way [m]."""
+    _, (x, y), heading = way
+    brakes = comes_to_rest(stage, mover)[0]
+    return x + brakes * math.cos(heading), y + brakes * math.sin(heading)
 
 
 def _beside(

@@ -21,7 +21,7 @@ from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kin
 from esg.draft.events.courses import climbs, goes_steeply
 from esg.draft.events.ends import bounces_over
 from esg.draft.events.hanging import thrown_up
-from esg.draft.events.motions import flies_itself, motion, own, start_motion, target_of
+from esg.draft.events.motions import flies_itself, hover, motion, start_motion, target_of
 from esg.draft.events.roles import doer_and_done, filling
 from esg.draft.events.senses.contact import hit_targets
 from esg.draft.events.senses.handling import bounces_on_ground
@@ -48,7 +48,6 @@ _TURNING = lex.word_set("turns to a side")
 _LEFT_THEN_RIGHT = re.compile(
     r"\s+(?:left|right)\b,?\s+(?:and\s+|then\s+)+(?:left|right)\b", re.IGNORECASE
 )
-_CIRCLING = frozenset({"circle", "orbit"})
 _ROUND_DEG, _ROUND_RATES = 300.0, (10.0, 90.0)
 """How far somebody goes around something [degrees] and how fast that turns [degrees/s]."""
 _STAYS_AT = frozenset({"in", "at", "above", "on", "near", "beside", "next to", "within"})
@@ -96,7 +95,7 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 def _gone_around(d: Discourse, f: Frame, actors: list[str], o: list[str]) -> bool:
     """ "Runs around a tree", "circles a tower": what stands in the middle of its way."""
-    middle = o if f.verb.lemma in _CIRCLING else things(f.phrase("around", "round"))
+    middle = o if f.verb.lemma == "orbit" else things(f.phrase("around", "round"))
     middle = [i for i in middle if i not in actors and not structural(d, i)]
     moving = any(moves(d, i) for i in middle) or f.phrase("corner") is not None
     return bool(middle) and not moving and not f.unreal and not f.verb.negated
@@ -153,8 +152,7 @@ def _hovers(d: Discourse, f: Frame, actors: list[str]) -> None:
         if ways or quantity_of(d, f, "speed") is not None:
             motion(d, f, [actor], None)
         else:
-            d.moves.hovering.add(actor)
-            own(d, actor, 0.0, False)
+            hover(d, actor)
     mark_used(d, f, "hovering")
 
 

@@ -27,7 +27,7 @@ from esg.draft.discourse.scene import LIMBED, SELF_POWERED, Relation
 from esg.draft.events.acts import add_event, add_hit
 from esg.draft.events.hanging import turning
 from esg.draft.events.lengths import starts_apart
-from esg.draft.events.motions import flies_itself, motion, own, sets_off_late
+from esg.draft.events.motions import flies_itself, hover, motion, sets_off_late
 from esg.draft.events.roles import is_tool
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import speed_after, start_height, time_of
@@ -298,13 +298,11 @@ def _waits_for_nobody_knows_how_long(d: Discourse, f: Frame, s: list[str]) -> No
 
 
 def _holds_its_height(d: Discourse, f: Frame, s: list[str]) -> None:
-    """ "Hovers above a table": its motors hold it there."""
+    """What flies by itself and goes nowhere yet stays in the air."""
     if f.unreal or f.verb.negated:
         return
     for actor in [a for a in s if flies_itself(d, a) and at_rest(d, a)]:
-        d.moves.hovering.add(actor)
-        d.moves.flying.add(actor)
-        own(d, actor, 0.0, False)
+        hover(d, actor)
 
 
 def stands_there(d: Discourse, f: Frame, bodies: list[str]) -> None:
