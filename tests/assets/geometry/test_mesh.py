@@ -64,6 +64,8 @@ def test_files_of_models_are_those_of_their_scene(name: str) -> None:
     for seed in (1, 2):
         how = entry, entry.dimensions_cm, entry.color_rgb, False, Appearance(seed=seed)
         assert mesh._drawn_glb(*how) == asset_glb(mesh._drawn(*how))
+    mesh._models.cache_clear()
+    mesh._drawn_glb.cache_clear()
     again = entry, entry.dimensions_cm, entry.color_rgb, False, Appearance(seed=3)
     models, _ = mesh._models(*again)
     assert mesh._drawn_glb(*again)
