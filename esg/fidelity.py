@@ -10,6 +10,7 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Iterable, Mapping, Sequence
+import math
 from typing import Any
 
 from esg.thresholds import NEAR_END_M
@@ -28,6 +29,7 @@ _DROPPED = {
 """Kinds of words that a scene must show, and what is said of one that it does not."""
 _MOST = 10
 _CLOSE = ("near", "adjacent")
+_ORDER = {"behind": -1.0, "in_front_of": 1.0}
 NEAR_CM = 100.0 * NEAR_END_M
 """How much farther away than the layout wants it something is still near by the planned start."""
 
@@ -111,7 +113,8 @@ def unplaced(document: Mapping[str, Any]) -> list[Row]:
     Args:
         document: The ESG with its layout, of which only the coverage, the layout and the nodes are
             read. What nobody named is related by the drafter's own choice; so is where things
-            face. What the planned start keeps near is near within `NEAR_CM`.
+            face. What the planned start keeps near is near within `NEAR_CM`; of two that move, one is
+        behind the other along the way on which that one starts, wherever the viewer stands.
 
     Returns:
         A shortfall each, with the words from the mention of the one to the mention of the other, or
@@ -126,12 +129,29 @@ def unplaced(document: Mapping[str, Any]) -> list[Row]:
         planned = "held by the planned start" in r.get("note", "")
         if planned and r["relation_type"] in _CLOSE and r["violation"] <= NEAR_CM:
             continue
+        if planned and r["relation_type"] in _ORDER and _in_their_way(document, r["edge"]):
+            continue
         words = read.words_of(r["edge"])
         if words is not None:
             why = r.get("note") or "the layout does not satisfy it"
             row: Row = {**words, "status": "broken", "reason": why}
             rows.setdefault((row["start"], row["end"]), row)
     return list(rows.values())
+
+
+def _in_their_way(document: Mapping[str, Any], edge: str) -> bool:
+    """Whether two that move start in the order that an edge tells, along the way of its target."""
+    one, kind, other = edge.split(" ")
+    graph = (document.get("timeline_system") or {}).get("sequence_graph") or {}
+    movers = {e["actor"] for e in graph.get("edges", ()) if e["params"].get("speed") != 0.0}
+    poses = (document.get("layout_result") or {}).get("poses", {})
+    if not {one, other} <= movers & poses.keys():
+        return False
+    yaw = math.radians(poses[other]["yaw_deg"])
+    (x, y, _), (x0, y0, _) = (poses[name]["position_cm"] for name in (one, other))
+    ahead = (x - x0) * math.cos(yaw) + (y - y0) * math.sin(yaw)
+    aside = (y - y0) * math.cos(yaw) - (x - x0) * math.sin(yaw)
+    return _ORDER[kind] * ahead > abs(aside)
 
 
 def unsettled(document: Mapping[str, Any], checks: Iterable[Mapping[str, Any]]) -> list[Row]:

@@ -120,6 +120,8 @@ ACROSS_SHARE = 0.5
 """What moves across something goes over this share of it: it leaves the half on which it came."""
 ACROSS_LENGTHS = 2.0
 """What moves across a floor or a field goes this many of its own lengths: nobody waits for half."""
+CUT_SHORT_LENGTHS = 0.2
+"""The same where something on that way ends it: the words say what it moves on, not how far."""
 WIDE_M = 8.0
 """Floors, fields and squares are wider than this both ways: four lanes of a road are not."""
 SLOPE_SHARE = 0.25

@@ -119,3 +119,28 @@ def test_a_place_that_nothing_shows_is_owned_up_to() -> None:
     doc = draft("A car and a truck drive along a road, the truck in front.")
     lost = [s.text for s in doc.statements or () if s.predicate is Predicate.NOT_REPRESENTED]
     assert lost == ["the truck in front"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "behind", "ahead"),
+    [
+        (
+            "Two buses drive one behind the other. The front bus brakes and the rear bus hits it.",
+            "rear_bus_1",
+            "front_bus_1",
+        ),
+        (
+            "Two boys walk one behind the other. The leading boy stops and the second bumps into"
+            " him.",
+            "rear_boy_1",
+            "front_boy_1",
+        ),
+        ("Two cars stand one behind the other. The rear car rolls away.", "rear_car_1",
+         "front_car_1"),
+    ],
+)  # fmt: skip
+def test_one_behind_the_other_agrees_with_front_and_rear(prompt: str, behind: str, ahead: str):
+    edges = draft(prompt).spatial_relation_graph.edges.binary_relations
+    rows = [(e.from_, e.relation_type.value, e.to) for e in edges]
+    assert (behind, "behind", ahead) in rows
+    assert (ahead, "behind", behind) not in rows

@@ -378,6 +378,20 @@ def test_statements_are_about_their_time(when, kept):
 
 
 @pytest.mark.parametrize(
+    ("speed", "when", "kept"),
+    [(0.3, "start..e1", True), (0.05, "start..e1", False), (0.3, "start..end", False)],
+)
+def test_across_a_floor_ends_where_something_is_hit(speed, when, kept):
+    """ "Slides across the floor and bumps into a crate": on the floor, however short the way."""
+    world = on_field(line(0.0, speed, 0.0, 0.4)).add(body("crate_1"), x=0.5)
+    hits = [SuiteEvent(id="e1", type="collision", a="ball", b="crate")]
+    found = world.touch(0.4, "ball_1", "crate_1", 2.0).states(
+        "moves", hits, direction="across", object="ball", target="field", when=when
+    )
+    assert found.kept is kept, found.reason
+
+
+@pytest.mark.parametrize(
     ("when", "why"),
     [("e2", "event e2 did not happen"), ("start..e9", "no event 'e9' is measured"),
      ("end..e1", "end comes after e1")],

@@ -199,6 +199,19 @@ def test_a_planned_start_may_be_near_by_a_strangers_measure_only() -> None:
     assert words(laid_out(ramp, "car_1 near ramp_1")) == [], "its way is measured on the replay"
 
 
+@pytest.mark.parametrize(("rear_cm", "lost"), [(900.0, []), (-900.0, ["one behind the other"])])
+def test_of_two_that_drive_one_is_behind_along_their_way(rear_cm: float, lost: list[str]) -> None:
+    """Both drive toward the viewer, who sees the rear bus beyond the front one, not behind it."""
+    text = "Two buses drive one behind the other. The front bus brakes and the rear bus hits it."
+    edge = "rear_bus_1 behind front_bus_1"
+    document = laid_out(text, edge, note="held by the planned start", off=900.0)
+    poses = {"front_bus_1": 0.0, "rear_bus_1": rear_cm}
+    document["layout_result"]["poses"] = {
+        name: {"position_cm": [0.0, y, 0.0], "yaw_deg": -90.0} for name, y in poses.items()
+    }
+    assert words(document) == lost
+
+
 def test_arrangements_break_where_the_prompt_states_them() -> None:
     row = "Five cones stand in a row and a ball rolls into the first cone."
     cones = ",".join(["first_cone_1", *(f"cone_{k}" for k in range(2, 6))])

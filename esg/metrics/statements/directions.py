@@ -20,6 +20,7 @@ from esg.thresholds import (
     ALONG_M,
     AROUND_DEG,
     BEND_DEG,
+    CUT_SHORT_LENGTHS,
     DIRECTION_DEG,
     MOST,
     PASS_M,
@@ -276,10 +277,17 @@ def _across(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
             chord = float(np.min(2.0 * half * length / np.abs(way)))
         # Of a floor or a field nobody crosses the half: several lengths of its own will do.
         wide = b.static and 2.0 * float(half.min()) > WIDE_M
-        enough = min(chord, ACROSS_LENGTHS * size / ACROSS_SHARE) if wide else chord
+        lengths = CUT_SHORT_LENGTHS if _is_cut_short(q) else ACROSS_LENGTHS
+        enough = min(chord, lengths * size / ACROSS_SHARE) if wide else chord
         most = max(most, length / enough)
     reason = f"goes over {100 * most:.0f}% of {q.goal}; limit {100 * ACROSS_SHARE:.0f}%"
     return Kept.when(most >= ACROSS_SHARE, reason, share=most)
+
+
+def _is_cut_short(q: StatementQuery) -> bool:
+    """Whether an event ends the time it is about: a slide across the floor that hits something."""
+    _, dots, last = q.statement.when.partition("..")
+    return bool(dots) and last in q.times
 
 
 def _passages(replay: Replay, target: Binding) -> list[tuple[int | None, int | None]]:

@@ -78,6 +78,8 @@ _NAMED_BEFORE = ("it", "them", "him", "her", "both")
 _APART = frozenset({"in front of", "behind", "beside", "next to", "left of", "right of", "near"}
                    | {"above", "under", "below"})  # fmt: skip
 """Prepositions of what is outside of what it goes with."""
+_AHEAD = {"behind": ("rear", "front"), "in front of": ("front", "rear")}
+"""Where in a row of two the one is, and the other, by what is said of the one."""
 _BESIDE_IT, _OWN = ("left", "right"), ("its", "his", "her", "their")
 _BESIDE = ("on", "against", "at", "by")
 _FILLING = ("cover", "load", "fill", "stack", "set")
@@ -122,9 +124,21 @@ def _beside_others(d: Discourse, owned: Mention, owners: list[str], p: Phrase, m
             for one, other in zip(owners, others, strict=True):
                 place(d, [one], [other], p.prep, m.part)  # "three kids on sledges"
             return
+        owners, others = _in_their_order(d, owned, owners, p.prep, others)
         place(d, owners, others, p.prep, m.part)
         if m.pronoun in ("both", "them") and p.prep in _APART and len(others) == 2:
             place(d, owners, others[1:], p.prep, m.part)  # "to the right of both"
+
+
+def _in_their_order(
+    d: Discourse, owned: Mention, owners: list[str], prep: str, others: list[str]
+) -> tuple[list[str], list[str]]:
+    """ "Two buses drive one behind the other. The front bus brakes": either may be the one."""
+    ahead = _AHEAD.get(prep)
+    if ahead is None or owned.pronoun != "one" or len(owners) != 1 or len(others) != 1:
+        return owners, others
+    ranks = tuple(d.world.entities[i].place for i in (*owners, *others) if i in d.world.entities)
+    return (others, owners) if ranks == ahead[::-1] else (owners, others)
 
 
 def _carried_by_its_owner(d: Discourse, owners: list[str], things: list[str]) -> None:
