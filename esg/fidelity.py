@@ -113,8 +113,8 @@ def unplaced(document: Mapping[str, Any]) -> list[Row]:
     Args:
         document: The ESG with its layout, of which only the coverage, the layout and the nodes are
             read. What nobody named is related by the drafter's own choice; so is where things
-            face. What the planned start keeps near is near within `NEAR_CM`; of two that move, one is
-        behind the other along the way on which that one starts, wherever the viewer stands.
+            face. What the planned start keeps near is near within `NEAR_CM`; of two that move, one
+            is behind the other along the way on which that one starts, wherever the viewer stands.
 
     Returns:
         A shortfall each, with the words from the mention of the one to the mention of the other, or

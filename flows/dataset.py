@@ -37,10 +37,6 @@ AHEAD = 1
 """Batches that are begun beside those that workers make, and wait for one: Prefect takes about a
 second to begin a batch, in which a worker would have nothing to do."""
 
-IN_SHARES = 5
-"""Batches in hand where searches have processes of their own: one or two are searched, one is
-drafted, and while two more are proved no further one is begun: drafts do not run away."""
-
 Runner = Literal["process", "dask", "ray"]
 Done = Callable[[BatchResult], None]
 
@@ -193,7 +189,8 @@ def with_runner(
 
 def _task_runner(runner: Runner, workers: int) -> Any:
     if runner == "process":
-        in_hand = max(1, workers) + AHEAD if current().searchers is None else IN_SHARES
+        apart = current().searchers
+        in_hand = max(1, workers) + AHEAD if apart is None else apart.in_hand
         return ThreadPoolTaskRunner(max_workers=in_hand)
     # For the processes of a cluster that starts on this machine: they share its cores.
     os.environ.setdefault("OMP_NUM_THREADS", "1")
