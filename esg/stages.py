@@ -300,11 +300,12 @@ def _replay_program(state: SceneState) -> Rollout:
 _READ = {
     "coverage": True,
     "statements": True,
-    "layout_result": {"relations", "patterns"},
+    "layout_result": {"relations", "patterns", "poses"},
+    "timeline_system": {"sequence_graph": {"edges"}},
     "spatial_relation_graph": {"nodes"},
     "scene_definition": {"original_description"},
 }
-"""Of a document, what says what became of the prompt."""
+"""Of a document, what says what became of the prompt, and where who starts."""
 
 
 def _judge(state: SceneState, folder: Path) -> None:
