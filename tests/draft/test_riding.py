@@ -169,3 +169,25 @@ def test_what_lies_on_what_is_stopped_comes_off_by_that() -> None:
     assert doc.timeline_system is not None
     own = [e for e in doc.timeline_system.sequence_graph.edges if e.actor == "box_1"]
     assert [e.event.value for e in own] == ["InertialConnector"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "carried"),
+    [
+        ("A man on a horse and a boy on a bike ride along a fence.",
+         {"man_1": "horse_1", "boy_1": "bike_1"}),
+        ("A dog in a basket and a cat on a cushion watch a ball roll past.",
+         {"dog_1": "basket_1", "cat_1": "cushion_1"}),
+        ("A girl in a boat and a boy on a raft float down a river.",
+         {"girl_1": "boat_1", "boy_1": "raft_1"}),
+        ("A woman in a car and a woman on a motorcycle race down the road.",
+         {"woman_2": "motorcycle_1"}),
+    ],
+)  # fmt: skip
+def test_each_of_two_has_a_place_of_their_own(prompt: str, carried: dict[str, str]) -> None:
+    """The boat was on the raft, and a car on the motorcycle."""
+    graph = clean(prompt).spatial_relation_graph
+    places = {name: r.parent_object for name, r in graph.semantic_regions.items()}
+    on = {n: places.get(node.semantic_region or "") for n, node in graph.nodes.items()}
+    assert {name: on[name] for name in carried} == carried
+    assert not {on.get(place) for place in carried.values()} & {*carried.values()}

@@ -9,6 +9,7 @@ from esg.draft.grammar.clauses.words import OWNED, PROPERTIES
 from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
 
 _OCCASIONS = lex.word_set("occasions")
+_BEINGS = frozenset({"person", "animal", "robot"})
 _THIS = lex.word_set("this")
 _OF_NOUNS = lex.word_set("prepositions of nouns")
 _BESIDE = frozenset({"left of", "right of", "in front of", "behind", "beside", "next to", "near"})
@@ -98,6 +99,10 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
         _subject_of_relative(s, m)
     elif m.after_prep:
         _part_of_a_phrase(c, s, m, i)
+    elif listed and _another_with_a_place(c, s, m, i):
+        assert s.subject is not None
+        s.subject.coordinated.append(m)
+        s.last, s.last_after_prep, s.boundary = m, False, False
     elif listed and s.last is not None and not new_clause and s.last is not s.relative:
         s.last.coordinated.append(m)
         s.subject = s.last if s.frame is None and s.subject is None else s.subject
@@ -110,6 +115,18 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
     else:
         _object(s.frame, m)
         s.last, s.last_after_prep = m, False
+
+
+def _another_with_a_place(c: Clauses, s: State, m: Mention, i: int) -> bool:
+    """ "A man on a horse and a boy on a bike ride": the horse is not on the bike, nor is the boy."""
+    link = element_at(c.elements, i - 1)
+    ahead = element_at(c.elements, i + 1)
+    if s.frame is not None or s.subject is None or s.last is None or s.last is s.subject:
+        return False
+    placed = isinstance(ahead, Word) and ahead.kind == "prep" and ahead.low in _INTO
+    one, place, other = (x.noun.kind if x.noun else "" for x in (s.subject, s.last, m))
+    joined = getattr(link, "low", "") == "and" and bool(s.last.after_prep)
+    return joined and placed and {one, other} <= _BEINGS and place != other
 
 
 def _opens_a_relative_clause(s: State) -> bool:
