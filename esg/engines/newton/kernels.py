@@ -18,6 +18,7 @@ import warp as wp
 from esg.engines.newton.setup import FIXED_POINT
 from esg.engines.program import Action, Column
 from esg.engines.program_kernels import (
+    buoyed,
     falls,
     grounded,
     guide,
@@ -263,10 +264,16 @@ def run_programs(
                 active[world, k] = 1
                 v = wp.spatial_top(body_qd[target])
                 x = wp.transform_get_translation(body_q[target])
-                kept = _kept_up(table, kind[world, k], world, k, t, dt, x, v, pull)
+                kept = wp.spatial_vector(v, wp.spatial_bottom(body_qd[target]))
+                if kind[world, k] == Action.BUOY:
+                    turn = wp.transform_get_rotation(body_q[target])
+                    omega = wp.spatial_bottom(body_qd[target])
+                    kept = buoyed(table, world, k, float(dt), x, turn, v, omega)
+                else:
+                    kept = _kept_up(table, kind[world, k], world, k, t, dt, x, v, pull)
                 _set_linear(target, wp.spatial_top(kept), body_qd, joint_qd, first)
                 _set_angular(target, wp.spatial_bottom(kept), body_qd, joint_qd, first)
-                if kind[world, k] != Action.SPIN:
+                if kind[world, k] < Action.SPIN:
                     driven[target] = step + 1
                     tips[target] = 0
         elif start <= now:
