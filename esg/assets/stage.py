@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from esg.assets.colors import find_color
 from esg.assets.configuration import category_of, finish, plain_entry, stated_material
+from esg.assets.contents import filled
 from esg.assets.geometry.rolling import (
     FLAGS,
     as_drawn,
@@ -96,7 +97,7 @@ def configure(
     rolled: bool | None = None,
     retrieval_only: bool = False,
 ) -> AssetConfiguration:
-    """The configuration of one requirement.
+    """The configuration of one requirement, filled with what shall be in it.
 
     Args:
         key: Asset id in the document; names the mesh file.
@@ -107,6 +108,19 @@ def configure(
         rolled: Whether the story rolls it on its rim; None lets the size decide.
         retrieval_only: Take the closest asset of the library, whatever it is.
     """
+    empty = _empty(key, requirement, generator, seed, failures, rolled, retrieval_only)
+    return filled(empty, requirement)
+
+
+def _empty(
+    key: str,
+    requirement: AssetRequirement,
+    generator: Generator | None,
+    seed: int,
+    failures: dict[str, str] | None,
+    rolled: bool | None,
+    retrieval_only: bool,
+) -> AssetConfiguration:
     from esg.assets.imports.models.joining import named_model
     from esg.assets.library.nearest import nearest, usual_size
     from esg.assets.library.wording import restated
