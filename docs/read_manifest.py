@@ -90,9 +90,9 @@ def buoy(p, body, s, dt, pull):
     if abs(along) > p["basin"][0] or abs(across) > p["basin"][1] or z < -2 * p["basin"][2] or f < 0:
         return
     f, v = f * f * (3 - 2 * f) if p["round"] else f, tuple(body.linvel)
-    kept = 1 / (1 + f * dt * (p["linear"] + p["quadratic"] * math.hypot(*v)))
+    kept = 1 / (1 + f * dt * (p["linear_drag"] + p["quadratic_drag"] * math.hypot(*v)))
     body.linvel = (v[0] * kept, v[1] * kept, v[2] * kept + f * dt * p["lift"])
-    body.angvel = tuple(a / (1 + f * dt * p["turning"]) for a in tuple(body.angvel))
+    body.angvel = tuple(a / (1 + f * dt * p["turning_drag"]) for a in tuple(body.angvel))
 
 
 LASTING = {"HoldVelocity": drive, "GuideAlong": guide, "HoldSpin": spin, "BuoyUp": buoy}

@@ -351,7 +351,7 @@ def _values(p: OfBody) -> tuple[tuple[str, str], ...]:
     if isinstance(p, SetVelocity):
         values = [
             ("Time", frames.literal(p.time)),
-            ("Velocity", _vector(p.linear)),
+            ("Velocity", _vector(p.linear_drag)),
         ]
         if p.angular is not None:
             spin = frames.vector_literal(frames.angular_to_unreal(p.angular))
@@ -421,9 +421,9 @@ def _liquid(p: BuoyUp) -> tuple[tuple[str, str], ...]:
         ("Extents", frames.vector_literal(extents)),
         ("Heading", frames.literal(frames.heading_to_unreal(p.heading))),
         ("Lift", frames.literal(p.lift * frames.CM_PER_M)),
-        ("LinearDrag", frames.literal(p.linear)),
-        ("QuadraticDrag", frames.literal(p.quadratic / frames.CM_PER_M)),
-        ("TurningDrag", frames.literal(p.turning)),
+        ("LinearDrag", frames.literal(p.linear_drag)),
+        ("QuadraticDrag", frames.literal(p.quadratic_drag / frames.CM_PER_M)),
+        ("TurningDrag", frames.literal(p.turning_drag)),
         ("bRound", "true" if p.round else "false"),
     )
 

@@ -79,8 +79,9 @@ BUOY_CONVENTION = (
     "length along heading, half its width and half its depth; of a body whose centre of mass x is "
     "between its sides and not below its bottom, with h = |R_z| . extents (R_z the vertical row of "
     "its rotation matrix) and u = (center_z - x_z + h) / (2 h) clipped to [0, 1], f = u, or "
-    "u^2 (3 - 2 u) if round: the velocity v becomes v / (1 + f dt (linear + quadratic |v|)), its "
-    "vertical part gains f lift dt, the angular velocity is divided by 1 + f dt turning"
+    "u^2 (3 - 2 u) if round: the velocity v becomes v / (1 + f dt (linear_drag + quadratic_drag "
+    "|v|)), its vertical part gains f lift dt, the angular velocity is divided by 1 + f dt "
+    "turning_drag"
 )
 """Stand under `guide`, `spin` and `buoy` of the conventions of manifests that have them."""
 
@@ -400,9 +401,9 @@ class BuoyUpModel(_Model):
     basin: tuple[Positive, Positive, Positive]
     extents: tuple[Positive, Positive, Positive]
     lift: NonNegative
-    linear: NonNegative = 0.0
-    quadratic: NonNegative = 0.0
-    turning: NonNegative = 0.0
+    linear_drag: NonNegative = 0.0
+    quadratic_drag: NonNegative = 0.0
+    turning_drag: NonNegative = 0.0
     heading: Number = 0.0
     round: bool = False
 

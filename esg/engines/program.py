@@ -30,9 +30,9 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   whose centre of mass x is between its sides and not below its bottom, with
   h = |R_z| . `extents`, where R_z is the vertical row of its rotation matrix, and
   u = clip((level - x_z + h) / 2h, 0, 1): f = u, or u^2 (3 - 2u) of what is `round`, is the share
-  of it in the liquid. Then v becomes v / (1 + f dt (`linear` + `quadratic` |v|)), f `lift` dt is
-  added to its vertical part, and w becomes w / (1 + f dt `turning`). A later hold or guide of the
-  same body sets what it sets.
+  of it in the liquid. Then v becomes v / (1 + f dt (`linear_drag` + `quadratic_drag` |v|)),
+  f `lift` dt is added to its vertical part, and w becomes w / (1 + f dt `turning_drag`). A later
+  hold or guide of the same body sets what it sets.
 * After them, the brakes act on every body whose `braking` an `AdjustProperties` has set: its
   horizontal velocity loses min(|v_h|, braking dt), and the horizontal part of the angular velocity
   of a body with roll_radius > 0 the same share, so that what rolls goes on without slipping. Of an
@@ -364,9 +364,9 @@ class BuoyUp:
         extents: Half the size of the body in its axes [m].
         lift: What all of the body in it adds to its vertical velocity [m/s^2]: the liquid's density
             over the body's, times gravity.
-        linear: Drag that grows with the speed [1/s].
-        quadratic: Drag that grows with its square [1/m].
-        turning: Of the angular velocity [1/s].
+        linear_drag: Drag that grows with the speed [1/s].
+        quadratic_drag: Drag that grows with its square [1/m].
+        turning_drag: Of the angular velocity [1/s].
         heading: Of the basin's length [rad].
         round: Whether the body is a ball, whose volume is in its middle.
 
@@ -382,9 +382,9 @@ class BuoyUp:
     basin: Vec
     extents: Vec
     lift: float
-    linear: float = 0.0
-    quadratic: float = 0.0
-    turning: float = 0.0
+    linear_drag: float = 0.0
+    quadratic_drag: float = 0.0
+    turning_drag: float = 0.0
     heading: float = 0.0
     round: bool = False
     until_contact: ClassVar[tuple[str, ...]] = ()
@@ -631,8 +631,8 @@ def _row(p: Primitive) -> NDArray[np.float64]:
     elif isinstance(p, HoldSpin):
         values = p.spin
     elif isinstance(p, BuoyUp):
-        values = (*p.center, *p.basin, *p.extents, p.lift, p.linear, p.quadratic, p.turning,
-                  p.heading, float(p.round))  # fmt: skip
+        values = (*p.center, *p.basin, *p.extents, p.lift, p.linear_drag,
+                  p.quadratic_drag, p.turning_drag, p.heading, float(p.round))  # fmt: skip
     else:
         values = (p.speed, p.heading, p.acceleration, p.max_speed, p.turn_rate, p.roll_radius,
                   p.climb, p.gains, p.loses)  # fmt: skip

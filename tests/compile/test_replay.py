@@ -398,7 +398,7 @@ def test_the_class_bears_up_as_its_program(tmp_path: Path, engine: str) -> None:
     )
     scene = SimScene("pool", (light, heavy))
     basin = {"center": (0.0, 0.0, 0.6), "basin": (1.2, 0.6, 0.3), "heading": 0.2}
-    drag = {"linear": 3.0, "quadratic": 8.0, "turning": 4.0}
+    drag = {"linear_drag": 3.0, "quadratic_drag": 8.0, "turning_drag": 4.0}
     program = Program(
         (
             BuoyUp("l", 0.0, math.inf, extents=half, lift=20.0, **basin, **drag),

@@ -17,7 +17,7 @@ from tests.engines.lab import ball, box
 ENGINES = ("physx", "rapier", "newton")
 LEVEL = 0.5
 BASIN = {"center": (0.0, 0.0, LEVEL), "basin": (1.0, 0.5, 0.25), "heading": 0.3}
-DRAG = {"linear": 4.0, "quadratic": 10.0, "turning": 5.0}
+DRAG = {"linear_drag": 4.0, "quadratic_drag": 10.0, "turning_drag": 5.0}
 G = 9.81
 
 

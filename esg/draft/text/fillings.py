@@ -18,7 +18,7 @@ from esg.lexicon.contents import contents, contents_said
 
 _FULL: dict[str, float] = {"half": 0.5, "partly": 0.5, "partially": 0.5, "quarter": 0.25}
 """Share of the depth that a word before "full" or "filled" tells of."""
-BRIM, LIQUID, LOOSE = 0.92, 0.8, 0.6
+BRIM, LIQUID, LOOSE = 0.92, 0.85, 0.6
 """Of what is said to be full; of what a vessel is said to hold, by what that is."""
 _SHOWN = "clear|clean|fresh|still|calm|plain|tap|pure"
 """Adjectives that a drawing of a content answers by itself."""

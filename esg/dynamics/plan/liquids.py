@@ -76,9 +76,9 @@ def _of_basin(doc: EsgDocument, scene: SimScene, region: Region) -> list[BuoyUp]
                 basin=_rounded(region.half_extents),
                 extents=_rounded(body.half_extents),
                 lift=round(does.lift, 6),
-                linear=round(does.linear, 6),
-                quadratic=round(does.quadratic, 6),
-                turning=round(does.turning, 6),
+                linear_drag=round(does.linear, 6),
+                quadratic_drag=round(does.quadratic, 6),
+                turning_drag=round(does.turning, 6),
                 heading=round(float(yaw_from_quat(vessel.quaternion)), 9),
                 round=does.ball,
             )

@@ -39,6 +39,7 @@ class Support:
         z_cm: Height of the node's origin above the parent's origin.
         yaw_fixed: The attachment dictates the heading.
         note: What is wrong with this support, for the report.
+        afloat: Whether a liquid carries it, and nothing solid.
     """
 
     parent: str | None
@@ -47,6 +48,7 @@ class Support:
     z_cm: float
     yaw_fixed: bool = False
     note: str = ""
+    afloat: bool = False
 
 
 @dataclass
@@ -244,7 +246,9 @@ def _inside(child: Shape, parent_name: str, parent: Shape) -> Support:
             if abs(p.x - cx) <= p.hx and abs(p.y - cy) <= max(p.hx, p.hy) and p.z1 <= cz
         ]
         z = max([cz - hz, *floors]) if floors else max(0.0, cz - hz)
-        z = max(z, _waterline(child, parent))
+        line = _waterline(child, parent)
+        if line > z:
+            return Support(parent_name, "inside", rect, line, afloat=True)
         note = ""
         if child.hx > hx + 0.01 or child.hy > hy + 0.01:
             note = f"does not fit into {parent_name}"

@@ -6,7 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.scene import Region
-from esg.lexicon.contents import CONTENT, contents
+from esg.lexicon.contents import CONTENT
+from esg.metrics.liquids import content_name, is_liquid, over_basin
 from esg.metrics.replay import Replay
 from esg.metrics.statements.place import mostly
 from esg.metrics.statements.query import Kept, StatementQuery
@@ -37,9 +38,9 @@ def floats(replay: Replay, q: StatementQuery, body: int) -> Kept:
     held, off = np.zeros(len(samples), bool), np.full(len(samples), np.nan)
     for vessel in q.target.bodies:
         region = _content(replay, vessel, q.statement.noun)
-        if region is None or not contents()[_name(region)].liquid:
+        if region is None or not is_liquid(region):
             continue
-        over, low, high, level, bottom = _heights(replay, body, vessel, region, samples)
+        over, low, high, level, bottom = _heights(replay, body, region, samples)
         held |= over & (low > bottom + AFLOAT_M) & (low < level) & (high > level)
         off = low - level
     if np.isnan(off).all():
@@ -53,11 +54,9 @@ def sinks(replay: Replay, q: StatementQuery, body: int) -> Kept:
     samples = q.window.samples(replay)[-1:]
     for vessel in q.target.bodies:
         region = _content(replay, vessel, q.statement.noun)
-        if region is None or not contents()[_name(region)].liquid:
+        if region is None or not is_liquid(region):
             continue
-        over, low, high, level, bottom = (
-            v[-1] for v in _heights(replay, body, vessel, region, samples)
-        )
+        over, low, high, level, bottom = (v[-1] for v in _heights(replay, body, region, samples))
         deep = low <= bottom + max(AFLOAT_M, SUNK_SHARE * (level - bottom))
         measured = {"over_bottom_m": float(low - bottom), "below_level_m": float(level - high)}
         reason = f"does not end at the bottom of {q.goal}"
@@ -69,27 +68,18 @@ def _content(replay: Replay, body: int, noun: str | None) -> Region | None:
     """The region of a vessel's content, of the one of that name if one is named."""
     name = replay.scene.bodies[body].name
     found = (r for r in replay.scene.regions if r.parent == name and r.kind == CONTENT)
-    return next((r for r in found if noun is None or _name(r) == noun), None)
-
-
-def _name(region: Region) -> str:
-    return region.name.rpartition("/")[2]
+    return next((r for r in found if noun is None or content_name(r) == noun), None)
 
 
 Floats = NDArray[np.float64]
 
 
 def _heights(
-    replay: Replay, body: int, vessel: int, region: Region, samples: NDArray[np.int64]
+    replay: Replay, body: int, region: Region, samples: NDArray[np.int64]
 ) -> tuple[NDArray[np.bool_], Floats, Floats, Floats, Floats]:
     """Per sample: whether a body is within the sides of a liquid, its lowest and its highest
     point, the level and the bottom [m]."""
-    center, half = np.array(region.center), np.array(region.half_extents)
-    turn, at = replay.quaternion[samples, vessel], replay.position[samples, vessel]
-    middle = at + quat_rotate(turn, center[None])
-    inverse = turn * np.array([-1.0, -1.0, -1.0, 1.0])
-    off = quat_rotate(inverse, replay.position[samples, body] - middle)
-    over = np.all(np.abs(off[:, :2]) <= half[:2], axis=1)
+    over, level = over_basin(replay, body, region, samples)
     boxes = [bounds(replay, body, int(k)) for k in samples]
     low, high = (np.array([b[i][2] for b in boxes], float) for i in (0, 1))
-    return over, low, high, middle[:, 2] + half[2], middle[:, 2] - half[2]
+    return over, low, high, level, level - 2.0 * region.half_extents[2]
