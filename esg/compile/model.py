@@ -351,7 +351,7 @@ def _values(p: OfBody) -> tuple[tuple[str, str], ...]:
     if isinstance(p, SetVelocity):
         values = [
             ("Time", frames.literal(p.time)),
-            ("Velocity", _vector(p.linear_drag)),
+            ("Velocity", _vector(p.linear)),
         ]
         if p.angular is not None:
             spin = frames.vector_literal(frames.angular_to_unreal(p.angular))
