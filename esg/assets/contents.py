@@ -6,13 +6,9 @@ import math
 from typing import Any
 
 from esg.assets.geometry.massprops import mass_properties
+from esg.graph.floating import ROUND, is_round
 from esg.graph.models import AssetConfiguration, AssetRequirement, NamedRegion, Proxy, ProxyKind
 from esg.lexicon.contents import CONTENT, contents
-
-ROUND = math.sqrt(2.0)
-"""Radius of a round vessel over half the side of the square that its region `inside` is."""
-_THIN = 0.96
-"""A region that reaches less far than this towards the outside is the square in a round vessel."""
 
 
 def content_of(config: AssetConfiguration) -> NamedRegion | None:
@@ -58,11 +54,6 @@ def filled(config: AssetConfiguration, requirement: AssetRequirement) -> AssetCo
     if not requirement.mass_is_prescribed:
         changes |= _weighed(config, body, row.density)
     return config.model_copy(update=changes)
-
-
-def is_round(config: AssetConfiguration, mouth: NamedRegion) -> bool:
-    """Whether a region is the square within a round wall."""
-    return ROUND * max(mouth.half_extents_cm[:2]) < _THIN * 0.5 * max(config.dimensions_cm[:2])
 
 
 def _body(level: NamedRegion, turned: bool, mouth: NamedRegion) -> Proxy:

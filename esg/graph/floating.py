@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import math
 
 from esg.graph.models import AssetConfiguration, NamedRegion, ProxyKind
-from esg.lexicon.contents import CONTENT, Content, contents
+from esg.lexicon.contents import CONTENT, Content, contents, densities
 from esg.units import GRAVITY_MPS2
 
 MOST = 20.0
@@ -16,6 +16,10 @@ SHAPE_DRAG = 0.8
 WAVES = 0.25
 """Damping of what bobs on a level, as a share of the critical one: an estimate."""
 STOKES = 6.0 * math.pi
+ROUND = math.sqrt(2.0)
+"""Radius of a round vessel over half the side of the square that its region `inside` is."""
+_THIN = 0.96
+"""A region that reaches less far than this towards the outside is the square in a round vessel."""
 TURNING = 3.0
 """How fast what turns in a liquid comes to rest, at least [1/s]: an estimate."""
 
@@ -88,10 +92,28 @@ def afloat(config: AssetConfiguration, row: Content) -> Afloat:
 
 def displaced_m3(config: AssetConfiguration) -> float:
     """Volume that a body takes up when all of it is under water [m^3]."""
+    known = densities().get(config.category.replace("_", " "))
+    if known is not None:
+        return config.mass_kg / known
     box = math.prod(config.dimensions_cm)
     solid = sum(_volume(p.kind, p.size_cm, p.vertices_cm) for p in config.proxies)
-    hollow = sum(8.0 * math.prod(r.half_extents_cm) for r in config.regions if r.kind == "inside")
+    hollow = sum(
+        hollow_area_cm2(config, r) * 2.0 * r.half_extents_cm[2]
+        for r in config.regions
+        if r.kind == "inside"
+    )
     return 1e-6 * min(solid + hollow, box)
+
+
+def is_round(config: AssetConfiguration, mouth: NamedRegion) -> bool:
+    """Whether a region is the square within a round wall."""
+    return ROUND * max(mouth.half_extents_cm[:2]) < _THIN * 0.5 * max(config.dimensions_cm[:2])
+
+
+def hollow_area_cm2(config: AssetConfiguration, mouth: NamedRegion) -> float:
+    """Area of the inside of a vessel seen from above [cm^2]."""
+    hx, hy, _ = mouth.half_extents_cm
+    return math.pi * (ROUND * min(hx, hy)) ** 2 if is_round(config, mouth) else 4.0 * hx * hy
 
 
 def _volume(

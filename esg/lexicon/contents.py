@@ -1,4 +1,4 @@
-"""What open vessels are filled with: `contents.csv`."""
+"""What open vessels are filled with (`contents.csv`), and what sinks in it (`densities.csv`)."""
 
 from __future__ import annotations
 
@@ -73,3 +73,15 @@ def contents_said() -> dict[str, str]:
     """Names of contents by the words for them."""
     rows = contents().values()
     return {word: row.name for row in rows for word in (row.name, *row.said_as)}
+
+
+@cache
+def densities() -> dict[str, float]:
+    """Densities [kg/m^3] of things whose shapes are wider than they are, by the words for them."""
+    with open(TABLE.with_name("densities.csv"), encoding="utf-8", newline="") as file:
+        rows = [*csv.DictReader(file)]
+    return {
+        word: float(row["density"])
+        for row in rows
+        for word in (row["name"], *words(row["said_as"]))
+    }

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
+
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING
 from esg.draft.statements.book import Told
+from esg.draft.text.elements import Mention
 from esg.draft.text.fillings import Fillings, Floating
 from esg.graph.models import Contents, CoverageItem, EdgeEvent, EsgDocument, NodeEvent, Predicate
 
 SPILLS = "what spills is not simulated"
 NO_VESSEL = "no vessel of the scene holds it"
+NO_SPLASH = "no splash is shown"
 AS_IT_IS = "how it is in the vessel is not shown"
 _TIPS = frozenset({NodeEvent.FALL, NodeEvent.TOPPLE, NodeEvent.BREAK})
 """Events in which a vessel spills what is in it."""
@@ -41,6 +45,8 @@ def contained(t: Told) -> None:
             book.add(Predicate.NOT_REPRESENTED, f.start, f.end, object=vessels, note=SPILLS)
         for start, end in f.lacks:
             book.add(Predicate.NOT_REPRESENTED, start, end, object=vessels, note=AS_IT_IS)
+    for start, end in d.scene.fillings.splashes:
+        book.add(Predicate.NOT_REPRESENTED, start, end, note=NO_SPLASH)
     for floating in d.scene.fillings.floating:
         who, vessels = _who(d, floating), _in_what(d, floating)
         at = floating.start, floating.end
@@ -59,10 +65,10 @@ def as_told(doc: EsgDocument, fillings: Fillings, prompt: str) -> EsgDocument:
     """The document with the words of the prompt where others stood in their place for a while."""
     if fillings.text == fillings.told or doc.coverage is None:
         return doc
-    longer = {f.start: f.end for f in fillings.floating}
     items: list[CoverageItem] = []
     for item in doc.coverage.items:
-        end = max(item.end, longer.get(item.start, 0))
+        there = (b for a, b in fillings.changed if item.start <= a < item.end)
+        end = max([item.end, *there])
         items.append(item.model_copy(update={"text": prompt[item.start : end], "end": end}))
     return doc.model_copy(
         update={"coverage": doc.coverage.model_copy(update={"items": tuple(items)})}
@@ -71,11 +77,20 @@ def as_told(doc: EsgDocument, fillings: Fillings, prompt: str) -> EsgDocument:
 
 def _at(d: Discourse, at: int) -> list[str]:
     """The nodes of the mention that stands there."""
-    for m in d.mentions:
-        if m.start <= at < m.end:
-            found = d.world.resolved.get(id(m), m.entities)
-            return [i for i in found if i in d.world.entities]
+    there = [m for m in _each(d.mentions) if m.start <= at < m.end]
+    for m in sorted(there, key=lambda m: m.end - m.start):
+        beside = {i for other in m.coordinated for i in d.world.resolved.get(id(other), ())}
+        found = d.world.resolved.get(id(m), m.entities)
+        if own := [i for i in found if i in d.world.entities and i not in beside]:
+            return own
     return []
+
+
+def _each(mentions: list[Mention]) -> Iterator[Mention]:
+    """Mentions, and what is coordinated with them."""
+    for m in mentions:
+        yield m
+        yield from _each(m.coordinated)
 
 
 def _in_what(d: Discourse, floating: Floating) -> tuple[str, ...]:
@@ -104,4 +119,4 @@ def _spills(d: Discourse, vessel: str) -> bool:
     tipped = (n for n in d.timeline.nodes if n.event in _TIPS)
     thrown = (e for e in d.timeline.edges if e.event is EdgeEvent.TOWARD and e.actor == vessel)
     first = any(n.participants[:1] == (vessel,) for n in tipped)
-    return first or any(e.target is None for e in thrown)
+    return first or any(e.target is None and e.params.spin != "slide" for e in thrown)

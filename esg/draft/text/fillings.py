@@ -13,6 +13,7 @@ from functools import cache
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.verbphrases import verb_readings
 from esg.graph.models import Predicate
 from esg.lexicon.contents import contents, contents_said
 
@@ -74,13 +75,19 @@ class Fillings:
     Args:
         told: The text as it was.
         text: The text without it, of the same length.
-        fillings, floating: What was found.
+        fillings, floating, splashes, meant, changed: What was found.
     """
 
     told: str
     text: str
     fillings: list[Filling] = field(default_factory=list[Filling])
     floating: list[Floating] = field(default_factory=list[Floating])
+    splashes: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
+    """Verbs of which only the fall is shown."""
+    changed: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
+    """Where the text is another now."""
+    meant: dict[str, str] = field(default_factory=dict[str, str])
+    """By what a vessel is filled with, the vessel's noun: "the water" is what is in it."""
 
 
 def take_out(text: str, nouns: Sequence[int] = ()) -> Fillings:
@@ -91,6 +98,9 @@ def take_out(text: str, nouns: Sequence[int] = ()) -> Fillings:
         nouns: Where words begin that are nouns: "a cup of coffee beans" is filled with none.
     """
     found = Fillings(text, text)
+    if "drop" in text.lower():
+        for m in [*_DROP.finditer(text)]:
+            _blank(found, *m.span(), "droplets" if m["many"] or m["more"] else "droplet")
     if not _ANY.search(text) or not _vessel_words().search(text):
         return found
     taken = frozenset(nouns)
@@ -98,6 +108,8 @@ def take_out(text: str, nouns: Sequence[int] = ()) -> Fillings:
         read(found, taken)
     _on_its_level(found)
     _floats(found)
+    _falls_in(found)
+    _meant(found)
     if found.fillings:
         _at_last(found)
     return found
@@ -106,6 +118,7 @@ def take_out(text: str, nouns: Sequence[int] = ()) -> Fillings:
 def _blank(found: Fillings, start: int, end: int, instead: str = "") -> None:
     """Puts other words, no longer than they are, in the place of some."""
     found.text = found.text[:start] + instead.ljust(end - start) + found.text[end:]
+    found.changed.append((start, end))
 
 
 def _filling(
@@ -135,8 +148,10 @@ def _filling(
 
 def _goes_on(found: Fillings, end: int, nouns: frozenset[int]) -> bool:
     """Whether a noun follows, of which what was read is only the first word ("coffee beans")."""
-    after = re.compile(r"[ -]").match(found.text, end)
-    return after is not None and (after.end() in nouns or after[0] == "-")
+    after = re.compile(r"[ -](\w*)").match(found.text, end)
+    if after is None or after[0][0] == "-":
+        return after is not None
+    return after.start(1) in nouns and not verb_readings(after[1].lower())
 
 
 def _after(found: Fillings, nouns: frozenset[int]) -> None:
@@ -146,6 +161,13 @@ def _after(found: Fillings, nouns: frozenset[int]) -> None:
         if not bare and not _goes_on(found, m.end(), nouns):
             _filling(found, m, m.start("vessel"), (m.start("told"), m.end()), m["how"] or "")
             _blank(found, m.start("told"), m.end())
+
+
+def _meant(found: Fillings) -> None:
+    """ "The water" is what is in the vessel, where the text has no other."""
+    for f in found.fillings:
+        words = [w for w, name in contents_said().items() if name == f.content]
+        found.meant.update(dict.fromkeys(words, _word(found.text, f.vessel)))
 
 
 def _said_of_it(found: Fillings, nouns: frozenset[int]) -> None:
@@ -195,22 +217,45 @@ def _floats(found: Fillings) -> None:
     filled = {f.vessel for f in found.fillings}
     names = {_word(found.text, at) for at in filled}
     for m in [*_floats_words().finditer(found.text)]:
-        verb, vessel = m["verb"].lower(), m.start("vessel")
-        at = (m.start("verb"), m.end("verb"))
+        verb, vessel, at = m["verb"].lower(), _vessel(found, m), m.span("verb")
+        if vessel < 0:
+            continue
         if vessel not in filled and _word(found.text, vessel) not in names:
             found.fillings.append(Filling(vessel, m.start("prep"), m.end(), "water", LIQUID))
-        found.floating = [f for f in found.floating if f.vessel != vessel]
+        found.floating = [f for f in found.floating if f.vessel != vessel or f.start < m.start()]
         found.floating.append(Floating(Predicate.FLOATS, *at, vessel, lasts=True))
         lies = {"floats": "lies", "float": "lie", "floated": "lay", "floating": "lying"}[verb]
         _blank(found, *at, lies)
-        _blank(found, m.start("prep"), m.end("prep"), "in")
+        _blank(found, *m.span("prep"), "in")
     for m in [*_sinks_words().finditer(found.text)]:
-        vessel = m.start("vessel")
-        if vessel in filled or _word(found.text, vessel) in names:
-            at = (m.start("verb"), m.end("prep") if "bottom" in m["prep"] else m.end("verb"))
+        vessel = _vessel(found, m)
+        if vessel in filled or (vessel >= 0 and _word(found.text, vessel) in names):
+            bottom = "bottom" in m["prep"]
+            at = (m.start("verb"), m.end("prep") if bottom else m.end("verb"))
             found.floating.append(Floating(Predicate.SINKS, *at, vessel))
-            if "bottom" in m["prep"]:
-                _blank(found, m.start("prep"), m.end("prep"), "into")
+            if bottom:
+                _blank(found, *m.span("prep"), "into")
+
+
+def _vessel(found: Fillings, m: re.Match[str]) -> int:
+    """Where the noun of the vessel begins that a match names, or of the one that holds the content
+    that it names; -1 for none."""
+    if m["vessel"]:
+        return m.start("vessel")
+    name = contents_said()[m["content"].lower()]
+    holds = [f.vessel for f in found.fillings if f.content == name and f.vessel < m.start()]
+    return max(holds, default=-1)
+
+
+def _falls_in(found: Fillings) -> None:
+    """ "Splashes into a bucket": it falls in, and no splash is shown."""
+    names = {_word(found.text, f.vessel) for f in found.fillings}
+    for m in [*_splash_words().finditer(found.text)]:
+        if _word(found.text, m.start("vessel")) in names:
+            verb = m["verb"].lower()
+            falls = {"splashes": "falls", "splash": "fall", "splashed": "fell"}.get(verb, "falling")
+            found.splashes.append((m.start("verb"), m.end("verb")))
+            _blank(found, m.start("verb"), m.end("verb"), falls)
 
 
 def _at_last(found: Fillings) -> None:
@@ -266,6 +311,14 @@ _SOME = r"\s+(?:some\s+|a\s+little\s+)?"
 _INSIDE = r"(?:\s+(?:in\s+it|inside(?:\s+it)?)(?=[\s,.;]|$))?"
 
 
+def _where() -> str:
+    """A vessel, or what one is filled with."""
+    return (
+        rf"(?:{COUNTED}\s+(?:[\w-]+\s+){{0,2}}?{_vessels()}"
+        rf"|the\s+(?P<content>{_any([*contents_said()])})\b)"
+    )
+
+
 def _compiled(pattern: str) -> re.Pattern[str]:
     return re.compile(pattern, re.IGNORECASE)
 
@@ -313,17 +366,30 @@ def _level_words() -> re.Pattern[str]:
 def _floats_words() -> re.Pattern[str]:
     return _compiled(
         r"\b(?P<verb>floats|float|floated|floating)\s+"
-        r"(?P<prep>inside|in|on\s+top\s+of|on\s+the\s+(?:surface|top)\s+of|on)\s+"
+        rf"(?P<prep>inside|in|on\s+top\s+of|on\s+the\s+(?:surface|top)\s+of|on)\s+{_where()}"
+    )
+
+
+@cache
+def _splash_words() -> re.Pattern[str]:
+    return _compiled(
+        r"\b(?P<verb>splashes|splash|splashed|splashing)\s+(?:down\s+)?into\s+"
         rf"{COUNTED}\s+(?:[\w-]+\s+){{0,2}}?{_vessels()}"
     )
+
+
+_DROP = re.compile(
+    r"\b(?:(?:rain|dew)[\s-]?drop|drop(?P<many>s)?\s+of\s+(?:rain)?water|(?<=\ba )water\s+drop"
+    r"|water\s+droplet)(?(many)|(?P<more>s)?)\b(?!\s+cling)",
+    re.IGNORECASE,
+)
 
 
 @cache
 def _sinks_words() -> re.Pattern[str]:
     return _compiled(
         r"\b(?P<verb>sinks?|sank|sinking)\s+"
-        r"(?P<prep>into|inside|in|(?:down\s+)?to\s+the\s+bottom\s+of|through)\s+"
-        rf"{COUNTED}\s+(?:[\w-]+\s+){{0,2}}?{_vessels()}"
+        rf"(?P<prep>into|inside|in|(?:down\s+)?to\s+the\s+bottom\s+of|through)\s+{_where()}"
     )
 
 

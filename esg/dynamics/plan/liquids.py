@@ -66,13 +66,15 @@ def _of_basin(doc: EsgDocument, scene: SimScene, region: Region) -> list[BuoyUp]
             continue
         if sorted(body.half_extents)[1] > _BESIDE * min(region.half_extents[:2]):
             continue
+        # Its extents are about the middle of its box, over its centre of mass as it stands.
+        over = body.origin_offset[2] + body.half_extents[2]
         does = afloat(doc.asset_configurations[nodes[body.name].asset_id], row)
         out.append(
             BuoyUp(
                 body=body.name,
                 start=0.0,
                 end=math.inf,
-                center=_rounded(level),
+                center=_rounded(level - np.array([0.0, 0.0, over])),
                 basin=_rounded(region.half_extents),
                 extents=_rounded(body.half_extents),
                 lift=round(does.lift, 6),
