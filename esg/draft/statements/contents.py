@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+import re
 
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING
@@ -15,6 +16,12 @@ SPILLS = "what spills is not simulated"
 NO_VESSEL = "no vessel of the scene holds it"
 NO_SPLASH = "no splash is shown"
 AS_IT_IS = "how it is in the vessel is not shown"
+_EMPTIES = re.compile(
+    r"\b(?:empt|pour|spill|tip|drink|drank|sip|dump|throw|threw|toss|slosh|upend|overturn)\w*\b"
+    r"[^.,;]{0,30}$",
+    re.IGNORECASE,
+)
+"""Before a vessel, what is done with what is in it."""
 _TIPS = frozenset({NodeEvent.FALL, NodeEvent.TOPPLE, NodeEvent.BREAK})
 """Events in which a vessel spills what is in it."""
 
@@ -36,7 +43,7 @@ def contained(t: Told) -> None:
         if not vessels:
             book.add(Predicate.NOT_REPRESENTED, f.start, f.end, note=NO_VESSEL)
             continue
-        spilt = any(_spills(d, i) for i in vessels)
+        spilt = any(_spills(d, i) for i in vessels) or _EMPTIES.search(d.text[: f.vessel])
         book.add(
             Predicate.FILLED_WITH, f.start, f.end, object=vessels, noun=f.content,
             when="start" if spilt else "throughout",
@@ -119,4 +126,4 @@ def _spills(d: Discourse, vessel: str) -> bool:
     tipped = (n for n in d.timeline.nodes if n.event in _TIPS)
     thrown = (e for e in d.timeline.edges if e.event is EdgeEvent.TOWARD and e.actor == vessel)
     first = any(n.participants[:1] == (vessel,) for n in tipped)
-    return first or any(e.target is None and e.params.spin != "slide" for e in thrown)
+    return first or any(e.params.spin != "slide" for e in thrown)

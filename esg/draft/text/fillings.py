@@ -190,7 +190,8 @@ def _before(found: Fillings, nouns: frozenset[int]) -> None:
 def _within(found: Fillings, nouns: frozenset[int]) -> None:
     """ "Into the water in a bucket": into the bucket."""
     for m in [*_within_words().finditer(found.text)]:
-        _filling(found, m, m.start("vessel"), (m.start("told"), m.end("told")))
+        told = m["told"].rstrip()
+        _filling(found, m, m.start("vessel"), (m.start("told"), m.start("told") + len(told)))
         _put_into(found, m)
 
 
