@@ -16,6 +16,11 @@ def content_of(config: AssetConfiguration) -> NamedRegion | None:
     return next((r for r in config.regions if r.kind == CONTENT), None)
 
 
+def is_open(config: AssetConfiguration) -> bool:
+    """Whether something can be in it."""
+    return any(r.kind == "inside" for r in config.regions)
+
+
 def filled(config: AssetConfiguration, requirement: AssetRequirement) -> AssetConfiguration:
     """The configuration of a vessel with what the requirement says is in it.
 
@@ -41,14 +46,15 @@ def filled(config: AssetConfiguration, requirement: AssetRequirement) -> AssetCo
     body = _body(level, is_round(config, mouth), mouth)
     regions = [r for r in config.regions if r is not mouth]
     changes: dict[str, Any] = {"contents": told}
+    low = bottom if row.liquid else bottom + depth
+    high = bottom + 2.0 * hz + min(hx, hy)  # what floats or lies in it looks out over the rim
+    mouth = mouth.model_copy(
+        update={
+            "center_cm": (x, y, 0.5 * (low + high)),
+            "half_extents_cm": (hx, hy, 0.5 * (high - low)),
+        }
+    )
     if not row.liquid:
-        top = bottom + 2.0 * hz
-        mouth = mouth.model_copy(
-            update={
-                "center_cm": (x, y, 0.5 * (bottom + depth + top)),
-                "half_extents_cm": (hx, hy, 0.5 * (top - bottom - depth)),
-            }
-        )
         changes["proxies"] = (*config.proxies, body)
     changes["regions"] = (mouth, *regions, level)
     if not requirement.mass_is_prescribed:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from esg.assets.colors import find_color
 from esg.assets.configuration import category_of, finish, plain_entry, stated_material
-from esg.assets.contents import filled
+from esg.assets.contents import filled, is_open
 from esg.assets.geometry.rolling import (
     FLAGS,
     as_drawn,
@@ -109,7 +109,30 @@ def configure(
         retrieval_only: Take the closest asset of the library, whatever it is.
     """
     empty = _empty(key, requirement, generator, seed, failures, rolled, retrieval_only)
+    if requirement.contents is not None and not is_open(empty):
+        empty = _open(key, requirement, empty)
     return filled(empty, requirement)
+
+
+def _open(
+    key: str, requirement: AssetRequirement, closed: AssetConfiguration
+) -> AssetConfiguration:
+    """An open vessel as large, for one that is drawn closed or full: barrels, aquariums."""
+    size, shape = closed.dimensions_cm, "open box"
+    if requirement.shape == "cylinder":
+        size, shape = (math.prod(size) ** (1.0 / 3.0),) * 3, "bucket"
+    said = requirement.model_copy(
+        update={
+            "asset_category": shape,
+            "asset_description": shape,
+            "expected_dimensions_cm": size,
+            "expected_mass_kg": closed.mass_kg,
+            "dimensions_are_prescribed": True,
+        }
+    )
+    made = build_configuration(key, said, decide(said))
+    made = made.model_copy(update={"category": category_of(requirement)})
+    return made if is_open(made) else closed
 
 
 def _empty(

@@ -164,10 +164,6 @@ def _hang(scene: Scene) -> None:
             scene.relations.append(Relation(e.id, host, "surround"))
 
 
-_CLOSED = lex.word_set("filled vessels (opened)")
-"""Vessels that are drawn closed or full where nothing is told to be in them."""
-
-
 def _asset(e: Entity, graph: _Graph, tint: str | None) -> str:
     """Name of what an entity needs; alike entities of one colour share it."""
     required = requirement(e)
@@ -176,8 +172,7 @@ def _asset(e: Entity, graph: _Graph, tint: str | None) -> str:
     inside = f"{e.id}/inside"
     jointed = any(e.id in (j.parent, j.child) for j in graph.scene.joints)  # "a chest with a lid"
     contents = graph.scene.contents.get(e.id)
-    entered = any(n.extra.get("region") == inside for n in graph.scene.timeline.nodes)
-    if not jointed and (entered or (contents is not None and e.head in _CLOSED)):
+    if not jointed and any(n.extra.get("region") == inside for n in graph.scene.timeline.nodes):
         names = {x.noun.name for x in graph.entities.values()}
         required = opened(e, required, bool(names & {"golf ball", "golf club"}))
     if contents is not None:
