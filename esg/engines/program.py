@@ -401,7 +401,9 @@ class BuoyUp:
         return self.start
 
 
-Lasting = HoldVelocity | GuideAlong | HoldSpin | BuoyUp
+Moving = HoldVelocity | GuideAlong | HoldSpin
+"""What moves a body from its start until its end or a touch."""
+Lasting = Moving | BuoyUp
 """What goes on from its start until its end or a touch."""
 Primitive = SetVelocity | ApplyImpulse | AdjustProperties | DriveJoint | Lasting
 KINDS: tuple[type[Any], ...] = (

@@ -9,7 +9,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING
 from esg.draft.statements.book import Told
 from esg.draft.text.elements import Mention
-from esg.draft.text.fillings import Fillings, Floating
+from esg.draft.text.fillings import COUNTED, Fillings, Floating
 from esg.graph.models import Contents, CoverageItem, EdgeEvent, EsgDocument, NodeEvent, Predicate
 
 SPILLS = "what spills is not simulated"
@@ -17,8 +17,8 @@ NO_VESSEL = "no vessel of the scene holds it"
 NO_SPLASH = "no splash is shown"
 AS_IT_IS = "how it is in the vessel is not shown"
 _EMPTIES = re.compile(
-    r"\b(?:empt|pour|spill|tip|drink|drank|sip|dump|throw|threw|toss|slosh|upend|overturn)\w*\b"
-    r"[^.,;]{0,30}$",
+    r"\b(?:empt|pour|spill|tip|drink|drank|sip|dump|throw|threw|toss|slosh|upend|overturn)\w*\s+"
+    rf"(?:(?:out|over)\s+)?{COUNTED}\s+(?:[\w-]+\s+){{0,2}}$",
     re.IGNORECASE,
 )
 """Before a vessel, what is done with what is in it."""

@@ -196,12 +196,26 @@ def _within(found: Fillings, nouns: frozenset[int]) -> None:
 
 
 def _put_into(found: Fillings, m: re.Match[str]) -> None:
-    """In the place of "on the surface of"."""
+    """In the place of "on the surface of"; what is set down there is set down on it."""
+    if _SET_DOWN.search(found.text, 0, m.start()):
+        at = m.start("prep"), m.end("told") - 1
+        found.floating.append(Floating(Predicate.INSIDE, *at, m.start("vessel")))
+        _blank(found, m.start("told"), m.end("told"))
+        return
     into = m["prep"].lower() in ("into", "onto", "to")
     if "surface" in m["told"].lower() or m["told"].lower().startswith("the top"):
         at = m.start("prep"), m.end("told") - 1
         found.floating.append(Floating(Predicate.INSIDE, *at, m.start("vessel"), lasts=True))
     _blank(found, m.start("prep"), m.end("told"), "into " if into else "in ")
+
+
+_SET_DOWN = re.compile(
+    r"\b(?:puts?|places?|sets?|lays?|lowers?|(?:gently|carefully|slowly|softly|lightly)\s+"
+    r"(?:placed|put|set|laid|lowered)|(?:placed|put|set|laid|lowered)\s+"
+    r"(?:down\s+)?(?:gently|carefully|slowly|softly|lightly))\b[^.,;]*$",
+    re.IGNORECASE,
+)
+"""An act that sets something down, and not how it is from the start."""
 
 
 def _on_its_level(found: Fillings) -> None:

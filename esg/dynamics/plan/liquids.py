@@ -9,6 +9,7 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from esg.dynamics.story.stagecraft import support_of
 from esg.engines.program import BuoyUp
@@ -35,6 +36,28 @@ def liquids(doc: EsgDocument, scene: SimScene) -> tuple[BuoyUp, ...]:
     return tuple(p for region in still for p in _of_basin(doc, scene, region))
 
 
+def waterline(doc: EsgDocument, scene: SimScene, vessel: str, body: str) -> float:
+    """Height of the lowest point of a body that lies in the liquid of a vessel as it floats, or
+    just under its level if it sinks; -inf where the vessel has none [m]."""
+    nodes = doc.spatial_relation_graph.nodes
+    for region in scene.regions:
+        row = contents().get(region.name.rpartition("/")[2]) if region.kind == CONTENT else None
+        if region.parent == vessel and row is not None and row.liquid and body in nodes:
+            share = afloat(doc.asset_configurations[nodes[body].asset_id], row).share
+            level = float(_level(scene, region)[2])
+            return level - 2.0 * share * scene.body(body).half_extents[2]
+    return -math.inf
+
+
+def _level(scene: SimScene, region: Region) -> NDArray[np.float64]:
+    """Middle of the level of a content [m]."""
+    vessel = scene.body(region.parent)
+    x, y, z = region.center
+    top = np.array([x, y, z + region.half_extents[2]])
+    level: NDArray[np.float64] = np.array(vessel.position)
+    return level + quat_rotate(np.array(vessel.quaternion), top)
+
+
 def _stands(doc: EsgDocument, scene: SimScene, vessel: str) -> bool:
     """Whether nothing of the story moves a vessel or what it stands on."""
     if doc.timeline_system is None:
@@ -45,7 +68,12 @@ def _stands(doc: EsgDocument, scene: SimScene, vessel: str) -> bool:
         under.append(below)
         below = support_of(doc, below)
     moved = {e.actor for e in graph.edges}
-    met = {p for n in graph.nodes if n.event not in _RESTS for p in n.participants}
+    met = {
+        p
+        for n in graph.nodes
+        if n.event not in _RESTS
+        for p in n.participants[: 1 if n.event is NodeEvent.PLACED else None]
+    }
     loose = {p for p in under if p in scene.names and not scene.body(p).static}
     return not loose & (moved | met)
 
@@ -55,9 +83,7 @@ def _of_basin(doc: EsgDocument, scene: SimScene, region: Region) -> list[BuoyUp]
     if not row.liquid:
         return []
     vessel = scene.body(region.parent)
-    x, y, z = region.center
-    top = np.array([x, y, z + region.half_extents[2]])
-    level = np.array(vessel.position) + quat_rotate(np.array(vessel.quaternion), top)
+    level = _level(scene, region)
     nodes = doc.spatial_relation_graph.nodes
     out: list[BuoyUp] = []
     for body in scene.bodies:
