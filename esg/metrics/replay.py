@@ -281,9 +281,9 @@ class Replay:
 
 
 def _moves(p: Primitive) -> bool:
-    return not (
-        p.lets_go if isinstance(p, DriveJoint) else isinstance(p, AdjustProperties | BuoyUp)
-    )
+    if isinstance(p, DriveJoint):
+        return not p.lets_go
+    return not isinstance(p, AdjustProperties | BuoyUp)
 
 
 def hit_starts(time: Floats, impulse: Floats, gap: float) -> NDArray[np.int64]:
