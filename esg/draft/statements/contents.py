@@ -70,7 +70,7 @@ def contained(t: Told) -> None:
 
 def as_told(doc: EsgDocument, fillings: Fillings, prompt: str) -> EsgDocument:
     """The document with the words of the prompt where others stood in their place for a while."""
-    if fillings.text == fillings.told or doc.coverage is None:
+    if fillings.text == fillings.told:
         return doc
     items: list[CoverageItem] = []
     for item in doc.coverage.items:
