@@ -34,7 +34,7 @@ class Traction:
 
     def act(self, dt, lasting, body_of):
         """After the primitives, of which `lasting` have set velocities in this step."""
-        driven = {p["body"] for p in lasting if p["kind"] != "HoldSpin"}
+        driven = {p["body"] for p in lasting if p["kind"] in ("HoldVelocity", "GuideAlong")}
         for name, b in self.bodies.items():
             body = body_of(name)
             self.before[name] = tuple(body.linvel)

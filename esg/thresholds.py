@@ -106,6 +106,10 @@ TOGETHER_M = 0.05
 UPRIGHT_DEG = 30.0
 STILL_M = 0.02
 """Less is no motion."""
+AFLOAT_M = 0.002
+"""What floats is so far off the bottom of its liquid at least."""
+SUNK_SHARE = 0.1
+"""What has sunk is no further over the bottom than this share of the liquid's depth."""
 AT_REST_MPS = 0.05
 NEAR_END_M = 0.5
 """What ends near something is no farther from it than this, or than its own size."""

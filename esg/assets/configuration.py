@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 import re
 
+from esg.assets.contents import content_of
 from esg.assets.geometry.massprops import mass_properties
 from esg.assets.geometry.sketch import Color, Sketch
 from esg.assets.geometry.wheels import wheels_of
@@ -118,6 +120,9 @@ def plain_entry(
 def parametric_entry(config: AssetConfiguration) -> Entry | None:
     """The entry behind a configuration: of the library, or a plain body; None if imported."""
     known = entries_by_name().get(config.asset_name)
+    level = content_of(config)
+    if known is not None and level is not None and config.contents is not None:
+        return replace(known, contents=(level, config.contents))
     if known is not None or not config.asset_name.startswith("plain_"):
         return known
     shape = config.asset_name.removeprefix("plain_")

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from esg.assets.colors import find_color
 from esg.assets.configuration import category_of, finish, plain_entry, stated_material
+from esg.assets.contents import filled, is_open
 from esg.assets.geometry.rolling import (
     FLAGS,
     as_drawn,
@@ -96,7 +97,7 @@ def configure(
     rolled: bool | None = None,
     retrieval_only: bool = False,
 ) -> AssetConfiguration:
-    """The configuration of one requirement.
+    """The configuration of one requirement, filled with what shall be in it.
 
     Args:
         key: Asset id in the document; names the mesh file.
@@ -107,6 +108,42 @@ def configure(
         rolled: Whether the story rolls it on its rim; None lets the size decide.
         retrieval_only: Take the closest asset of the library, whatever it is.
     """
+    empty = _empty(key, requirement, generator, seed, failures, rolled, retrieval_only)
+    if requirement.contents is not None and not is_open(empty):
+        empty = _open(key, requirement, empty)
+    return filled(empty, requirement)
+
+
+def _open(
+    key: str, requirement: AssetRequirement, closed: AssetConfiguration
+) -> AssetConfiguration:
+    """An open vessel as large, for one that is drawn closed or full: barrels, aquariums."""
+    size, shape = closed.dimensions_cm, "open box"
+    if requirement.shape == "cylinder":
+        size, shape = (math.prod(size) ** (1.0 / 3.0),) * 3, "bucket"
+    said = requirement.model_copy(
+        update={
+            "asset_category": shape,
+            "asset_description": shape,
+            "expected_dimensions_cm": size,
+            "expected_mass_kg": closed.mass_kg,
+            "dimensions_are_prescribed": True,
+        }
+    )
+    made = build_configuration(key, said, decide(said))
+    made = made.model_copy(update={"category": category_of(requirement)})
+    return made if is_open(made) else closed
+
+
+def _empty(
+    key: str,
+    requirement: AssetRequirement,
+    generator: Generator | None,
+    seed: int,
+    failures: dict[str, str] | None,
+    rolled: bool | None,
+    retrieval_only: bool,
+) -> AssetConfiguration:
     from esg.assets.imports.models.joining import named_model
     from esg.assets.library.nearest import nearest, usual_size
     from esg.assets.library.wording import restated

@@ -19,6 +19,7 @@ from esg.engines.joints import Joint, Motor
 from esg.engines.program import (
     AdjustProperties,
     ApplyImpulse,
+    BuoyUp,
     DriveJoint,
     GuideAlong,
     HoldSpin,
@@ -324,6 +325,7 @@ def _primitives(
             "HoldVelocity": "Drive",
             "GuideAlong": "Guide",
             "HoldSpin": "Spin",
+            "BuoyUp": "Liquid",
         }[p.kind]
         while True:
             number = counts[name, stem] = counts.get((name, stem), 0) + 1
@@ -387,6 +389,8 @@ def _values(p: OfBody) -> tuple[tuple[str, str], ...]:
         )
     if isinstance(p, HoldSpin):
         return (*span, ("Spin", frames.vector_literal(frames.angular_to_unreal(p.spin))))
+    if isinstance(p, BuoyUp):
+        return *span, *_liquid(p)
     limit = min(p.max_speed * frames.CM_PER_M, UNLIMITED)
     more: list[tuple[str, str]] = []
     if p.climb is not None:
@@ -406,6 +410,21 @@ def _values(p: OfBody) -> tuple[tuple[str, str], ...]:
         ("TurnRate", frames.literal(frames.heading_to_unreal(p.turn_rate))),
         ("RollRadius", frames.literal(p.roll_radius * frames.CM_PER_M)),
         *more,
+    )
+
+
+def _liquid(p: BuoyUp) -> tuple[tuple[str, str], ...]:
+    basin, extents = (tuple(frames.CM_PER_M * a for a in v) for v in (p.basin, p.extents))
+    return (
+        ("Center", _vector(p.center)),
+        ("Basin", frames.vector_literal(basin)),
+        ("Extents", frames.vector_literal(extents)),
+        ("Heading", frames.literal(frames.heading_to_unreal(p.heading))),
+        ("Lift", frames.literal(p.lift * frames.CM_PER_M)),
+        ("LinearDrag", frames.literal(p.linear_drag)),
+        ("QuadraticDrag", frames.literal(p.quadratic_drag / frames.CM_PER_M)),
+        ("TurningDrag", frames.literal(p.turning_drag)),
+        ("bRound", "true" if p.round else "false"),
     )
 
 

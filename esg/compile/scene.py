@@ -101,7 +101,7 @@ def emit_document(
 
         scene = build_scene(doc)
     if program is None:
-        program = document_program(doc)
+        program = document_program(doc, scene)
     watch = watch_list(doc, scene)
     return EmittedScene(scene, program, watch, emit_class(scene, program, watch=watch, dt=dt))
 
@@ -126,10 +126,17 @@ def write_class(emitted: EmittedClass, folder: Path) -> list[str]:
     return [f"unreal/{name}" for name in texts]
 
 
-def document_program(doc: EsgDocument) -> Program:
-    """The control program of a document; an empty one for a static scene."""
+def document_program(doc: EsgDocument, scene: SimScene | None = None) -> Program:
+    """The control program of a document; of a static scene only what its liquids do.
+
+    Args:
+        doc: A document with layout.
+        scene: Its physical scene; without one, liquids of a static scene do nothing.
+    """
     if doc.dynamics_result is None or not doc.dynamics_result.program:
-        return Program((), STATIC_DURATION_S)
+        from esg.dynamics.plan.liquids import liquids
+
+        return Program(() if scene is None else liquids(doc, scene), STATIC_DURATION_S)
     return program_from_json(doc.dynamics_result.program)
 
 

@@ -12,7 +12,7 @@ BODIES = {"body", "until_contact"}
 """Fields that name bodies; relationships in USD."""
 JOINT = "joint"
 """The field that names a joint; a relationship, too."""
-_VECTORS = {"linear", "angular", "impulse", "axis"}
+_VECTORS = {"linear", "angular", "impulse", "axis", "center", "basin", "extents"}
 _PATHS = {"points", "velocities"}
 
 

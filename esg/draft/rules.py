@@ -35,8 +35,10 @@ from esg.draft.grammar.rewrites.opposites import oppose
 from esg.draft.grammar.rewrites.patterns import rewrite
 from esg.draft.grammar.rewrites.shares import count
 from esg.draft.statements import state
+from esg.draft.statements.contents import as_told, fill
 from esg.draft.statements.drawn import drawn_otherwise
 from esg.draft.text.elements import Element
+from esg.draft.text.fillings import take_out
 from esg.draft.text.tagging import parsed, pos_tags
 from esg.draft.text.tokens import tokenize
 from esg.draft.text.topics import is_billiards, is_cricket, is_net_sport
@@ -80,7 +82,11 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
         UserError: If the prompt is empty, too long, not English, or names no object.
     """
     text = screen(prompt)
-    tokens = join_compounds(join_modifiers(tokenize(text, pos_tags(text)), text))
+    tags = pos_tags(text)
+    fillings = take_out(text, [at for at, part in tags if part in ("NOUN", "PROPN")])
+    if fillings.text != text:
+        text, tags = fillings.text, pos_tags(fillings.text)
+    tokens = join_compounds(join_modifiers(tokenize(text, tags), text))
     tokens = straight_verbs(name_relatives(tokens))
     elements = chunk(text, tokens)
     for _, put_plainly in _REWRITES:
@@ -92,10 +98,11 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     asked = ask(clauses, text)
     world = new_world()
     world.net_sport, world.billiards = is_net_sport(text), is_billiards(text)
-    world.cricket = is_cricket(text)
+    world.cricket, world.filled = is_cricket(text), fillings.meant
     discourse = begin(world, text, clauses.mentions)
     scene = interpret(discourse, clauses.frames, clauses.attachments)
     scene.text = text
+    fill(discourse, fillings)
     scene.asked = asked
     scene.ignored.update({(v.start, v.end): "gerund" for v in clauses.nominal})
     compare(text, clauses.mentions, scene)
@@ -128,6 +135,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     )  # fmt: skip
     found += drawn_otherwise(discourse, (*(statements or ()), *found))
     missed = stated_in_prompt(found, text, prompt)
+    doc = as_told(doc, fillings, prompt)
     if not missed:
         return doc
     said = sorted((*(placed or ()), *missed), key=lambda s: s.start)

@@ -10,7 +10,7 @@ import re
 import numpy as np
 
 from esg.engines.scene import SimScene
-from esg.graph.models import EsgDocument
+from esg.graph.models import EsgDocument, Predicate
 from esg.lexicon import kinds, singular
 from esg.lexicon.places import Place, SkyRow, places, skies, surfaces
 
@@ -62,11 +62,20 @@ def choose(doc: EsgDocument, scene: SimScene, extent: float, rng: np.random.Gene
         extent: Greatest extent along X or Y of what they sweep [m].
         rng: Draws what nothing speaks for.
     """
-    text = doc.scene_definition.original_description.lower()
+    text = _said_of_places(doc).lower()
     place, why = _place(doc, scene, text, extent, rng)
     sky, light = _sky(place, text, rng)
     ground, below = _ground(doc, place, text)
     return Choice(place, sky, ground, tuple(r for r in (why, light, below) if r))
+
+
+def _said_of_places(doc: EsgDocument) -> str:
+    """The prompt without what vessels are filled with: a bowl of water stands in no lake."""
+    text = doc.scene_definition.original_description
+    for s in doc.statements or ():
+        if s.predicate is Predicate.FILLED_WITH:
+            text = text[: s.start] + " " * (s.end - s.start) + text[s.end :]
+    return text
 
 
 def categories(scene: SimScene) -> set[str]:

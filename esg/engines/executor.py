@@ -20,6 +20,7 @@ from esg.engines.program import (
     Column,
     ProgramBatch,
     Vec,
+    buoyed,
     path_point,
 )
 from esg.engines.scene import ContactLog, Floats
@@ -150,6 +151,8 @@ class Executor:
                         driven[body] = _hold(row, body, t, dt, world, pull)
                     elif self._kind[k] is Action.GUIDE:
                         driven[body] = _guide(row, body, t, dt, world, pull)
+                    elif self._kind[k] is Action.BUOY:
+                        _buoy(row, body, dt, world)
                     else:
                         world.set_angular(body, _vector(row, Column.SPIN))
             elif row[Column.START] <= now:
@@ -316,6 +319,17 @@ def _motor(row: list[float]) -> Motor | None:
 
 def _vector(row: list[float], column: Column) -> Vec:
     return row[column], row[column + 1], row[column + 2]
+
+
+def _buoy(row: list[float], body: int, dt: float, world: BodyAccess) -> None:
+    """Bears a body up where it is in its liquid; one that is not stays as it is."""
+    x, turn, v, w = world.read(body)
+    a, b, c, d = (float(q) for q in turn)
+    up = (2.0 * (a * c - d * b), 2.0 * (b * c + d * a), 1.0 - 2.0 * (a * a + b * b))
+    found = buoyed(row, x, up, v, w, dt)
+    if found is not None:
+        world.set_linear(body, found[0])
+        world.set_angular(body, found[1])
 
 
 def _guide(

@@ -22,6 +22,7 @@ from esg.engines.joints import Joint, Motor, joint_problems
 from esg.engines.manifest_model import (
     BRAKING_CONVENTION,
     BREAKING_CONVENTION,
+    BUOY_CONVENTION,
     CLIMB_CONVENTION,
     CONVENTIONS,
     DRIVE_CONVENTION,
@@ -43,6 +44,7 @@ from esg.engines.manifest_model import (
 from esg.engines.program import (
     PROGRAM_VERSION,
     AdjustProperties,
+    BuoyUp,
     DriveJoint,
     GuideAlong,
     HoldSpin,
@@ -151,6 +153,8 @@ def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
             out["guide"] = GUIDE_CONVENTION
         elif isinstance(p, HoldSpin):
             out["spin"] = SPIN_CONVENTION
+        elif isinstance(p, BuoyUp):
+            out["buoy"] = BUOY_CONVENTION
         elif isinstance(p, DriveJoint):
             out["drive"] = DRIVE_CONVENTION
         elif isinstance(p, AdjustProperties) and p.braking is not None:

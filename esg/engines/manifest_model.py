@@ -73,7 +73,17 @@ SPIN_CONVENTION = (
     "a HoldSpin is active as a HoldVelocity is; it sets the angular velocity to rate [rad/s] along "
     "the unit vector of axis, and leaves the linear velocity"
 )
-"""Stand under `guide` and `spin` of the conventions of manifests whose programs have them."""
+BUOY_CONVENTION = (
+    "a BuoyUp is active from start <= t + dt/2 until t + dt/2 > end, in list order with the rest; "
+    "its liquid is a box that stays where it is: center is the middle of its level, basin half its "
+    "length along heading, half its width and half its depth; of a body whose centre of mass x is "
+    "between its sides and not below its bottom, with h = |R_z| . extents (R_z the vertical row of "
+    "its rotation matrix) and u = (center_z - x_z + h) / (2 h) clipped to [0, 1], f = u, or "
+    "u^2 (3 - 2 u) if round: the velocity v becomes v / (1 + f dt (linear_drag + quadratic_drag "
+    "|v|)), its vertical part gains f lift dt, the angular velocity is divided by 1 + f dt "
+    "turning_drag"
+)
+"""Stand under `guide`, `spin` and `buoy` of the conventions of manifests that have them."""
 
 WHEELS_CONVENTION = (
     "no engine simulates wheels; a recording turns them: the node `name` of the mesh by +1 rad "
@@ -380,6 +390,24 @@ class HoldSpinModel(_Model):
     until_contact: tuple[Name, ...] = ()
 
 
+class BuoyUpModel(_Model):
+    """A liquid that bears a body up; a null end is infinite."""
+
+    kind: Literal["BuoyUp"]
+    body: Name
+    start: Number
+    end: Number | None
+    center: Vec
+    basin: tuple[Positive, Positive, Positive]
+    extents: tuple[Positive, Positive, Positive]
+    lift: NonNegative
+    linear_drag: NonNegative = 0.0
+    quadratic_drag: NonNegative = 0.0
+    turning_drag: NonNegative = 0.0
+    heading: Number = 0.0
+    round: bool = False
+
+
 class ProgramModel(_Model):
     """The control program, primitives in order of execution."""
 
@@ -393,7 +421,8 @@ class ProgramModel(_Model):
             | DriveJointModel
             | HoldVelocityModel
             | GuideAlongModel
-            | HoldSpinModel,
+            | HoldSpinModel
+            | BuoyUpModel,
             Field(discriminator="kind"),
         ],
         ...,

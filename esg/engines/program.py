@@ -24,6 +24,15 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   and angular velocity = (0, 0, turn_rate). Let go, the body keeps what it has.
 * A `HoldSpin` is active as a hold is. While active it sets angular velocity = rate times the unit
   vector along `axis`, in the world's axes; the linear velocity is left to physics.
+* A `BuoyUp` is active from the first step with `start` <= t + dt/2 until t + dt/2 > `end`. Its
+  basin of liquid stays where it is: a box that reaches `basin` to either side of `center` along
+  `heading` and across it, and 2 `basin`[2] down from its level, `center`. While active, of a body
+  whose centre of mass x is between its sides and not below its bottom, with
+  h = |R_z| . `extents`, where R_z is the vertical row of its rotation matrix, and
+  u = clip((level - x_z + h) / 2h, 0, 1): f = u, or u^2 (3 - 2u) of what is `round`, is the share
+  of it in the liquid. Then v becomes v / (1 + f dt (`linear_drag` + `quadratic_drag` |v|)),
+  f `lift` dt is added to its vertical part, and w becomes w / (1 + f dt `turning_drag`). A later
+  hold or guide of the same body sets what it sets.
 * After them, the brakes act on every body whose `braking` an `AdjustProperties` has set: its
   horizontal velocity loses min(|v_h|, braking dt), and the horizontal part of the angular velocity
   of a body with roll_radius > 0 the same share, so that what rolls goes on without slipping. Of an
@@ -239,6 +248,45 @@ class GuideAlong:
         return path_point(self.times, self.points, self.velocities, s)
 
 
+def buoyed(
+    row: Sequence[float],
+    x: Sequence[float],
+    up: Sequence[float],
+    v: Sequence[float],
+    w: Sequence[float],
+    dt: float,
+) -> tuple[Vec, Vec] | None:
+    """Linear and angular velocity of a body after a `BuoyUp`; None where it is in no liquid.
+
+    Args:
+        row: Numbers of the primitive in the order of `Column`.
+        x: Centre of mass [m].
+        up: Vertical parts of the axes of the body: the last row of its rotation matrix.
+        v, w: Linear [m/s] and angular [rad/s] velocity.
+        dt: Physics step [s].
+    """
+    across, along = math.sin(row[Column.BASIN_HEADING]), math.cos(row[Column.BASIN_HEADING])
+    east, north, down = (float(x[i]) - row[Column.LEVEL + i] for i in range(3))
+    length, width, depth = row[Column.BASIN : Column.BASIN + 3]
+    if abs(along * east + across * north) > length or abs(along * north - across * east) > width:
+        return None
+    half = sum(abs(float(up[i])) * row[Column.EXTENTS + i] for i in range(3))
+    share = min(1.0, 0.5 * (half - down) / half)
+    if share <= 0.0 or down < -2.0 * depth:
+        return None
+    if row[Column.ROUND] > 0.0:
+        share = share * share * (3.0 - 2.0 * share)
+    wet = share * dt
+    speed = math.sqrt(sum(float(a) * float(a) for a in v))
+    kept = 1.0 / (1.0 + wet * (row[Column.LINEAR_DRAG] + row[Column.QUADRATIC_DRAG] * speed))
+    turned = 1.0 / (1.0 + wet * row[Column.TURNING_DRAG])
+    rise = float(v[2]) * kept + wet * row[Column.LIFT]
+    return (
+        (float(v[0]) * kept, float(v[1]) * kept, rise),
+        _vec(float(a) * turned for a in w),
+    )
+
+
 def path_point(
     times: Sequence[float], points: Sequence[Vec], velocities: Sequence[Vec], s: float
 ) -> Vec:
@@ -304,7 +352,58 @@ class HoldSpin:
         return _vec(self.rate * a / length for a in self.axis)
 
 
-Lasting = HoldVelocity | GuideAlong | HoldSpin
+@dataclass(frozen=True)
+class BuoyUp:
+    """A liquid bears `body` up and slows it down where it is in it (module docstring).
+
+    Args:
+        body: Name of the body.
+        start, end: [s]; `end` may be math.inf.
+        center: Middle of the liquid's level [m].
+        basin: Half its length, width and depth [m].
+        extents: Half the size of the body in its axes [m].
+        lift: What all of the body in it adds to its vertical velocity [m/s^2]: the liquid's density
+            over the body's, times gravity.
+        linear_drag: Drag that grows with the speed [1/s].
+        quadratic_drag: Drag that grows with its square [1/m].
+        turning_drag: Of the angular velocity [1/s].
+        heading: Of the basin's length [rad].
+        round: Whether the body is a ball, whose volume is in its middle.
+
+    Raises:
+        ValueError: If the basin or the body has no size.
+    """
+
+    kind: ClassVar[str] = "BuoyUp"
+    body: str
+    start: float
+    end: float
+    center: Vec
+    basin: Vec
+    extents: Vec
+    lift: float
+    linear_drag: float = 0.0
+    quadratic_drag: float = 0.0
+    turning_drag: float = 0.0
+    heading: float = 0.0
+    round: bool = False
+    until_contact: ClassVar[tuple[str, ...]] = ()
+
+    def __post_init__(self) -> None:
+        if not min(*self.basin, *self.extents) > 0.0:
+            raise ValueError(
+                f"liquid around {self.body!r} reaches {self.basin}, the body {self.extents}; "
+                "all must be greater than 0"
+            )
+
+    @property
+    def time(self) -> float:
+        return self.start
+
+
+Moving = HoldVelocity | GuideAlong | HoldSpin
+"""What moves a body from its start until its end or a touch."""
+Lasting = Moving | BuoyUp
 """What goes on from its start until its end or a touch."""
 Primitive = SetVelocity | ApplyImpulse | AdjustProperties | DriveJoint | Lasting
 KINDS: tuple[type[Any], ...] = (
@@ -315,6 +414,7 @@ KINDS: tuple[type[Any], ...] = (
     HoldVelocity,
     GuideAlong,
     HoldSpin,
+    BuoyUp,
 )
 
 
@@ -328,6 +428,7 @@ class Action(IntEnum):
     HOLD = 4
     GUIDE = 5
     SPIN = 6
+    BUOY = 7
 
 
 class Column(IntEnum):
@@ -365,6 +466,16 @@ class Column(IntEnum):
     KNOT = 4
     # SPIN: three columns.
     SPIN = 2
+    # BUOY: three columns each, then one each.
+    LEVEL = 2
+    BASIN = 5
+    EXTENTS = 8
+    LIFT = 11
+    LINEAR_DRAG = 12
+    QUADRATIC_DRAG = 13
+    TURNING_DRAG = 14
+    BASIN_HEADING = 15
+    ROUND = 16
 
 
 OPTIONAL = frozenset({"climb", "braking", "gains", "loses"})
@@ -424,7 +535,7 @@ class ProgramBatch:
 
 def _never(primitive: Primitive) -> Primitive | None:
     """One that another world needs, such that it never begins; None where it must be there."""
-    if isinstance(primitive, HoldVelocity):
+    if isinstance(primitive, HoldVelocity | BuoyUp):
         return replace(primitive, start=math.inf, end=math.inf)
     return replace(primitive, time=math.inf) if isinstance(primitive, DriveJoint) else None
 
@@ -521,6 +632,9 @@ def _row(p: Primitive) -> NDArray[np.float64]:
         values = (p.turn_rate, float(len(p.times)), *(v for t, x, u in knots for v in (t, *x, *u)))
     elif isinstance(p, HoldSpin):
         values = p.spin
+    elif isinstance(p, BuoyUp):
+        values = (*p.center, *p.basin, *p.extents, p.lift, p.linear_drag,
+                  p.quadratic_drag, p.turning_drag, p.heading, float(p.round))  # fmt: skip
     else:
         values = (p.speed, p.heading, p.acceleration, p.max_speed, p.turn_rate, p.roll_radius,
                   p.climb, p.gains, p.loses)  # fmt: skip
@@ -573,7 +687,7 @@ def program_from_json(data: dict[str, Any]) -> Program:
         unknown = set(values) - known
         if unknown:
             raise ValueError(f"/primitives/{i}: unknown fields {sorted(unknown)}")
-        if cls in (HoldVelocity, HoldSpin) and values.get("end") is None:
+        if cls in (HoldVelocity, HoldSpin, BuoyUp) and values.get("end") is None:
             values["end"] = math.inf
         if cls is DriveJoint and values.get("limit") is None:
             values["limit"] = math.inf

@@ -278,3 +278,36 @@ def guide(
     here = path_knot(table, w, k, s)
     there = path_knot(table, w, k, s + dt)
     return guided_velocity(table, w, k, here, there, s, dt, x) - wp.vec3(0.0, 0.0, pull)
+
+
+@wp.func
+def buoyed(
+    table: wp.array3d(dtype=wp.float64),
+    w: int,
+    k: int,
+    dt: float,
+    x: wp.vec3,
+    turn: wp.quat,
+    v: wp.vec3,
+    o: wp.vec3,
+) -> wp.spatial_vector:
+    """Velocities of a body that a liquid bears up (`esg.engines.program.buoyed`)."""
+    heading = float(table[w, k, Column.BASIN_HEADING])
+    off = x - vector(table, w, k, Column.LEVEL)
+    basin = vector(table, w, k, Column.BASIN)
+    extents = vector(table, w, k, Column.EXTENTS)
+    along = wp.abs(wp.cos(heading) * off[0] + wp.sin(heading) * off[1])
+    across = wp.abs(wp.cos(heading) * off[1] - wp.sin(heading) * off[0])
+    up = wp.quat_rotate_inv(turn, wp.vec3(0.0, 0.0, 1.0))
+    half = wp.abs(up[0]) * extents[0] + wp.abs(up[1]) * extents[1] + wp.abs(up[2]) * extents[2]
+    share = wp.min(1.0, 0.5 * (half - off[2]) / half)
+    if along > basin[0] or across > basin[1] or share <= 0.0 or off[2] < -2.0 * basin[2]:
+        return wp.spatial_vector(v, o)
+    if table[w, k, Column.ROUND] > wp.float64(0.0):
+        share = share * share * (3.0 - 2.0 * share)
+    wet = share * dt
+    quadratic = float(table[w, k, Column.QUADRATIC_DRAG]) * wp.length(v)
+    kept = 1.0 / (1.0 + wet * (float(table[w, k, Column.LINEAR_DRAG]) + quadratic))
+    turned = 1.0 / (1.0 + wet * float(table[w, k, Column.TURNING_DRAG]))
+    lifted = v * kept + wp.vec3(0.0, 0.0, wet * float(table[w, k, Column.LIFT]))
+    return wp.spatial_vector(lifted, o * turned)

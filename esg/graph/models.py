@@ -173,6 +173,16 @@ class SceneDefinition(Model):
     """The side of the road that vehicles keep to; None is the right one."""
 
 
+class Contents(Model):
+    """What a vessel is filled with, and to which share of its depth."""
+
+    name: str
+    """Of a row of `esg/lexicon/contents.csv`."""
+    share: float
+    color: str | None = None
+    """As the prompt has it ("blue paint")."""
+
+
 class AssetRequirement(Model):
     """What is needed (stage 1). Dimensions are (length along front, width, height)."""
 
@@ -187,6 +197,7 @@ class AssetRequirement(Model):
     color: str | None = None
     shape: Literal["sphere", "box", "cylinder", "capsule", "compound"] | None = None
     linear_damping: float = 0.1
+    contents: Contents | None = None
 
 
 class ProxyKind(str, enum.Enum):
@@ -228,7 +239,8 @@ class NamedRegion(Model):
     name: str
     center_cm: Vec3
     half_extents_cm: Vec3
-    kind: Literal["pocket", "goal", "hole", "inside", "lane", "area"] = "area"
+    kind: Literal["pocket", "goal", "hole", "inside", "lane", "area", "content"] = "area"
+    """`content`: what fills a vessel, by its name, up to its level (`esg/lexicon/contents.csv`)."""
 
 
 class RetrievalCandidate(Model):
@@ -290,6 +302,8 @@ class AssetConfiguration(Model):
     """A round body that rolls about its centre (ball, wheel)."""
     wheels: tuple[Wheel, ...] | None = None
     """What turns as the asset travels (docs/assets.md); None if nothing does."""
+    contents: Contents | None = None
+    """What it is filled with; the region of that kind says up to where."""
     mounts: tuple[Mount, ...] | None = None
     """Where joints take hold of it (docs/joints.md); None if none can."""
     color_rgb: tuple[float, float, float] = (0.6, 0.6, 0.6)
@@ -590,6 +604,9 @@ class Predicate(str, enum.Enum):
     BEFORE = "before"
     SLOWER_THAN = "slower_than"
     FASTER_THAN = "faster_than"
+    FILLED_WITH = "filled_with"
+    FLOATS = "floats"
+    SINKS = "sinks"
     SIZE = "size"
     COUNT = "count"
     ABSENT = "absent"
@@ -650,7 +667,7 @@ class Statement(Model):
     value: Quantity | None = None
     """In the document's units [cm/s, cm/s^2, cm, degrees, 1]."""
     noun: str | None = None
-    """Of `absent` and `count`."""
+    """Of `absent` and `count`; of `filled_with`, what it is filled with."""
     when: str = "throughout"
     """start, end, throughout, the id of a point event, or two of these as "from..to"."""
     note: str = ""

@@ -29,6 +29,8 @@ _WITH_TARGET = frozenset(
         Predicate.ENDS_ON,
         Predicate.ENDS_IN,
         Predicate.ENDS_NEAR,
+        Predicate.FLOATS,
+        Predicate.SINKS,
     }
 )
 _TARGETED_DIRECTIONS = frozenset(
@@ -75,7 +77,7 @@ def _needs(ctx: Context, here: str, statement: Statement) -> None:
     """What a predicate cannot be measured without."""
     says = statement.predicate
     needed: dict[str, bool] = {
-        "noun": says in _OF_NOUNS,
+        "noun": says in (*_OF_NOUNS, Predicate.FILLED_WITH),
         "object": says not in _OF_NOUNS and says is not Predicate.NOT_REPRESENTED,
         "target": says in _WITH_TARGET or statement.direction in _TARGETED_DIRECTIONS,
         "direction": says is Predicate.MOVES,

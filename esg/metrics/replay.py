@@ -10,7 +10,14 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.breaking import hidden
-from esg.engines.program import AdjustProperties, DriveJoint, HoldVelocity, Primitive, Program
+from esg.engines.program import (
+    AdjustProperties,
+    BuoyUp,
+    DriveJoint,
+    HoldVelocity,
+    Primitive,
+    Program,
+)
 from esg.engines.scene import ContactLog, Rollout, SimScene
 from esg.metrics.geometry import (
     Core,
@@ -274,7 +281,9 @@ class Replay:
 
 
 def _moves(p: Primitive) -> bool:
-    return not (p.lets_go if isinstance(p, DriveJoint) else isinstance(p, AdjustProperties))
+    if isinstance(p, DriveJoint):
+        return not p.lets_go
+    return not isinstance(p, AdjustProperties | BuoyUp)
 
 
 def hit_starts(time: Floats, impulse: Floats, gap: float) -> NDArray[np.int64]:

@@ -60,6 +60,8 @@ _FIELDS: dict[str, _Fields] = {
     **dict.fromkeys(("slower_than", "faster_than"), _SPEED),
     "above": _Fields(("object", "target"), ("distance", "unit"), "distance"),
     "moves": _Fields(("object", "direction"), ("target",)),
+    **dict.fromkeys(("floats", "sinks"), _PLACED),
+    "filled_with": _Fields(("object", "noun")),
     "struck_on": _Fields(("object", "target", "side")),
     "size": _Fields(("object",), ("quantity", "value", "as", "unit"), "height"),
     "count": _Fields(("noun", "value")),

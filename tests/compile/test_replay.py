@@ -17,6 +17,7 @@ from esg.compile.lint import lint
 from esg.engines.physx_engine import PhysxWorld
 from esg.engines.program import (
     AdjustProperties,
+    BuoyUp,
     GuideAlong,
     HoldSpin,
     HoldVelocity,
@@ -385,6 +386,36 @@ def test_the_class_guides_and_spins_as_its_program(tmp_path: Path, engine: str, 
     assert r.position[0, -1, 3, 2] < 0.5  # The bag fell when it met the wall.
     ends = [line for line in replayed.log if "ends body=Bag1" in line.replace("_", "")]
     assert len(ends) == 1 and "GuideAlong ends" in ends[0]
+
+
+@pytest.mark.parametrize("engine", ["physx", "rapier"])
+def test_the_class_bears_up_as_its_program(tmp_path: Path, engine: str) -> None:
+    """A light crate floats and turns no more, a heavy one sinks; in both as far as in the other."""
+    half = (0.1, 0.08, 0.06)
+    light, heavy = (
+        box(name, (x, 0.0, 1.0), half, mass, 0.0)
+        for name, x, mass in (("l", -0.5, 2.0), ("h", 0.5, 20.0))
+    )
+    scene = SimScene("pool", (light, heavy))
+    basin = {"center": (0.0, 0.0, 0.6), "basin": (1.2, 0.6, 0.3), "heading": 0.2}
+    drag = {"linear_drag": 3.0, "quadratic_drag": 8.0, "turning_drag": 4.0}
+    program = Program(
+        (
+            BuoyUp("l", 0.0, math.inf, extents=half, lift=20.0, **basin, **drag),
+            BuoyUp("h", 0.0, 4.0, extents=half, lift=2.0, **basin, **drag),
+            SetVelocity("l", 0.05, (0.1, 0.0, 0.0), (0.0, 0.0, 3.0)),
+        ),
+        5.0,
+    )
+    replayed, rollout = both(tmp_path, scene, program, (), engine=engine, dt=1 / 240)
+    r = replayed.rollout
+    apart = np.abs(r.position - rollout.position)[0]
+    assert apart.max() < 0.005
+    assert r.position[0, -1, 0, 2] == pytest.approx(
+        0.6 + 0.06 * (1.0 - 2.0 * 9.81 / 20.0), abs=0.003
+    )
+    assert r.position[0, -1, 1, 2] == pytest.approx(0.06, abs=0.003)
+    assert abs(r.angular_velocity[0, -1, 0, 2]) < 0.05
 
 
 def test_only_classes_that_guide_speak_of_it() -> None:

@@ -82,6 +82,14 @@ def gate(x: float = 2.0) -> World:
     return World(2.0).add(made, x=x).region(inside)
 
 
+def tub(z=0.38, content: str = "water", tilt: float = 0.0) -> World:
+    """A ball in a tub of which the level is at 0.4 m and the bottom at 0."""
+    inside = Region(f"tub_1/{content}", "tub_1", (0.0, 0.0, -0.1), (0.4, 0.4, 0.2), "content")
+    made = body("tub_1", Shape("box", (0.5, 0.5, 0.3)), static=True)
+    world = World(2.0).add(made, roll_deg=tilt).add(ball("ball_1"), z=z)
+    return world.region(inside)
+
+
 def two_posts() -> World:
     world = World(2.0)
     for k, y in enumerate((-1.0, 1.0)):
@@ -105,7 +113,7 @@ HITS = (
 )
 ON = {"object": "ball", "target": "table"}
 TO = {"object": "ball", "target": "crate"}
-CAR = {"object": "car"}
+CAR, IN = {"object": "car"}, {"object": "ball", "target": "tub"}
 Make = Callable[[], World]
 BUS = Shape("box", (2.0, 0.5, 0.5))
 
@@ -312,6 +320,13 @@ CASES = [
          value=1.5, **CAR),
     case("faster_than", lambda: moving(line(0, 2)), lambda: moving(line(0, 1)),
          "1.00 m/s at most", value=1.5, **CAR),
+    case("filled_with", tub, lambda: tub(content="milk"), "there is no water in it",
+         object="tub", noun="water"),
+    case("filled_with", tub, lambda: tub(tilt=40.0), "would spill", object="tub", noun="water"),
+    case("floats", lambda: tub(0.38), lambda: tub(0.1), "does not float in", **IN),
+    case("floats", lambda: tub(0.38), lambda: tub(0.38, content="sand"), "no liquid", **IN),
+    case("sinks", lambda: tub(line(0.5, -0.4, 0.0, 1.0)), lambda: tub(line(0.5, -0.1, 0.0, 1.0)),
+         "does not end at the bottom", when="end", **IN),
     case("same_time", hit, hit, "0.40 s lie between", a="e1", b="e2"),
     case("before", hit, hit, "0.40 s after e1", a="e2", b="e1"),
     case("size", lambda: World().add(table()),

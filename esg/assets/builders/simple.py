@@ -25,6 +25,15 @@ def sphere(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     s.ball(H / 2, (0, 0, H / 2), c, solid=1, detail=4)
 
 
+@builder("bead")
+def bead(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """A drop that lies on something: round above, flat below; it slides and does not roll."""
+    r = L / 2
+    dome = [(r * math.cos(a), 0.25 * H + 0.75 * H * math.sin(a)) for a in _angles(0, 90, 12)]
+    s.lathe([(0, 0), (0.8 * r, 0), *dome], c, rough=0.05, of="water", alpha=0.7)
+    s.proxy_cylinder(0.85 * r, (0, H))
+
+
 @builder("cylinder", "free")
 def cylinder(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """An upright solid cylinder."""

@@ -10,11 +10,14 @@ import re
 from typing import Any
 
 from esg.assets.appearance import USUAL, Appearance
+from esg.assets.colors import find_color
+from esg.assets.geometry.filling import pour
 from esg.assets.geometry.sketch import Sketch
 from esg.assets.geometry.stretch import scaled, sound, stretched
 from esg.assets.materials import MATERIALS
-from esg.graph.models import Vec3
+from esg.graph.models import Contents, NamedRegion, Vec3
 from esg.lexicon import Kind, kinds, singular
+from esg.lexicon.contents import contents
 
 
 @dataclass(frozen=True)
@@ -37,6 +40,7 @@ class Entry:
         reference: Source of dimensions and mass.
         library: "parametric" or the name of an imported library.
         mesh_file: Path of an imported mesh, relative to its library.
+        contents: What one of them is filled with, and where that is.
         license: Of an imported mesh.
         attribution: Creator and source of an imported mesh.
     """
@@ -55,6 +59,7 @@ class Entry:
     reference: str = ""
     library: str = "parametric"
     mesh_file: str = ""
+    contents: tuple[NamedRegion, Contents] | None = None
     license: str = "Apache-2.0"
     attribution: str = ""
 
@@ -164,10 +169,25 @@ def build_sketch(
     Builders that keep their proportions are drawn at the usual size and scaled by the height ratio
     if extents are proportional, else by the cube root of the volume ratio.
     """
-    from esg.assets.builders import BUILDERS, DRAWN, load_builders
+    from esg.assets.builders import load_builders
 
     load_builders()
-    color = appearance.color or color
+    sketch = _built(entry, dimensions_cm, appearance.color or color, appearance)
+    if entry.contents is not None:
+        level, told = entry.contents
+        row = contents()[told.name]
+        pour(sketch, level, row, find_color(told.color) or row.color)
+    return sketch
+
+
+def _built(
+    entry: Entry,
+    dimensions_cm: Vec3,
+    color: tuple[float, float, float],
+    appearance: Appearance,
+) -> Sketch:
+    from esg.assets.builders import BUILDERS, DRAWN
+
     sketch = Sketch(material=appearance.material or entry.finish, appearance=appearance)
     if policy(entry) == "free":
         return worn(_free(entry, dimensions_cm, color, appearance), appearance)

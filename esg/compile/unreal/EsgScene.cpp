@@ -401,6 +401,48 @@ void AEsgScene::RunHoldSpin(
 	Body->SetPhysicsAngularVelocityInDegrees(Command.Spin);
 }
 
+void AEsgScene::RunBuoyUp(
+	UPrimitiveComponent* Body, const FEsgBuoyUp& Command, FCommandState& State, double Due)
+{
+	if (State.bDone || Command.Start > Due)
+	{
+		return;
+	}
+	if (Due > Command.End)
+	{
+		State.bDone = true;
+		return;
+	}
+	using namespace EsgSceneDetail;
+	const double Step = (Due - SceneTime) / HalfStep;
+	const double Heading = FMath::DegreesToRadians(Command.Heading);
+	const FVector Off = Body->GetCenterOfMass() - Command.Center;
+	const double Along = FMath::Cos(Heading) * Off.X + FMath::Sin(Heading) * Off.Y;
+	const double Across = FMath::Cos(Heading) * Off.Y - FMath::Sin(Heading) * Off.X;
+	const FQuat Turn = Body->GetComponentTransform().GetRotation();
+	const FVector Up = Turn.Inverse().RotateVector(FVector(0.0, 0.0, 1.0));
+	const double Half = FMath::Abs(Up.X) * Command.Extents.X + FMath::Abs(Up.Y) * Command.Extents.Y
+		+ FMath::Abs(Up.Z) * Command.Extents.Z;
+	double Share = FMath::Min(1.0, HalfStep * (Half - Off.Z) / Half);
+	const bool bBeside = FMath::Abs(Along) > Command.Basin.X || FMath::Abs(Across) > Command.Basin.Y;
+	if (bBeside || Share <= 0.0 || Off.Z < -2.0 * Command.Basin.Z)
+	{
+		return;
+	}
+	if (Command.bRound)
+	{
+		Share = Share * Share * (CubicSlope - 2.0 * Share);
+	}
+	const double Wet = Share * Step;
+	FVector Velocity = Body->GetPhysicsLinearVelocity();
+	const double Drag = Command.LinearDrag + Command.QuadraticDrag * Velocity.Size();
+	Velocity = Velocity * (1.0 / (1.0 + Wet * Drag));
+	Velocity.Z += Wet * Command.Lift;
+	const FVector Spin = Body->GetPhysicsAngularVelocityInDegrees();
+	Body->SetPhysicsLinearVelocity(Velocity);
+	Body->SetPhysicsAngularVelocityInDegrees(Spin * (1.0 / (1.0 + Wet * Command.TurningDrag)));
+}
+
 void AEsgScene::FindFalling(double Due)
 {
 	using namespace EsgSceneDetail;

@@ -429,6 +429,55 @@ struct FEsgHoldSpin
 	FVector Spin = FVector::ZeroVector;
 };
 
+/** A liquid that bears a body up and slows it down where it is in it. */
+USTRUCT(BlueprintType)
+struct FEsgBuoyUp
+{
+	GENERATED_BODY()
+
+	/** Since the scene started. */
+	UPROPERTY(EditAnywhere, Category = "ESG", meta = (Units = "s", ClampMin = "0", ClampMax = "3600"))
+	double Start = 0.0;
+
+	/** Since the scene started. */
+	UPROPERTY(EditAnywhere, Category = "ESG", meta = (Units = "s", ClampMin = "0"))
+	double End = 0.0;
+
+	/** Middle of the level of the liquid [cm]. */
+	UPROPERTY(EditAnywhere, Category = "ESG")
+	FVector Center = FVector::ZeroVector;
+
+	/** Half its length, width and depth [cm]. */
+	UPROPERTY(EditAnywhere, Category = "ESG")
+	FVector Basin = FVector::ZeroVector;
+
+	/** Half the size of the body, in its axes [cm]. */
+	UPROPERTY(EditAnywhere, Category = "ESG")
+	FVector Extents = FVector::ZeroVector;
+
+	/** Of the length of the basin [deg]. */
+	UPROPERTY(EditAnywhere, Category = "ESG")
+	double Heading = 0.0;
+
+	/** What all of the body in it adds to its vertical velocity [cm/s^2]. */
+	UPROPERTY(EditAnywhere, Category = "ESG")
+	double Lift = 0.0;
+
+	/** Drag that grows with the speed [1/s], with its square [1/cm], and of turning [1/s]. */
+	UPROPERTY(EditAnywhere, Category = "ESG")
+	double LinearDrag = 0.0;
+
+	UPROPERTY(EditAnywhere, Category = "ESG")
+	double QuadraticDrag = 0.0;
+
+	UPROPERTY(EditAnywhere, Category = "ESG")
+	double TurningDrag = 0.0;
+
+	/** The body is a ball, whose volume is in its middle. */
+	UPROPERTY(EditAnywhere, Category = "ESG")
+	bool bRound = false;
+};
+
 UCLASS(Abstract)
 class ESGSCENES_API AEsgScene : public AActor
 {
@@ -645,6 +694,7 @@ protected:
 	void RunHoldVelocity(UPrimitiveComponent* Body, const FEsgHoldVelocity& Command, FCommandState& State, double Due);
 	void RunGuideAlong(UPrimitiveComponent* Body, const FEsgGuideAlong& Command, FCommandState& State, double Due);
 	void RunHoldSpin(UPrimitiveComponent* Body, const FEsgHoldSpin& Command, FCommandState& State, double Due);
+	void RunBuoyUp(UPrimitiveComponent* Body, const FEsgBuoyUp& Command, FCommandState& State, double Due);
 	/** Of scenes with brakes or tyres: before their commands, and after them. */
 	void FindFalling(double Due);
 	void ApplyTraction(double Due);

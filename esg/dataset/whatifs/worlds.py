@@ -16,6 +16,7 @@ from esg.dataset.whatifs.amounts import VARIABLES, Amount, Variable, amounts, pi
 from esg.engines.program import (
     AdjustProperties,
     ApplyImpulse,
+    BuoyUp,
     DriveJoint,
     GuideAlong,
     HoldSpin,
@@ -318,6 +319,8 @@ def _turned(p: Primitive, degrees: float, about: Vec) -> Primitive:
         )
     if isinstance(p, HoldSpin):
         return replace(p, axis=turn(p.axis))
+    if isinstance(p, BuoyUp):
+        return replace(p, center=place(p.center), heading=p.heading + math.radians(degrees))
     return p
 
 

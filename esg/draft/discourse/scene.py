@@ -9,8 +9,9 @@ from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.timeline import TimelineBuilder
 from esg.draft.grammar.questions import Question
+from esg.draft.text.fillings import Fillings
 from esg.draft.text.quantities import Amount
-from esg.graph.models import Joint, Quantity
+from esg.graph.models import Contents, Joint, Quantity
 from esg.lexicon.breakables import Breakable
 
 
@@ -55,6 +56,10 @@ class Scene:
     world: World
     timeline: TimelineBuilder
     text: str = ""
+    fillings: Fillings = field(default_factory=lambda: Fillings("", ""))
+    """What was taken out of the text: what vessels are filled with."""
+    contents: dict[str, Contents] = field(default_factory=dict[str, Contents])
+    """The same by vessel."""
     relations: list[Relation] = field(default_factory=list[Relation])
     needs: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
     """Implied supports: (kind of need, node id)."""

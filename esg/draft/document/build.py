@@ -171,9 +171,12 @@ def _asset(e: Entity, graph: _Graph, tint: str | None) -> str:
         required = required.model_copy(update={"color": tint})
     inside = f"{e.id}/inside"
     jointed = any(e.id in (j.parent, j.child) for j in graph.scene.joints)  # "a chest with a lid"
+    contents = graph.scene.contents.get(e.id)
     if not jointed and any(n.extra.get("region") == inside for n in graph.scene.timeline.nodes):
         names = {x.noun.name for x in graph.entities.values()}
         required = opened(e, required, bool(names & {"golf ball", "golf club"}))
+    if contents is not None:
+        required = required.model_copy(update={"contents": contents})
     if e.id == GROUND:
         size = (2000.0, 2000.0, 2.0) if "indoor" in e.noun.traits else GROUND_SIZE_CM
         required = required.model_copy(

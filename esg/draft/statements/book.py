@@ -20,7 +20,7 @@ class Book:
 
     def add(self, says: Predicate, start: int, end: int, **more: Any) -> None:
         """Writes down a statement whose words stand in the text from start to end."""
-        words = self.d.text[start:end]
+        words = (self.d.scene.fillings.told or self.d.text)[start:end]
         told = Statement(
             id=f"s{len(self.items) + 1}", predicate=says, text=words, start=start, end=end, **more
         )

@@ -15,6 +15,7 @@ from esg.dynamics.choreography.slopes import slope_of
 from esg.dynamics.choreography.throws import fallen, is_dropped, stated_height
 from esg.dynamics.story.stagecraft import prop, support_of, top_surface
 from esg.dynamics.story.story import Story, bounds
+from esg.graph.floating import liquid_of
 from esg.graph.models import (
     AssetConfiguration,
     EsgDocument,
@@ -48,9 +49,10 @@ def entries(doc: EsgDocument, story: Story) -> list[tuple[TimelineNode, str, str
     nodes = doc.spatial_relation_graph.nodes
     out: list[tuple[TimelineNode, str, str, NamedRegion]] = []
     for node in story.nodes.values():
-        if node.event is not NodeEvent.ENTER_REGION or not node.region or not node.participants:
+        inside = _inside_of(doc, node)
+        if not inside or not node.participants:
             continue
-        owner, _, name = node.region.partition("/")
+        owner, _, name = inside.partition("/")
         thing = node.participants[0]
         if owner not in nodes or thing not in nodes:
             continue
@@ -60,6 +62,19 @@ def entries(doc: EsgDocument, story: Story) -> list[tuple[TimelineNode, str, str
         if mouth is not None and mouth.kind in ("inside", "hole") and not passes:
             out.append((node, thing, owner, mouth))
     return out
+
+
+def _inside_of(doc: EsgDocument, node: TimelineNode) -> str:
+    """The region that something ends up in: what is set down on the level of a liquid, too."""
+    if node.event is NodeEvent.ENTER_REGION:
+        return node.region or ""
+    nodes = doc.spatial_relation_graph.nodes
+    if node.event is not NodeEvent.PLACED or len(node.participants) < 2:
+        return ""
+    vessel = node.participants[1]
+    if vessel not in nodes or liquid_of(doc.asset_configurations[nodes[vessel].asset_id]) is None:
+        return ""
+    return f"{vessel}/inside"
 
 
 def comes_down(story: Story, node: TimelineNode, thing: str) -> bool:

@@ -9,8 +9,9 @@ import numpy as np
 from esg.dynamics.losses.measures import AddTerm, Detected, gap_over_time
 from esg.dynamics.losses.recording import Bools, Floats, Recording
 from esg.graph.models import TimelineNode
+from esg.lexicon.contents import CONTENT, contents
 from esg.thresholds import STOPPED_FOR_S
-from esg.units import yaw_from_quat
+from esg.units import quat_rotate, yaw_from_quat
 
 PICKED_UP_M, PICKED_UP_SHARE = 0.05, 1.0 / 3.0
 """What is picked up has risen by so much, and by such a share of its height."""
@@ -43,7 +44,7 @@ def picked_up(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) 
 
 def placed(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> Detected:
     a, b = rec.scene.index(node.participants[0]), rec.members(node.participants[1])
-    gap = _gap(rec, a, b)
+    gap = np.where(_afloat(rec, a, b), 0.0, _gap(rec, a, b))
     slow = (rec.speed[:, :, a] < PLACED_MPS) & (gap < TOUCHES_M) & rec.late(earliest)
     moved = np.maximum.accumulate(rec.speed[:, :, a] > 2.0 * PLACED_MPS, axis=1)
     still = slow & moved
@@ -52,6 +53,23 @@ def placed(rec: Recording, node: TimelineNode, earliest: Floats, _: AddTerm) -> 
         still[:, -k:] = False
     away = np.nan_to_num(gap[:, -1], nan=10.0, posinf=10.0)
     return Detected(rec.first(still), 0.5 + np.minimum(np.maximum(away, 0.0) / 0.3, 8.0))
+
+
+def _afloat(rec: Recording, a: int, b: list[int]) -> Bools:
+    """Whether some of a body is in the liquid of one of others, shape [W, T]."""
+    out = np.zeros(rec.speed.shape[:2], bool)
+    names = {rec.scene.bodies[i].name for i in b}
+    for region in (r for r in rec.scene.regions if r.kind == CONTENT and r.parent in names):
+        if not contents()[region.name.rpartition("/")[2]].liquid:
+            continue
+        vessel, half = rec.scene.index(region.parent), np.array(region.half_extents)
+        turn = rec.r.quaternion[:, :, vessel].astype(float)
+        back = turn * np.array([-1.0, -1.0, -1.0, 1.0])
+        off = (rec.r.position[:, :, a] - rec.r.position[:, :, vessel]).astype(float)
+        off = quat_rotate(back, off) - np.array(region.center)
+        low = off[..., 2] - rec.scene.bodies[a].half_extents[2]
+        out |= np.all(np.abs(off[..., :2]) <= half[:2], axis=-1) & (low < half[2])
+    return out
 
 
 def _gap(rec: Recording, a: int, b: list[int]) -> Floats:

@@ -12,6 +12,7 @@ from esg.dynamics.choreography.handling import SETTLES_S
 from esg.dynamics.choreography.throws import opens_upwards
 from esg.dynamics.plan.aim import body_bounds, shape_bounds
 from esg.dynamics.plan.cast import Cast
+from esg.dynamics.plan.liquids import waterline
 from esg.dynamics.story.stagecraft import top_surface
 from esg.dynamics.story.story import Phase, bounds
 from esg.engines.program import GuideAlong, Vec
@@ -141,6 +142,7 @@ def _goal(cast: Cast, phase: Phase, body: Body) -> Floats | None:
         siblings = [r for r in cast.scene.regions if r.parent == region.parent]
         sinks = fits and opens_upwards(siblings, region.name)
         z = center[2] + (-room[2] if sinks else room[2]) + SET_DOWN_M
+        z = max(z, waterline(cast.doc, cast.scene, region.parent, body.name))
         return np.array([*(center[:2] + aside), z + foot])
     if target is None:
         return None
@@ -170,7 +172,8 @@ def _goal(cast: Cast, phase: Phase, body: Body) -> Floats | None:
         spots = spots[(np.abs(inner[:, :2] - center[:2]) <= room + 1e-9).all(axis=1)]
     spots = spots if len(spots) else places[:, :2]
     spot = _free_spot(cast, body, spots, half, float(places[0, 2]))
-    return np.array([*(spot + aside), places[0, 2] + foot + above])
+    low_end = max(places[0, 2] + above, waterline(cast.doc, cast.scene, target, body.name))
+    return np.array([*(spot + aside), low_end + foot])
 
 
 def _beside(cast: Cast, body: Body, half: Floats) -> Floats:

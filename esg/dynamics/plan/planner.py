@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from esg.dynamics.choreography import choreography_of
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.plan.guides import times_of, ways
+from esg.dynamics.plan.liquids import liquids
 from esg.dynamics.plan.programs import Composer, Values, supports
 from esg.dynamics.plan.variables import Declarations, Variable
 from esg.dynamics.story.story import Story
@@ -84,13 +85,15 @@ def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: b
     latest = _latest(cast, declared.variables)
     duration = min(MAX_DURATION_S, math.ceil(10.0 * (1.15 * latest + AFTERMATH_S)) / 10.0)
 
+    borne = liquids(doc, scene)
+
     def values(theta: NDArray[np.float64]) -> Values:
         out = dict(zip(declared.variables, map(float, theta), strict=True))
         return out | {k: out[v] for k, v in declared.tied.items()}
 
     def compile_theta(theta: NDArray[np.float64]) -> Program:
         v = values(theta)
-        out: list[Primitive] = []
+        out: list[Primitive] = [*borne]
         for actor, phases in cast.story.phases.items():
             out += composer.primitives(actor, phases, v, duration)
         return Program(tuple(out), duration)

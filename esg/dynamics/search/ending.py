@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 
 from esg.dynamics.plan import Plan
 from esg.dynamics.search.simulate import Simulator
-from esg.engines.program import AdjustProperties, Lasting
+from esg.engines.program import AdjustProperties, Moving
 from esg.engines.scene import Rollout
 from esg.metrics.plausibility.grounds import ROADS, beyond, flats
 from esg.metrics.plausibility.limits import motion_of
@@ -85,7 +85,7 @@ def _goes_on(plan: Plan, theta: Floats, rollout: Rollout, body: int) -> bool:
     """Whether a body moves by itself to the end: nothing has met it, and nobody brakes it."""
     name = plan.scene.bodies[body].name
     own = [p for p in plan.compile(theta).primitives if p.body == name]
-    drives = [p for p in own if isinstance(p, Lasting)]
+    drives = [p for p in own if isinstance(p, Moving)]
     if not drives:
         return False
     begun = drives[-1].start

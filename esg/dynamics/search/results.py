@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import replace
 import math
 
@@ -16,7 +17,7 @@ from esg.dynamics.plan import Plan
 from esg.dynamics.plan.feasibility import impossible
 from esg.dynamics.search.ending import until_rest
 from esg.dynamics.search.panel import Found, Panel, rounded
-from esg.engines.program import Program, program_to_json
+from esg.engines.program import Primitive, Program, program_to_json
 from esg.graph.models import (
     ClosedLoop,
     DynamicsResult,
@@ -174,8 +175,9 @@ def _given_up(
     )
 
 
-def static_result(strategy: str) -> DynamicsResult:
-    program = Program((), STATIC_DURATION_S)
+def static_result(strategy: str, primitives: Sequence[Primitive] = ()) -> DynamicsResult:
+    """The result of a scene in which nobody acts: only its liquids do."""
+    program = Program(tuple(primitives), STATIC_DURATION_S)
     return DynamicsResult(
         strategy=strategy,
         program=program_to_json(program),

@@ -18,6 +18,7 @@ import warp as wp
 from esg.engines.newton.setup import FIXED_POINT
 from esg.engines.program import Action, Column
 from esg.engines.program_kernels import (
+    buoyed,
     falls,
     grounded,
     guide,
@@ -69,17 +70,22 @@ def _kept_up(
     k: int,
     t: wp.float64,
     dt: wp.float64,
-    x: wp.vec3,
-    v: wp.vec3,
+    pose: wp.transform,
+    moves: wp.spatial_vector,
     pull: float,
 ) -> wp.spatial_vector:
-    """Linear and angular velocity that a primitive that lasts gives a body at x that moves at v."""
+    """Linear and angular velocity that a primitive that lasts gives a body that has `moves`."""
+    x = wp.transform_get_translation(pose)
+    v = wp.spatial_top(moves)
     if kind == Action.HOLD:
         held = held_velocity(table, world, k, t, dt, v, pull)
         return wp.spatial_vector(held, held_spin(table, world, k, held))
     if kind == Action.GUIDE:
-        turn = wp.vec3(0.0, 0.0, float(table[world, k, Column.GUIDE_TURN_RATE]))
-        return wp.spatial_vector(guide(table, world, k, t, dt, x, pull), turn)
+        rate = wp.vec3(0.0, 0.0, float(table[world, k, Column.GUIDE_TURN_RATE]))
+        return wp.spatial_vector(guide(table, world, k, t, dt, x, pull), rate)
+    if kind == Action.BUOY:
+        turn = wp.transform_get_rotation(pose)
+        return buoyed(table, world, k, float(dt), x, turn, v, wp.spatial_bottom(moves))
     return wp.spatial_vector(v, vector(table, world, k, Column.SPIN))
 
 
@@ -261,12 +267,11 @@ def run_programs(
                 done[world, k] = 1
             if done[world, k] == 0 and start <= now:
                 active[world, k] = 1
-                v = wp.spatial_top(body_qd[target])
-                x = wp.transform_get_translation(body_q[target])
-                kept = _kept_up(table, kind[world, k], world, k, t, dt, x, v, pull)
+                kept = _kept_up(table, kind[world, k], world, k, t, dt, body_q[target],
+                                body_qd[target], pull)  # fmt: skip
                 _set_linear(target, wp.spatial_top(kept), body_qd, joint_qd, first)
                 _set_angular(target, wp.spatial_bottom(kept), body_qd, joint_qd, first)
-                if kind[world, k] != Action.SPIN:
+                if kind[world, k] < Action.SPIN:
                     driven[target] = step + 1
                     tips[target] = 0
         elif start <= now:

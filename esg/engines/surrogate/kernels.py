@@ -15,6 +15,7 @@ import warp as wp
 
 from esg.engines.program import Action, Column
 from esg.engines.program_kernels import (
+    buoyed,
     falls,
     grounded,
     guide,
@@ -84,7 +85,7 @@ def _hold(model: Model, state: State, w: int, k: int, step: int, t: wp.float64, 
     i = model.target[k]
     _rouse(state, w, i)
     pull = model.gravity[2] * float(dt)
-    if model.action[k] != Action.SPIN:
+    if model.action[k] < Action.SPIN:
         state.driven[w, i] = step + 1
         state.tips[w, i] = 0
     if model.action[k] == Action.HOLD:
@@ -94,6 +95,12 @@ def _hold(model: Model, state: State, w: int, k: int, step: int, t: wp.float64, 
     elif model.action[k] == Action.GUIDE:
         state.v[w, i] = guide(model.table, w, k, t, dt, state.x[w, i], pull)
         state.o[w, i] = wp.vec3(0.0, 0.0, float(model.table[w, k, Column.GUIDE_TURN_RATE]))
+    elif model.action[k] == Action.BUOY:
+        turn = state.r[w, i]
+        kept = buoyed(model.table, w, k, float(dt), state.x[w, i], turn, state.v[w, i],
+                      state.o[w, i])  # fmt: skip
+        state.v[w, i] = wp.spatial_top(kept)
+        state.o[w, i] = wp.spatial_bottom(kept)
     else:
         state.o[w, i] = vector(model.table, w, k, Column.SPIN)
 
@@ -118,7 +125,7 @@ def run_program(model: Model, state: State, trace: Trace, w: int, step: int, dt:
             if state.done[w, k] == 0 and model.table[w, k, Column.START] <= now:
                 state.active[w, k] = 1
                 _hold(model, state, w, k, step, t, dt)
-                if trace.steps > 0:
+                if trace.steps > 0 and model.action[k] != Action.BUOY:
                     trace.fired[w, step, k] = wp.where(now + dt > end, Fired.LAST, Fired.ACTS)
         elif model.table[w, k, Column.START] <= now:
             state.done[w, k] = 1

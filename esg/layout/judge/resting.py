@@ -32,6 +32,7 @@ def carried(problem: LayoutProblem) -> list[str]:
         if (s := problem.supports.of[n]).parent is not None
         and s.kind in STANDING
         and s.rect is not None
+        and not s.afloat
         and n not in airborne
         and not problem.shape[n].is_decal
     ]

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field, replace
 import math
 from typing import Literal
 
+from esg.graph.floating import afloat, liquid_of
 from esg.graph.models import (
     AssetConfiguration,
     EsgDocument,
@@ -38,6 +39,7 @@ class Support:
         z_cm: Height of the node's origin above the parent's origin.
         yaw_fixed: The attachment dictates the heading.
         note: What is wrong with this support, for the report.
+        afloat: Whether a liquid carries it, and nothing solid.
     """
 
     parent: str | None
@@ -46,6 +48,7 @@ class Support:
     z_cm: float
     yaw_fixed: bool = False
     note: str = ""
+    afloat: bool = False
 
 
 @dataclass
@@ -243,6 +246,9 @@ def _inside(child: Shape, parent_name: str, parent: Shape) -> Support:
             if abs(p.x - cx) <= p.hx and abs(p.y - cy) <= max(p.hx, p.hy) and p.z1 <= cz
         ]
         z = max([cz - hz, *floors]) if floors else max(0.0, cz - hz)
+        line = _waterline(child, parent)
+        if line > z:
+            return Support(parent_name, "inside", rect, line, afloat=True)
         note = ""
         if child.hx > hx + 0.01 or child.hy > hy + 0.01:
             note = f"does not fit into {parent_name}"
@@ -256,6 +262,17 @@ def _inside(child: Shape, parent_name: str, parent: Shape) -> Support:
         parent_name, "inside", (-parent.hx, -parent.hy, parent.hx, parent.hy),
         REST_GAP_CM - child.bottom, note=f"{parent_name} has no inside",
     )  # fmt: skip
+
+
+def _waterline(child: Shape, parent: Shape) -> float:
+    """Height of what floats in a liquid over the vessel's origin, -inf of what does not [cm]."""
+    liquid = liquid_of(parent.config)
+    if liquid is None:
+        return -math.inf
+    region, row = liquid
+    level = region.center_cm[2] + region.half_extents_cm[2]
+    share = afloat(child.config, row).share
+    return level - share * child.height if share < 1.0 else -math.inf
 
 
 def _vertical(child: Shape, parent_name: str, parent: Shape) -> Support:

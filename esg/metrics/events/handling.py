@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from esg.engines.program import Lasting
+from esg.engines.program import Moving
 from esg.metrics.binding import Binding
 from esg.metrics.detection import Found, Query, duration_of, runs
 from esg.metrics.events.space import inside_volume, is_over, volumes
@@ -168,7 +168,7 @@ def _held(replay: Replay, body: int) -> Bools:
     out = np.zeros(len(replay.time), bool)
     for control in replay.controls(body):
         p = control.primitive
-        if not isinstance(p, Lasting):
+        if not isinstance(p, Moving):
             continue
         ends = [p.end]
         for name in p.until_contact:

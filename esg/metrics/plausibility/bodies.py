@@ -12,6 +12,7 @@ from esg.engines.scene import GROUND
 from esg.metrics.detection import runs
 from esg.metrics.geometry import compound_distance
 from esg.metrics.judging import initial_overlaps
+from esg.metrics.liquids import in_liquid
 from esg.metrics.plausibility.facts import Bools, Facts
 from esg.metrics.plausibility.limits import limit
 from esg.metrics.plausibility.record import Check, Worst
@@ -205,7 +206,7 @@ def hovering(f: Facts) -> Check:
     for i in f.dynamic:
         v = f.replay.velocity[:, i, 2]
         falls = np.gradient(v, f.replay.time) < -BALLISTIC * f.g
-        held = f.guided(i) | f.flown(i) | f.held(i) | f.absent(i)
+        held = f.guided(i) | f.flown(i) | f.held(i) | f.absent(i) | in_liquid(f.replay, i)
         up = ~f.touching(i) & ~falls & ~held & (np.abs(v) < MOVING_MPS)
         if f.motion(i).moves in ("air", "water"):
             up &= ~f.powered(i)

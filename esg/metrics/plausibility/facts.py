@@ -14,7 +14,7 @@ from esg.engines.program import (
     DriveJoint,
     GuideAlong,
     HoldVelocity,
-    Lasting,
+    Moving,
     SetVelocity,
 )
 from esg.metrics.joined import held, joined
@@ -129,17 +129,17 @@ class Facts:
         """Frames before anything has pushed a body."""
         return ~np.logical_or.accumulate(self.struck(body))
 
-    def _active(self, body: int, counts: Callable[[Lasting], bool]) -> Bools:
+    def _active(self, body: int, counts: Callable[[Moving], bool]) -> Bools:
         out = np.zeros(len(self.replay.time), bool)
         for control in self.replay.controls(body):
             p = control.primitive
-            if isinstance(p, Lasting) and counts(p):
+            if isinstance(p, Moving) and counts(p):
                 end = min(p.end, self._let_go(body, p))
                 half = 0.5 * self.replay.frame_s
                 out |= (self.replay.time > p.start + half) & (self.replay.time <= end + half)
         return out
 
-    def _let_go(self, body: int, p: Lasting) -> float:
+    def _let_go(self, body: int, p: Moving) -> float:
         """When the first touch of what ends a hold happens [s]."""
         scene = self.replay.scene
         others = [scene.index(n) for n in p.until_contact if n in scene.names]

@@ -11,7 +11,7 @@ from esg.graph.models import Predicate
 from esg.metrics.binding import Binding, bind
 from esg.metrics.models import OF_EVENTS, StatementVerdict, SuiteScene, SuiteStatement
 from esg.metrics.replay import Replay
-from esg.metrics.statements import directions, facts, manner, place, sides
+from esg.metrics.statements import directions, facts, liquids, manner, place, sides
 from esg.metrics.statements.query import Kept, StatementQuery, window_of
 
 OfBody = place.OfBody
@@ -47,6 +47,9 @@ OF_BODIES: dict[Predicate, OfBody] = {
     Predicate.AT_REST: manner.at_rest,
     Predicate.SLOWER_THAN: manner.slower_than,
     Predicate.FASTER_THAN: manner.faster_than,
+    Predicate.FILLED_WITH: liquids.filled_with,
+    Predicate.FLOATS: liquids.floats,
+    Predicate.SINKS: liquids.sinks,
     Predicate.SIZE: facts.size,
 }
 """Measures of one body; of a set, every member is measured."""

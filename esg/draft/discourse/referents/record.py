@@ -55,6 +55,8 @@ class World:
     """The prompt is about a game over a net, which is no goal."""
     billiards: bool = False
     """The prompt is about billiards: "the black" is a ball."""
+    filled: dict[str, str] = field(default_factory=dict[str, str])
+    """By what a vessel is filled with, the noun of that vessel."""
     cricket: bool = False
     """Whether the prompt is about cricket."""
 

@@ -92,6 +92,7 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
         or whole_of(world, m, subject, avoid)
         or _neighbour(world, m, avoid)
         or made_of(world, m)
+        or _vessel_of(world, m)
     )
     if known:
         return known
@@ -107,6 +108,13 @@ def resolve_one(world: World, m: Mention, subject: bool, avoid: list[str]) -> li
         enrich(world, m, found)
         return found
     return _by_its_noun(world, m, subject, avoid)
+
+
+def _vessel_of(world: World, m: Mention) -> list[str]:
+    """ "Into the water": the bucket that was said to be filled with it."""
+    vessel = world.filled.get(m.head) if m.determiner in ("the", "its") else None
+    named = [e for e in world.entities.values() if e.head.rpartition(" ")[2] == vessel]
+    return [e.id for e in named if vessel and e.group == named[-1].group][-1:] if named else []
 
 
 def _neighbour(world: World, m: Mention, avoid: list[str]) -> list[str]:

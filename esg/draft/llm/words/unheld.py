@@ -32,6 +32,7 @@ from esg.graph.models import (
     TimelineEdge,
     TimelineNode,
 )
+from esg.lexicon.contents import contents_said
 from esg.outcomes import UserError
 
 _COURSES = lex.word_set("shapes of courses")
@@ -155,6 +156,29 @@ def _lost(book: _Book, told: Statement) -> Statement:
     about = tuple(dict.fromkeys(n for g in told.object for n in book.of_rules(g)))
     if told.predicate is Predicate.NOT_REPRESENTED:
         return told.model_copy(update={"object": about})
+    if told.predicate in _OF_LIQUIDS:
+        *_, (start, end) = [(0, len(told.text)), *_fluids_in(told.text)]
+        told = told.model_copy(
+            update={
+                "text": told.text[start:end],
+                "start": told.start + start,
+                "end": told.start + end,
+            }
+        )
+        return _gap(told, about, FLUIDS)
+    return _gap(told, about, FORGOTTEN)
+
+
+_OF_LIQUIDS = frozenset({Predicate.FILLED_WITH, Predicate.FLOATS, Predicate.SINKS})
+"""What only the rules put into vessels: a model's document holds no contents."""
+
+
+def _fluids_in(text: str) -> list[tuple[int, int]]:
+    words = "|".join(sorted(map(re.escape, contents_said()), key=lambda w: (-len(w), w)))
+    return [m.span() for m in re.finditer(rf"\b(?:{words})\b", text, re.IGNORECASE)]
+
+
+def _gap(told: Statement, about: tuple[str, ...], why: str) -> Statement:
     return Statement(
         id=told.id,
         predicate=Predicate.NOT_REPRESENTED,
@@ -162,7 +186,7 @@ def _lost(book: _Book, told: Statement) -> Statement:
         start=told.start,
         end=told.end,
         object=about,
-        note=FORGOTTEN,
+        note=why,
     )
 
 
@@ -230,6 +254,8 @@ class _Book:
 
     def kind(self, gap: Statement) -> str:
         """What sort of words a statement of the rules is about: a key of `_HOLDS`."""
+        if gap.predicate in _OF_LIQUIDS:
+            return "liquid"
         if gap.predicate is not Predicate.NOT_REPRESENTED:
             if gap.predicate in _PACES and gap.text.lower() in _GAITS:
                 return "elsewhere"  # a motion of its own tells that somebody walks
@@ -388,6 +414,7 @@ _HOLDS: dict[str, Callable[[_Book, Statement], bool]] = {
     "elsewhere": lambda book, told: True,  # places and contacts are relations or events, too
     "verb": _verb,
     "fluid": _fluid,
+    "liquid": lambda book, told: False,
     "no_thing": _no_thing,
     "manner": _manner,
     "other": _other,
