@@ -1,0 +1,171 @@
+"""How the prompt says that the scene is filmed, as statements (words: `esg.draft.text.filming`)."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+import re
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.core import entity_of
+from esg.draft.discourse.record import Discourse
+from esg.draft.grammar.clauses.record import Clauses
+from esg.draft.statements.account import nodes_of
+from esg.draft.text.elements import Element, Mention
+from esg.draft.text.filming import Words, said
+from esg.filming.shots import agree
+from esg.graph.models import Filming, Predicate, Statement
+
+ONE_SHOT = "a scene is filmed in one shot"
+AT_ONCE = "all moves of the camera are made at once"
+_NOT_THERE = "nothing in the scene stands for what the camera is about"
+_ABOUT: frozenset[Filming] = frozenset(
+    {"first_person", "over_shoulder", "follows", "from_front", "from_behind", "from_side",
+     "close_up", "extreme_close_up", "medium", "orbits"}
+)  # fmt: skip
+"""What means nothing without somebody or something that it is about."""
+_SIZES: frozenset[Filming] = frozenset({"close_up", "extreme_close_up", "medium"})
+_OF_SCENES: frozenset[Filming] = frozenset({"slow_motion", "time_lapse", "static", "handheld"})
+"""What is of the scene as a whole."""
+_MOVES: frozenset[Filming] = frozenset(
+    {"follows", "zooms_in", "zooms_out", "moves_forward", "moves_backward", "moves_left",
+     "moves_right", "moves_up", "moves_down", "pans_left", "pans_right", "tilts_up", "tilts_down",
+     "orbits"}
+)  # fmt: skip
+"""Moves of the camera: all that are told are made at once."""
+_OF = re.compile(
+    r"\s*,?\s*(?:(?:shots?|view|footage|video|clip|perspective)\s+)?"
+    r"(?:of|on|in on|following|showing|shows|around|with|to|towards?|capturing)?\s+",
+    re.IGNORECASE,
+)
+"""Between such words and what they are about."""
+_SMALL = (
+    lex.DETERMINERS | lex.PREPOSITIONS | frozenset({"and", "it", "then", "camera", "view", "shot"})
+)
+
+
+def set_filming_apart(clauses: Clauses, text: str) -> None:
+    """Marks clauses and noun phrases of the camera: nothing happens and no thing is named there.
+
+    Args:
+        clauses: Of the prompt; their frames and mentions are marked.
+        text: That they were read from.
+    """
+    for w in said(text):
+        for f in clauses.frames:
+            if w.start <= f.verb.start and f.verb.start < w.end:
+                f.unreal = f.unreal or "how it is filmed"  # "a low angle shot"
+        for m in clauses.mentions:
+            if m.start < w.end and w.start < m.end <= w.end:
+                m.attribute = True
+
+
+def how_filmed(d: Discourse, elements: Sequence[Element]) -> tuple[Statement, ...]:
+    """What a prompt says of how it is filmed, held or owned up to, numbered from 1.
+
+    Args:
+        d: The discourse, with all of its things; its record of used words takes note.
+        elements: What the text was read as.
+    """
+    told = [w for w in said(d.text) if not _is_thing(d, w)]
+    acting = _acting(d) if told else ()
+    if not acting:
+        return ()
+    kept: list[tuple[Words, tuple[str, ...]]] = []
+    out: list[Statement] = []
+    for number, w in enumerate(told, 1):
+        about = _about(d, w, acting)
+        why = _lacks(w, about, [word for word, _ in kept])
+        held = about is not None and not why
+        if about is not None and held:
+            kept.append((w, about))
+            inside = ((e.start, e.end) for e in elements if w.start <= e.start and e.end <= w.end)
+            for place in ((w.start, w.end), *inside):
+                d.scene.used.setdefault(place, "statement: filmed")
+        out.append(
+            Statement(
+                id=f"s{number}", text=d.text[w.start : w.end], start=w.start, end=w.end,
+                predicate=Predicate.FILMED if held else Predicate.NOT_REPRESENTED,
+                filming=w.filming if held else None,
+                object=about if about is not None and held else (),
+                note=why,
+            )
+        )  # fmt: skip
+    return tuple(out)
+
+
+def with_filming(
+    text: str, others: Sequence[Statement], shown: Sequence[Statement]
+) -> tuple[Statement, ...]:
+    """All that is stated: what is owned up to of words of filming gives way to what is said there.
+
+    Args:
+        text: What was read.
+        others: What is stated and owned up to beside it.
+        shown: What is said of how it is filmed.
+    """
+    number = max((int(s.id[1:]) for s in others), default=0)
+    rest = [s for s in others if not _answered(text, s, shown)]
+    mine = [s.model_copy(update={"id": f"s{number + k}"}) for k, s in enumerate(shown, 1)]
+    return tuple(sorted((*rest, *mine), key=lambda s: s.start))
+
+
+def _lacks(w: Words, about: tuple[str, ...] | None, kept: Sequence[Words]) -> str:
+    """Why words of filming are not held beside those that are; nothing if they are."""
+    if about is None:
+        return _NOT_THERE
+    if not all(agree(w.filming, other.filming) for other in kept):
+        return ONE_SHOT
+    earlier = any(o.end <= w.start and o.filming in _MOVES for o in kept)
+    return AT_ONCE if w.later and earlier else ""
+
+
+def _answered(text: str, s: Statement, told: Sequence[Statement]) -> bool:
+    """Whether what is owned up to is said by words of filming and small words around them."""
+    if s.predicate is not Predicate.NOT_REPRESENTED:
+        return False
+    for w in told:
+        if s.start < w.end and w.start < s.end:
+            rest = text[s.start : max(s.start, w.start)] + " " + text[min(w.end, s.end) : s.end]
+            if all(word.lower() in _SMALL for word in re.findall(r"[\w'’-]+", rest)):
+                return True
+    return False
+
+
+def _is_thing(d: Discourse, w: Words) -> bool:
+    """Whether a thing of the scene was made of the words: "the camera falls off the table"."""
+    return any(m.start < w.end and w.start < m.end and nodes_of(d, m) for m in d.mentions)
+
+
+def _acting(d: Discourse) -> tuple[str, ...]:
+    """Who moves first; what is named first where nothing moves."""
+    for clause in d.scene.clauses:
+        movers = tuple(i for i in clause.movers if i in d.world.entities)
+        if movers:
+            return movers
+    named = [i for m in sorted(d.mentions, key=lambda m: m.start) for i in nodes_of(d, m)]
+    things = [i for i in named if "structural" not in entity_of(d, i).noun.traits]
+    return tuple((things or named)[:1])
+
+
+def _about(d: Discourse, w: Words, acting: tuple[str, ...]) -> tuple[str, ...] | None:
+    """The nodes that words are about; None if what they name is not in the scene."""
+    if w.filming in _OF_SCENES:
+        return ()
+    m = _named(d, w)
+    if m is None or m.pronoun:
+        return acting
+    found = tuple(dict.fromkeys(i for x in (m, *m.coordinated) for i in nodes_of(d, x)))
+    if any("structural" not in entity_of(d, i).noun.traits for i in found):
+        return found
+    if found:
+        return acting  # "a wide shot of a street": who acts there
+    bare = m.attribute and w.filming not in _SIZES  # "follows the action", not "a close-up of it"
+    return None if w.filming in _ABOUT and not bare else acting
+
+
+def _named(d: Discourse, w: Words) -> Mention | None:
+    """The noun phrase right behind words and "of", "on" or a verb of showing."""
+    of = _OF.match(d.text, w.end)
+    at = of.end() if of else w.end
+    near = (m for m in d.mentions if w.end <= m.start and m.start <= at + 1)
+    return min(near, key=lambda m: m.start, default=None)
