@@ -88,6 +88,11 @@ class Shot:
         """Seconds of the scene in a second of film."""
         return next((RATES[word] for word in self.words if word in RATES), 1.0)
 
+    @property
+    def open(self) -> bool:
+        """Whether nothing is said of the camera itself, only of the pace of the film."""
+        return all(word in RATES for word in self.words)
+
     def says(self, *words: str) -> bool:
         """Whether one of some words is said."""
         return any(word in words for word in self.words)

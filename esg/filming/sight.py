@@ -9,7 +9,7 @@ from esg.filming.subjects import Poses, Subject
 
 Floats = NDArray[np.float64]
 
-LOOKS = 7
+LOOKS = 9
 """So many instants are looked at."""
 SHORT = 0.97
 """A line of sight ends so far of the way to what is filmed: it may lie on something."""

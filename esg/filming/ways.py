@@ -21,8 +21,9 @@ STEP_S = 1.0 / 12.0
 """A way is planned at such steps; pictures lie between them."""
 FOV_RAD, OWN_FOV_RAD = 2 * math.atan(12.0 / 35.0), 2 * math.atan(12.0 / 24.0)
 """Of 35 mm on film of 36 x 24 mm; of somebody's own eyes 24 mm."""
-FILL = 0.62
-"""How far what is filmed reaches to the edge of the picture, where nothing is said."""
+FILL, FOLLOWED_FILL = 0.62, 0.45
+"""How far what is filmed reaches to the edge of the picture, where nothing is said; less of what is
+followed, so that one sees what it meets."""
 INSIDE = 0.92
 """Nothing that shall be seen whole reaches farther."""
 LOWEST_M = 0.12
@@ -33,10 +34,17 @@ STANDING_DEG: dict[bool, tuple[float, ...]] = {True: (10.0, 20.0, 35.0), False: 
 TURNS_DEG = (0, 28, -28, 55, -55, 90, -90, 125, -125, 180)
 NEAR_TURNS_DEG = (0, 12, -12, 24, -24)
 """Turns that are tried from the usual side, and where words say the side."""
-LONG_WAY = 5.0
+SIGHT = 2.0
+"""Worth of full sight, beside costs of turns from the usual side."""
+LONG_WAY = 3.0
 """What travels so many times its own size is followed where nothing else is said."""
-SOFT_S = 0.25
-"""A camera that follows is slowed by a bell so wide."""
+SOFT_S, STRAY = (0.25, 0.15, 0.08, 0.03, 0.0), 0.3
+"""A camera that follows is slowed by a bell so wide: the widest from which what is filmed strays by
+no more than this part of its size."""
+STANDING_FILL = 0.8
+"""How far the whole way of what moves reaches, where the camera does not follow it."""
+ABREAST = 1.3
+"""A camera that turns along with what goes by stands so many halves of its way off."""
 CLOSER = 1.6
 """What comes closer starts so many times as far away as it ends."""
 SHIFT, SHIFT_TARGET = 0.3, 0.5
@@ -111,12 +119,17 @@ class _Frame:
         half: [m], shape [3].
         fill: How far it reaches to the edge of the picture.
         follows: Whether the camera goes along with it.
+        anchor: What the camera stands off from, while it turns along with the middle [m], shape
+            [3]; None: the middle.
+        least_m: The camera stands at least so far off [m].
     """
 
     middle: Floats
     half: Floats
     fill: float
     follows: bool
+    anchor: Floats | None = None
+    least_m: float = 0.0
 
     @property
     def box(self) -> Floats:
@@ -127,20 +140,42 @@ class _Frame:
 def _frame(shot: Shot, poses: Poses, subject: Subject) -> _Frame:
     table = rows()
     fills = [f for word in shot.words if (f := table[word].fill) is not None]
-    fill = min(fills) if shot.says("wide") else max(fills, default=FILL)
-    follows = _follows(shot, subject)
-    step = float(poses.time_s[1] - poses.time_s[0])
+    along = _pans_along(shot, subject)
+    follows = not along and _follows(shot, subject)
+    usual = FOLLOWED_FILL if follows else FILL
+    fill = min(fills) if shot.says("wide") else max(fills, default=usual)
     low, high = subject.low, subject.high
     if shot.says("close_up", "extreme_close_up") and _has_bust(subject):
         low = np.concatenate([low[:, :2], (high - BUST * subject.size)[:, 2:]], axis=1)
-    middle = 0.5 * (low + high)
-    if follows:
-        calm = soft(middle, SOFT_S / step)
-        half = np.maximum(high - calm, calm - low).max(axis=0)
-        return _Frame(calm, np.maximum(half, 1e-3), fill, follows=True)
     bottom, top = low.min(axis=0), high.max(axis=0)
-    still = np.tile(0.5 * (bottom + top), (len(middle), 1))
+    whole = 0.5 * (bottom + top)
+    if along or follows:
+        calm = _calm(0.5 * (low + high), high - low, float(poses.time_s[1] - poses.time_s[0]))
+        half = np.maximum(np.maximum(high - calm, calm - low).max(axis=0), 1e-3)
+        if along:
+            least = ABREAST * 0.5 * float(np.linalg.norm(subject.way))
+            return _Frame(calm, half, fill, follows=False, anchor=whole, least_m=least)
+        return _Frame(calm, half, fill, follows=True)
+    if float(subject.sweep.max()) > 1.5 * float(subject.size.max()):
+        fill = max(fill, STANDING_FILL)
+    still = np.tile(whole, (len(low), 1))
     return _Frame(still, np.maximum(0.5 * (top - bottom), 1e-3), fill, follows=False)
+
+
+def _calm(middle: Floats, sides: Floats, step: float) -> Floats:
+    """A middle that moves smoothly [m], shape [K, 3]."""
+    for width in SOFT_S:
+        calm = soft(middle, width / step)
+        if float(np.abs(calm - middle).max()) <= STRAY * float(sides.max()):
+            return calm
+    return middle
+
+
+def _pans_along(shot: Shot, subject: Subject) -> bool:
+    """Whether the camera turns along with what goes by."""
+    turns = shot.says("pans_left", "pans_right") and not shot.says("follows")
+    far = float(np.linalg.norm(subject.way)) > LONG_WAY * float(subject.size.max())
+    return turns and far and not shot.sided
 
 
 def _has_bust(subject: Subject) -> bool:
@@ -161,10 +196,10 @@ def _best(shot: Shot, poses: Poses, subject: Subject, aspect: float) -> Way:
     frame = _frame(shot, poses, subject)
     best, most = None, -math.inf
     for cost, azimuth, elevation in _places(shot, subject, frame):
-        if 1.0 - cost <= most + 1e-9:
+        if SIGHT - cost <= most + 1e-9:
             continue  # full sight would be worth no more
         way = _moved(shot, poses, frame, azimuth, elevation, aspect)
-        worth = clear_share(poses, subject, way.eye) - cost
+        worth = SIGHT * clear_share(poses, subject, way.eye) - cost
         if worth > most + 1e-9:
             best, most = way, worth
     assert best is not None
@@ -204,6 +239,11 @@ def _sides(
         mean = math.atan2(*subject.front.mean(axis=0)[::-1])
         first = 1.0 if math.cos(mean) >= 0.0 else -1.0  # the viewer's (+Y) side
         return (front + first * math.pi / 2, front - first * math.pi / 2), NEAR_TURNS_DEG
+    if frame.anchor is not None:
+        # From there it goes by to the side that the camera turns to.
+        way = math.atan2(subject.way[1], subject.way[0])
+        side = 1.0 if shot.says("pans_left") else -1.0
+        return (way + side * math.pi / 2,), NEAR_TURNS_DEG
     if shot.sided:
         return (math.pi / 2,), TURNS_DEG[:3]
     return (_beside(subject),), TURNS_DEG
@@ -250,7 +290,7 @@ def _distance(frame: _Frame, azimuth: Floats | float, elevation: float, aspect: 
         x, y, z = (np.abs(frame.box @ axis).max() for axis in (right, up, back))
         # The near face is what reaches farthest.
         away = max(away, z + max(x / (tan * aspect), y / tan) / frame.fill)
-    return float(away)
+    return max(float(away), frame.least_m)
 
 
 def _axes(azimuth: float, elevation: float) -> tuple[Floats, Floats, Floats]:
@@ -265,6 +305,7 @@ def _at(
 ) -> Way:
     """The way at a distance [m], with all moves that are said."""
     time, middle = poses.time_s, frame.middle
+    foot = middle if frame.anchor is None else np.tile(frame.anchor, (len(time), 1))
     share = _eased(time)
     swing = 2.0 * share - 1.0
     angle = np.broadcast_to(np.asarray(azimuth, float), time.shape).copy()
@@ -285,7 +326,7 @@ def _at(
         ],
         axis=1,
     )
-    eye, target = middle + reach[:, None] * arm, middle.copy()
+    eye, target = foot + reach[:, None] * arm, middle.copy()
     right = np.stack([-np.sin(angle), np.cos(angle), np.zeros(len(time))], axis=1)
     for word, side in (("moves_right", 1.0), ("moves_left", -1.0)):
         if shot.says(word):
@@ -295,18 +336,18 @@ def _at(
         if shot.says(word):
             eye = eye + np.outer(2.0 * SHIFT * away * up, (0.0, 0.0, 1.0))
     eye = _above(eye, frame)
-    target = _turned(shot, eye, target, swing)
+    target = _turned(shot, eye, target, swing, along=frame.anchor is not None)
     return Way(time, eye, target, FOV_RAD)
 
 
-def _turned(shot: Shot, eye: Floats, target: Floats, swing: Floats) -> Floats:
+def _turned(shot: Shot, eye: Floats, target: Floats, swing: Floats, *, along: bool) -> Floats:
     """The target of a camera that turns where it stands."""
     look = target - eye
     flat = np.linalg.norm(look[:, :2], axis=1)
     yaw, pitch = np.arctan2(look[:, 1], look[:, 0]), np.arctan2(look[:, 2], flat)
     away = np.linalg.norm(look, axis=1)
     for word, turn in (("pans_left", 1.0), ("pans_right", -1.0)):
-        if shot.says(word):
+        if shot.says(word) and not along:
             # Straight down a turn about the upright only rolls the picture.
             yaw = yaw + turn * PAN_RAD * swing / np.maximum(np.cos(pitch), 0.35)
     for word, turn in (("tilts_up", 1.0), ("tilts_down", -1.0)):
@@ -334,7 +375,7 @@ def _overflow(way: Way, frame: _Frame, aspect: float) -> float:
 def _first_person(poses: Poses, subject: Subject) -> Way:
     """From the eyes of who acts, or above the roof of what drives, looking where it heads."""
     step = float(poses.time_s[1] - poses.time_s[0])
-    front = soft(subject.front, SOFT_S / step)
+    front = soft(subject.front, SOFT_S[0] / step)
     front = front / np.maximum(np.linalg.norm(front, axis=1, keepdims=True), 1e-9)
     sides = subject.high - subject.low
     eye = subject.middle.copy()
@@ -345,7 +386,7 @@ def _first_person(poses: Poses, subject: Subject) -> Way:
         reach = 0.5 * np.abs(front * sides[:, :2]).sum(axis=1) + 0.02
         eye[:, :2] += reach[:, None] * front
         eye[:, 2] = subject.low[:, 2] + HEAD * sides[:, 2]
-    eye = soft(eye, 0.5 * SOFT_S / step)
+    eye = soft(eye, SOFT_S[1] / step)
     ahead = max(4.0, 4.0 * float(subject.size.max()))
     drop = 0.12 * ahead
     target = eye + np.concatenate([ahead * front, np.full((len(eye), 1), -drop)], axis=1)
@@ -355,11 +396,11 @@ def _first_person(poses: Poses, subject: Subject) -> Way:
 def _over_shoulder(poses: Poses, subject: Subject) -> Way:
     """From behind and above one shoulder, looking where it heads."""
     step = float(poses.time_s[1] - poses.time_s[0])
-    front = soft(subject.front, SOFT_S / step)
+    front = soft(subject.front, SOFT_S[0] / step)
     front = front / np.maximum(np.linalg.norm(front, axis=1, keepdims=True), 1e-9)
     right = np.stack([front[:, 1], -front[:, 0]], axis=1)
     size = float(subject.size.max())
-    middle = soft(subject.middle, SOFT_S / step)
+    middle = soft(subject.middle, SOFT_S[0] / step)
     level = middle[:, :2] - 1.1 * size * front + 0.3 * size * right
     height = middle[:, 2:] + 0.5 * float(subject.size[2]) + 0.1 * size
     eye = np.concatenate([level, height], axis=1)

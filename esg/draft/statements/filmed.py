@@ -120,9 +120,7 @@ def _lacks(w: Words, about: tuple[str, ...] | None, kept: Sequence[Words]) -> st
 
 
 def _answered(text: str, s: Statement, told: Sequence[Statement]) -> bool:
-    """Whether what is owned up to is said by words of filming and small words around them."""
-    if s.predicate is not Predicate.NOT_REPRESENTED:
-        return False
+    """Whether something is stated by words of filming and small words around them alone."""
     for w in told:
         if s.start < w.end and w.start < s.end:
             rest = text[s.start : max(s.start, w.start)] + " " + text[min(w.end, s.end) : s.end]
@@ -155,8 +153,9 @@ def _about(d: Discourse, w: Words, acting: tuple[str, ...]) -> tuple[str, ...] |
     if m is None or m.pronoun:
         return acting
     found = tuple(dict.fromkeys(i for x in (m, *m.coordinated) for i in nodes_of(d, x)))
-    if any("structural" not in entity_of(d, i).noun.traits for i in found):
-        return found
+    things = tuple(i for i in found if "structural" not in entity_of(d, i).noun.traits)
+    if things:
+        return things
     if found:
         return acting  # "a wide shot of a street": who acts there
     bare = m.attribute and w.filming not in _SIZES  # "follows the action", not "a close-up of it"

@@ -11,7 +11,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 import csv
 from dataclasses import dataclass
-from functools import cache
+from functools import cache, lru_cache
 import re
 
 from esg.draft import lexicon as lex
@@ -27,7 +27,7 @@ _MARKS = re.compile(
 """A text without any of these says nothing of it."""
 _ADVERBS = (
     r"(?:(?:slowly|gently|smoothly|gradually|steadily|continuously|calmly|closely|slightly|subtly|"
-    r"seamlessly|carefully|fluidly|softly|gracefully|dynamically|always|also|then|still|directly|"
+    r"seamlessly|carefully|fluidly|softly|gracefully|dynamically|always|also|still|directly|"
     r"straight|simultaneously|meanwhile|slow)\s+)*"
 )
 _AIDS = (
@@ -39,9 +39,13 @@ _DENIED = re.compile(
     r"\b(?:no|not|never|without|nor|don't|doesn't)\s+(?:an?\s+|the\s+)?$", re.IGNORECASE
 )
 _LATER = re.compile(r"\b(?:then|before|next|finally|afterwards?|later)\s+$", re.IGNORECASE)
+_THEN = re.compile(r"\s+(?:then|finally|next|later)\b", re.IGNORECASE)
 _SENTENCE = re.compile(r"[.!?;\n]")
 _CAMERA = re.compile(r"\b(?:drone\s+)?(?:camera|cam)(?:\s+(?:view|angle|shot))?\b,?", re.IGNORECASE)
-_NEXT = re.compile(r"(?:,|\band\b|\bthen\b|\bwhile\b|\bbefore\b|\bto\b)\s+", re.IGNORECASE)
+_NEXT = re.compile(
+    r"(?:,(?:\s+and)?(?:\s+then)?|\band(?:\s+then)?\b|\bthen\b|\bwhile\b|\bbefore\b|\bto\b)\s+",
+    re.IGNORECASE,
+)
 """What comes before a further move of the camera."""
 _OWN_VERB = re.compile(
     rf"{_ADVERBS}(?:pan|tilt|zoom|dolly|push|pull|orbit|circle)\w*\s", re.IGNORECASE
@@ -63,7 +67,13 @@ _OF_A_PICTURE = re.compile(
     re.IGNORECASE,
 )
 """What follows a shot that is a picture: no verb of its own ("a wide shot misses the goal")."""
-_BETWEEN = r"(?!(?:of|the|an?|in|on|at|to|and|or|is|with|from|for|by)\b)[\w'’-]+"
+_ALONG = re.compile(
+    r"\s+(?:that\s+|which\s+)?(?P<verb>following|follows|tracking)\b", re.IGNORECASE
+)
+""" "A drone shot following a car"."""
+_BETWEEN = (
+    r"(?!(?:camera|cam|window|seat|of|the|an?|in|on|at|to|and|or|is|with|from|for|by)\b)[\w'’-]+"
+)
 
 
 @dataclass(frozen=True)
@@ -145,6 +155,7 @@ _PATTERNS = {
 }
 
 
+@lru_cache(maxsize=16)
 def said(text: str) -> tuple[Words, ...]:
     """Words that say how a scene is filmed, in order; none overlaps another.
 
@@ -167,12 +178,14 @@ def _views(row: Row, text: str) -> Iterator[Words]:
     for found in row.pattern.finditer(text):
         before = text[max(0, found.start() - 40) : found.start()]
         struck = found["noun"].lower().startswith("shot") and _STRUCK.search(before)
-        shot = found["noun"].lower().startswith("shot")
-        loose = shot and not _OF_A_PICTURE.match(text, found.end("noun"))
+        loose = not _OF_A_PICTURE.match(text, found.end("noun"))
         if not _DENIED.search(before) and not struck and not loose:
             between = text[found.end() : found.start("noun")].strip(" -")
             end = found.end() if between else found.end("noun")
             yield Words(found.start(), end, row.filming)
+            along = None if between else _ALONG.match(text, found.end("noun"))
+            if along:
+                yield Words(along.start("verb"), along.end("verb"), "follows")
 
 
 def _alone(row: Row, text: str) -> Iterator[Words]:
@@ -198,13 +211,15 @@ def _of_the_camera(text: str) -> Iterator[Words]:
     starts = [(c.start(), c.end()) for c in _CAMERA.finditer(text)]
     starts += [(b.start(), b.end()) for b in _BARE_START.finditer(text)]
     for start, at in starts:
+        then = _THEN.match(text, at)
+        at = then.end() if then else at
         stop = _SENTENCE.search(text, at)
         end = stop.start() if stop else len(text)
         first = _move_at(text, at, end)
         if first is None:
             continue
-        later = _LATER.search(text, max(0, start - 12), _the(text, start)) is not None
-        yield Words(start, first.end, first.filming, later)
+        before = _LATER.search(text, max(0, start - 12), _the(text, start))
+        yield Words(start, first.end, first.filming, bool(then or before))
         for joint in _NEXT.finditer(text, first.end, end):
             beside = not text[first.end : joint.start()].strip()
             own = _OWN_VERB if not beside else _ANY_VERB
