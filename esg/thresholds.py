@@ -156,7 +156,7 @@ PIECES, PIECE_GAP_M = 3, 0.02
 FILMED_ASPECT = 16.0 / 9.0
 """Width over height of the picture in which shares are measured: that of films."""
 FILMED_ABOVE_DEG, FILMED_AERIAL_DEG, FILMED_HIGH_DEG, FILMED_LOW_DEG = 75.0, 55.0, 25.0, 5.0
-"""Elevations of an overhead, an aerial and a high-angle shot at least, of a low-angle one at most;
+"""How far down an overhead, an aerial and a high-angle shot look at least, a low-angle one at most;
 a person's eyes look down at things on the ground by some 10 to 20 degrees."""
 FILMED_LEVEL_DEG = 20.0
 """At eye level the camera looks up or down by at most this."""
@@ -164,15 +164,16 @@ FILMED_SIDE_DEG = 40.0
 """Half of a quarter turn, less 5: a three-quarter view is neither from the front nor the side."""
 FILMED_OWN_DEG = 20.0
 """Who sees through somebody's eyes looks where he heads."""
-FILMED_CLOSE, FILMED_EXTREME, FILMED_WIDE = 0.6, 0.9, 0.36
+FILMED_CLOSE, FILMED_EXTREME, FILMED_WIDE = 0.6, 0.85, 0.36
 """Share of the picture's width or height, whichever is more, in a close-up and an extreme one at
 least; geometric mean of both shares in a wide shot at most."""
 FILMED_MEDIUM = (0.4, 0.85)
 """Share of the picture's width or height, whichever is more, in a medium shot."""
 FILMED_INSIDE_SHARE = 0.9
 """What is filmed is in the picture for so much of the time."""
-FILMED_AWAY_RATIO = 1.5
-"""What follows keeps its distance within this ratio."""
+FILMED_AWAY_RATIO, FILMED_ALONG = 1.75, 0.5
+"""What follows keeps its distance within this ratio, also where it comes nearer, and goes itself over
+this share of the way."""
 FILMED_GROWTH = 1.25
 """What is zoomed at grows by this factor."""
 FILMED_ACROSS = 0.2

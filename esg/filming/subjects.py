@@ -130,9 +130,9 @@ def subject_of(poses: Poses, bodies: Sequence[int]) -> Subject | None:
 
     Args:
         poses: Of the scene.
-        bodies: That it is about; empty for those that move, or for all but what bears the others.
+        bodies: That it is about; empty for those that move, could move, or are there.
     """
-    chosen = tuple(bodies) or _movers(poses)
+    chosen = tuple(bodies) or _acting(poses)
     if not chosen:
         return None
     corners = poses.corners(chosen).reshape(len(poses.time_s), -1, 3)
@@ -142,12 +142,17 @@ def subject_of(poses: Poses, bodies: Sequence[int]) -> Subject | None:
     return Subject(chosen, low, high, _front(poses, chosen[0], middle, high - low), way)
 
 
-def _movers(poses: Poses) -> tuple[int, ...]:
-    bodies = poses.scene.bodies
+def movers(poses: Poses) -> tuple[int, ...]:
+    """Bodies that move."""
     moved = np.ptp(poses.position, axis=0).max(axis=1)
-    found = tuple(i for i, b in enumerate(bodies) if not b.static and moved[i] > STIRS_M)
+    bodies = poses.scene.bodies
+    return tuple(i for i, b in enumerate(bodies) if not b.static and moved[i] > STIRS_M)
+
+
+def _acting(poses: Poses) -> tuple[int, ...]:
+    bodies = poses.scene.bodies
     loose = tuple(i for i, b in enumerate(bodies) if not b.static)
-    return found or loose or tuple(range(len(bodies)))
+    return movers(poses) or loose or tuple(range(len(bodies)))
 
 
 def _front(poses: Poses, body: int, middle: Floats, sides: Floats) -> Floats:

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from esg.engines.scene import SimScene
 from esg.filming.shots import Shot, rows
 from esg.filming.sight import clear_share
-from esg.filming.subjects import Poses, Subject, poses_at, soft, subject_of
+from esg.filming.subjects import Poses, Subject, movers, poses_at, soft, subject_of
 
 Floats = NDArray[np.float64]
 
@@ -24,8 +24,8 @@ FOV_RAD, OWN_FOV_RAD = 2 * math.atan(12.0 / 35.0), 2 * math.atan(12.0 / 24.0)
 FILL, FOLLOWED_FILL = 0.62, 0.45
 """How far what is filmed reaches to the edge of the picture, where nothing is said; less of what is
 followed, so that one sees what it meets."""
-INSIDE = 0.92
-"""Nothing that shall be seen whole reaches farther."""
+INSIDE, CUT = 0.92, 1.2
+"""Nothing reaches farther, but a close-up, which may cut its edges."""
 LOWEST_M = 0.12
 """Of an eye above the ground; of what is smaller than that, half its size."""
 HUMAN_M = 1.0
@@ -36,21 +36,24 @@ NEAR_TURNS_DEG = (0, 12, -12, 24, -24)
 """Turns that are tried from the usual side, and where words say the side."""
 SIGHT = 2.0
 """Worth of full sight, beside costs of turns from the usual side."""
-LONG_WAY = 3.0
-"""What travels so many times its own size is followed where nothing else is said."""
-SOFT_S, STRAY = (0.25, 0.15, 0.08, 0.03, 0.0), 0.3
+LONG_WAY, SOME_WAY = 3.0, 1.5
+"""What travels so many times its own size is followed where nothing else is said; less where the
+camera comes nearer or goes away, which would else be its own coming and going."""
+SOFT_S, STRAY = (0.25, 0.15, 0.08, 0.03, 0.0), 0.12
 """A camera that follows is slowed by a bell so wide: the widest from which what is filmed strays by
 no more than this part of its size."""
 STANDING_FILL = 0.8
 """How far the whole way of what moves reaches, where the camera does not follow it."""
+COMPANY = 0.5
+"""What moves is held in the picture, too, as near as this part of the size of what is filmed."""
 ABREAST = 1.3
 """A camera that turns along with what goes by stands so many halves of its way off."""
-CLOSER = 1.6
+CLOSER = 1.7
 """What comes closer starts so many times as far away as it ends."""
 SHIFT, SHIFT_TARGET = 0.3, 0.5
 """A camera that moves sideways or up goes so far to either side, in its distances, and looks so
 far along with it."""
-PAN_RAD, TILT_RAD = math.radians(13), math.radians(9)
+PAN_RAD, TILT_RAD = math.radians(8), math.radians(7)
 """It turns so far to either side."""
 ORBIT_RAD, ORBIT_RAD_S = math.radians(140), math.radians(50)
 ORBIT_LEAST_RAD = math.radians(70)
@@ -156,10 +159,29 @@ def _frame(shot: Shot, poses: Poses, subject: Subject) -> _Frame:
             least = ABREAST * 0.5 * float(np.linalg.norm(subject.way))
             return _Frame(calm, half, fill, follows=False, anchor=whole, least_m=least)
         return _Frame(calm, half, fill, follows=True)
-    if float(subject.sweep.max()) > 1.5 * float(subject.size.max()):
+    if not shot.says("close_up", "extreme_close_up", "medium"):
+        bottom, top = _with_company(poses, subject, bottom, top)
+        whole = 0.5 * (bottom + top)
+    if float(subject.sweep.max()) > SOME_WAY * float(subject.size.max()):
         fill = max(fill, STANDING_FILL)
     still = np.tile(whole, (len(low), 1))
     return _Frame(still, np.maximum(0.5 * (top - bottom), 1e-3), fill, follows=False)
+
+
+def _with_company(
+    poses: Poses, subject: Subject, bottom: Floats, top: Floats
+) -> tuple[Floats, Floats]:
+    """Corners of a box with what moves near by, too: the ball that rolls past a car."""
+    reach = COMPANY * float(subject.size.max())
+    low, high = bottom - reach, top + reach
+    for body in movers(poses):
+        if body in subject.bodies:
+            continue
+        corners = poses.corners((body,)).reshape(-1, 3)
+        a, b = np.maximum(corners.min(axis=0), low), np.minimum(corners.max(axis=0), high)
+        if np.all(a <= b):
+            bottom, top = np.minimum(bottom, a), np.maximum(top, b)
+    return bottom, top
 
 
 def _calm(middle: Floats, sides: Floats, step: float) -> Floats:
@@ -171,9 +193,16 @@ def _calm(middle: Floats, sides: Floats, step: float) -> Floats:
     return middle
 
 
+_NOT_ALONG = (
+    "follows", "medium", "close_up", "extreme_close_up", "overhead", "aerial", "from_front",
+    "from_behind", "orbits",
+)  # fmt: skip
+"""Words that a camera keeps better which does not turn along with what goes by."""
+
+
 def _pans_along(shot: Shot, subject: Subject) -> bool:
     """Whether the camera turns along with what goes by."""
-    turns = shot.says("pans_left", "pans_right") and not shot.says("follows")
+    turns = shot.says("pans_left", "pans_right") and not shot.says(*_NOT_ALONG)
     far = float(np.linalg.norm(subject.way)) > LONG_WAY * float(subject.size.max())
     return turns and far and not shot.sided
 
@@ -184,11 +213,15 @@ def _has_bust(subject: Subject) -> bool:
 
 
 def _follows(shot: Shot, subject: Subject) -> bool:
-    if shot.says("static", "pans_left", "pans_right", "tilts_up", "tilts_down"):
-        return shot.says("follows")
-    if shot.says("follows", "close_up", "extreme_close_up"):
+    if shot.says("static"):
+        return False
+    if shot.says("follows", "medium", "close_up", "extreme_close_up"):
         return True
-    return float(subject.sweep.max()) > LONG_WAY * float(subject.size.max())
+    if shot.says("pans_left", "pans_right", "tilts_up", "tilts_down"):
+        return False
+    nearing = shot.says("zooms_in", "zooms_out", "moves_forward", "moves_backward")
+    far = SOME_WAY if nearing else LONG_WAY
+    return float(subject.sweep.max()) > far * float(subject.size.max())
 
 
 def _best(shot: Shot, poses: Poses, subject: Subject, aspect: float) -> Way:
@@ -213,7 +246,9 @@ def _places(
     table = rows()
     told = [e for word in shot.words for e in table[word].elevations_deg]
     high = [e for e in told if e > 50]
-    rises = (max(high),) if high else tuple(told)
+    rises = tuple(high or told)
+    if shot.says("overhead"):
+        rises = table["overhead"].elevations_deg
     rises = rises or STANDING_DEG[float(subject.size.max()) >= HUMAN_M]
     sides, turns = _sides(shot, subject, frame)
     for (k, side), turn, rise in itertools.product(enumerate(sides), turns, rises):
@@ -231,6 +266,11 @@ def _sides(
     else:
         mean = subject.front.mean(axis=0)
         front = math.atan2(mean[1], mean[0])
+    if frame.anchor is not None:
+        # From there it goes by to the side that the camera turns to.
+        way = math.atan2(subject.way[1], subject.way[0])
+        side = 1.0 if shot.says("pans_left") else -1.0
+        return (way + side * math.pi / 2,), NEAR_TURNS_DEG
     if shot.says("from_front"):
         return (front,), NEAR_TURNS_DEG
     if shot.says("from_behind"):
@@ -239,11 +279,6 @@ def _sides(
         mean = math.atan2(*subject.front.mean(axis=0)[::-1])
         first = 1.0 if math.cos(mean) >= 0.0 else -1.0  # the viewer's (+Y) side
         return (front + first * math.pi / 2, front - first * math.pi / 2), NEAR_TURNS_DEG
-    if frame.anchor is not None:
-        # From there it goes by to the side that the camera turns to.
-        way = math.atan2(subject.way[1], subject.way[0])
-        side = 1.0 if shot.says("pans_left") else -1.0
-        return (way + side * math.pi / 2,), NEAR_TURNS_DEG
     if shot.sided:
         return (math.pi / 2,), TURNS_DEG[:3]
     return (_beside(subject),), TURNS_DEG
@@ -268,10 +303,11 @@ def _moved(
 ) -> Way:
     """A way from a side: from so far away that it stays inside whatever the camera does."""
     whole = not shot.says("extreme_close_up")
+    most = CUT if shot.says("close_up") else INSIDE
     away = _distance(frame, azimuth, elevation, aspect)
     way = _at(shot, poses, frame, azimuth, elevation, away)
     for _ in range(4):
-        over = _overflow(way, frame, aspect) / INSIDE
+        over = _overflow(way, frame, aspect) / most
         if not whole or over <= 1.0 + 1e-3:
             break
         away *= min(over, 2.0)
@@ -311,7 +347,9 @@ def _at(
     angle = np.broadcast_to(np.asarray(azimuth, float), time.shape).copy()
     if shot.says("orbits"):
         lasts = float(time[-1] - time[0])
-        turn = max(min(ORBIT_RAD, ORBIT_RAD_S * lasts), ORBIT_LEAST_RAD)
+        # As it turns or moves, where that is said, too.
+        sense = -1.0 if shot.says("pans_right", "moves_left") else 1.0
+        turn = sense * max(min(ORBIT_RAD, ORBIT_RAD_S * lasts), ORBIT_LEAST_RAD)
         angle += turn * (np.linspace(0.0, 1.0, len(time)) - 0.5)
     reach = np.full(len(time), away)
     if shot.says("zooms_in", "moves_forward"):
@@ -331,7 +369,8 @@ def _at(
     for word, side in (("moves_right", 1.0), ("moves_left", -1.0)):
         if shot.says(word):
             shift = side * SHIFT * away * swing[:, None] * right
-            eye, target = eye + shift, target + SHIFT_TARGET * shift
+            turned = shot.says("pans_left", "pans_right")  # else one would undo the other
+            eye, target = eye + shift, target + (1.0 if turned else SHIFT_TARGET) * shift
     for word, up in (("moves_up", share), ("moves_down", 1.0 - share)):
         if shot.says(word):
             eye = eye + np.outer(2.0 * SHIFT * away * up, (0.0, 0.0, 1.0))
@@ -400,7 +439,7 @@ def _over_shoulder(poses: Poses, subject: Subject) -> Way:
     front = front / np.maximum(np.linalg.norm(front, axis=1, keepdims=True), 1e-9)
     right = np.stack([front[:, 1], -front[:, 0]], axis=1)
     size = float(subject.size.max())
-    middle = soft(subject.middle, SOFT_S[0] / step)
+    middle = _calm(subject.middle, subject.high - subject.low, step)
     level = middle[:, :2] - 1.1 * size * front + 0.3 * size * right
     height = middle[:, 2:] + 0.5 * float(subject.size[2]) + 0.1 * size
     eye = np.concatenate([level, height], axis=1)

@@ -15,7 +15,7 @@ from esg.draft.text.filming import Words, said
 from esg.filming.shots import agree
 from esg.graph.models import Filming, Predicate, Statement
 
-ONE_SHOT = "a scene is filmed in one shot"
+ONE_SHOT = "the scene is one shot, and more is said of the camera"
 AT_ONCE = "all moves of the camera are made at once"
 _NOT_THERE = "nothing in the scene stands for what the camera is about"
 _ABOUT: frozenset[Filming] = frozenset(

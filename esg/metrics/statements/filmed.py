@@ -20,6 +20,7 @@ from esg.thresholds import (
     FILMED_ABOVE_DEG,
     FILMED_ACROSS,
     FILMED_AERIAL_DEG,
+    FILMED_ALONG,
     FILMED_ASPECT,
     FILMED_AWAY_RATIO,
     FILMED_CLOSE,
@@ -136,11 +137,12 @@ class Looked:
 
     @cached_property
     def inside(self) -> Floats:
-        """Whether half of it is in the picture, or what is takes a sixth of it; shape [K]."""
+        """Whether half of it is in the picture, or it takes half of that; shape [K]."""
         low, high = self.rectangle
         whole = np.nan_to_num(0.25 * (high - low).prod(axis=1), nan=np.inf)
         part = self.shares.prod(axis=1)
-        return ((part >= 0.5 * whole) | (part >= 1.0 / 6.0)).astype(float)
+        large = (part > 0.0) & (self.shares.max(axis=1) >= 0.5)
+        return ((part >= 0.5 * whole) | large).astype(float)
 
     @cached_property
     def shares(self) -> Floats:
@@ -156,8 +158,8 @@ class Looked:
 
     @cached_property
     def elevation(self) -> Floats:
-        """Of the eye above the horizon of its middle [deg], shape [K]."""
-        return np.degrees(np.arcsin((self.way.eye - self.middle)[:, 2] / self.away))
+        """By how much the camera looks down [deg], shape [K]."""
+        return -np.degrees(np.arcsin(np.clip(self.look[:, 2], -1.0, 1.0)))
 
     @property
     def yaw(self) -> float:
@@ -243,7 +245,7 @@ def _rate(way: Way, *, slow: bool) -> Kept:
 def _elevation(low: float, high: float) -> Measure:
     def within(v: Looked) -> Kept:
         angle = float(np.median(v.elevation))
-        reason = f"the camera stands {angle:.0f} degrees above it; {low:g} to {high:g} asked"
+        reason = f"the camera looks down by {angle:.0f} degrees; {low:g} to {high:g} asked"
         return Kept.when(low <= angle <= high, reason, elevation_deg=angle)
 
     return within
@@ -261,7 +263,8 @@ def _side(wanted: float) -> Measure:
 
 def _larger(least: float, most: float = 1.0) -> Measure:
     def fills(v: Looked) -> Kept:
-        share = float(np.median(v.shares.max(axis=1)))
+        # By what it comes to where the camera comes nearer.
+        share = float(np.quantile(v.shares.max(axis=1), 0.75))
         limits = f"{100 * least:.0f} to {100 * most:.0f}% asked"
         reason = f"it takes {100 * share:.0f}% of the picture; {limits}"
         return Kept.when(least <= share <= most, reason, picture_share=share)
@@ -282,10 +285,18 @@ def _in_view(v: Looked) -> Kept:
 
 
 def _follows(v: Looked) -> Kept:
-    """It stays as far off while what is filmed travels."""
+    """It stays about as far off, and moves as what is filmed moves."""
     ratio = float(v.away.max() / max(v.away.min(), 1e-9))
     reason = f"its distance changes by {ratio:.1f} times; limit {FILMED_AWAY_RATIO:g}"
-    return Kept.when(ratio <= FILMED_AWAY_RATIO, reason, away_ratio=ratio)
+    if ratio > FILMED_AWAY_RATIO:
+        return Kept(False, {"away_ratio": ratio}, reason)
+    went = v.middle[-1] - v.middle[0]
+    long = float(np.linalg.norm(went))
+    if long < float(np.ptp(v.corners[0], axis=0).max()):
+        return Kept(True, {"away_ratio": ratio})  # it hardly leaves its place
+    share = float(np.linalg.norm(np.diff(v.way.eye, axis=0), axis=1).sum()) / long
+    reason = f"the camera goes {100 * share:.0f}% as far; limit {100 * FILMED_ALONG:.0f}%"
+    return Kept.when(share >= FILMED_ALONG, reason, away_ratio=ratio, along_share=share)
 
 
 def _grows(sign: float) -> Measure:
@@ -300,9 +311,10 @@ def _grows(sign: float) -> Measure:
     return zooms
 
 
-def _travels(axis: Callable[[Looked], Floats]) -> Measure:
+def _travels(axis: Callable[[Looked], Floats], nearing: float = 0.0) -> Measure:
     def goes(v: Looked) -> Kept:
-        way = v.travel(axis(v))
+        nearer = nearing * float(1.0 - v.away[-1] / max(v.away[0], 1e-9))
+        way = max(v.travel(axis(v)), nearer if nearing else -math.inf)
         reason = f"the camera goes {way:.2f} of its distance that way; limit {FILMED_ACROSS:g}"
         return Kept.when(way >= FILMED_ACROSS, reason, travel=way)
 
@@ -393,8 +405,8 @@ _MEASURES: dict[str, Measure] = {
     "follows": _follows,
     "zooms_in": _grows(1.0),
     "zooms_out": _grows(-1.0),
-    "moves_forward": _travels(lambda v: v.look.mean(axis=0)),
-    "moves_backward": _travels(lambda v: -v.look.mean(axis=0)),
+    "moves_forward": _travels(lambda v: v.look.mean(axis=0), 1.0),
+    "moves_backward": _travels(lambda v: -v.look.mean(axis=0), -1.0),
     "moves_left": _travels(lambda v: -v.right.mean(axis=0)),
     "moves_right": _travels(lambda v: v.right.mean(axis=0)),
     "moves_up": _travels(lambda _: _UP),
