@@ -172,8 +172,8 @@ FILMED_MEDIUM = (0.4, 0.85)
 FILMED_INSIDE_SHARE = 0.9
 """What is filmed is in the picture for so much of the time."""
 FILMED_AWAY_RATIO, FILMED_ALONG = 1.75, 0.5
-"""What follows keeps its distance within this ratio, also where it comes nearer, and goes itself over
-this share of the way."""
+"""What follows keeps its distance within this ratio, also where it comes nearer, and goes over
+this share of the way itself."""
 FILMED_GROWTH = 1.25
 """What is zoomed at grows by this factor."""
 FILMED_ACROSS = 0.2

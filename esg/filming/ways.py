@@ -193,6 +193,7 @@ def _calm(middle: Floats, sides: Floats, step: float) -> Floats:
     return middle
 
 
+_FACING = ("from_front", "from_behind")
 _NOT_ALONG = (
     "follows", "medium", "close_up", "extreme_close_up", "overhead", "aerial", "from_front",
     "from_behind", "orbits",
@@ -270,6 +271,11 @@ def _sides(
         # From there it goes by to the side that the camera turns to.
         way = math.atan2(subject.way[1], subject.way[0])
         side = 1.0 if shot.says("pans_left") else -1.0
+        return (way + side * math.pi / 2,), NEAR_TURNS_DEG
+    if shot.says("moves_left", "moves_right") and frame.follows and not shot.says(*_FACING):
+        # What it goes along with moves to that side of the picture.
+        way = math.atan2(subject.way[1], subject.way[0])
+        side = -1.0 if shot.says("moves_right") else 1.0
         return (way + side * math.pi / 2,), NEAR_TURNS_DEG
     if shot.says("from_front"):
         return (front,), NEAR_TURNS_DEG

@@ -174,12 +174,14 @@ class Looked:
         return math.degrees(risen[-1] - risen[0])
 
     def travel(self, axis: Floats) -> float:
-        """How far the eye goes along an axis, over the ground or beside what it films, in its
-        distances at first; whichever is more.
-        """
+        """How far the eye goes along an axis, in its distances at first."""
         moved = self.way.eye[-1] - self.way.eye[0]
-        beside = moved - (self.middle[-1] - self.middle[0])
-        return float(max(moved @ axis, beside @ axis) / max(self.away[0], 1e-9))
+        return float(moved @ axis / max(self.away[0], 1e-9))
+
+    @property
+    def path_m(self) -> float:
+        """Length of the eye's way [m]."""
+        return float(np.linalg.norm(np.diff(self.way.eye, axis=0), axis=1).sum())
 
     @cached_property
     def front(self) -> Floats:
@@ -294,7 +296,7 @@ def _follows(v: Looked) -> Kept:
     long = float(np.linalg.norm(went))
     if long < float(np.ptp(v.corners[0], axis=0).max()):
         return Kept(True, {"away_ratio": ratio})  # it hardly leaves its place
-    share = float(np.linalg.norm(np.diff(v.way.eye, axis=0), axis=1).sum()) / long
+    share = v.path_m / long
     reason = f"the camera goes {100 * share:.0f}% as far; limit {100 * FILMED_ALONG:.0f}%"
     return Kept.when(share >= FILMED_ALONG, reason, away_ratio=ratio, along_share=share)
 
@@ -333,7 +335,11 @@ def _turns(sign: float, *, upward: bool) -> Measure:
 def _orbits(v: Looked) -> Kept:
     arm = v.way.eye - v.middle
     around = np.unwrap(np.arctan2(arm[:, 1], arm[:, 0]))
-    angle = math.degrees(abs(float(around[-1] - around[0])))
+    turned = abs(float(around[-1] - around[0]))
+    # What passes a standing camera is not gone around.
+    angle = math.degrees(
+        min(turned, 2.0 * v.path_m / max(float(np.hypot(arm[:, 0], arm[:, 1]).mean()), 1e-9))
+    )
     reason = f"the camera goes {angle:.0f} degrees around it; limit {FILMED_ORBIT_DEG:g}"
     return Kept.when(angle >= FILMED_ORBIT_DEG, reason, around_deg=angle)
 
