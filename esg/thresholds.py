@@ -169,8 +169,8 @@ FILMED_CLOSE, FILMED_EXTREME, FILMED_WIDE = 0.6, 0.85, 0.36
 least; geometric mean of both shares in a wide shot at most."""
 FILMED_MEDIUM = (0.4, 0.85)
 """Share of the picture's width or height, whichever is more, in a medium shot."""
-FILMED_INSIDE_SHARE = 0.9
-"""What is filmed is in the picture for so much of the time."""
+FILMED_INSIDE_SHARE, FILMED_CLEAR_SHARE = 0.9, 0.5
+"""What is filmed is in the picture for so much of the time, and for so much of it not hidden."""
 FILMED_AWAY_RATIO, FILMED_ALONG = 1.75, 0.5
 """What follows keeps its distance within this ratio, also where it comes nearer, and goes over
 this share of the way itself."""

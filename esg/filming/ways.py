@@ -36,6 +36,8 @@ NEAR_TURNS_DEG = (0, 12, -12, 24, -24)
 """Turns that are tried from the usual side, and where words say the side."""
 SIGHT = 2.0
 """Worth of full sight, beside costs of turns from the usual side."""
+OTHER_SIDE = 0.3
+"""Cost of the other side than the one that is said or usual: only where little is seen from there."""
 LONG_WAY, SOME_WAY = 3.0, 1.5
 """What travels so many times its own size is followed where nothing else is said; less where the
 camera comes nearer or goes away, which would else be its own coming and going."""
@@ -44,6 +46,8 @@ SOFT_S, STRAY = (0.25, 0.15, 0.08, 0.03, 0.0), 0.12
 no more than this part of its size."""
 STANDING_FILL = 0.8
 """How far the whole way of what moves reaches, where the camera does not follow it."""
+CLOSE_SHARE = 0.6
+"""A close-up is as close as it can be for so much of the time."""
 COMPANY = 0.5
 """What moves is held in the picture, too, as near as this part of the size of what is filmed."""
 ABREAST = 1.3
@@ -143,8 +147,8 @@ class _Frame:
 def _frame(shot: Shot, poses: Poses, subject: Subject) -> _Frame:
     table = rows()
     fills = [f for word in shot.words if (f := table[word].fill) is not None]
-    along = _pans_along(shot, subject)
-    follows = not along and _follows(shot, subject)
+    along = _turns_along(shot, subject)
+    follows = along is None and _follows(shot, subject)
     usual = FOLLOWED_FILL if follows else FILL
     fill = min(fills) if shot.says("wide") else max(fills, default=usual)
     low, high = subject.low, subject.high
@@ -152,12 +156,16 @@ def _frame(shot: Shot, poses: Poses, subject: Subject) -> _Frame:
         low = np.concatenate([low[:, :2], (high - BUST * subject.size)[:, 2:]], axis=1)
     bottom, top = low.min(axis=0), high.max(axis=0)
     whole = 0.5 * (bottom + top)
-    if along or follows:
+    if along is not None or follows:
         calm = _calm(0.5 * (low + high), high - low, float(poses.time_s[1] - poses.time_s[0]))
-        half = np.maximum(np.maximum(high - calm, calm - low).max(axis=0), 1e-3)
-        if along:
-            least = ABREAST * 0.5 * float(np.linalg.norm(subject.way))
-            return _Frame(calm, half, fill, follows=False, anchor=whole, least_m=least)
+        # What falls over is not the larger for a close-up because it was high before.
+        usual_size = CLOSE_SHARE if shot.says("close_up", "extreme_close_up") else 1.0
+        sides = np.quantile(np.maximum(high - calm, calm - low), usual_size, axis=0)
+        half = np.maximum(sides, 1e-3)
+        if along is not None:
+            way = subject.middle[-1] - subject.middle[0]
+            least = ABREAST * 0.5 * float(np.linalg.norm(way))
+            return _Frame(calm, half, fill, follows=False, anchor=along, least_m=least)
         return _Frame(calm, half, fill, follows=True)
     if not shot.says("close_up", "extreme_close_up", "medium"):
         bottom, top = _with_company(poses, subject, bottom, top)
@@ -201,11 +209,19 @@ _NOT_ALONG = (
 """Words that a camera keeps better which does not turn along with what goes by."""
 
 
-def _pans_along(shot: Shot, subject: Subject) -> bool:
-    """Whether the camera turns along with what goes by."""
-    turns = shot.says("pans_left", "pans_right") and not shot.says(*_NOT_ALONG)
-    far = float(np.linalg.norm(subject.way)) > LONG_WAY * float(subject.size.max())
-    return turns and far and not shot.sided
+def _turns_along(shot: Shot, subject: Subject) -> Floats | None:
+    """What a camera stands off from that turns along with what goes by, or up [m], shape [3]."""
+    if shot.says(*_NOT_ALONG):
+        return None
+    far = LONG_WAY * float(subject.size.max())
+    middle = 0.5 * (subject.low.min(axis=0) + subject.high.max(axis=0))
+    if shot.says("pans_left", "pans_right") and not shot.sided:
+        return middle if float(np.linalg.norm(subject.way)) > far else None
+    rise = float(subject.middle[-1, 2] - subject.middle[0, 2])
+    if (shot.says("tilts_up") and rise > far) or (shot.says("tilts_down") and -rise > far):
+        middle[2] = min(subject.middle[0, 2], subject.middle[-1, 2])
+        return middle
+    return None
 
 
 def _has_bust(subject: Subject) -> bool:
@@ -253,7 +269,7 @@ def _places(
     rises = rises or STANDING_DEG[float(subject.size.max()) >= HUMAN_M]
     sides, turns = _sides(shot, subject, frame)
     for (k, side), turn, rise in itertools.product(enumerate(sides), turns, rises):
-        cost = 0.0016 * abs(turn) + 0.004 * abs(rise - rises[0]) + 0.05 * k
+        cost = 0.0016 * abs(turn) + 0.004 * abs(rise - rises[0]) + OTHER_SIDE * k
         yield cost, side + math.radians(turn), math.radians(rise)
 
 
@@ -267,16 +283,16 @@ def _sides(
     else:
         mean = subject.front.mean(axis=0)
         front = math.atan2(mean[1], mean[0])
-    if frame.anchor is not None:
+    if frame.anchor is not None and shot.says("pans_left", "pans_right"):
         # From there it goes by to the side that the camera turns to.
         way = math.atan2(subject.way[1], subject.way[0])
         side = 1.0 if shot.says("pans_left") else -1.0
-        return (way + side * math.pi / 2,), NEAR_TURNS_DEG
+        return (way + side * math.pi / 2, way - side * math.pi / 2), NEAR_TURNS_DEG
     if shot.says("moves_left", "moves_right") and frame.follows and not shot.says(*_FACING):
         # What it goes along with moves to that side of the picture.
         way = math.atan2(subject.way[1], subject.way[0])
         side = -1.0 if shot.says("moves_right") else 1.0
-        return (way + side * math.pi / 2,), NEAR_TURNS_DEG
+        return (way + side * math.pi / 2, way - side * math.pi / 2), NEAR_TURNS_DEG
     if shot.says("from_front"):
         return (front,), NEAR_TURNS_DEG
     if shot.says("from_behind"):
@@ -396,7 +412,7 @@ def _turned(shot: Shot, eye: Floats, target: Floats, swing: Floats, *, along: bo
             # Straight down a turn about the upright only rolls the picture.
             yaw = yaw + turn * PAN_RAD * swing / np.maximum(np.cos(pitch), 0.35)
     for word, turn in (("tilts_up", 1.0), ("tilts_down", -1.0)):
-        if shot.says(word):
+        if shot.says(word) and (not along or shot.says("pans_left", "pans_right")):
             pitch = np.clip(pitch + turn * TILT_RAD * swing, -1.5, 1.5)
     level = away * np.cos(pitch)
     return eye + np.stack([level * np.cos(yaw), level * np.sin(yaw), away * np.sin(pitch)], axis=1)

@@ -8,6 +8,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of
 from esg.draft.discourse.record import Discourse
+from esg.draft.document.coverage import FILMED
 from esg.draft.grammar.clauses.record import Clauses
 from esg.draft.statements.account import nodes_of
 from esg.draft.text.elements import Element, Mention
@@ -17,6 +18,12 @@ from esg.graph.models import Filming, Predicate, Statement
 
 ONE_SHOT = "the scene is one shot, and more is said of the camera"
 AT_ONCE = "all moves of the camera are made at once"
+_WAY = "what the camera passes is not held"
+_PREPOSITION = re.compile(
+    r"\s+(?P<words>across|over|along|through|past|between|above|below|under|beneath|into|inside|"
+    r"behind|in front of|beside|onto|out of|down|up|from)\s",
+    re.IGNORECASE,
+)
 _NOT_THERE = "nothing in the scene stands for what the camera is about"
 _ABOUT: frozenset[Filming] = frozenset(
     {"first_person", "over_shoulder", "follows", "from_front", "from_behind", "from_side",
@@ -24,7 +31,7 @@ _ABOUT: frozenset[Filming] = frozenset(
 )  # fmt: skip
 """What means nothing without somebody or something that it is about."""
 _SIZES: frozenset[Filming] = frozenset({"close_up", "extreme_close_up", "medium"})
-_OF_SCENES: frozenset[Filming] = frozenset({"slow_motion", "time_lapse", "static", "handheld"})
+_OF_SCENES: frozenset[Filming] = frozenset({"slow_motion", "time_lapse"})
 """What is of the scene as a whole."""
 _MOVES: frozenset[Filming] = frozenset(
     {"follows", "zooms_in", "zooms_out", "moves_forward", "moves_backward", "moves_left",
@@ -56,7 +63,7 @@ def set_filming_apart(clauses: Clauses, text: str) -> None:
                 f.unreal = f.unreal or "how it is filmed"  # "a low angle shot"
         for m in clauses.mentions:
             if m.start < w.end and w.start < m.end <= w.end:
-                m.attribute = True
+                m.attribute, m.possessor = True, None  # "a bird's eye view": no bird
 
 
 def how_filmed(d: Discourse, elements: Sequence[Element]) -> tuple[Statement, ...]:
@@ -80,7 +87,7 @@ def how_filmed(d: Discourse, elements: Sequence[Element]) -> tuple[Statement, ..
             kept.append((w, about))
             inside = ((e.start, e.end) for e in elements if w.start <= e.start and e.end <= w.end)
             for place in ((w.start, w.end), *inside):
-                d.scene.used.setdefault(place, "statement: filmed")
+                d.scene.used.setdefault(place, FILMED)
         out.append(
             Statement(
                 id=f"s{number}", text=d.text[w.start : w.end], start=w.start, end=w.end,
@@ -90,7 +97,26 @@ def how_filmed(d: Discourse, elements: Sequence[Element]) -> tuple[Statement, ..
                 note=why,
             )
         )  # fmt: skip
+        out += _past(d, w, told)
     return tuple(out)
+
+
+def _past(d: Discourse, w: Words, told: Sequence[Words]) -> list[Statement]:
+    """ "Pans left across the rooftops": where else the camera goes, which is not held."""
+    prep = _PREPOSITION.match(d.text, w.end) if w.moves else None
+    if prep is None or any(o.start < prep.end() and prep.start() < o.end for o in told):
+        return []
+    near = (m.end for m in d.mentions if m.start <= prep.end() + 1 and prep.end() < m.end)
+    end = max(near, default=0)
+    if not end:
+        return []
+    start = prep.start("words")
+    return [
+        Statement(
+            id="s0", text=d.text[start:end], start=start, end=end,
+            predicate=Predicate.NOT_REPRESENTED, note=_WAY,
+        )
+    ]  # fmt: skip
 
 
 def with_filming(
@@ -105,6 +131,12 @@ def with_filming(
     """
     number = max((int(s.id[1:]) for s in others), default=0)
     rest = [s for s in others if not _answered(text, s, shown)]
+    owned = [(s.start, s.end) for s in rest if s.predicate is Predicate.NOT_REPRESENTED]
+    said_twice = [
+        s for s in shown
+        if s.note == _WAY and any(a < s.end and s.start < b for a, b in owned)
+    ]  # fmt: skip
+    shown = [s for s in shown if s not in said_twice]
     mine = [s.model_copy(update={"id": f"s{number + k}"}) for k, s in enumerate(shown, 1)]
     return tuple(sorted((*rest, *mine), key=lambda s: s.start))
 

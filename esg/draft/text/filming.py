@@ -63,7 +63,7 @@ _STRUCK = re.compile(
 """Before a shot that somebody takes at a goal."""
 _OF_A_PICTURE = re.compile(
     r"\s*(?:[,.:;!?)-]|$|(?:of|showing|from|in|at|on|over|with|where|that|as|by|through|following|"
-    r"captur\w+|looking|and|focus\w+|behind|above|around|along|for|to|which|while)\b)",
+    r"captur\w+|looking|and|follows|tracks|shows|reveals|focus\w+|behind|above|around|along|for|to|which|while)\b)",
     re.IGNORECASE,
 )
 """What follows a shot that is a picture: no verb of its own ("a wide shot misses the goal")."""
@@ -83,6 +83,8 @@ class Row:
     part: str
     filming: Filming
     pattern: re.Pattern[str]
+    tail: re.Pattern[str] | None = None
+    """Of `seen`: the same words right behind what the camera does."""
 
 
 @dataclass(frozen=True)
@@ -94,6 +96,8 @@ class Words:
     filming: Filming
     later: bool = False
     """Whether it comes after another one in time."""
+    moves: bool = False
+    """Whether the camera is told to do it."""
 
 
 def _forms(lemma: str) -> str:
@@ -120,10 +124,14 @@ def _listed(words: str) -> str:
 def rows() -> tuple[Row, ...]:
     """The table."""
     with open(lex.DATA / "filming.csv", encoding="utf-8", newline="") as file:
-        return tuple(
-            Row(r["part"], r["filming"], re.compile(_PATTERNS[r["part"]](r), re.IGNORECASE))  # type: ignore[arg-type]  # a test reads the whole table
-            for r in csv.DictReader(file, delimiter=";", quoting=csv.QUOTE_NONE)
-        )
+        return tuple(_row(r) for r in csv.DictReader(file, delimiter=";", quoting=csv.QUOTE_NONE))
+
+
+def _row(r: dict[str, str]) -> Row:
+    pattern = re.compile(_PATTERNS[r["part"]](r), re.IGNORECASE)
+    tail = rf"\s+(?:[\w'’-]+\s+){{0,4}}?(?P<words>{_listed(r['words'])})\b"
+    seen = re.compile(tail, re.IGNORECASE) if r["part"] == "seen" else None
+    return Row(r["part"], r["filming"], pattern, seen)  # type: ignore[arg-type]  # a test reads the whole table
 
 
 def _moves(r: dict[str, str]) -> str:
@@ -192,6 +200,8 @@ def _alone(row: Row, text: str) -> Iterator[Words]:
     for found in row.pattern.finditer(text):
         if not _DENIED.search(text, max(0, found.start() - 20), found.start()):
             yield Words(*found.span(), row.filming)
+            if row.part == "seen":
+                yield from _from_where(text, found.end(), len(text))
 
 
 def _after_camera(row: Row, text: str) -> Iterator[Words]:
@@ -219,7 +229,8 @@ def _of_the_camera(text: str) -> Iterator[Words]:
         if first is None:
             continue
         before = _LATER.search(text, max(0, start - 12), _the(text, start))
-        yield Words(start, first.end, first.filming, bool(then or before))
+        yield Words(start, first.end, first.filming, bool(then or before), moves=True)
+        yield from _from_where(text, first.end, end)
         for joint in _NEXT.finditer(text, first.end, end):
             beside = not text[first.end : joint.start()].strip()
             own = _OWN_VERB if not beside else _ANY_VERB
@@ -230,7 +241,15 @@ def _of_the_camera(text: str) -> Iterator[Words]:
             more = _move_at(text, joint.end(), end)
             if more is not None:
                 after = _LATER.search(text, first.end, joint.end()) is not None
-                yield Words(joint.end(), more.end, more.filming, after)
+                yield Words(joint.end(), more.end, more.filming, after, moves=True)
+
+
+def _from_where(text: str, at: int, end: int) -> Iterator[Words]:
+    """ "Follows the dog from behind": the side, right behind what the camera does."""
+    for row in rows():
+        found = row.tail.match(text, at, end) if row.tail else None
+        if found:
+            yield Words(found.start("words"), found.end("words"), row.filming)
 
 
 def _the(text: str, start: int) -> int:

@@ -10,6 +10,8 @@ import math
 import numpy as np
 
 from esg.filming.shots import shot_of
+from esg.filming.sight import clear_share
+from esg.filming.subjects import poses_at, subject_of
 from esg.filming.ways import Way, way_of
 from esg.graph.models import Predicate
 from esg.metrics.binding import Binding
@@ -23,6 +25,7 @@ from esg.thresholds import (
     FILMED_ALONG,
     FILMED_ASPECT,
     FILMED_AWAY_RATIO,
+    FILMED_CLEAR_SHARE,
     FILMED_CLOSE,
     FILMED_EXTREME,
     FILMED_FAST,
@@ -234,7 +237,19 @@ def measure(replay: Replay, way: Way | None, s: SuiteStatement, bodies: tuple[in
             limit = f"limit {100 * FILMED_INSIDE_SHARE:.0f}%"
             reason = f"is in the picture for {100 * share:.0f}% of the time, {limit}"
             return Kept(False, {"inside_share": share}, reason)
+        clear = _clear(replay, way, chosen)
+        if clear < FILMED_CLEAR_SHARE:
+            reason = f"is hidden for {100 * (1 - clear):.0f}% of the time, by what stands before it"
+            return Kept(False, {"clear_share": clear}, reason)
     return _MEASURES[s.filming](looked)
+
+
+def _clear(replay: Replay, way: Way, bodies: tuple[int, ...]) -> float:
+    """Share of the lines of sight from the camera that nothing crosses."""
+    step = float(way.time_s[1] - way.time_s[0])
+    poses = poses_at(replay.scene, replay.time, replay.position, replay.quaternion, step)
+    subject = subject_of(poses, bodies)
+    return 1.0 if subject is None else clear_share(poses, subject, way.eye)
 
 
 def _rate(way: Way, *, slow: bool) -> Kept:
