@@ -37,7 +37,7 @@ NEAR_TURNS_DEG = (0, 12, -12, 24, -24)
 SIGHT = 2.0
 """Worth of full sight, beside costs of turns from the usual side."""
 OTHER_SIDE = 0.3
-"""Cost of the other side than the one that is said or usual: only where little is seen from there."""
+"""Cost of the other side than the usual one: only where little is seen from that."""
 LONG_WAY, SOME_WAY = 3.0, 1.5
 """What travels so many times its own size is followed where nothing else is said; less where the
 camera comes nearer or goes away, which would else be its own coming and going."""
