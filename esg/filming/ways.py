@@ -50,6 +50,8 @@ CLOSE_SHARE = 0.6
 """A close-up is as close as it can be for so much of the time."""
 COMPANY = 0.5
 """What moves is held in the picture, too, as near as this part of the size of what is filmed."""
+MATES = 2.0
+"""What is met is held in the picture while it is within so many sizes of what is followed."""
 ABREAST = 1.3
 """A camera that turns along with what goes by stands so many halves of its way off."""
 CLOSER = 1.7
@@ -166,7 +168,11 @@ def _frame(shot: Shot, poses: Poses, subject: Subject) -> _Frame:
             way = subject.middle[-1] - subject.middle[0]
             least = ABREAST * 0.5 * float(np.linalg.norm(way))
             return _Frame(calm, half, fill, follows=False, anchor=along, least_m=least)
-        return _Frame(calm, half, fill, follows=True)
+        mates = half
+        if not shot.says("close_up", "extreme_close_up", "medium", "wide"):
+            mates = _with_mates(poses, subject, calm, half)
+        fill = max(fill, FILL) if np.any(mates > 1.2 * half) else fill
+        return _Frame(calm, mates, fill, follows=True)
     if not shot.says("close_up", "extreme_close_up", "medium"):
         bottom, top = _with_company(poses, subject, bottom, top)
         whole = 0.5 * (bottom + top)
@@ -190,6 +196,19 @@ def _with_company(
         if np.all(a <= b):
             bottom, top = np.minimum(bottom, a), np.maximum(top, b)
     return bottom, top
+
+
+def _with_mates(poses: Poses, subject: Subject, calm: Floats, half: Floats) -> Floats:
+    """Half of the sides that hold what it meets, too: the ball that is hit, the box rolled into."""
+    size = float(subject.size.max())
+    for body, b in enumerate(poses.scene.bodies):
+        if body in subject.bodies or not b.shapes or max(b.half_extents) > MATES * size:
+            continue
+        away = np.abs(poses.corners((body,))[:, 0] - calm[:, None])
+        near = (away <= MATES * size).all(axis=(1, 2))
+        if near.any():
+            half = np.maximum(half, away[near].max(axis=(0, 1)))
+    return half
 
 
 def _calm(middle: Floats, sides: Floats, step: float) -> Floats:

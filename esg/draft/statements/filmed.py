@@ -41,7 +41,7 @@ _MOVES: frozenset[Filming] = frozenset(
 """Moves of the camera: all that are told are made at once."""
 _OF = re.compile(
     r"\s*,?\s*(?:(?:shots?|view|footage|video|clip|perspective)\s+)?"
-    r"(?:of|on|in on|following|showing|shows|around|with|to|towards?|capturing)?\s+",
+    r"(?:of|on|in on|from|following|showing|shows|around|with|to|towards?|capturing)?\s+",
     re.IGNORECASE,
 )
 """Between such words and what they are about."""
@@ -63,7 +63,8 @@ def set_filming_apart(clauses: Clauses, text: str) -> None:
                 f.unreal = f.unreal or "how it is filmed"  # "a low angle shot"
         for m in clauses.mentions:
             if m.start < w.end and w.start < m.end <= w.end:
-                m.attribute, m.possessor = True, None  # "a bird's eye view": no bird
+                # "A bird's eye view": no bird; "in front of her".
+                m.attribute, m.possessor, m.pronoun = True, None, ""
 
 
 def how_filmed(d: Discourse, elements: Sequence[Element]) -> tuple[Statement, ...]:
@@ -111,6 +112,8 @@ def _past(d: Discourse, w: Words, told: Sequence[Words]) -> list[Statement]:
     if not end:
         return []
     start = prep.start("words")
+    if prep["words"].lower() == "from" and w.filming in ("zooms_out", "moves_backward"):
+        return []  # "pulls back from the car"
     return [
         Statement(
             id="s0", text=d.text[start:end], start=start, end=end,
