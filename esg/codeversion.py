@@ -29,7 +29,7 @@ _SIMULATION = ("engines", "dynamics")
 _PROOF = ("compile", *_SIMULATION, "assets", "metrics", "layout/problem/hints.py")
 
 SOURCES: dict[str, tuple[str, ...]] = {
-    "draft": ("draft", "filming/shots.py", "filming/filming.csv"),
+    "draft": ("draft",),
     "resolve": ("assets",),
     "cast": (
         "dynamics/__init__.py",

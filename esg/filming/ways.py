@@ -11,9 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.scene import SimScene
-from esg.filming.shots import Shot, rows
 from esg.filming.sight import clear_share
 from esg.filming.subjects import Poses, Subject, movers, poses_at, soft, subject_of
+from esg.graph.filming import Shot, rows
 
 Floats = NDArray[np.float64]
 
@@ -50,8 +50,9 @@ CLOSE_SHARE = 0.6
 """A close-up is as close as it can be for so much of the time."""
 COMPANY = 0.5
 """What moves is held in the picture, too, as near as this part of the size of what is filmed."""
-MATES = 2.0
-"""What is met is held in the picture while it is within so many sizes of what is followed."""
+MATES, MATES_M = 2.0, 0.5
+"""What is met is held in the picture while it is within so many sizes of what is followed, of a
+large thing within so much [m] of its surface."""
 ABREAST = 1.3
 """A camera that turns along with what goes by stands so many halves of its way off."""
 CLOSER = 1.7
@@ -201,11 +202,12 @@ def _with_company(
 def _with_mates(poses: Poses, subject: Subject, calm: Floats, half: Floats) -> Floats:
     """Half of the sides that hold what it meets, too: the ball that is hit, the box rolled into."""
     size = float(subject.size.max())
+    reach = min(MATES * size, 0.75 * size + MATES_M)
     for body, b in enumerate(poses.scene.bodies):
-        if body in subject.bodies or not b.shapes or max(b.half_extents) > MATES * size:
+        if body in subject.bodies or not b.shapes or max(b.half_extents) > reach:
             continue
         away = np.abs(poses.corners((body,))[:, 0] - calm[:, None])
-        near = (away <= MATES * size).all(axis=(1, 2))
+        near = (away <= reach).all(axis=(1, 2))
         if near.any():
             half = np.maximum(half, away[near].max(axis=(0, 1)))
     return half

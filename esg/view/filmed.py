@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from esg.engines.scene import Rollout, SimScene
-from esg.filming.shots import Shot, shot_of
 from esg.filming.ways import way_of
+from esg.graph.filming import Shot, shot_of
 from esg.graph.models import Predicate
 from esg.metrics.binding import bind
 from esg.metrics.statements.filmed import SIDES, VIEWERS

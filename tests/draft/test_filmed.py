@@ -6,7 +6,7 @@ import pytest
 
 from esg.draft import draft
 from esg.draft import lexicon as lex
-from esg.filming.shots import rows
+from esg.graph.filming import rows
 from esg.graph.models import Predicate
 
 with open(lex.DATA / "filming.csv", encoding="utf-8", newline="") as table:

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from esg.engines.scene import Shape
-from esg.filming.shots import Shot, agree, rows
 from esg.filming.ways import Way, way_of
+from esg.graph.filming import Shot, agree, rows
 from esg.graph.models import Filming, Predicate
 from esg.metrics import SuiteStatement
 from esg.metrics.replay import Replay

@@ -13,7 +13,7 @@ from esg.draft.grammar.clauses.record import Clauses
 from esg.draft.statements.account import nodes_of
 from esg.draft.text.elements import Element, Mention
 from esg.draft.text.filming import Words, said
-from esg.filming.shots import agree
+from esg.graph.filming import agree
 from esg.graph.models import Filming, Predicate, Statement
 
 ONE_SHOT = "the scene is one shot, and more is said of the camera"
@@ -78,6 +78,7 @@ def how_filmed(d: Discourse, elements: Sequence[Element]) -> tuple[Statement, ..
     acting = _acting(d) if told else ()
     if not acting:
         return ()
+    told = sorted([*told, *_facing(d, told, acting)], key=lambda w: w.start)
     kept: list[tuple[Words, tuple[str, ...]]] = []
     out: list[Statement] = []
     for number, w in enumerate(told, 1):
@@ -100,6 +101,23 @@ def how_filmed(d: Discourse, elements: Sequence[Element]) -> tuple[Statement, ..
         )  # fmt: skip
         out += _past(d, w, told)
     return tuple(out)
+
+
+_FACING: dict[str, Filming] = {"in front of": "from_front", "behind": "from_behind"}
+
+
+def _facing(d: Discourse, told: Sequence[Words], acting: tuple[str, ...]) -> list[Words]:
+    """ "Moves backward in front of the man" who acts: where the camera is."""
+    out: list[Words] = []
+    for w in told:
+        prep = _PREPOSITION.match(d.text, w.end) if w.moves else None
+        way = _FACING.get(prep["words"].lower()) if prep else None
+        if prep is None or way is None:
+            continue
+        for m in d.mentions:
+            if m.start <= prep.end() + 1 and prep.end() < m.end and {*nodes_of(d, m)} == {*acting}:
+                out.append(Words(prep.start("words"), m.end, way))
+    return out[:1]
 
 
 def _past(d: Discourse, w: Words, told: Sequence[Words]) -> list[Statement]:
@@ -157,6 +175,8 @@ def _lacks(w: Words, about: tuple[str, ...] | None, kept: Sequence[Words]) -> st
 def _answered(text: str, s: Statement, told: Sequence[Statement]) -> bool:
     """Whether something is stated by words of filming and small words around them alone."""
     for w in told:
+        if w.filming in _ABOUT and s.start == w.end + 1 and s.text.lower().startswith("of "):
+            return True  # "a close-up of a cube"
         if s.start < w.end and w.start < s.end:
             rest = text[s.start : max(s.start, w.start)] + " " + text[min(w.end, s.end) : s.end]
             if all(word.lower() in _SMALL for word in re.findall(r"[\w'’-]+", rest)):

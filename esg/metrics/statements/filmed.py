@@ -9,10 +9,10 @@ import math
 
 import numpy as np
 
-from esg.filming.shots import shot_of
 from esg.filming.sight import clear_share
 from esg.filming.subjects import poses_at, subject_of
 from esg.filming.ways import Way, way_of
+from esg.graph.filming import shot_of
 from esg.graph.models import Predicate
 from esg.metrics.binding import Binding
 from esg.metrics.models import SuiteStatement
