@@ -111,5 +111,5 @@ def shot_of(told: Iterable[tuple[Filming, Sequence[int]]], *, sided: bool = Fals
     first = {word: k for k, word in enumerate(ABOUT)}
     ordered = sorted(said, key=lambda one: first.get(one[0], len(first)))
     subjects = next((tuple(bodies) for _, bodies in ordered if len(bodies)), ())
-    words = tuple(dict.fromkeys(word for word, _ in said))
-    return Shot(words, subjects, sided)
+    words: dict[Filming, None] = {word: None for word, _ in said}
+    return Shot(tuple(words), subjects, sided)

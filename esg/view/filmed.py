@@ -8,8 +8,8 @@ import numpy as np
 
 from esg.engines.scene import Rollout, SimScene
 from esg.filming.ways import way_of
-from esg.graph.filming import Shot, shot_of
-from esg.graph.models import Predicate
+from esg.graph.filming import RATES, Shot, shot_of
+from esg.graph.models import Filming, Predicate
 from esg.metrics.binding import bind
 from esg.metrics.statements.filmed import SIDES, VIEWERS
 from esg.view.director.takes import Take
@@ -29,7 +29,7 @@ def said_shot(doc: EsgDocument, scene: SimScene) -> Shot | None:
         scene: Its bodies.
     """
     statements = doc.statements or ()
-    told = [
+    told: list[tuple[Filming, tuple[int, ...]]] = [
         (s.filming, bind("=" + ",".join(s.object), scene).bodies if s.object else ())
         for s in statements
         if s.predicate is Predicate.FILMED and s.filming is not None
@@ -40,9 +40,8 @@ def said_shot(doc: EsgDocument, scene: SimScene) -> Shot | None:
 
 def said_rate(doc: EsgDocument) -> float:
     """Seconds of the scene in a second of film, by the prompt."""
-    told = [(s.filming, ()) for s in doc.statements or () if s.filming is not None]
-    shot = shot_of(told)
-    return 1.0 if shot is None else shot.rate
+    words = [s.filming for s in doc.statements or () if s.filming is not None]
+    return next((RATES[word] for word in words if word in RATES), 1.0)
 
 
 def said_take(doc: EsgDocument, scene: SimScene, rollout: Rollout, aspect: float) -> Take | None:

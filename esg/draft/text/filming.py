@@ -149,7 +149,7 @@ def _moves(r: dict[str, str]) -> str:
     return rf"{_ADVERBS}{_AIDS}{_ADVERBS}{verb}{gap}{way}"
 
 
-_PATTERNS = {
+_PATTERNS: dict[str, Callable[[dict[str, str]], str]] = {
     "view": lambda r: (
         rf"\b(?P<words>{_listed(r['words'])})(?=(?:[\s-]+{_BETWEEN}){{0,3}}?[\s-]+"
         rf"(?P<noun>{_PICTURES})\b(?!\s+(?:mirror|camera)))"

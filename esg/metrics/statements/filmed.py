@@ -13,7 +13,7 @@ from esg.filming.sight import clear_share
 from esg.filming.subjects import poses_at, subject_of
 from esg.filming.ways import Way, way_of
 from esg.graph.filming import shot_of
-from esg.graph.models import Predicate
+from esg.graph.models import Filming, Predicate
 from esg.metrics.binding import Binding
 from esg.metrics.models import SuiteStatement
 from esg.metrics.replay import Floats, Replay
@@ -62,8 +62,8 @@ def planned(
         bindings: Of their phrases.
         replay: What happened.
     """
-    told = [
-        (s.filming, bindings[s.object].bodies if s.object in bindings else ())
+    told: list[tuple[Filming, tuple[int, ...]]] = [
+        (s.filming, bindings.get(s.object or "", Binding("")).bodies)
         for s in statements
         if s.says is Predicate.FILMED and s.filming is not None
     ]
