@@ -59,7 +59,7 @@ SOURCES: dict[str, tuple[str, ...]] = {
     ),
     "compile": _PROOF,
     "replay": ("machine", *_PROOF),
-    "judge": ("metrics", "engines", "dynamics", "draft/document/coverage.py"),
+    "judge": ("metrics", "engines", "filming", "dynamics", "draft/document/coverage.py"),
     "dress": ("dressing", "engines", "assets/looks.py"),
     "record": (
         "machine",
@@ -69,6 +69,7 @@ SOURCES: dict[str, tuple[str, ...]] = {
         "assets",
         "metrics",
         "engines",
+        "filming",
         "dynamics",
         "layout/problem/hints.py",
         "compile",

@@ -157,6 +157,42 @@ SHUT_SHARE = 1.0 / 6.0
 PIECES, PIECE_GAP_M = 3, 0.02
 """What is broken is in so many pieces so far apart."""
 
+# -- how a scene is filmed (`filmed` statements); terms of Brown, Cinematography, 4th ed., 2022 --
+
+FILMED_ASPECT = 16.0 / 9.0
+"""Width over height of the picture in which shares are measured: that of films."""
+FILMED_ABOVE_DEG, FILMED_AERIAL_DEG, FILMED_HIGH_DEG, FILMED_LOW_DEG = 75.0, 55.0, 25.0, 5.0
+"""How far down an overhead, an aerial and a high-angle shot look at least, a low-angle one at most;
+a person's eyes look down at things on the ground by some 10 to 20 degrees."""
+FILMED_LEVEL_DEG = 20.0
+"""At eye level the camera looks up or down by at most this."""
+FILMED_SIDE_DEG = 40.0
+"""Half of a quarter turn, less 5: a three-quarter view is neither from the front nor the side."""
+FILMED_OWN_DEG = 20.0
+"""Who sees through somebody's eyes looks where he heads."""
+FILMED_CLOSE, FILMED_EXTREME, FILMED_WIDE = 0.6, 0.85, 0.36
+"""Share of the picture's width or height, whichever is more, in a close-up and an extreme one at
+least; geometric mean of both shares in a wide shot at most."""
+FILMED_MEDIUM = (0.4, 0.85)
+"""Share of the picture's width or height, whichever is more, in a medium shot."""
+FILMED_INSIDE_SHARE, FILMED_CLEAR_SHARE = 0.9, 0.5
+"""What is filmed is in the picture for so much of the time, and for so much of it not hidden."""
+FILMED_AWAY_RATIO, FILMED_ALONG = 1.75, 0.5
+"""What follows keeps its distance within this ratio, also where it comes nearer, and goes over
+this share of the way itself."""
+FILMED_GROWTH = 1.25
+"""What is zoomed at grows by this factor."""
+FILMED_ACROSS = 0.2
+"""A camera that moves goes over this part of its distance."""
+FILMED_TURN_DEG, FILMED_ORBIT_DEG = 12.0, 45.0
+"""A camera that pans or tilts turns by so much, one that orbits goes so far around."""
+FILMED_STILL_M, FILMED_STILL_DEG = 1e-3, 0.1
+"""A camera that stands still stays within this."""
+FILMED_SHAKE_DEG = (0.05, 2.0)
+"""A hand shakes by so much about its calm way (root of the mean square)."""
+FILMED_SLOW, FILMED_FAST = 0.5, 2.0
+"""Seconds of the scene in a second of film, of slow motion at most, of a time lapse at least."""
+
 # -- what the planner asks for --
 
 SAFE_IMPULSE_NS = 0.25

@@ -37,6 +37,7 @@ from esg.draft.grammar.rewrites.shares import count
 from esg.draft.statements import state
 from esg.draft.statements.contents import as_told, fill
 from esg.draft.statements.drawn import drawn_otherwise
+from esg.draft.statements.filmed import how_filmed, set_filming_apart, with_filming
 from esg.draft.text.elements import Element
 from esg.draft.text.fillings import take_out
 from esg.draft.text.tagging import parsed, pos_tags
@@ -95,6 +96,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     clauses = build_clauses(elements)
     count(clauses.attachments)
     mark_unreal(clauses.frames, text)
+    set_filming_apart(clauses, text)
     asked = ask(clauses, text)
     world = new_world()
     world.net_sport, world.billiards = is_net_sport(text), is_billiards(text)
@@ -120,6 +122,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     too_long(timeline)
     statements = state(discourse, clauses.frames, elements, tokens)
     timeline = take_time(timeline, statements or (), scene)
+    shown = how_filmed(discourse, elements)
     read = account(text, elements, clauses.mentions, scene, tokens)
     expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")
     placed = stated_in_prompt(statements, text, prompt)
@@ -134,6 +137,9 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
         if not any(q.start <= s.start < q.end for q in asked)
     )  # fmt: skip
     found += drawn_otherwise(discourse, (*(statements or ()), *found))
+    if shown:
+        everything = with_filming(text, (*(statements or ()), *found), shown)
+        return doc.model_copy(update={"statements": stated_in_prompt(everything, text, prompt)})
     missed = stated_in_prompt(found, text, prompt)
     doc = as_told(doc, fillings, prompt)
     if not missed:

@@ -610,6 +610,8 @@ class Predicate(str, enum.Enum):
     SIZE = "size"
     COUNT = "count"
     ABSENT = "absent"
+    FILMED = "filmed"
+    """How the scene is shown (`Filming`): measured on the camera's way (`esg.filming`)."""
     NOT_REPRESENTED = "not_represented"
     """Its words are understood as a statement that the document cannot hold (`note` says why)."""
 
@@ -636,6 +638,45 @@ Direction = Literal[
 start; from `toward` on a direction has a target."""
 
 
+Filming = Literal[
+    "overhead",
+    "aerial",
+    "high_angle",
+    "low_angle",
+    "eye_level",
+    "from_front",
+    "from_behind",
+    "from_side",
+    "first_person",
+    "over_shoulder",
+    "extreme_close_up",
+    "close_up",
+    "medium",
+    "wide",
+    "in_view",
+    "follows",
+    "zooms_in",
+    "zooms_out",
+    "moves_forward",
+    "moves_backward",
+    "moves_left",
+    "moves_right",
+    "moves_up",
+    "moves_down",
+    "pans_left",
+    "pans_right",
+    "tilts_up",
+    "tilts_down",
+    "orbits",
+    "static",
+    "handheld",
+    "slow_motion",
+    "time_lapse",
+]
+"""How a scene is filmed: from where, how large its objects are, how the camera moves, how fast the
+scene passes. What follows, closes in or stands beside is of the objects of the statement."""
+
+
 Side = Literal["front", "rear", "left", "right", "side", "any_side"]
 """Of a thing, by its own front axis: `side` is its left or right, `any_side` all but top and bottom
 (of a box nobody says which of its sides is its front)."""
@@ -660,6 +701,8 @@ class Statement(Model):
     direction: Direction | None = None
     side: Side | None = None
     """Of `struck_on`: where the target first touches the object."""
+    filming: Filming | None = None
+    """Of `filmed`: what the camera does."""
     quantity: (
         Literal["speed", "deceleration", "distance", "height", "length", "width", "angle", "count"]
         | None

@@ -9,6 +9,8 @@ from esg.graph.violations import listing, pointer
 _MOMENTS = ("start", "end", "throughout")
 _OF_EVENTS = (Predicate.SAME_TIME, Predicate.BEFORE)
 _OF_NOUNS = (Predicate.ABSENT, Predicate.COUNT)
+_OF_NOTHING = (*_OF_NOUNS, Predicate.FILMED, Predicate.NOT_REPRESENTED)
+"""Said of the scene as a whole, or of what else they name."""
 _WITH_TARGET = frozenset(
     {
         Predicate.SUPPORTED_BY,
@@ -78,10 +80,11 @@ def _needs(ctx: Context, here: str, statement: Statement) -> None:
     says = statement.predicate
     needed: dict[str, bool] = {
         "noun": says in (*_OF_NOUNS, Predicate.FILLED_WITH),
-        "object": says not in _OF_NOUNS and says is not Predicate.NOT_REPRESENTED,
+        "object": says not in _OF_NOTHING,
         "target": says in _WITH_TARGET or statement.direction in _TARGETED_DIRECTIONS,
         "direction": says is Predicate.MOVES,
         "side": says is Predicate.STRUCK_ON,
+        "filming": says is Predicate.FILMED,
         "value": says in (Predicate.SLOWER_THAN, Predicate.FASTER_THAN, Predicate.COUNT),
         "note": says is Predicate.NOT_REPRESENTED,
     }

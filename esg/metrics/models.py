@@ -7,7 +7,7 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
-from esg.graph.models import Direction, Predicate, Side
+from esg.graph.models import Direction, Filming, Predicate, Side
 
 EventType = Literal[
     "collision",
@@ -181,6 +181,7 @@ class SuiteStatement(_Frozen):
     b: str | None = None
     direction: Direction | None = None
     side: Side | None = None
+    filming: Filming | None = None
     quantity: (
         Literal["speed", "deceleration", "distance", "height", "length", "width", "angle", "count"]
         | None

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, get_args
 
-from esg.graph.models import Direction, Predicate, Side
+from esg.graph.models import Direction, Filming, Predicate, Side
 from esg.metrics.models import OF_EVENTS, SuiteStatement
 from esg.metrics.quantities import unit_factor
 from esg.metrics.suite_problems import (
@@ -63,6 +63,7 @@ _FIELDS: dict[str, _Fields] = {
     **dict.fromkeys(("floats", "sinks"), _PLACED),
     "filled_with": _Fields(("object", "noun")),
     "struck_on": _Fields(("object", "target", "side")),
+    "filmed": _Fields(("filming",), ("object",)),
     "size": _Fields(("object",), ("quantity", "value", "as", "unit"), "height"),
     "count": _Fields(("noun", "value")),
     "absent": _Fields(("noun",)),
@@ -132,6 +133,8 @@ def _statement(
         values |= _direction(item, values, place, problems)
     if "side" in known and "side" in item:
         values |= _side(item["side"], place, problems)
+    if "filming" in known and "filming" in item:
+        values |= _filming(item["filming"], place, problems)
     if says == "size":
         values |= _size(item, place, problems)
     elif "value" in known or "distance" in known:
@@ -166,6 +169,15 @@ def _side(said: Any, place: str, problems: Problems) -> dict[str, Any]:
         return {"side": said}
     remedy = f"{closest(said, _SIDES)}choose one of {', '.join(_SIDES)}"
     problems.add(f"{place}/side", f"{show(said)} is no side", remedy)
+    return {}
+
+
+def _filming(said: Any, place: str, problems: Problems) -> dict[str, Any]:
+    known = get_args(Filming)
+    if said in known:
+        return {"filming": said}
+    remedy = f"{closest(said, known)}choose one of {', '.join(known)}"
+    problems.add(f"{place}/filming", f"{show(said)} is no way to film", remedy)
     return {}
 
 

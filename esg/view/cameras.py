@@ -51,7 +51,9 @@ def action_cameras(
     ]
 
 
-def directed(finder: Viewfinder, kinds: Sequence[str], count: int, seed: int) -> Takes:
+def directed(
+    finder: Viewfinder, kinds: Sequence[str], count: int, seed: int, said: Take | None = None
+) -> Takes:
     """Takes of the whole replay by the director, from places that are apart.
 
     Clips show it from its first picture to its last: who comes from afar is seen coming, and who
@@ -62,10 +64,11 @@ def directed(finder: Viewfinder, kinds: Sequence[str], count: int, seed: int) ->
         kinds: Kinds of camera to choose from for each.
         count: How many.
         seed: Of lenses, sides and angles.
+        said: The first of them, where the prompt says how it is filmed.
     """
     start, stop = (float(finder.action.time[k]) for k in (0, -1))
-    takes: Takes = []
-    for number in range(count):
+    takes: Takes = [said] if said is not None else []
+    for number in range(len(takes), count):
         apart = [azimuth_of(take) for take in takes]
         takes.append(direct(finder, start, stop, seed=seed + number, kinds=kinds, apart=apart))
     return takes

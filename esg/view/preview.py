@@ -18,8 +18,10 @@ from esg.engines.wheels import scene_angles
 from esg.graph.models import EsgDocument
 from esg.view.camera import Camera
 from esg.view.director.acting import Action
+from esg.view.director.staging import azimuth_of
 from esg.view.film.encoding import NoFilmError
 from esg.view.film.shooting import write_scene_film
+from esg.view.filmed import said_take
 from esg.view.framing import (
     PANEL_PX,
     camera_of_moment,
@@ -82,11 +84,15 @@ def preview(
     moments = moments_of(scene, rollout, verdict, doc)
     scenery = scenery_of(scene, rollout, doc)
     finder = Renderer(scenery.parts, scenery.n_bodies, *PANEL_PX)
-    view = viewpoint(scene, rollout, moments, finder, told_side(doc))
-    shots: list[Shot] = []
-    for moment in moments:
-        frame = frame_at(rollout, moment.time)
-        shots.append(Shot(frame, camera_of_moment(scene, rollout, moment, view, finder)))
+    said = said_take(doc, scene, rollout, PANEL_PX[0] / PANEL_PX[1])
+    if said is None:
+        view = viewpoint(scene, rollout, moments, finder, told_side(doc))
+        cameras = [camera_of_moment(scene, rollout, m, view, finder) for m in moments]
+    else:
+        cameras = said.at([m.time for m in moments]).cameras
+        view = (azimuth_of(said), 0.0)
+    frames = [frame_at(rollout, moment.time) for moment in moments]
+    shots = [Shot(frame, camera) for frame, camera in zip(frames, cameras, strict=True)]
     seen = seen_from(scenery, [shot.camera for shot in shots], scene, rollout)
     renderer = Renderer(seen.parts, seen.n_bodies, *PANEL_PX, seen.surroundings)
     renderer.light(view[0])

@@ -16,6 +16,8 @@ from esg.engines.scene import Rollout, SimScene
 from esg.scenereading import absent, read_metrics
 from esg.view.camera import Camera
 from esg.view.cameras import action_cameras
+from esg.view.director.takes import Take
+from esg.view.filmed import said_take
 from esg.view.ground import span
 from esg.view.parts import ground_bodies
 from esg.view.renderers.records import Scenery
@@ -46,7 +48,12 @@ def setting_of(
         verdict: Events, whose participants the camera keeps in view.
         doc: The scene's document.
     """
-    cameras = action_cameras(scene, rollout, verdict, doc, 1, ASPECT) if scene.bodies else []
+    said = said_take(doc, scene, rollout, ASPECT)
+    around_it = said is None and bool(scene.bodies)
+    cameras = action_cameras(scene, rollout, verdict, doc, 1, ASPECT) if around_it else []
+    views = tuple(_still("Camera", camera) for camera in cameras)
+    if said is not None:
+        cameras, views = said.cameras, (_moving("Camera", said),)
     around = surroundings_of(doc, scene, rollout)
     if cameras:
         seen = seen_from(Scenery((), 0, around), cameras, scene, rollout).surroundings
@@ -61,7 +68,7 @@ def setting_of(
         side=float(np.clip(SIDES * max(*(high - low), away), *SIDES_M)),
         covered=frozenset(scene.bodies[i].name for i in ground_bodies(scene, doc)),
         parts=tuple(spread(around.parts)),
-        views=tuple(_still("Camera", camera) for camera in cameras),
+        views=views,
     )
 
 
@@ -116,6 +123,12 @@ def export_folder(
     rollout = animation(folder, manifest)
     setting = setting_in(folder, manifest.scene, rollout)
     return export(folder, to, out, rollout=rollout, setting=setting, form=form)
+
+
+def _moving(name: str, take: Take) -> View:
+    turns = np.array([camera.quaternion() for camera in take.cameras])
+    near = NEAR * float(np.linalg.norm(take.target - take.eye, axis=1).min())
+    return View(name, take.time_s, take.eye, turns, take.fov, ASPECT, near)
 
 
 def _still(name: str, camera: Camera) -> View:

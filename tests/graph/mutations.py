@@ -876,6 +876,7 @@ def statements(m: Maker) -> None:
     m.add("STATEMENT_INCOMPLETE", (*first, "target"), towards)
     for says, needs in (
         ("absent", "noun"), ("count", "value"), ("faster_than", "value"), ("not_represented", "note"),
+        ("filmed", "filming"),
     ):  # fmt: skip
         changed = put(stated, (*second, "predicate"), says)
         also = ("STATEMENT_INCOMPLETE",)

@@ -57,6 +57,8 @@ _SILENT = lex.DETERMINERS | {"who", "whom"}
 _DESCRIBED_AFTER = frozenset({"DET", "ADJ"})
 """Parts of speech after which a participle stands before a noun."""
 
+FILMED = "statement: filmed"
+"""Use of words that say how the scene is filmed."""
 NOTHING_HAPPENS = "No event of the prompt was understood"
 """Start of the warning of a draft whose verbs all failed."""
 
@@ -217,6 +219,8 @@ def _word(w: Word, words: str, scene: Scene, acts: bool) -> _Fate | None:
         return None
     if any(q.start <= w.start < q.end for q in scene.asked):
         return _Fate("modifier", "ignored", ASKED)
+    if scene.used.get((w.start, w.end)) == FILMED:
+        return _Fate("modifier", note=FILMED)
     if re.fullmatch(r"[\d.,]*\d", w.low):
         warning = f'The number "{words}" has no unit; it was left out.'
         return _Fate("quantity", "not_understood", "a number without a unit", warning)

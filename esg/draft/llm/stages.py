@@ -15,6 +15,7 @@ from pydantic import BaseModel, ConfigDict, Field, ValidationError
 from esg.graph.models import (
     Direction,
     EdgeEvent,
+    Filming,
     ForceDirection,
     MultiRelationType,
     NodeEvent,
@@ -121,6 +122,7 @@ class StatementPart(Part):
     target: list[str] = []
     direction: Direction | None = None
     side: Side | None = None
+    filming: Filming | None = None
     quantity: StatedQuantity | None = None
     low: float | None = None
     high: float | None = None

@@ -53,6 +53,7 @@ def state(
                 "target": unique(n for x in part.target for n in objects.find(x)),
                 "direction": part.direction,
                 "side": part.side,
+                "filming": part.filming,
                 "quantity": part.quantity or ("speed" if part.says in _PACES else None),
                 "value": value,
                 "noun": part.noun,

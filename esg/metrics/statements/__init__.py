@@ -7,11 +7,12 @@ from dataclasses import replace
 
 import numpy as np
 
+from esg.filming.ways import Way
 from esg.graph.models import Predicate
 from esg.metrics.binding import Binding, bind
 from esg.metrics.models import OF_EVENTS, StatementVerdict, SuiteScene, SuiteStatement
 from esg.metrics.replay import Replay
-from esg.metrics.statements import directions, facts, liquids, manner, place, sides
+from esg.metrics.statements import directions, facts, filmed, liquids, manner, place, sides
 from esg.metrics.statements.query import Kept, StatementQuery, window_of
 
 OfBody = place.OfBody
@@ -86,7 +87,10 @@ def judge_statements(
         bindings: Of the statements' phrases.
         times: Of the scene's events [s], None for those that did not happen.
     """
-    return tuple(verdict(s, _measure(replay, s, bindings, times)) for s in suite_scene.statements)
+    way = filmed.planned(suite_scene.statements, bindings, replay)
+    return tuple(
+        verdict(s, _measure(replay, s, bindings, times, way)) for s in suite_scene.statements
+    )
 
 
 def verdict(statement: SuiteStatement, found: Kept) -> StatementVerdict:
@@ -113,6 +117,7 @@ def _measure(
     s: SuiteStatement,
     bindings: Mapping[str, Binding],
     times: Mapping[str, float | None],
+    way: Way | None,
 ) -> Kept:
     if s.says is Predicate.NOT_REPRESENTED:
         return Kept(None, reason=s.note)
@@ -122,6 +127,8 @@ def _measure(
                if bindings[p].problem or not bindings[p].bound]  # fmt: skip
     if lacking:
         return Kept(False, reason=lacking[0])
+    if s.says is Predicate.FILMED:
+        return filmed.measure(replay, way, s, bindings.get(s.object or "", _NOTHING).bodies)
     window = window_of(s, replay, times)
     if isinstance(window, str):
         return Kept(False, reason=window)

@@ -60,6 +60,7 @@ def _statement(s: Statement, moments: Moments) -> SuiteStatement:
             "words": s.text,
             "direction": s.direction,
             "side": s.side,
+            "filming": s.filming,
             "quantity": s.quantity,
             "value": value,
             "range": span,

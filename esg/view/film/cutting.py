@@ -25,6 +25,8 @@ EASES = ((0.7, 0.6, 3), (0.6, 0.5, 3), (0.5, 0.5, 2), (0.35, 0.4, 1), (0.25, 0.3
 fits."""
 JOIN_S = 0.4
 """Two stretches with less between them are one."""
+MAX_SAID_FRAMES = 192
+"""Of a film whose camera the prompt tells, which has no cuts: eight seconds."""
 GOES_ON = 4.0
 """What lasts is followed so many times as long as what happens in an instant."""
 STILL_S = 2.0
@@ -63,6 +65,26 @@ def cuts_of(beats: Sequence[Beat], end: float) -> list[Cut]:
             return cuts
     most = sum(len(c.time_s) for c in cuts) / (MAX_FRAMES - len(cuts))
     return [_timed(a, b, [], most) for a, b in _spans(beats, end, *EASES[-1][:2])]
+
+
+def whole_cut(beats: Sequence[Beat], end: float, rate: float) -> Cut:
+    """One stretch without cuts, as fast as the prompt says: all of the recording that fits.
+
+    Where it is longer than such a film may be, it shows what is around the first event in slow
+    motion, and else runs faster.
+
+    Args:
+        beats: In order of time.
+        end: Of the recording [s].
+        rate: Seconds of the scene in a second of film.
+    """
+    lasts = rate * (MAX_SAID_FRAMES - 1) / FPS
+    if end <= lasts:
+        return _timed(0.0, end, [], rate)
+    if rate >= 1.0:
+        return _timed(0.0, end, [], end * FPS / (MAX_SAID_FRAMES - 1))
+    start = float(np.clip(beats[0].time_s - 0.5 * lasts, 0.0, end - lasts))
+    return _timed(start, start + lasts, [], rate)
 
 
 def _spans(

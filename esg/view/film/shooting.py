@@ -15,8 +15,9 @@ from esg.view.director.acting import Action
 from esg.view.director.review import Viewfinder
 from esg.view.director.staging import direct
 from esg.view.director.takes import Take
-from esg.view.film.cutting import Cut, cuts_of, told
+from esg.view.film.cutting import Cut, cuts_of, told, whole_cut
 from esg.view.film.encoding import check_encoder, write_film
+from esg.view.filmed import said_rate, said_take
 from esg.view.lettering import font
 from esg.view.pieces import Part
 from esg.view.ropes import ropes_at
@@ -68,13 +69,22 @@ def _base_colors(name: str) -> NDArray[np.uint8]:
     return maps(name, TEXTURE_PX).base_color
 
 
-def shots_of(finder: Viewfinder, seed: int = 0) -> list[Shot]:
+def shots_of(
+    finder: Viewfinder, seed: int = 0, said: Take | None = None, rate: float = 1.0
+) -> list[Shot]:
     """The film of a scene: every stretch has a take of its own.
 
     Args:
         finder: Of the scene.
         seed: Of lenses, sides and angles.
+        said: The only take, where the prompt says how it is filmed.
+        rate: Seconds of the scene in a second of film, where the prompt says how fast it passes.
     """
+    if said is not None or rate != 1.0:
+        cut = whole_cut(finder.action.beats, float(finder.action.time[-1]), rate)
+        if said is None:
+            return _shots(finder, cut, seed)
+        return [Shot(cut, said.at(cut.time_s))]
     cuts = cuts_of(finder.action.beats, float(finder.action.time[-1]))
     return [shot for cut in cuts for shot in _shots(finder, cut, seed)]
 
@@ -114,7 +124,9 @@ def write_scene_film(
     """
     check_encoder()
     finder = viewfinder(action, doc, parts)
-    return write_film(path, frames_of(finder, shots_of(finder, seed)), SIZE_PX)
+    said = said_take(doc, action.scene, action.rollout, SIZE_PX[0] / SIZE_PX[1])
+    shots = shots_of(finder, seed, said, said_rate(doc))
+    return write_film(path, frames_of(finder, shots), SIZE_PX)
 
 
 def frames_of(finder: Viewfinder, shots: Sequence[Shot]) -> Iterator[NDArray[np.uint8]]:

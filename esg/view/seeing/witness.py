@@ -22,6 +22,7 @@ from esg.view.director.review import PROBE_PX, Viewfinder
 from esg.view.director.staging import AUTO
 from esg.view.director.takes import Take, standing
 from esg.view.film.shooting import viewfinder
+from esg.view.filmed import said_rate, said_take
 from esg.view.parts import scene_parts
 from esg.view.pieces import Movers, Part
 from esg.view.renderers.kinds import kind_named
@@ -113,8 +114,9 @@ def sight_of(
         settings: What to render.
         cameras: Fixed cameras; default those of the settings.
     """
-    played = at_rate(rollout, settings.fps)
-    frames = frame_indices(played, settings.fps)
+    fps = settings.fps / said_rate(doc)
+    played = at_rate(rollout, fps)
+    frames = frame_indices(played, fps)
     times = np.asarray(played.time, float)[frames]
     takes = _takes(scene, rollout, verdict, doc, settings, cameras, times)
     scenery = scenery_of(scene, rollout, doc)
@@ -180,8 +182,11 @@ def _takes(
     finder = Viewfinder(
         action, finder.scan, (PROBE_PX[0], max(1, PROBE_PX[0] * height // width)), finder.around
     )
-    kinds = AUTO if settings.camera == "auto" else (settings.camera,)
-    return [take.at(times) for take in directed(finder, kinds, settings.cameras, settings.seed)]
+    auto = settings.camera == "auto"
+    said = said_take(doc, scene, rollout, width / height) if auto else None
+    kinds = AUTO if auto else (settings.camera,)
+    takes = directed(finder, kinds, settings.cameras, settings.seed, said)
+    return [take.at(times) for take in takes]
 
 
 class Shot:
