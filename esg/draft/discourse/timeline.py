@@ -291,6 +291,15 @@ class TimelineBuilder:
                     self._wait_for(actor, track, track.after)
                 self.event(NodeEvent.TRIGGER, (actor,), told, stem="motion_end")
                 self.last_event = keep
+        self._back_away_at_last()
+
+    def _back_away_at_last(self) -> None:
+        """Keeps tail first, of what came forward, for a last motion only: no other has its way."""
+        last = {e.actor: e.id for e in self.edges}
+        for k, e in enumerate(self.edges):
+            if e.params.backward and e.from_ != START and last[e.actor] != e.id:
+                params = e.params.model_copy(update={"backward": None})
+                self.edges[k] = e.model_copy(update={"params": params})
 
     def _wait_for(self, actor: str, track: Track, node_id: str) -> None:
         """Puts a wait until an event that it takes no part in before an actor's first motion."""
