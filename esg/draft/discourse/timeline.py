@@ -295,9 +295,11 @@ class TimelineBuilder:
 
     def _back_away_at_last(self) -> None:
         """Keeps tail first, of what came forward, for a last motion only: no other has its way."""
-        last = {e.actor: e.id for e in self.edges}
+        ends = {n.id for n in self.nodes if n.event is NodeEvent.TRIGGER}
+        last = {e.actor: e.id for e in self.edges if e.to in ends}
+        came_so = {e.actor for e in self.edges if e.params.backward and e.from_ == START}
         for k, e in enumerate(self.edges):
-            if e.params.backward and e.from_ != START and last[e.actor] != e.id:
+            if e.params.backward and e.actor not in came_so and last.get(e.actor) != e.id:
                 params = e.params.model_copy(update={"backward": None})
                 self.edges[k] = e.model_copy(update={"params": params})
 
