@@ -97,6 +97,10 @@ _OPPOSITE = {
 }  # fmt: skip
 
 
+_GIVES_WAY = (NodeEvent.BREAK, NodeEvent.TOPPLE)
+"""What becomes of a thing that something goes through."""
+
+
 @dataclass(frozen=True)
 class Carriers:
     """What can stand for a preposition: relations, predicates, events (none given: any); support.
@@ -564,6 +568,8 @@ def _happens(
 ) -> bool:
     """Whether an event tells of both, or one of the clause's own is told by its place."""
     also = {*n.participants, str(n.extra.get("region", "")).split("/")[0]}
+    if prep == "through" and n.event in _GIVES_WAY and others & also:
+        return True  # "crashes through a fence", which breaks
     if not measurable(n.event) or not about & also:
         return False
     if n.id in own and any(c.to in others for c in n.constraints):
