@@ -457,8 +457,11 @@ def _has_a_place(a: Account, about: set[str], others: set[str]) -> bool:
 
 def _answered_by_ground(a: Account, about: set[str], others: set[str], p: Phrase) -> bool:
     """Whether the document is about the ground, or what is laid on it, as a phrase is."""
+    sunk = p.prep == "through" and any(
+        _takes_part(a, n, about) for n in (NodeEvent.FALL, NodeEvent.TOPPLE)
+    )  # "falls through the floor"
     return (
-        p.prep in _WAYS
+        (p.prep in _WAYS and not sunk)
         or (p.prep == "into" and GROUND not in others)
         or (p.prep == "of" and GROUND in others and _definite(p))  # "the boards of the rink"
         or (p.prep in ("above", "over") and _aloft(a, about))
