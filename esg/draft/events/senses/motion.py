@@ -18,6 +18,7 @@ from esg.draft.discourse.places import holds, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIMBED, LIVING, SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
+from esg.draft.discourse.referents.entities import is_toy
 from esg.draft.events.courses import climbs, goes_steeply
 from esg.draft.events.ends import bounces_over
 from esg.draft.events.hanging import thrown_up
@@ -159,7 +160,8 @@ def _driven(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
             place(d, [rider], [mount], "on")
         return o
     place(d, s, o, "near")
-    d.scene.aboard.update((who, o[0]) for who in s)
+    if not is_toy(entity_of(d, o[0])):
+        d.scene.aboard.update((who, o[0]) for who in s)
     return o[:1]
 
 
