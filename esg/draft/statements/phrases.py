@@ -56,6 +56,11 @@ _SIDES = {
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
 _OFF = frozenset({"off", "off of"})
+_EITHER_SIDE = re.compile(
+    r"(?:both|either|opposite|each|all|the (?:far|near|other|same))\s+(?:sides?|ends?|edges?)\b",
+    re.IGNORECASE,
+)
+"""Sides of which one edge that something falls over is not enough, or may be the wrong one."""
 _TURNED_TO = frozenset({"left", "right", "front", "back", "forward", "backward"})
 _BESIDE_IT = frozenset(
     {"behind", "in front of", "under", "beside", "next to", "past", "around", "above", "over"}
@@ -206,7 +211,8 @@ def _off_a_side(a: Account, about: set[str], p: Phrase) -> bool:
     """ "Slides off the left side of the table": over any edge, if no word leads it there."""
     m = p.mention
     words = {*m.part.split(), *([m.head] if m.attribute else [])} if m is not None else set[str]()
-    if p.prep not in _OFF or not words & _SIDES.keys():
+    several = m is not None and _EITHER_SIDE.match(a.d.text, m.start) is not None
+    if p.prep not in _OFF or not (words & _SIDES.keys() or several):
         return False
     led = (s for s in a.kept if s.direction in _TURNED_TO and about & {*s.object})
     return not any(led)
