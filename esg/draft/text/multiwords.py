@@ -53,7 +53,10 @@ the whole.
 def spellings(low: str) -> re.Pattern[str]:
     """Matches every expression that reads as a word, the longest first."""
     told = [
-        " ".join(words).replace(" 's", "'s") for rows in MULTIWORDS.values() for words, _, reads in rows if reads == low
+        " ".join(words).replace(" 's", "'s")
+        for rows in MULTIWORDS.values()
+        for words, _, reads in rows
+        if reads == low
     ]
     longest = sorted(told, key=lambda t: (-len(t), t))
     said = rf"\b(?:{'|'.join(map(re.escape, longest))})\b" if told else r"(?!)"

@@ -16,9 +16,9 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.places import holds, place
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.entities import is_toy
 from esg.draft.discourse.scene import LIMBED, LIVING, SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
-from esg.draft.discourse.referents.entities import is_toy
 from esg.draft.events.courses import climbs, goes_steeply
 from esg.draft.events.ends import bounces_over
 from esg.draft.events.hanging import thrown_up
