@@ -130,6 +130,14 @@ _CASES = {
             "wheelbarrow of the apprentice",
         ),
     ),
+    things.BESIDE_ITS_WHOLE: (
+        ("A bus stops and its doors open.", "its doors"),
+        ("The van's door flies open.", "The van's door"),
+        (
+            "A limousine stops at the red carpet. The door opens and hits a photographer.",
+            "The door",
+        ),
+    ),
     things.TWO_PLACES: (
         (
             "A broom stands propped against a kitchen shelf with a row of jars on it. The shelf is nudged,"

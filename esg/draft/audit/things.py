@@ -6,13 +6,24 @@ from collections.abc import Callable, Iterable, Iterator
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.audit.case import Case, Finding, group, happens, kind_of, members, number, under
+from esg.draft.audit.case import (
+    Case,
+    Finding,
+    accounted,
+    group,
+    happens,
+    kind_of,
+    members,
+    number,
+    under,
+)
 from esg.draft.audit.parse import Arg, Noun
 
 TWO_NAMES = "what was named before is drawn for it"
 ONE_TOO_MANY = "it is drawn beside those that it is one of"
 IN_ITS_PART = "it is drawn in what is a part of it"
 TWO_PLACES = "it is drawn on what it is to be beside or under"
+BESIDE_ITS_WHOLE = "one in a frame of its own is drawn, and no part of the vehicle"
 NO_PLACE = "nothing in the scene puts it there"
 NO_PART = "it takes part in nothing in the scene"
 OTHER_NUMBER = "another number of them does in the scene"
@@ -21,6 +32,8 @@ A_VERB = "a thing is drawn for it, and what happens is meant"
 A_PERSON = "somebody is drawn for it, and a thing is meant"
 
 _HOLDS = frozenset({"SUPPORT_SURFACE", "STORAGE"})
+_LEAVES = frozenset({"door_leaf", "door"})
+_WITH_DOORS = lex.word_set("with doors (audit)")
 _DEFINITE = frozenset({"the", "these", "those", "this", "that", "its", "their", "his", "her"})
 _SOME = frozenset({"a", "an", "some", "several", "many"})
 _LIKE = frozenset({"like", "as", "than", "of", "into"})
@@ -110,6 +123,33 @@ def _in_its_part(case: Case) -> Iterator[Finding]:
         held = any(f.kind in _HOLDS and whole in f.who and part in f.whom for f in case.facts.facts)
         if whole and part and held and not case.facts.owns_up(head.start, n.end):
             yield Finding(head.start, n.end, IN_ITS_PART, (whole,))
+
+
+def _beside_its_whole(case: Case) -> Iterator[Finding]:
+    """ "A bus stops and its doors open": doors in frames of their own are drawn, not the bus's."""
+    nodes = case.facts.doc.spatial_relation_graph.nodes
+    wholes = [b for _, b, n in case.facts.spans if _is_vehicle(case, n)]
+    for start, end, name in case.facts.spans if any(_is_vehicle(case, n) for n in nodes) else ():
+        words = case.text[start:end].lower().split() or [""]
+        its = words[0] in ("its", "their") or "'s" in case.text[start:end]
+        its = its or case.text[max(0, start - 3) : start].rstrip().endswith("'s")
+        theirs = words[0] == "the" and any(b <= start for b in wholes)
+        theirs = theirs and not _built(case) and len(words) == 2
+        if kind_of(case, name) in _LEAVES and (its or theirs) and not accounted(case, start, end):
+            yield Finding(start, end, BESIDE_ITS_WHOLE, (name,))
+
+
+def _is_vehicle(case: Case, node: str) -> bool:
+    noun = lex.nouns().get(kind_of(case, node).replace("_", " "))
+    return noun is not None and noun.kind == "vehicle"
+
+
+def _built(case: Case) -> bool:
+    """Whether something else has doors, or a place that has some is named."""
+    nodes = case.facts.doc.spatial_relation_graph.nodes
+    kinds = {kind_of(case, n).replace("_", " ") for n in nodes}
+    named = {w for w in re.findall(r"[a-z]+", case.text.lower()) if w in _WITH_DOORS}
+    return bool(named) or any((x := lex.nouns().get(k)) and x.kind == "building" for k in kinds)
 
 
 def _two_places(case: Case) -> Iterator[Finding]:
@@ -255,6 +295,7 @@ CHECKS: dict[str, Callable[[Case], Iterable[Finding]]] = {
     "two names": _two_names,
     "one too many": _one_too_many,
     "in its part": _in_its_part,
+    "beside its whole": _beside_its_whole,
     "two places": _two_places,
     "no place": _no_place,
     "no part": _no_part,

@@ -291,6 +291,17 @@ class TimelineBuilder:
                     self._wait_for(actor, track, track.after)
                 self.event(NodeEvent.TRIGGER, (actor,), told, stem="motion_end")
                 self.last_event = keep
+        self._back_away_at_last()
+
+    def _back_away_at_last(self) -> None:
+        """Keeps tail first, of what came forward, for a last motion only: no other has its way."""
+        ends = {n.id for n in self.nodes if n.event is NodeEvent.TRIGGER}
+        last = {e.actor: e.id for e in self.edges if e.to in ends}
+        came_so = {e.actor for e in self.edges if e.params.backward and e.from_ == START}
+        for k, e in enumerate(self.edges):
+            if e.params.backward and e.actor not in came_so and last.get(e.actor) != e.id:
+                params = e.params.model_copy(update={"backward": None})
+                self.edges[k] = e.model_copy(update={"params": params})
 
     def _wait_for(self, actor: str, track: Track, node_id: str) -> None:
         """Puts a wait until an event that it takes no part in before an actor's first motion."""

@@ -48,6 +48,12 @@ _DOWN = re.compile(
     re.IGNORECASE,
 )
 _DOWN_A_THING = re.compile(r"down\s+(?:the|an?)\s+\w+", re.IGNORECASE)
+_COMES_DOWN = re.compile(r"\b(?:comes?|came|coming)\s+$", re.IGNORECASE)
+_DOWN_WHAT_STANDS = re.compile(
+    rf"\s+(?:the|an?|its|his|her|their)\s+(?:[\w'-]+\s+){{0,2}}"
+    rf"(?:{'|'.join(sorted(lex.word_set('upright (slopes)')))})\b",
+    re.IGNORECASE,
+)
 
 
 def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
@@ -155,8 +161,9 @@ def _is_low(scene: Scene, edge: TimelineEdge) -> bool:
 
 
 def _lay_slope(scene: Scene, prompt: str, reasons: list[str]) -> None:
-    """What rolls down needs something to roll down from."""
-    if _DOWN.search(prompt) is None:
+    """What rolls down needs something to roll down from; no wall, and no tower that comes down."""
+    told = [m for m in _DOWN.finditer(prompt) if not _COMES_DOWN.search(prompt, 0, m.start())]
+    if all(_DOWN_WHAT_STANDS.match(prompt, m.end()) for m in told):
         return
     entities, supports = scene.world.entities, scene.supported_by
     slope = next((i for i, e in entities.items() if "incline" in e.noun.traits), None)

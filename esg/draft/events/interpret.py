@@ -463,7 +463,7 @@ def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
         return True
     if negated and sense in ("hit", "enter"):
         f.verb.sense = "miss"
-    elif negated and sense not in ("be", "posture", "miss"):
+    elif negated and sense not in ("be", "miss"):
         ignore(d, f, "negated")
         at_all = _AT_ALL.match(d.text, f.verb.end) is not None
         at_first = not at_all and _AT_FIRST.search(sentence(d, f)) is not None

@@ -554,7 +554,7 @@ def reverse(d: Discourse, actors: list[str]) -> None:
             )
         if track.direction in (None, ForceDirection.ALONG_FORWARD_ONLY):
             track.direction = ForceDirection.ALONG_FORWARD_OR_BACKWARD
-        if track.motion is not None and track.at == START:
+        if track.motion is not None and (track.at == START or not track.closed):
             track.motion.params["backward"] = True
             if not track.motion.prescribed and track.motion.speed is not None:
                 track.motion.speed = paced(track.motion.speed, "slow")

@@ -30,8 +30,6 @@ _LEAPS = lex.word_set("leaps up and down")
 _AND_DOWN = re.compile(r"\s+and\s+down\b", re.IGNORECASE)
 """After "up": to and fro, and no course."""
 _SIDES = ("leftwards", "rightwards")
-_OF_THE_VIEWER = ("frontwards", "rearwards")
-"""Ways that no single word of a text tells: "toward the camera", "into the distance"."""
 _OTHER_WAY = re.compile(
     r"(?:in )?the (?:other|opposite|reverse) (?:way|direction)\b", re.IGNORECASE
 )
@@ -146,7 +144,7 @@ def place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:
     low = max(0, f.verb.start - _REACH)
     found = re.finditer(rf"\b{re.escape(word)}\b", text[low : f.verb.end + _REACH], re.IGNORECASE)
     places = [(low + m.start(), low + m.end()) for m in found]
-    if not places and word in _OF_THE_VIEWER:
+    if not places:
         found = spellings(word).finditer(text, f.verb.end, f.verb.end + _REACH)
         places = [m.span() for m in found]
     if not places and word in _SIDES:

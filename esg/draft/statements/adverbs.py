@@ -38,6 +38,8 @@ _THIN = 0.3
 _EVERY = frozenset({"each", "every"})
 _UNMEASURED = frozenset({NodeEvent.SCENE_START, NodeEvent.TRIGGER})
 _ARRIVING = lex.word_set("arriving (first)")
+_STANDS = frozenset({"be", "posture", "miss", "left_so", "put", "slide", "own", "roll"})
+_DOWN = (NodeEvent.TOPPLE,)
 NO_MANNER = "manner is not simulated"
 
 
@@ -128,6 +130,9 @@ def _says_how(a: Account, w: Word) -> bool:
     if f is None:
         return False
     about = about_of(a.d, f)
+    if w.low == "upright" and f.verb.sense in _STANDS:  # what lands so may well tip over
+        down = {i for n in a.d.timeline.nodes if n.event in _DOWN for i in n.participants}
+        return not about & down
     if w.low in _ALWAYS and f.verb.sense in ("be", "posture"):  # "is stationary throughout"
         return not any(e.actor in about for e in a.d.timeline.edges)
     if w.low == "from behind":

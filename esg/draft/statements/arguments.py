@@ -13,6 +13,7 @@ from esg.draft.events.told import happened
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.grammar.clauses.modality import FAILED, STOPPED_FIRST
 from esg.draft.statements.account import CHAINS, NOTHING, PASSED_OVER, Account, Gap, held, nodes_of
+from esg.draft.statements.adverbs import ONCE
 from esg.draft.statements.phrases import NO_REFERENT
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Predicate
@@ -24,6 +25,13 @@ _EACH = frozenset(
 """Senses of which each of several things needs a motion of its own."""
 _SENT = frozenset({"launch", "drop", "carry", "pick", "phrase"})
 """Senses of which what the clause acts on moves."""
+_KEEPS = re.compile(r"(?:keep|keeps|kept|keeping)\b(?:\s+on\b)?", re.IGNORECASE)
+_SINGLE = frozenset(
+    {"hit", "drop", "launch", "fall", "knock", "topple", "jump", "enter", "land", "stop", "pick"}
+)
+"""Senses of which one event is all that the scene has."""
+_ENDS = frozenset({NodeEvent.STOP, NodeEvent.FALL, NodeEvent.TOPPLE, NodeEvent.ENTER_REGION})
+"""Events of which one of several that move is no stand-in for the others."""
 _STATES = frozenset(
     {"be", "posture", "left_so", "have", "weigh", "contain", "measure", "unknown", "lead", "noop",
      "park"}
@@ -264,5 +272,23 @@ def idle(a: Account) -> Iterator[Gap]:
         sent = f.object if f.verb.sense in _SENT and f.object and f.object.plural else f.subject
         group = nodes_of(a.d, sent) if told else []
         idle = [i for i in group if i not in moving and not _in_turn(a.d, f, i)]
-        if 0 < len(idle) < len(group):
+        idle = idle or [i for i in _spared(a.d, f, group) if not _in_turn(a.d, f, i)]
+        if 0 < len(idle) < len(group) and f.verb.start < f.verb.end:
             yield Gap(f.verb.start, f.verb.end, "only one of them does", tuple(idle))
+
+
+def kept_up(a: Account) -> Iterator[Gap]:
+    """ "The baby keeps dropping her spoon": it falls once."""
+    for f in a.frames:
+        m = _KEEPS.match(a.d.text, f.verb.start, f.verb.end)
+        if m is not None and f.verb.sense in _SINGLE:
+            yield Gap(m.start(), m.end(), ONCE, tuple(nodes_of(a.d, f.subject)))
+
+
+def _spared(d: Discourse, f: Frame, group: list[str]) -> list[str]:
+    """ "Three ice cubes slide along a bar and stop": who goes on where one of them ends."""
+    made = d.timeline.node(d.scene.used.get((f.verb.start, f.verb.end), ""))
+    if made is None or made.event not in _ENDS or made.participants[0] not in group:
+        return []
+    does = {n.participants[0] for n in d.timeline.nodes if n.event is made.event}
+    return [i for i in group if i not in does]

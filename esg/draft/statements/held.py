@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
-from esg.draft.discourse.core import kind_of, structural
+from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
+from esg.draft.discourse.referents.entities import is_toy
 from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED
 from esg.draft.events.stated import start_of
 from esg.draft.events.told import things
@@ -45,7 +46,7 @@ def driver(book: Book, clause: Clause, s: Said, mover: str) -> None:
     if s.row.states is Predicate.SUPPORTED_BY:
         _comes_to_ride(book, s, [i for i in riders if d.scene.supported_by.get(i)], mover)
     riders = [i for i in riders if d.scene.supported_by.get(i, mover) == mover]
-    if riders and kind_of(d, mover) in SELF_POWERED:
+    if riders and kind_of(d, mover) in SELF_POWERED and not is_toy(entity_of(d, mover)):
         open_ = d.scene.supported_by.get(riders[0]) == mover or s.row.states is not Predicate.INSIDE
         says = Predicate.SUPPORTED_BY if open_ else Predicate.INSIDE
         book.add(says, s.start, s.end, object=tuple(riders), target=(mover,))

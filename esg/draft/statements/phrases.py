@@ -56,6 +56,11 @@ _SIDES = {
 }
 """Parts that name a side, and the relation that has it ("in the front of an apple")."""
 _OFF = frozenset({"off", "off of"})
+_EITHER_SIDE = re.compile(
+    r"(?:both|either|opposite|each|all|the (?:far|near|other|same))\s+(?:sides?|ends?|edges?)\b",
+    re.IGNORECASE,
+)
+"""Sides of which one edge that something falls over is not enough, or may be the wrong one."""
 _TURNED_TO = frozenset({"left", "right", "front", "back", "forward", "backward"})
 _BESIDE_IT = frozenset(
     {"behind", "in front of", "under", "beside", "next to", "past", "around", "above", "over"}
@@ -95,6 +100,10 @@ _OPPOSITE = {
     "left_of": "right_of", "right_of": "left_of", "in_front_of": "behind",
     "behind": "in_front_of", "above": "under", "under": "above",
 }  # fmt: skip
+
+
+_GIVES_WAY = (NodeEvent.BREAK, NodeEvent.TOPPLE)
+"""What becomes of a thing that something goes through."""
 
 
 @dataclass(frozen=True)
@@ -202,7 +211,8 @@ def _off_a_side(a: Account, about: set[str], p: Phrase) -> bool:
     """ "Slides off the left side of the table": over any edge, if no word leads it there."""
     m = p.mention
     words = {*m.part.split(), *([m.head] if m.attribute else [])} if m is not None else set[str]()
-    if p.prep not in _OFF or not words & _SIDES.keys():
+    several = m is not None and _EITHER_SIDE.match(a.d.text, m.start) is not None
+    if p.prep not in _OFF or not (words & _SIDES.keys() or several):
         return False
     led = (s for s in a.kept if s.direction in _TURNED_TO and about & {*s.object})
     return not any(led)
@@ -453,8 +463,11 @@ def _has_a_place(a: Account, about: set[str], others: set[str]) -> bool:
 
 def _answered_by_ground(a: Account, about: set[str], others: set[str], p: Phrase) -> bool:
     """Whether the document is about the ground, or what is laid on it, as a phrase is."""
+    sunk = p.prep == "through" and any(
+        _takes_part(a, n, about) for n in (NodeEvent.FALL, NodeEvent.TOPPLE)
+    )  # "falls through the floor"
     return (
-        p.prep in _WAYS
+        (p.prep in _WAYS and not sunk)
         or (p.prep == "into" and GROUND not in others)
         or (p.prep == "of" and GROUND in others and _definite(p))  # "the boards of the rink"
         or (p.prep in ("above", "over") and _aloft(a, about))
@@ -564,6 +577,8 @@ def _happens(
 ) -> bool:
     """Whether an event tells of both, or one of the clause's own is told by its place."""
     also = {*n.participants, str(n.extra.get("region", "")).split("/")[0]}
+    if prep == "through" and n.event in _GIVES_WAY and others & also:
+        return True  # "crashes through a fence", which breaks
     if not measurable(n.event) or not about & also:
         return False
     if n.id in own and any(c.to in others for c in n.constraints):

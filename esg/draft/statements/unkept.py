@@ -327,7 +327,8 @@ def _unspun(d: Discourse, clause: Clause) -> bool:
 def _not_through(d: Discourse, clause: Clause) -> bool:
     """ "Smashes through a wall", which stays whole and in the way."""
     f = clause.frame
-    told = "through" in d.text[f.verb.start : f.verb.end + 9].lower().split()
+    told = f.phrase("through") is None
+    told = told and "through" in d.text[f.verb.start : f.verb.end + 9].lower().split()
     broken = (n for n in d.timeline.nodes if n.event in (NodeEvent.BREAK, NodeEvent.TOPPLE))
     met = {*(f.object.entities if f.object is not None else [])}
     met |= {i for p in f.phrases if p.mention is not None for i in p.mention.entities}

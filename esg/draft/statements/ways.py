@@ -32,6 +32,7 @@ _SIDE_WORDS = {
 """The words of a side, of which the first in the text is where something starts."""
 _SPANS = lex.word_set("spans")
 _DOWN_ON = ("on", "onto", "upon", "atop", "on top of")
+_DOWN = frozenset({"fall", "topple", "drop"})
 _SENT = ("over", "across", "through", "past")
 """What leads on from a hit: "hits a ball over the net"."""
 _SHEDS = frozenset({"incline", "round", "goal"})
@@ -146,6 +147,8 @@ def _by_others(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
                  when="start" if stays else where)  # fmt: skip
         return
     if direction == "through" and targets == [GROUND]:
+        if clause.frame.verb.sense in _DOWN:
+            return  # "falls through the floor"
         direction = "across"  # "through a meadow", "through the park": it has no other side
     if structural(d, targets[0]) and direction not in _ON_THE_WAY:
         return

@@ -53,7 +53,11 @@ the whole.
 def spellings(low: str) -> re.Pattern[str]:
     """Matches every expression that reads as a word, the longest first."""
     told = [
-        " ".join(words) for rows in MULTIWORDS.values() for words, _, reads in rows if reads == low
+        " ".join(words).replace(" 's", "'s")
+        for rows in MULTIWORDS.values()
+        for words, _, reads in rows
+        if reads == low
     ]
     longest = sorted(told, key=lambda t: (-len(t), t))
-    return re.compile(rf"\b(?:{'|'.join(map(re.escape, longest))})\b", re.IGNORECASE)
+    said = rf"\b(?:{'|'.join(map(re.escape, longest))})\b" if told else r"(?!)"
+    return re.compile(said, re.IGNORECASE)

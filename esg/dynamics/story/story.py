@@ -278,9 +278,18 @@ def _begins_at_a_wall(phase: Phase, is_fixed: Callable[[str], bool]) -> bool:
 
 
 def turns_back(story: Story, phase: Phase, is_fixed: Callable[[str], bool]) -> bool:
-    """Whether an actor drives forward from what it has backed into, and which cannot move."""
-    reversed_into = story.reverses(phase.edge.actor) and phase.edge.params.backward is not True
-    return reversed_into and _begins_at_a_wall(phase, is_fixed)
+    """Whether an actor goes the other way along its axis from the start of a phase on.
+
+    It drives forward from what it has backed into, and which cannot move; or it came forward and
+    backs away ("stops at a gate and reverses").
+    """
+    actor, backward = phase.edge.actor, phase.edge.params.backward is True
+    if story.reverses(actor):
+        return not backward and _begins_at_a_wall(phase, is_fixed)
+    phases = story.phases[actor]
+    before = [p for p in phases[: phases.index(phase)] if p.edge.event in POWERED]
+    came = before[-1].edge.params.backward is True if before else backward
+    return phase.edge.event in POWERED and came is not backward
 
 
 def rebounds(story: Story, phase: Phase, is_fixed: Callable[[str], bool]) -> bool:

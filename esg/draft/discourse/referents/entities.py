@@ -21,6 +21,7 @@ ACTING_PARTS = lex.OWN_PARTS | lex.word_set("acting parts")
 """Parts of a machine with which it hits things ("its brush touches a box")."""
 WORN = lex.word_set("worn")
 OTHER = lex.word_set("other")
+_TOYS = lex.word_set("toys (riding)")
 UNKNOWN_MASS_KG = 5.0
 
 
@@ -121,3 +122,9 @@ def nameless(head: str) -> lex.Noun:
         description=head,
         stand_in="plain box",
     )
+
+
+def is_toy(e: Entity) -> bool:
+    """Whether nobody sits in it: a toy truck, a model plane; a ride-on car is no toy here."""
+    said = {*e.adjectives, *e.label.lower().split()}
+    return (e.noun.kind == "toyvehicle" or bool(said & _TOYS)) and "ride-on" not in said

@@ -16,6 +16,7 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.places import holds, place
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.entities import is_toy
 from esg.draft.discourse.scene import LIMBED, LIVING, SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
 from esg.draft.events.courses import climbs, goes_steeply
@@ -26,7 +27,7 @@ from esg.draft.events.roles import doer_and_done, filling
 from esg.draft.events.senses.contact import hit_targets
 from esg.draft.events.senses.handling import bounces_on_ground
 from esg.draft.events.senses.launch import aim_at, launch_by, motion_of_things, stand_by
-from esg.draft.events.senses.steer import turn
+from esg.draft.events.senses.steer import leave_again, turn
 from esg.draft.events.senses.topple import read_knock
 from esg.draft.events.table import sense
 from esg.draft.events.timing import (
@@ -50,6 +51,12 @@ _LEFT_THEN_RIGHT = re.compile(
 )
 _ROUND_DEG, _ROUND_RATES = 300.0, (10.0, 90.0)
 """How far somebody goes around something [degrees] and how fast that turns [degrees/s]."""
+_DRIVES = lex.word_set("vehicle verbs")
+_HALF_DEG = 180.0
+_BACK = frozenset({"away", "back", "off"})
+"""Adverbs of a way from what was reached."""
+_AWAY = _BACK | {"on", "out", "past"}
+"""Adverbs of a way that begins there."""
 _STAYS_AT = frozenset({"in", "at", "above", "on", "near", "beside", "next to", "within"})
 """Prepositions of where something hovers that goes nowhere: "floats in the air", "above a pond"."""
 _BRANCHES = ("at", "into", "onto")
@@ -86,11 +93,24 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         _hovers(d, f, actors)
         return
     by_itself = kind in SELF_POWERED and f.verb.lemma not in _ANYHOW
+    _goes_away_again(d, f, actors)
     motion(d, f, actors, "own" if by_itself or afoot else None)
     if f.verb.lemma in _AT_A_TARGET:
         aim_at(d, f, actors, next(iter(target_of(d, f, actors)), None))
     if kind in SELF_POWERED and _gone_around(d, f, actors, o):
         turn(d, f, actors, "left", _ROUND_DEG, _ROUND_RATES)
+
+
+def _goes_away_again(d: Discourse, f: Frame, actors: list[str]) -> None:
+    """ "Walks to a door and walks away": somebody turns round there; a car drives on or off."""
+    said = {*f.adverbs, *d.text[f.verb.start : f.verb.end].lower().split()}
+    if not _AWAY & said or f.verb.form == "ing" or target_of(d, f, actors):
+        return
+    there = leave_again(d, f, actors)
+    afoot = [a for a in there if kind_of(d, a) in LIMBED and f.verb.lemma not in _DRIVES]
+    back = afoot if _BACK & said else []
+    if back:
+        turn(d, f, back, "left", _HALF_DEG)
 
 
 def _gone_around(d: Discourse, f: Frame, actors: list[str], o: list[str]) -> bool:
@@ -140,7 +160,8 @@ def _driven(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
             place(d, [rider], [mount], "on")
         return o
     place(d, s, o, "near")
-    d.scene.aboard.update((who, o[0]) for who in s)
+    if not is_toy(entity_of(d, o[0])):
+        d.scene.aboard.update((who, o[0]) for who in s)
     return o[:1]
 
 

@@ -11,7 +11,7 @@ from esg.draft.events.acts import add_event, outcomes
 from esg.draft.events.motions import direction_of, each_passed, motion, reverse, start_motion
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.table import read_as, sense
-from esg.draft.events.timing import time_of
+from esg.draft.events.timing import settle, time_of
 from esg.draft.events.told import amount, at_rest, constrain, ignore, things
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount, find_amounts
@@ -192,5 +192,21 @@ def read_merge(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("reverse")
 def read_reverse(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
+    leave_again(d, f, s or o)
     motion(d, f, s or o, "own")
     reverse(d, s or o)
+
+
+def leave_again(d: Discourse, f: Frame, actors: list[str]) -> list[str]:
+    """ "Walks up to a cat and backs away", "drives to a gate and on": it has been there by then."""
+    there = [a for a in actors if _heads_somewhere(d, f, a)]
+    for actor in there:
+        settle(d, actor, None)
+    return there
+
+
+def _heads_somewhere(d: Discourse, f: Frame, actor: str) -> bool:
+    """Whether a clause before this one tells of an arrival of which nothing came yet."""
+    event, told, _, _ = d.times.pending.get(actor, (None, f, None, None))
+    later = told.verb.start < f.verb.start and not (f.reduced or f.subordinate or f.relative)
+    return event is NodeEvent.REACH and told is not f and later

@@ -142,6 +142,7 @@ def _ground(m: Mention | None) -> bool:
     return m is not None and m.noun is not None and "structural" in m.noun.traits
 
 
+_PERSONAL = frozenset({"he", "she", "they", "i", "we", "you", "who", "somebody", "someone"})
 _KINDS: dict[str, Callable[[Mention | None], bool]] = {
     "-": lambda m: m is None,
     "any": lambda m: m is not None,
@@ -150,6 +151,7 @@ _KINDS: dict[str, Callable[[Mention | None], bool]] = {
     "ground": _ground,
     "known": lambda m: m is not None and m.noun is not None,
     "it": lambda m: m is not None and m.pronoun in ("it", "them"),
+    "somebody": lambda m: m is not None and (m.pronoun in _PERSONAL or _is(m, "person")),
 }
 _VERBS: dict[str, Callable[[Frame], bool]] = {
     "active": lambda f: not f.verb.passive,

@@ -60,7 +60,7 @@ _STOPS_DOING = re.compile(
 )
 _NO_ONE = re.compile(r"\bno[ -]one$", re.IGNORECASE)
 
-_MOTIONS = frozenset({"cross", "own", "roll", "slide", "fly"})
+_MOTIONS = frozenset({"cross", "own", "roll", "slide", "fly", "posture"})
 """Senses that make no event, and are asked all the same whether they happen."""
 _WISHES = lex.word_set("wishes")
 _ATTEMPTS = lex.word_set("attempts")
@@ -117,7 +117,7 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
         if _almost(f, text):
             if f.verb.sense == "hit":
                 f.verb.negated = True
-            elif f.verb.sense in _EVENTS and f.verb.sense != "miss":
+            elif f.verb.sense in _EVENTS | {"posture"} and f.verb.sense != "miss":
                 f.unreal = "almost: it does not happen"
         if reason := _by_none(f, text):
             f.unreal = reason
