@@ -593,6 +593,8 @@ class Predicate(str, enum.Enum):
     SIZE = "size"
     COUNT = "count"
     ABSENT = "absent"
+    WEARS = "wears"
+    LOOKS = "looks"
     NOT_REPRESENTED = "not_represented"
     """Its words are understood as a statement that the document cannot hold (`note` says why)."""
 
@@ -650,7 +652,7 @@ class Statement(Model):
     value: Quantity | None = None
     """In the document's units [cm/s, cm/s^2, cm, degrees, 1]."""
     noun: str | None = None
-    """Of `absent` and `count`."""
+    """Of `absent` and `count`; of `wears` and `looks` what is worn, and how the hair is."""
     when: str = "throughout"
     """start, end, throughout, the id of a point event, or two of these as "from..to"."""
     note: str = ""

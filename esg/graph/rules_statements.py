@@ -75,7 +75,7 @@ def _needs(ctx: Context, here: str, statement: Statement) -> None:
     """What a predicate cannot be measured without."""
     says = statement.predicate
     needed: dict[str, bool] = {
-        "noun": says in _OF_NOUNS,
+        "noun": says in _OF_NOUNS or says in (Predicate.WEARS, Predicate.LOOKS),
         "object": says not in _OF_NOUNS and says is not Predicate.NOT_REPRESENTED,
         "target": says in _WITH_TARGET or statement.direction in _TARGETED_DIRECTIONS,
         "direction": says is Predicate.MOVES,

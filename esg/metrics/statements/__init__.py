@@ -11,7 +11,7 @@ from esg.graph.models import Predicate
 from esg.metrics.binding import Binding, bind
 from esg.metrics.models import OF_EVENTS, StatementVerdict, SuiteScene, SuiteStatement
 from esg.metrics.replay import Replay
-from esg.metrics.statements import directions, facts, manner, place, sides
+from esg.metrics.statements import directions, facts, manner, place, sides, worn
 from esg.metrics.statements.query import Kept, StatementQuery, window_of
 
 OfBody = place.OfBody
@@ -48,6 +48,8 @@ OF_BODIES: dict[Predicate, OfBody] = {
     Predicate.SLOWER_THAN: manner.slower_than,
     Predicate.FASTER_THAN: manner.faster_than,
     Predicate.SIZE: facts.size,
+    Predicate.WEARS: worn.wears,
+    Predicate.LOOKS: worn.wears,
 }
 """Measures of one body; of a set, every member is measured."""
 
