@@ -228,6 +228,8 @@ def _vest(o: Outfit, w: Wear) -> None:
     p = piece(w)
     o.marks -= {"bands", "chest_band", "bands_thin", "tabard", "bib"}
     grow = 2.8 if w.kind == "life jacket" else 1.6
+    if o.top is None and max(abs(a - b) for a, b in zip(o.color, p.color, strict=True)) < 0.28:
+        o.top = Piece("shirt", rgb(104, 116, 130))  # else nobody would see it
     inner = o.top.color if o.top else o.color
 
     def draw(s: Sketch, _: bool) -> None:

@@ -90,7 +90,7 @@ def _named_again(elements: list[Element]) -> frozenset[str]:
     out: set[str] = set()
     for i, e in enumerate(elements):
         before = element_at(elements, i - 1)
-        led = isinstance(before, Word) and before.low in _WITH | {",", "and"}
+        led = isinstance(before, Word) and before.low in _WITH
         led |= isinstance(before, Verb) and before.lemma in _DRESSED
         if isinstance(e, Mention) and not led and (e.determiner in _AGAIN or e.possessor):
             out.add(e.head)
