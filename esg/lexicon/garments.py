@@ -16,7 +16,7 @@ import re
 
 from esg.lexicon.cells import words
 from esg.lexicon.kinds import kinds
-from esg.lexicon.morphology import singular
+from esg.lexicon.morphology import plural, singular
 
 _FOLDER = Path(__file__).parent
 LOOKS = frozenset({"hair", "beard", "skin"})
@@ -104,6 +104,8 @@ def read(phrase: str, colors: Collection[str]) -> Worn | None:
         phrase: "black t-shirt", "long blond hair".
         colors: Words that tell colours.
     """
+    if re.split(r"[\s-]", phrase.lower())[-1] not in _last_words():
+        return None
     tokens = _plain(phrase).split()
     plain = [k for k, w in enumerate(tokens) if not _is_modifier(w, colors) or w == tokens[-1]]
     whole, bare = _longest(tokens), _longest([tokens[k] for k in plain])
@@ -113,6 +115,13 @@ def read(phrase: str, colors: Collection[str]) -> Worn | None:
         named = {*plain[len(plain) - bare[0] :]}
         return _modified(bare[1], [w for k, w in enumerate(tokens) if k not in named], colors)
     return _modified(whole[1], tokens[: len(tokens) - whole[0]], colors)
+
+
+@cache
+def _last_words() -> frozenset[str]:
+    """With which words phrases that name garments can end."""
+    ends = {name.split()[-1] for name in garments()}
+    return frozenset(ends | {plural(w) for w in ends})
 
 
 def _is_modifier(word: str, colors: Collection[str]) -> bool:

@@ -11,7 +11,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of
 from esg.draft.statements.account import NOTHING, nodes_of
 from esg.draft.statements.book import Told
-from esg.draft.text.elements import Mention, Put
+from esg.draft.text.elements import Mention, Put, Token
 from esg.graph.models import Predicate
 from esg.lexicon.garments import Worn, read, wearers
 
@@ -37,11 +37,12 @@ def _adjectives() -> dict[str, str]:
 def worn(t: Told) -> None:
     """Writes down what noun phrases say of those whom they mean, each garment once."""
     of_hair = set[str]()
-    for m in t.d.mentions:
+    adjectives = [token for token in t.tokens if token.low in _adjectives()]
+    for m in t.d.mentions if adjectives else [m for m in t.d.mentions if m.wears]:
         ids = tuple(nodes_of(t.d, m))
-        adjectives = [*_told_by_adjectives(t, m)]
-        haired = [p for p in (*m.wears, *adjectives) if _of_hair(p)]
-        for put in (*m.wears, *adjectives):
+        puts = (*m.wears, *_told_by_adjectives(t, m, adjectives))
+        haired = [p for p in puts if _of_hair(p)]
+        for put in puts:
             said = read(put.phrase, lex.COLORS)
             if put.phrase == _OF_AGE and (len(haired) > 1 or of_hair & {*ids}):
                 t.d.scene.used[put.start, put.end] = USED  # "a bald old man"
@@ -85,10 +86,12 @@ def _state(t: Told, put: Put, said: Worn, ids: tuple[str, ...]) -> None:
             t.book.add(Predicate.NOT_REPRESENTED, at, at + len(word), object=ids, note=NOTHING)
 
 
-def _told_by_adjectives(t: Told, m: Mention) -> Iterator[Put]:
-    """ "A bearded man", "a red-haired girl", "an old woman"."""
-    if not m.adjectives and " " not in m.head:
-        return
-    for token in t.tokens:
-        if m.start <= token.start < m.end and token.low in _adjectives():
+def _told_by_adjectives(t: Told, m: Mention, words: list[Token]) -> Iterator[Put]:
+    """ "A bearded man", "a red-haired girl", "an old woman"; the last may be left before it."""
+    first = m.start
+    for token in reversed(words):
+        if token.end <= first and not t.d.text[token.end : first].strip():
+            first = token.start
+    for token in words:
+        if first <= token.start < m.end:
             yield Put(_adjectives()[token.low], token.start, token.end)

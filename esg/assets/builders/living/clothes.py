@@ -48,7 +48,7 @@ def hats(s: Sketch, marks: frozenset[str], hat: Color, c: Color) -> None:
     _helmets(s, marks, hat, c)
     _caps(s, marks, hat, c)
     if "crown" in marks:
-        _crown(s)
+        crown(s, BRASS)
     if "great_helm" in marks:
         _turned(
             s,
@@ -198,12 +198,13 @@ def _caps(s: Sketch, marks: frozenset[str], hat: Color, c: Color) -> None:
         )
 
 
-def _crown(s: Sketch) -> None:
+def crown(s: Sketch, c: Color) -> None:
+    """A ring with points on an upright head."""
     _turned(
         s,
         [(9.4, 0), (10.2, 0), (10.8, 5), (9.9, 5), (9.4, 0)],
         (-0.6, 0, 165),
-        BRASS,
+        c,
         "gold",
         "crown",
     )
@@ -222,7 +223,7 @@ def _crown(s: Sketch) -> None:
             )
         return forms.gather(out)
 
-    s.add(points, BRASS, of="gold", name="crown_points")
+    s.add(points, c, of="gold", name="crown_points")
 
 
 def face_marks(s: Sketch, marks: frozenset[str], hair: Color) -> None:

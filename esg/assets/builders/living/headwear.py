@@ -56,14 +56,9 @@ def named(s: Sketch, name: str, draw: Draw) -> None:
     ]
 
 
-def _marked(mark: str, **also: Color) -> Callable[[Sketch, Piece], None]:
+def _marked(mark: str) -> Callable[[Sketch, Piece], None]:
     """What `clothes` draws for a mark."""
-
-    def draw(s: Sketch, p: Piece) -> None:
-        color = also.get("color", p.color)
-        clothes.hats(s, frozenset({mark}), color, color)
-
-    return draw
+    return lambda s, p: clothes.hats(s, frozenset({mark}), p.color, p.color)
 
 
 def _top_hat(s: Sketch, p: Piece) -> None:
@@ -304,7 +299,7 @@ HEADWEAR: dict[str, Callable[[Sketch, Piece], None]] = {
     "turban": _turban,
     "headscarf": _headscarf,
     "headband": _headband,
-    "crown": _marked("crown"),
+    "crown": lambda s, p: clothes.crown(s, p.color),
     "helmet": _marked("sport_helmet"),
     "hard hat": _marked("hard_hat"),
     "headphones": _headphones,

@@ -49,7 +49,7 @@ def put_on(elements: list[Element]) -> list[Element]:
     Args:
         elements: Noun phrases, verbs and small words in the order of the text.
     """
-    if not any(_garment(e) for e in elements) and not _in_a_color(elements):
+    if not any(_bare_word(e) or _garment(e) for e in elements):
         return elements
     again = _named_again(elements)
     out: list[Element] = []
@@ -81,8 +81,11 @@ def _garment(e: Element) -> Garment | None:
     return None if worn is None else worn.garment
 
 
-def _in_a_color(elements: list[Element]) -> bool:
-    return any(isinstance(e, Word) and e.low in lex.COLORS for e in elements)
+def _bare_word(e: Element) -> bool:
+    """ "In black", "in uniform": a word without an article that no noun phrase took up."""
+    if not isinstance(e, Word) or e.kind != "unknown":
+        return False
+    return e.low in lex.COLORS or read(e.low, lex.COLORS) is not None
 
 
 def _named_again(elements: list[Element]) -> frozenset[str]:
@@ -148,12 +151,13 @@ def _items(
 ) -> tuple[tuple[Put, ...], tuple[Mention, ...], int] | None:
     """A list of garments: what is put on, its noun phrases, and where it ends."""
     e = element_at(elements, i)
-    if isinstance(e, Word) and e.low in lex.COLORS:
-        clothes = read(f"{e.low} clothes", lex.COLORS)
+    if isinstance(e, Word):
+        phrase = f"{e.low} clothes" if e.low in lex.COLORS else e.low if e.kind == "unknown" else ""
+        one = read(phrase, lex.COLORS)
         plain = not isinstance(element_at(elements, i + 1), Mention)
-        if clothes is None or not plain or not _dresses(who, clothes.garment):
+        if one is None or not plain or not _dresses(who, one.garment):
             return None
-        return (Put(f"{e.low} clothes", e.start, e.end, verb),), (), i + 1
+        return (Put(phrase, e.start, e.end, verb),), (), i + 1
     puts, items, end = list[Put](), list[Mention](), i
     while isinstance(e := element_at(elements, i), Mention):
         garment = _garment(e)
