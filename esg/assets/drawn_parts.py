@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from esg.assets.appearances import appearances
 from esg.assets.configuration import parametric_entry
-from esg.assets.geometry.mesh import configured_sketch
+from esg.assets.library.catalogue import build_sketch
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument, Predicate
 
@@ -31,7 +31,7 @@ def drawn_parts(doc: EsgDocument) -> dict[str, tuple[str, ...]]:
         config = doc.asset_configurations[nodes[name].asset_id]
         entry = parametric_entry(config)
         if entry is not None:
-            parts = configured_sketch(entry, config, looks[name]).parts
+            parts = build_sketch(entry, config.dimensions_cm, config.color_rgb, looks[name]).parts
             listed = (f"{p.name} {_hex(p.color)} {p.material}" for p in parts)
             out[name] = tuple(dict.fromkeys(listed))
     return out
