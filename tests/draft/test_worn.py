@@ -111,6 +111,20 @@ def test_adjectives_say_how_somebody_looks(row: dict[str, str]) -> None:
     assert not {*lost(doc)} & {*row["words"].split("|")}
 
 
+@pytest.mark.parametrize(
+    ("prompt", "worn"),
+    [
+        ("The man in the blue shirt throws the ball to the man in the red shirt.",
+         [("blue shirt", "man_1"), ("red shirt", "man_2")]),
+        ("A boy in red and a girl in blue run.",
+         [("red clothes", "boy_1"), ("blue clothes", "girl_1")]),
+        ("A man in a red cap walks. The man in the red cap stops.", [("red cap", "man_1")]),
+    ],
+)  # fmt: skip
+def test_clothes_tell_people_apart(prompt: str, worn: list[tuple[str, str]]) -> None:
+    assert [(noun, *who) for _, noun, who in told(draft(prompt))] == worn
+
+
 def test_a_bald_old_man_has_no_grey_hair() -> None:
     doc = draft("A bald old man walks. The old man stops.")
     assert [noun for _, noun, _ in told(doc)] == ["bald head"]

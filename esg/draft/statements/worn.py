@@ -39,7 +39,8 @@ def worn(t: Told) -> None:
     of_hair = set[str]()
     adjectives = [token for token in t.tokens if token.low in _adjectives()]
     for m in t.d.mentions if adjectives else [m for m in t.d.mentions if m.wears]:
-        ids = tuple(nodes_of(t.d, m))
+        others = {i for one in m.coordinated for i in nodes_of(t.d, one)}
+        ids = tuple(i for i in nodes_of(t.d, m) if i not in others)
         puts = (*m.wears, *_told_by_adjectives(t, m, adjectives))
         haired = [p for p in puts if _of_hair(p)]
         for put in puts:

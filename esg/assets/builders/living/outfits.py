@@ -31,6 +31,11 @@ _TOPS = frozenset(
      "buttons", "buttons_large", "apron", "badge", "ruff", "cape"}
 )  # fmt: skip
 _LOWER = frozenset({"skirt", "shorts", "shorts_own", "robe"})
+_OWN_HATS = {
+    "hat": (("toque", "chef hat"), ("cone_hat", "witch hat")),
+    "helmet": (("hard_hat", "hard hat"), ("brim_helmet", "hard hat")),
+}
+"""What a hat is of those whose trade has one of its own, by the marks of their dress."""
 _OF_A_TRADE = frozenset(
     {"peaked_cap", "helmet", "brim_helmet", "toque", "space_helmet", "chest_band", "coat", "bib"}
 )
@@ -483,9 +488,12 @@ def _neck(o: Outfit, w: Wear) -> None:
 
 def _headwear(o: Outfit, w: Wear) -> None:
     p = piece(w)
+    draw = HEADWEAR[
+        next((own for mark, own in _OWN_HATS.get(w.kind, ()) if mark in o.marks), w.kind)
+    ]
     o.marks -= _HATS
     o.marks -= {"wig"} if w.kind in ("hood", "headscarf") else set()
-    o.on_head.append(lambda s: named(s, p.name, lambda q: HEADWEAR[w.kind](q, p)))
+    o.on_head.append(lambda s: named(s, p.name, lambda q: draw(q, p)))
 
 
 def _face(o: Outfit, w: Wear) -> None:

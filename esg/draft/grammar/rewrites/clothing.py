@@ -162,7 +162,8 @@ def _items(
     while isinstance(e := element_at(elements, i), Mention):
         garment = _garment(e)
         drawn = garment is not None and _dresses(who, garment)
-        if e.head in again or not (drawn or (puts and PROPERTIES["garment"](e))):
+        listed = puts or verb is not None  # of a list all goes, and what is not drawn is missed
+        if e.head in again or not (drawn or (listed and PROPERTIES["garment"](e))):
             break
         if drawn:
             items.append(e)
@@ -178,12 +179,12 @@ def _items(
 
 
 def _on_him(elements: list[Element], i: int) -> int:
-    """Where "on his head" behind a garment ends."""
+    """Where "on his head", or "on", behind a garment ends."""
     place = element_at(elements, i + 1)
     if _low(elements, i) in _PLACES and isinstance(place, Mention):
         own = place.determiner in _OWN and lex.singular(place.head)[0] in _BODY
         return i + 2 if own else i
-    return i
+    return i + (_low(elements, i) == "on" and isinstance(place, Verb))
 
 
 def _participle(e: Verb) -> bool:
