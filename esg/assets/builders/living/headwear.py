@@ -16,6 +16,7 @@ from esg.assets.builders.common import shade
 from esg.assets.builders.living import bodies, clothes
 from esg.assets.geometry.sketch import DARK, WHITE, Color, Sketch, rgb
 from esg.assets.lazy import forms
+from esg.assets.materials import MATERIALS
 from esg.graph.models import Vec3
 from esg.lexicon.garments import garments
 
@@ -39,6 +40,8 @@ def piece(w: Wear) -> Piece:
 
     known = garments()[w.kind.replace("-", " ")]
     usual = parse_hex(known.color) if known.color else rgb(120, 122, 126)
+    if w.surface not in ("", "textile"):
+        usual = MATERIALS[w.surface].color  # a leather jacket is brown
     return Piece(slug(w.kind), w.color or usual, w.surface or known.surface)
 
 

@@ -194,9 +194,9 @@ def _foot(body: _Drawer, k: int, marks: frozenset[str], d: Dress, o: Outfit) -> 
         lambda: bodies.shoe(ankle, pitch, boot), shoe.color, shoe.surface, f"{shoe.name}_{word}"
     )
     if boot > 9.0:
-        shaft = bodies.between(body.skeleton.legs[k], 0.97 - 0.012 * boot, 0.985)
+        shaft = bodies.between(body.skeleton.legs[k], 0.97 - 0.012 * boot, 1.0)
         body.add(
-            lambda: bodies.limb(shaft, (7.6, 7.4, 6.6, 5.6)),
+            lambda: bodies.limb(shaft, (7.6, 7.4, 7.0, 6.7)),
             shoe.color,
             shoe.surface,
             f"{shoe.name}_{word}",
