@@ -184,7 +184,9 @@ def _wears(doc: EsgDocument) -> dict[str, tuple[Wear, ...]]:
     for s in doc.statements or ():
         if s.predicate in (Predicate.WEARS, Predicate.LOOKS):
             worn = wear_of(s.noun or "")
-            for name in s.object if worn is not None else ():
+            if worn is None:
+                continue
+            for name in s.object:
                 if worn not in out.get(name, ()):
                     out[name] = (*out.get(name, ()), worn)
     return out
