@@ -59,7 +59,14 @@ SOURCES: dict[str, tuple[str, ...]] = {
     ),
     "compile": _PROOF,
     "replay": ("machine", *_PROOF),
-    "judge": ("metrics", "engines", "filming", "dynamics", "draft/document/coverage.py"),
+    "judge": (
+        "metrics",
+        "engines",
+        "filming",
+        "dynamics",
+        "draft/document/coverage.py",
+        "assets/colors.py",
+    ),
     "dress": ("dressing", "engines", "assets/looks.py"),
     "record": (
         "machine",

@@ -117,6 +117,9 @@ SAME_TIME_S = 0.3
 BEFORE_S = 0.1
 """Least time by which one event comes before another."""
 SIZE_TOLERANCE = 0.15
+WORN_COLOR = 0.15
+"""What is worn has a stated colour within this in each channel: the table of colours has its red
+and its maroon 0.34 apart, its black and its navy 0.26."""
 ALONG_M = 1.0
 """What moves along something stays this close to it, or as close as its own size: an arm's reach
 and half a lane's margin beside a kerb."""

@@ -10,6 +10,23 @@ from esg.assets.looks import Color
 
 
 @dataclass(frozen=True)
+class Wear:
+    """Something that somebody wears, or how his hair is.
+
+    Args:
+        kind: Of the table of garments (`esg.lexicon.garments`).
+        color: That is stated, sRGB in [0, 1]; None for the usual one.
+        surface: Row of the table of materials that is stated; "" for the usual one.
+        striped: Whether it has stripes.
+    """
+
+    kind: str
+    color: Color | None = None
+    surface: str = ""
+    striped: bool = False
+
+
+@dataclass(frozen=True)
 class Appearance:
     """What a builder may choose by, beyond kind, size and colour.
 
@@ -19,6 +36,7 @@ class Appearance:
         seed: Of details that nobody states (hair, patterns, wear); None for the usual ones.
         color: Takes the place of the kind's usual colour; None where the colour is stated.
         material: Takes the place of what the kind is seen as, where another is stated; else "".
+        wears: What is stated that he wears, and how his hair is.
     """
 
     pose: str = ""
@@ -26,6 +44,7 @@ class Appearance:
     seed: int | None = None
     color: Color | None = None
     material: str = ""
+    wears: tuple[Wear, ...] = ()
 
     def pick(self, what: str, choices: int) -> int:
         """One of so many choices for a detail; 0, the usual one, without a seed."""

@@ -14,15 +14,16 @@ import hashlib
 from pathlib import Path
 import re
 
-from esg.assets.appearance import FLYING, RIDDEN, USUAL, Appearance
+from esg.assets.appearance import FLYING, RIDDEN, USUAL, Appearance, Wear
 from esg.assets.builders.living.beasts import GAITS
-from esg.assets.colors import find_color
+from esg.assets.colors import COLORS, find_color
 from esg.assets.configuration import parametric_entry, stated_material
 from esg.assets.library.catalogue import Entry, normalize, parse_hex
 from esg.assets.looks import Color
 from esg.assets.materials import MATERIALS
 from esg.graph.casting import effective
 from esg.graph.models import AssetRequirement, CoverageItem, EsgDocument, NodeEvent, Predicate
+from esg.lexicon.garments import read
 from esg.lexicon.places import surfaces
 
 _DATA = Path(__file__).parent / "data"
@@ -127,7 +128,7 @@ def appearances(doc: EsgDocument) -> dict[str, Appearance]:
     doc = effective(doc)
     seed = next((p.seed for p in doc.provenance if p.stage == "resolve"), 0)
     prompt = doc.scene_definition.original_description
-    poses = _poses(doc)
+    poses, wears = _poses(doc), _wears(doc)
     taken = _stated_colors(doc)
     out: dict[str, Appearance] = {}
     for name, node in doc.spatial_relation_graph.nodes.items():
@@ -143,6 +144,7 @@ def appearances(doc: EsgDocument) -> dict[str, Appearance]:
             livery=config.category if config.category in _LIVERIES else "",
             seed=int.from_bytes(digest[:6], "big"),
             material=_material(doc, node.asset_id, entry),
+            wears=wears.get(name, ()),
         )
         if own.livery and not _colored(doc, node.asset_id, entry):
             out[name] = replace(own, color=_LIVERIES[own.livery])
@@ -160,6 +162,33 @@ def appearances(doc: EsgDocument) -> dict[str, Appearance]:
             own = replace(own, color=color)
             taken = (*taken, color)
         out[name] = own
+    return out
+
+
+def wear_of(phrase: str) -> Wear | None:
+    """What a phrase of a statement dresses somebody in; None if nothing is drawn for it.
+
+    Args:
+        phrase: "black t-shirt", "long red hair".
+    """
+    worn = read(phrase, COLORS)
+    if worn is None:
+        return None
+    color = find_color(worn.color)
+    return Wear(worn.garment.kind, color, worn.surface, worn.pattern == "striped")
+
+
+def _wears(doc: EsgDocument) -> dict[str, tuple[Wear, ...]]:
+    """What the statements say that each node wears, and how its hair is."""
+    out: dict[str, tuple[Wear, ...]] = {}
+    for s in doc.statements or ():
+        if s.predicate in (Predicate.WEARS, Predicate.LOOKS):
+            worn = wear_of(s.noun or "")
+            if worn is None:
+                continue
+            for name in s.object:
+                if worn not in out.get(name, ()):
+                    out[name] = (*out.get(name, ()), worn)
     return out
 
 

@@ -24,6 +24,7 @@ from esg.draft.grammar.phrases.contact import name_relatives
 from esg.draft.grammar.phrases.inverted import straight_verbs
 from esg.draft.grammar.phrases.modifiers import join_modifiers
 from esg.draft.grammar.questions import ask
+from esg.draft.grammar.rewrites.clothing import put_on
 from esg.draft.grammar.rewrites.companions import set_apart
 from esg.draft.grammar.rewrites.denials import deny
 from esg.draft.grammar.rewrites.gapping import fill_gaps
@@ -64,6 +65,7 @@ _REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
     ("verbs left out", partial(rewrite, reading="ellipsis")),
     ("participles with a subject of their own", partial(rewrite, reading="absolutes")),
     ("unknown nouns of persons", partial(rewrite, reading="persons")),
+    ("clothes that are drawn", put_on),
     ("clothes", partial(rewrite, reading="worn")),
 )
 """What puts phrases into plain order before clauses are built, in this order."""

@@ -228,13 +228,16 @@ class BodyModel(_Model):
         None, description="It breaks where it takes more [N s]; absent: never"
     )
     fragments: tuple[Name, ...] = Field((), description="What it breaks into; absent: it does not")
+    drawn: tuple[str, ...] = Field(
+        (), description="Parts of its model, where it is stated what it wears; absent: it is not"
+    )
 
     @model_serializer(mode="wrap")
     def _without_what_it_lacks(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
         # Bodies without wheels and tyres, and those that do not break, read as they always did.
         data = handler(self)
         for name in ("tyre_friction", "tyre_drop", "tyre_foot", "wheels", "break_impulse",
-                     "fragments"):  # fmt: skip
+                     "fragments", "drawn"):  # fmt: skip
             if not data[name]:
                 del data[name]
         return data

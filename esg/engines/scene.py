@@ -102,6 +102,8 @@ class Body:
         break_impulse: It breaks once it took more within `BREAK_WINDOW_S`
             (`esg.engines.joint_rules`) [N s]; None: never.
         fragments: Names of the bodies that it then is (`esg.engines.breaking`).
+        drawn: Parts of its model as "NAME #rrggbb MATERIAL", of those of whom it is stated what
+            they wear; nothing physical depends on it.
     """
 
     name: str
@@ -133,6 +135,7 @@ class Body:
     wheels: tuple[Wheel, ...] = ()
     break_impulse: float | None = None
     fragments: tuple[str, ...] = ()
+    drawn: tuple[str, ...] = ()
 
     @property
     def collides(self) -> bool:

@@ -611,7 +611,9 @@ class Predicate(str, enum.Enum):
     COUNT = "count"
     ABSENT = "absent"
     FILMED = "filmed"
-    """How the scene is shown (`Filming`): measured on the camera's way (`esg.filming`)."""
+    """How the scene is shown (`Filming`): measured on the way of the camera (`esg.filming`)."""
+    WEARS = "wears"
+    LOOKS = "looks"
     NOT_REPRESENTED = "not_represented"
     """Its words are understood as a statement that the document cannot hold (`note` says why)."""
 
@@ -710,7 +712,8 @@ class Statement(Model):
     value: Quantity | None = None
     """In the document's units [cm/s, cm/s^2, cm, degrees, 1]."""
     noun: str | None = None
-    """Of `absent` and `count`; of `filled_with`, what it is filled with."""
+    """Of `absent` and `count`; of `filled_with`, what it is filled with; of `wears` and `looks`
+    what is worn, and how the hair is."""
     when: str = "throughout"
     """start, end, throughout, the id of a point event, or two of these as "from..to"."""
     note: str = ""

@@ -9,6 +9,8 @@ from esg.graph.violations import listing, pointer
 _MOMENTS = ("start", "end", "throughout")
 _OF_EVENTS = (Predicate.SAME_TIME, Predicate.BEFORE)
 _OF_NOUNS = (Predicate.ABSENT, Predicate.COUNT)
+_NAMING = (Predicate.FILLED_WITH, Predicate.WEARS, Predicate.LOOKS)
+"""Said of an object by a noun: what it is filled with, what somebody wears."""
 _OF_NOTHING = (*_OF_NOUNS, Predicate.FILMED, Predicate.NOT_REPRESENTED)
 """Said of the scene as a whole, or of what else they name."""
 _WITH_TARGET = frozenset(
@@ -79,7 +81,7 @@ def _needs(ctx: Context, here: str, statement: Statement) -> None:
     """What a predicate cannot be measured without."""
     says = statement.predicate
     needed: dict[str, bool] = {
-        "noun": says in (*_OF_NOUNS, Predicate.FILLED_WITH),
+        "noun": says in (*_OF_NOUNS, *_NAMING),
         "object": says not in _OF_NOTHING,
         "target": says in _WITH_TARGET or statement.direction in _TARGETED_DIRECTIONS,
         "direction": says is Predicate.MOVES,

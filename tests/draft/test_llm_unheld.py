@@ -171,7 +171,7 @@ def test_a_thing_that_is_only_called_so_is_none() -> None:
 
 
 @pytest.mark.parametrize(
-    ("garment", "wanted"), [("coat", {"red", "coat"}), ("dress", {"red", "dress"}), ("hat", set())]
+    ("garment", "wanted"), [("coat", {"red coat"}), ("dress", {"red dress"}), ("hat", set())]
 )
 def test_only_what_keeps_its_shape_is_worn(garment: str, wanted: set[str]) -> None:
     """Show a hat by a stiff body that is fixed to who wears it, and no cloth."""
@@ -179,6 +179,14 @@ def test_only_what_keeps_its_shape_is_worn(garment: str, wanted: set[str]) -> No
     told = says("attached_to", f"in a red {garment}", f"{garment}_1", "woman_1")
     things = scene(("woman", "road", f"red {garment}"), [("woman_1", "on", "road_1")])
     assert set(lost(made(prompt, things, goes("woman_1", [told])))) == wanted
+
+
+def test_a_model_says_what_is_worn() -> None:
+    """Miss no coat of which the model states that she wears it."""
+    prompt = "A woman in a red coat walks along a road."
+    told = says("wears", "red coat", "woman_1", noun="red coat")
+    things = scene(("woman", "road"), [("woman_1", "on", "road_1")])
+    assert lost(made(prompt, things, goes("woman_1", [told]))) == {}
 
 
 SWING = "A crate swings into a box."

@@ -71,6 +71,12 @@ def circle(share: float, radius: float = 2.0):
     }
 
 
+def dressed(part: str, color: str = "#18181a") -> World:
+    """A man whose model has a part in a colour."""
+    drawn = ("head #d6ac8c skin", f"{part} {color} textile")
+    return World(2.0).add(body("man_1", BOX, drawn=drawn))
+
+
 def wall(x: float = 3.0) -> World:
     world = World(2.0)
     return world.add(body("wall_1", Shape("box", (0.1, 4.0, 1.0)), static=True), x=x)
@@ -338,6 +344,10 @@ CASES = [
     case("count", hit, lambda: on_table(), "1 are there; 3 asked", noun="ball", value=3),
     case("absent", on_table, lambda: on_table().add(body("tray_1"), x=5), "tray_1 is there",
          noun="tray"),
+    case("wears", lambda: dressed("t_shirt"), lambda: dressed("t_shirt", "#f0f0ec"),
+         "its t-shirt is 0.85 off black; limit 0.15", object="man", noun="black t-shirt"),
+    case("looks", lambda: dressed("long_hair"), lambda: dressed("t_shirt"),
+         "its model has no hair", object="man", noun="black hair"),
 ]  # fmt: skip
 
 
@@ -359,6 +369,23 @@ def test_the_cases_name_every_predicate():
     named = {p.values[0] for p in CASES}
     # tests/metrics/test_filmed.py has all ways to film.
     assert named == {p.value for p in Predicate} - {"not_represented", "filmed"}
+
+
+@pytest.mark.parametrize(
+    ("noun", "kept", "why"),
+    [
+        ("t-shirt", True, ""),
+        ("leather t-shirt", False, "not of leather"),
+        ("striped t-shirt", False, "not striped"),
+        ("helmet", False, "has no helmet"),
+        ("spacesuit", None, "nothing is drawn for"),
+        ("torn t-shirt", None, "nothing is drawn for"),
+    ],
+)
+def test_what_is_worn_is_looked_for_on_the_model(noun, kept, why):
+    found = dressed("t_shirt").states("wears", object="man", noun=noun)
+    assert found.kept is kept
+    assert why in found.reason
 
 
 @pytest.mark.parametrize(("a", "b", "kept"), [("e1", "e2", True), ("start", "e1", True)])

@@ -19,6 +19,7 @@ from esg.draft.statements.unclaimed import unclaimed
 from esg.draft.statements.unkept import BY_ITSELF, UNCARRIED, UNTOUCHED, dropped, missing
 from esg.draft.statements.unseen import unseen
 from esg.draft.statements.ways import goal, landed, leapt, moved
+from esg.draft.statements.worn import USED, worn
 from esg.draft.text.elements import Element, Token
 from esg.graph.models import Predicate, Statement
 
@@ -96,6 +97,7 @@ def _own_up(t: Told) -> None:
     d, book = t.d, t.book
     owned = [s for s in book.items if s.predicate is Predicate.NOT_REPRESENTED]
     lost = [(s.start, s.end) for s in owned]
+    lost += [at for at, why in d.scene.used.items() if why == USED]
     gone = [(s.start, s.end) for s in owned if s.note not in _CAUSES]
     told = [f for f in t.frames if not f.unreal and not f.verb.negated]
     lost_clauses = [f for f in told if _is_lost(d, f, gone)]
@@ -173,6 +175,7 @@ _SAYINGS: dict[Predicate, Callable[[Book, Clause, Said, str], None]] = {
 """How each predicate that a row of the table states is written down."""
 
 WRITTEN: tuple[Callable[[Told], None], ...] = (
+    worn,
     _clauses,
     _dropped,
     *BESIDE_MOTIONS,

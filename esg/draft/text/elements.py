@@ -28,6 +28,22 @@ class Token:
         self.low = self.text.lower()
 
 
+@dataclass(frozen=True)
+class Put:
+    """Something that is worn, and where the words stand that say so.
+
+    Args:
+        phrase: What is worn, with its colour: "black t-shirt".
+        start, end: Of the words.
+        verb: Where the verb stands that says it ("wears"); None without one.
+    """
+
+    phrase: str
+    start: int
+    end: int
+    verb: tuple[int, int] | None = None
+
+
 ONE_OF_THESE = "@one of these"
 """Adjective of a phrase that says where one of those just told of is (", the van in front")."""
 
@@ -71,6 +87,8 @@ class Mention:
     """Names a measure or an event, not an object."""
     coordinated: list[Mention] = field(default_factory=lambda: list[Mention]())
     known: bool = True
+    wears: list[Put] = field(default_factory=lambda: list[Put]())
+    """What is said to be worn by it."""
     entities: list[str] = field(default_factory=list[str])
     """Filled by the world model: node ids."""
     after_prep: str = ""

@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 
+from esg.assets.drawn_parts import drawn_parts
 from esg.dynamics.plan.fragments import with_fragments
 from esg.dynamics.plan.joints import joints_of
 from esg.dynamics.plan.tyres import with_tyres
@@ -37,6 +40,7 @@ def build_scene(doc: EsgDocument) -> SimScene:
         raise UserError(f"nodes {missing} have no asset configuration: run the resolve stage first")
     actors = doc.timeline_system.actors if doc.timeline_system else {}
     starts = doc.dynamics_result.start_poses if doc.dynamics_result else {}
+    drawn = drawn_parts(doc)
     bodies: list[Body] = []
     regions: list[Region] = []
     friction, restitution = 0.7, 0.3
@@ -44,7 +48,8 @@ def build_scene(doc: EsgDocument) -> SimScene:
         config = doc.asset_configurations[node.asset_id]
         pose = starts.get(name) or doc.layout_result.poses[name]
         role = actors[name].role if name in actors else Role.PASSIVE
-        bodies.append(make_body(doc, name, node, config, pose, active=role is Role.ACTIVE))
+        body = make_body(doc, name, node, config, pose, active=role is Role.ACTIVE)
+        bodies.append(replace(body, drawn=drawn[name]) if name in drawn else body)
         com = np.array(config.center_of_mass_cm)
         for region in config.regions:
             regions.append(

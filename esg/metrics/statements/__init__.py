@@ -12,7 +12,16 @@ from esg.graph.models import Predicate
 from esg.metrics.binding import Binding, bind
 from esg.metrics.models import OF_EVENTS, StatementVerdict, SuiteScene, SuiteStatement
 from esg.metrics.replay import Replay
-from esg.metrics.statements import directions, facts, filmed, liquids, manner, place, sides
+from esg.metrics.statements import (
+    directions,
+    facts,
+    filmed,
+    liquids,
+    manner,
+    place,
+    sides,
+    worn,
+)
 from esg.metrics.statements.query import Kept, StatementQuery, window_of
 
 OfBody = place.OfBody
@@ -52,6 +61,8 @@ OF_BODIES: dict[Predicate, OfBody] = {
     Predicate.FLOATS: liquids.floats,
     Predicate.SINKS: liquids.sinks,
     Predicate.SIZE: facts.size,
+    Predicate.WEARS: worn.wears,
+    Predicate.LOOKS: worn.wears,
 }
 """Measures of one body; of a set, every member is measured."""
 

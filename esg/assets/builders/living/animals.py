@@ -13,6 +13,8 @@ from typing import Any
 from esg.assets.builders import builder
 from esg.assets.builders.common import mirrored, shade, shift
 from esg.assets.builders.living.beasts import BEASTS, GAITS, Beast
+from esg.assets.builders.living.coats import NECKED, anchor, clothe, sleeves, trunk
+from esg.assets.builders.living.headwear import adorn
 from esg.assets.builders.living.marks import HAIR, MARKS
 from esg.assets.builders.living.wild_marks import BLACK, WILD_MARKS
 from esg.assets.geometry.sketch import DARK, Color, Sketch, rgb
@@ -50,6 +52,7 @@ def _swung(
 def _legs(s: Sketch, b: Beast, c: Color) -> None:
     rear, front, across, top, foot = b.legs
     gait = GAITS.get(s.appearance.pose, {})
+    sleeve = sleeves(s.appearance)
     for row, x, z, hock in (("rear", rear, b.trunk[0], 1.0), ("front", front, b.trunk[1], -0.45)):
         for side, word in ((-1, "right"), (1, "left")):
             y = side * across
@@ -90,6 +93,13 @@ def _legs(s: Sketch, b: Beast, c: Color) -> None:
                 of=_coat(b),
                 name=f"leg_{name}",
             )
+            if sleeve is not None and row == "front":
+                s.add(
+                    lambda p=path, r=radii: _curved(p[:4], [1.12 * q for q in r[:4]], 9, 12, 0.8),
+                    sleeve.color,
+                    of=sleeve.surface,
+                    name=f"{sleeve.name}_sleeve_{word}",
+                )
             if "hooves" in b.marks:
                 hoof = [(1.25 * foot, 0.0), (1.05 * foot, 1.5 * foot), (0.8 * foot, 1.7 * foot)]
                 s.add(
@@ -231,43 +241,12 @@ def _tail(s: Sketch, b: Beast, c: Color) -> None:
         s.ball(1.3 * tip, end, tone, detail=3, of="fur", name="tail_tip")
 
 
-def _trunk(b: Beast) -> Any:
-    """Haunches, belly and chest as one skin, deeper than wide, drawn in at the waist."""
-    import numpy as np
-
-    rear, front = b.legs[:2]
-    zr, zf, rr, rf = b.trunk
-    u = np.sin(np.radians(np.linspace(-84, 86, 22)))
-    t = 0.5 + 0.5 * u
-    x = (rear - 0.86 * rr) + t * ((front + 0.9 * rf) - (rear - 0.86 * rr))
-    girth = forms.profile(
-        [
-            (0, 0.34 * rr),
-            (0.05, 0.7 * rr),
-            (0.17, rr),
-            (0.44, (1 - b.waist) * 0.5 * (rr + rf)),
-            (0.72, rf),
-            (0.9, 0.86 * rf),
-            (1, 0.3 * rf),
-        ]
-    )(t)
-    back = forms.profile([(0, zr + 0.1 * rr), (0.3, zr), (0.7, zf), (1, zf + 0.12 * rf)])(t)
-    # A waist is drawn in from below: the back stays straight.
-    lift = forms.profile(
-        [(0, 0), (0.2, 0), (0.44, 0.5 * b.waist * (rr + rf) * 0.5), (0.7, 0), (1, 0)]
-    )(t)
-    ring = forms.superellipse(24, 2.2)
-    y = girth[:, None] * ring[:, 0]
-    z = (back + lift)[:, None] + girth[:, None] * ring[:, 1]
-    return forms.loft(np.stack([np.broadcast_to(x[:, None], y.shape), y, z], -1))
-
-
 def _body(s: Sketch, b: Beast, c: Color) -> None:
     front, (zf, rf) = b.legs[1], (b.trunk[1], b.trunk[3])
     x, z, thick, thin = b.neck
     r, reach, drop, muzzle = b.head
     coat = _coat(b)
-    s.add(lambda: _trunk(b), c, of=coat, name="body")
+    s.add(lambda: trunk(b), c, of=coat, name="body")
     nape = [
         (front - 0.25 * rf, 0, zf + 0.1 * (rf - thick)),
         (front + 0.45 * (x - front) * 0.6, 0, zf + 0.5 * (rf - thick) + 0.34 * (z - zf)),
@@ -372,13 +351,16 @@ def _proxies(s: Sketch, b: Beast) -> None:
 def quadruped(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "dog") -> None:
     """A four-legged animal facing +X, drawn in the proportions of its kind."""
     b = BEASTS[kind]
+    worn = {w.kind for w in s.appearance.wears}
     limb = rgb(58, 50, 46) if b.marks & {"wool", "dark_limbs"} else c
     _legs(s, b, limb)
     _tail(s, b, HAIR if kind == "horse" else c)
     _body(s, b, c)
     _ears(s, b, c)
     for mark, draw in (MARKS | WILD_MARKS).items():
-        if mark in b.marks:
+        if mark in b.marks and not (mark == "collar" and worn & NECKED):
             draw(s, b, c)
+    clothe(s, b)
+    adorn(s, anchor(b))
     _proxies(s, b)
     shift(s, b.move)

@@ -14,6 +14,7 @@ from typing import Any
 from esg.assets.appearance import FLYING
 from esg.assets.builders import builder
 from esg.assets.builders.common import bone, prism, shade, shift
+from esg.assets.builders.living.headwear import Anchor, adorn
 from esg.assets.geometry.sketch import DARK, Color, Sketch, rgb
 from esg.assets.lazy import forms
 from esg.graph.models import Vec3
@@ -563,8 +564,20 @@ def plumed(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "crow"
         if mark in b.marks:
             draw(s, b, c)
     _eyes(s, b)
+    adorn(s, _anchor(b))
     _collides(s, b)
     shift(s, b.move)
+
+
+def _anchor(b: Bird) -> Anchor:
+    """Where a bird wears a hat, glasses and a scarf."""
+    r, head = b.head[2], (b.head[0], 0.0, b.stand + b.head[1])
+    x, _, z = _turned(b, (0.62 * b.body[0], 0, 0))
+    dx, dz = head[0] - x, head[2] - z
+    neck = (x + 0.6 * dx, 0.0, z + 0.6 * dz)
+    girth = 0.4 * b.neck[0] + 0.6 * b.neck[1]
+    lean = math.degrees(math.atan2(dx, max(dz, 1e-6)))
+    return Anchor(head, r, neck, girth, (0.7 * r, 0.75 * r, 0.15 * r), lean)
 
 
 def _collides(s: Sketch, b: Bird) -> None:

@@ -73,8 +73,9 @@ def front_of(outline: Any, low: float, high: float, grow: float) -> Any:
     return forms.inlay(trunk(low, high, grow), forms.prism(Polygon(outline), (0, 40), "yz"))
 
 
-@lru_cache(maxsize=4)
-def _skull(grow: float) -> Any:
+@lru_cache(maxsize=8)
+def skull(grow: float) -> Any:
+    """The head without neck, nose and ears, `grow` larger all around [cm]."""
     table = np.array(_SKULL)
     z = np.linspace(table[0, 0], table[-1, 0], 18)
     middle, deep, wide = (forms.profile(table[:, [0, k]])(z) for k in (1, 2, 3))
@@ -90,7 +91,7 @@ def _skull(grow: float) -> Any:
 def head() -> Any:
     """Head and neck, with nose, ears and lids."""
     x, _, z = HEAD
-    parts = [_skull(0.0)]
+    parts = [skull(0.0)]
     parts.append(
         forms.tube(
             [(-3.4, 0, 139), (-3.0, 0, 146), (-1.6, 0, 153)], [6.4, 5.5, 5.4], 18, round_ends=False
@@ -207,19 +208,36 @@ _FACE = (
 """Where no short hair grows: outline in x and z about the head's middle, seen from the side."""
 
 
-@lru_cache(maxsize=8)
+_OPENINGS = {
+    "covered": (
+        (4.6, 6.2),
+        (3.0, 3.0),
+        (2.6, -3.0),
+        (3.4, -9.0),
+        (5.0, -11.0),
+        (30, -11.0),
+        (30, 6.2),
+    ),
+    "hooded": ((6.6, 8.0), (5.2, 4.0), (4.8, -3.0), (5.4, -9.0), (30, -10.0), (30, 8.0)),
+}
+"""Where cloth over a head leaves the face free: outline as of `_FACE`."""
+
+
+@lru_cache(maxsize=12)
 def hair(style: str) -> Any:
-    """Hair of a style: short, long, bun or bald (a fringe)."""
+    """Hair of a style: short, long (a tail), flowing, bun or bald (a fringe); or cloth instead."""
     from shapely.geometry import Polygon
 
     face = Polygon(_FACE)
+    if style in _OPENINGS:
+        face = Polygon(_OPENINGS[style])
     if style == "bald":
         face = face.union(Polygon([(-30, 4.5), (30, 4.5), (30, 40), (-30, 40)]))
-    thick = {"short": 1.0, "bald": 0.4}.get(style, 1.1)
+    thick = {"short": 1.0, "bald": 0.4, "covered": 1.7, "hooded": 3.0}.get(style, 1.1)
     tool = forms.prism(face, (-30, 30))
     for mesh in tool:
         mesh.apply_translation([HEAD[0], 0, HEAD[2]])
-    out = [forms.carved(_skull(thick), tool)]
+    out = [forms.carved(skull(thick), tool)]
     x, _, z = HEAD
     if style == "long":
         spine = [
@@ -235,6 +253,10 @@ def hair(style: str) -> Any:
                 18,
                 flat=1.75,
             )
+        )
+    if style == "flowing":
+        out.append(
+            forms.cushion((7.4, 17.6, 32), (x - 6.2, 0, z - 10.5), plan=2.6, side=0.5, sections=24)
         )
     if style == "bun":
         out.append(

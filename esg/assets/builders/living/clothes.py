@@ -48,7 +48,7 @@ def hats(s: Sketch, marks: frozenset[str], hat: Color, c: Color) -> None:
     _helmets(s, marks, hat, c)
     _caps(s, marks, hat, c)
     if "crown" in marks:
-        _crown(s)
+        crown(s, BRASS)
     if "great_helm" in marks:
         _turned(
             s,
@@ -198,12 +198,13 @@ def _caps(s: Sketch, marks: frozenset[str], hat: Color, c: Color) -> None:
         )
 
 
-def _crown(s: Sketch) -> None:
+def crown(s: Sketch, c: Color) -> None:
+    """A ring with points on an upright head."""
     _turned(
         s,
         [(9.4, 0), (10.2, 0), (10.8, 5), (9.9, 5), (9.4, 0)],
         (-0.6, 0, 165),
-        BRASS,
+        c,
         "gold",
         "crown",
     )
@@ -222,7 +223,7 @@ def _crown(s: Sketch) -> None:
             )
         return forms.gather(out)
 
-    s.add(points, BRASS, of="gold", name="crown_points")
+    s.add(points, c, of="gold", name="crown_points")
 
 
 def face_marks(s: Sketch, marks: frozenset[str], hair: Color) -> None:
@@ -243,6 +244,18 @@ def face_marks(s: Sketch, marks: frozenset[str], hair: Color) -> None:
             of="hair",
             name="beard",
         )
+    if "moustache" in marks:
+        s.add(
+            lambda: forms.tube(
+                [(8.0, -4.2, 151.8), (9.6, -1.8, 153.6), (9.9, 0, 153.4), (9.6, 1.8, 153.6),
+                 (8.0, 4.2, 151.8)],
+                [0.5, 1.1, 0.8, 1.1, 0.5],
+                10,
+            ),
+            hair,
+            of="hair",
+            name="moustache",
+        )  # fmt: skip
     if "red_nose" in marks:
         s.ball(2.1, (10.4, 0, 156.0), RED, detail=3, name="red_nose")
     if "goggles" in marks:
@@ -277,7 +290,15 @@ def face_marks(s: Sketch, marks: frozenset[str], hair: Color) -> None:
         s.add(curls, hair, of="hair", name="wig")
 
 
-def hang(s: Sketch, top: float, hem: float, half: tuple[float, float], c: Color, name: str) -> None:
+def hang(
+    s: Sketch,
+    top: float,
+    hem: float,
+    half: tuple[float, float],
+    c: Color,
+    name: str,
+    of: str = "textile",
+) -> None:
     """Cloth that hangs from the trunk at height `top` to an oval hem of half extents `half`."""
 
     def make() -> Any:
@@ -298,7 +319,7 @@ def hang(s: Sketch, top: float, hem: float, half: tuple[float, float], c: Color,
             rings.append(np.c_[flat, np.full(36, z)])
         return forms.loft(np.array(rings[::-1]))
 
-    s.add(make, c, of="textile", name=name)
+    s.add(make, c, of=of, name=name)
 
 
 def band(
@@ -308,7 +329,7 @@ def band(
     s.add(lambda: bodies.trunk(low, high, grow), c, of=of, name=name)
 
 
-def _front(
+def front(
     s: Sketch, outline: Any, low: float, high: float, grow: float, c: Color, of: str, name: str
 ) -> None:
     s.add(lambda: bodies.front_of(outline, low, high, grow), c, of=of, name=name)
@@ -324,32 +345,13 @@ def coats(s: Sketch, marks: frozenset[str], c: Color, seated: bool) -> None:
         hang(s, 122, 78 if seated else 3, (14.6, 20), c, "robe")
     if "tabard" in marks:
         outline = [(-8, 66), (8, 66), (9, 134), (-9, 134)]
-        _front(s, outline, 80, 140, 1.2, RED, "textile", "tabard")
+        front(s, outline, 80, 140, 1.2, RED, "textile", "tabard")
         if not seated:
             s.slab((8.6, 9.6), (-8, 8), (62, 82), RED, of="textile", name="tabard_hem")
     if "apron" in marks:
-        _front(
-            s,
-            [(-13, 82), (13, 82), (12, 103), (7, 108), (-7, 108), (-12, 103)],
-            80,
-            112,
-            1.6,
-            WHITE,
-            "linen",
-            "apron",
-        )
-        if not seated:
-            s.add(
-                lambda: forms.cushion(
-                    (2.0, 26, 26), (10.0, 0, 72), plan=8, side=0.2, sections=20, levels=7
-                ),
-                WHITE,
-                of="linen",
-                name="apron_skirt",
-            )
-        band(s, 100, 102.6, WHITE, "linen", "apron_strings", 1.3)
+        apron(s, WHITE, seated)
     if "bib" in marks:
-        _front(
+        front(
             s,
             [(-9, 92), (9, 92), (8, 124), (-8, 124)],
             90,
@@ -360,7 +362,7 @@ def coats(s: Sketch, marks: frozenset[str], c: Color, seated: bool) -> None:
             "bib",
         )
         for y in (-8.6, 8.6):
-            _front(
+            front(
                 s,
                 [
                     (y - 1.4, 120),
@@ -376,24 +378,53 @@ def coats(s: Sketch, marks: frozenset[str], c: Color, seated: bool) -> None:
                 "strap",
             )
     if "cape" in marks:
+        cape(s, rgb(232, 226, 214), seated)
 
-        def cape() -> Any:
-            import numpy as np
 
-            rings = []
-            for t in np.linspace(0, 1, 9):
-                z = 140 - (140 - (82 if seated else 8)) * t
-                y = np.linspace(-1, 1, 19) * (15 + 7 * t)
-                fold = 0.9 * np.cos(np.linspace(0, 9, 19) * math.pi) * t
-                back = -10.5 - 2.4 * t + fold + 0.012 * y**2
-                rings.append(
-                    np.concatenate(
-                        [np.c_[back, y, np.full(19, z)], np.c_[back - 1.0, y, np.full(19, z)][::-1]]
-                    )
+def apron(s: Sketch, c: Color, seated: bool) -> None:
+    """Cloth over the lap, without what hangs down where somebody sits."""
+    front(
+        s,
+        [(-13, 82), (13, 82), (12, 103), (7, 108), (-7, 108), (-12, 103)],
+        80,
+        112,
+        1.6,
+        c,
+        "linen",
+        "apron",
+    )
+    if not seated:
+        s.add(
+            lambda: forms.cushion(
+                (2.0, 26, 26), (10.0, 0, 72), plan=8, side=0.2, sections=20, levels=7
+            ),
+            c,
+            of="linen",
+            name="apron_skirt",
+        )
+    band(s, 100, 102.6, c, "linen", "apron_strings", 1.3)
+
+
+def cape(s: Sketch, c: Color, seated: bool) -> None:
+    """Cloth that hangs from the shoulders down the back."""
+
+    def make() -> Any:
+        import numpy as np
+
+        rings = []
+        for t in np.linspace(0, 1, 9):
+            z = 140 - (140 - (82 if seated else 8)) * t
+            y = np.linspace(-1, 1, 19) * (15 + 7 * t)
+            fold = 0.9 * np.cos(np.linspace(0, 9, 19) * math.pi) * t
+            back = -10.5 - 2.4 * t + fold + 0.012 * y**2
+            rings.append(
+                np.concatenate(
+                    [np.c_[back, y, np.full(19, z)], np.c_[back - 1.0, y, np.full(19, z)][::-1]]
                 )
-            return forms.loft(np.array(rings))
+            )
+        return forms.loft(np.array(rings))
 
-        s.add(cape, rgb(232, 226, 214), of="textile", name="cape")
+    s.add(make, c, of="textile", name="cape")
 
 
 def trimmings(s: Sketch, marks: frozenset[str], c: Color) -> None:
@@ -442,7 +473,7 @@ def trimmings(s: Sketch, marks: frozenset[str], c: Color) -> None:
             of="textile",
             name="backpack",
         )
-        _straps(s, shade(c, 0.5))
+        straps(s, shade(c, 0.5))
     if "big_pack" in marks:
         s.add(
             lambda: forms.cushion((7, 26, 46), (-12.6, 0, 118), plan=4.5, side=0.4),
@@ -464,12 +495,12 @@ def trimmings(s: Sketch, marks: frozenset[str], c: Color) -> None:
             of="foam",
             name="bedroll",
         )
-        _straps(s, rgb(60, 44, 34))
+        straps(s, rgb(60, 44, 34))
 
 
 def _fastenings(s: Sketch, marks: frozenset[str], c: Color) -> None:
     if "shirt" in marks:
-        _front(
+        front(
             s,
             [(-5.2, 144), (5.2, 144), (0.8, 112), (-0.8, 112)],
             108,
@@ -481,21 +512,11 @@ def _fastenings(s: Sketch, marks: frozenset[str], c: Color) -> None:
         )
         for side in (-1, 1):
             lapel = [(side * 5.0, 143), (side * 8.6, 139), (side * 8.0, 130), (side * 1.0, 111.5)]
-            _front(s, lapel, 108, 144, 1.5, shade(c, 0.86), "textile", "lapel")
+            front(s, lapel, 108, 144, 1.5, shade(c, 0.86), "textile", "lapel")
     if "tie" in marks:
-        tone = rgb(140, 30, 40) if "shirt" in marks else DARK
-        _front(
-            s,
-            [(-1.4, 142), (1.4, 142), (0.9, 139), (2.2, 117), (0, 113.5), (-2.2, 117), (-0.9, 139)],
-            110,
-            144,
-            1.8,
-            tone,
-            "textile",
-            "tie",
-        )
+        tie(s, rgb(140, 30, 40) if "shirt" in marks else DARK)
     if "badge" in marks:
-        _front(
+        front(
             s,
             [(5.4, 126), (7.2, 124), (9.0, 126), (9.0, 129.4), (5.4, 129.4)],
             120,
@@ -524,7 +545,23 @@ def _fastenings(s: Sketch, marks: frozenset[str], c: Color) -> None:
                     )
 
 
-def _straps(s: Sketch, c: Color) -> None:
+def tie(s: Sketch, c: Color) -> None:
+    """A tie from the collar to the belt."""
+    outline = [
+        (-1.4, 142),
+        (1.4, 142),
+        (0.9, 139),
+        (2.2, 117),
+        (0, 113.5),
+        (-2.2, 117),
+        (-0.9, 139),
+    ]
+    front(s, outline, 110, 144, 1.8, c, "textile", "tie")
+
+
+def straps(s: Sketch, c: Color) -> None:
+    """Both straps of what is on the back."""
+
     def make() -> Any:
         out = []
         for y in (-10.5, 10.5):

@@ -8,6 +8,7 @@ import math
 from esg.assets.appearance import FLYING
 from esg.assets.builders import builder
 from esg.assets.builders.common import blob, bone, prism, shade, shift
+from esg.assets.builders.living.headwear import Anchor, adorn
 from esg.assets.geometry.sketch import DARK, RED, WHITE, YELLOW, Color, Sketch, rgb
 
 _BEAK = rgb(232, 150, 40)
@@ -77,6 +78,8 @@ def bird(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "songbir
                 detail=2,
             )
         s.ball(1, (head[0] + 2.2 * k, 0, head[2] - 1.9 * k), RED, scale=(0.6 * k, 0.4 * k, 1.1 * k))
+    neck = (4.4 * k, 0.0, 0.5 * (z + 1.2 * k + head[2]))
+    adorn(s, Anchor(head, 2.3 * k, neck, 2.3 * k, (1.2 * k, 1.85 * k, 0.6 * k), 14))
     s.proxy_slab((-3.4 * k, 4.2 * k), (-3 * k, 3 * k), (0, z - 2.4 * k), 0.6)
     s.proxy_slab((-5.4 * k, 5.4 * k), (-3.4 * k, 3.4 * k), (z - 2.4 * k, z + 2.8 * k), 1.0)
     s.proxy_slab((2.6 * k, 7.4 * k), (-2 * k, 2 * k), (z + 2.8 * k, head[2] + 2.1 * k), 0.8)
@@ -229,6 +232,7 @@ def monkey(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "monke
         s.ball(1, (17, side * 12, 2), face, scale=(7, 3.2, 2), of="skin")
     bone(s, (-11, 0, 6), 2.4, (-26, 0, 3), 2.2, c)
     bone(s, (-26, 0, 3), 2.2, (-34, 0, 16), 1.8, c)
+    adorn(s, Anchor((3, 0, 47), 9.4, (1, 0, 38.6), 8.2, (11, 2.8, 1)))
     s.proxy_slab((-12, 20), (-14, 14), (0, 10), 1.0)
     s.proxy_slab((-13, 11), (-12, 12), (10, 38), 1.0)
     s.proxy_slab((-6, 14), (-9, 9), (38, 56), 0.8)
@@ -250,6 +254,7 @@ def kangaroo(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         bone(s, (14, side * 18, 34), 7, (-8, side * 18, 9), 5, c)
         bone(s, (-8, side * 18, 5), 5, (28, side * 18, 3.6), 3.6, c)
         bone(s, (14, side * 12, 92), 5, (28, side * 13, 76), 3, c)
+    adorn(s, Anchor((16, 0, 126), 8.4, (11.6, 0, 112), 9.6, (7.5, 6.6, 3), 12))
     for side in (-1, 1):
         s.proxy_slab((-12, 31), (13, 23) if side > 0 else (-23, -13), (0, 9), 1.0)
     s.proxy_slab((-86, -40), (-4, 4), (0, 12), 0.8)

@@ -16,6 +16,8 @@ from esg.assets.builders import builder
 from esg.assets.builders.common import shade
 from esg.assets.builders.living import bodies, clothes
 from esg.assets.builders.living.clothes import SHIRT
+from esg.assets.builders.living.headwear import Piece
+from esg.assets.builders.living.outfits import Outfit, outfit
 from esg.assets.builders.living.poses import POSES, Pose, Skeleton, skeleton
 from esg.assets.geometry.sketch import DARK, ORANGE, RED, STEEL, WHITE, YELLOW, Color, Sketch, rgb
 from esg.assets.lazy import forms
@@ -139,13 +141,11 @@ class _Drawer:
         return bodies.scaled(bodies.raised(mesh, self.skeleton), self.size)
 
 
-def _legs(body: _Drawer, marks: frozenset[str], d: Dress, c: Color) -> None:
-    legs = d.legs or c
-    bare = bool(marks & {"shorts", "skirt", "shorts_own"})
-    barefoot = "bare" in marks
+def _legs(body: _Drawer, marks: frozenset[str], d: Dress, c: Color, o: Outfit) -> None:
+    legs = o.legs or Piece("trousers", d.legs or c)
+    bare = o.bare_legs or bool(marks & {"shorts", "skirt", "shorts_own"})
     for k, word in enumerate(SIDES):
-        joints, pitch = body.skeleton.legs[k], body.skeleton.feet[k]
-        ankle = joints[2]
+        joints = body.skeleton.legs[k]
         if bare:
             body.add(
                 lambda j=joints: bodies.limb(j, (8.4, 8.0, 6.6, 5.4, 5.9, 4.8, 3.5)),
@@ -156,62 +156,79 @@ def _legs(body: _Drawer, marks: frozenset[str], d: Dress, c: Color) -> None:
         else:
             body.add(
                 lambda j=joints: bodies.limb(j, (9.2, 8.9, 7.8, 6.7, 6.7, 6.3, 5.9)),
-                legs,
-                "textile",
-                f"trousers_{word}",
+                legs.color,
+                legs.surface,
+                f"{legs.name}_{word}",
             )
-        if marks & {"shorts", "shorts_own"}:
-            short = legs if "shorts" in marks else c
+        if o.shorts is not None or marks & {"shorts", "shorts_own"}:
+            own = (d.legs or c) if "shorts" in marks else c
+            short = o.shorts or Piece("shorts", own)
             body.add(
                 lambda j=joints: bodies.limb(bodies.between(j, 0, 0.34), (9.4, 9.3, 9.2, 9.0)),
-                short,
-                "textile",
-                f"shorts_{word}",
+                short.color,
+                short.surface,
+                f"{short.name}_{word}",
             )
-        if "shorts" in marks:
+        if o.socks is not None or "shorts" in marks:
+            sock = o.socks or Piece("sock", c, "knit")
             body.add(
                 lambda j=joints: bodies.limb(bodies.between(j, 0.66, 0.97), (6.2, 6.1, 5.2, 4.3)),
-                c,
-                "knit",
-                f"sock_{word}",
+                sock.color,
+                sock.surface,
+                f"{sock.name}_{word}",
             )
-        if barefoot:
-            body.add(lambda a=ankle, p=pitch: bodies.foot(a, p), d.skin, "skin", f"foot_{word}")
-            continue
-        boot = (
-            9.0
-            if marks & {"hard_hat", "helmet", "brim_helmet", "great_helm", "space_helmet"}
-            else 0.0
-        )
-        body.add(
-            lambda a=ankle, p=pitch, b=boot: bodies.shoe(a, p, b),
-            d.shoes,
-            "leather",
-            f"shoe_{word}",
-        )
-        body.add(
-            lambda a=ankle, p=pitch: bodies.sole(a, p),
-            shade(d.shoes, 0.6) if max(d.shoes) > 0.5 else rgb(196, 194, 188),
-            "rubber",
-            f"sole_{word}",
-        )
-        body.add(
-            lambda a=ankle, p=pitch: bodies.laces(a, p),
-            rgb(226, 224, 218) if max(d.shoes) < 0.5 else DARK,
-            "textile",
-            f"laces_{word}",
-        )
+        _foot(body, k, marks, d, o)
 
 
-def _arms(body: _Drawer, marks: frozenset[str], d: Dress, top: Color) -> None:
+def _foot(body: _Drawer, k: int, marks: frozenset[str], d: Dress, o: Outfit) -> None:
+    """What is on a foot, or the foot."""
+    word, ankle, pitch = SIDES[k], body.skeleton.legs[k][2], body.skeleton.feet[k]
+    if o.barefoot or ("bare" in marks and o.shoes is None):
+        name = "bare_feet" if o.barefoot else "foot"
+        body.add(lambda: bodies.foot(ankle, pitch), d.skin, "skin", f"{name}_{word}")
+        return
+    shoe = o.shoes or Piece("shoe", d.shoes, "leather")
+    booted = bool(marks & {"hard_hat", "helmet", "brim_helmet", "great_helm", "space_helmet"})
+    boot = o.boot if o.boot is not None else 9.0 * booted
+    body.add(
+        lambda: bodies.shoe(ankle, pitch, boot), shoe.color, shoe.surface, f"{shoe.name}_{word}"
+    )
+    if boot > 9.0:
+        shaft = bodies.between(body.skeleton.legs[k], 0.97 - 0.012 * boot, 1.0)
+        body.add(
+            lambda: bodies.limb(shaft, (7.6, 7.4, 7.0, 6.7)),
+            shoe.color,
+            shoe.surface,
+            f"{shoe.name}_{word}",
+        )
+    body.add(
+        lambda: bodies.sole(ankle, pitch),
+        shade(shoe.color, 0.6) if max(shoe.color) > 0.5 else rgb(196, 194, 188),
+        "rubber",
+        f"sole_{word}",
+    )
+    if shoe.name == "rain_boots":
+        return
+    body.add(
+        lambda: bodies.laces(ankle, pitch),
+        rgb(226, 224, 218) if max(shoe.color) < 0.5 else DARK,
+        "textile",
+        f"laces_{word}",
+    )
+
+
+def _arms(body: _Drawer, marks: frozenset[str], d: Dress, top: Piece, o: Outfit) -> None:
     short = bool(marks & {"shorts", "skirt"}) or (
         body.s.appearance.pick("sleeves", 3) == 1 and marks == DRESSES["plain"].marks
     )
     bare = "bare" in marks
+    if o.sleeves:
+        short, bare = o.sleeves == "short", o.sleeves == "none"
     grip = body.skeleton.pose.grip
     for k, word in enumerate(SIDES):
         _, elbow, wrist = joints = body.skeleton.arms[k]
         side = 1 if k == 0 else -1
+        sleeve = f"{top.name}_sleeve_{word}" if o.top is not None else f"sleeve_{word}"
         if bare or short:
             body.add(
                 lambda j=joints: bodies.limb(j, (5.2, 4.7, 4.2, 3.7, 3.9, 3.2, 2.6), 12),
@@ -219,41 +236,68 @@ def _arms(body: _Drawer, marks: frozenset[str], d: Dress, top: Color) -> None:
                 "skin",
                 f"arm_{word}",
             )
-        if short:
+        if short and not bare:
             body.add(
                 lambda j=joints: bodies.limb(bodies.between(j, 0, 0.3), (5.8, 5.9, 5.6, 5.5), 12),
-                top,
-                "textile",
-                f"sleeve_{word}",
+                top.color,
+                top.surface,
+                sleeve,
             )
         elif not bare:
             body.add(
                 lambda j=joints: bodies.limb(j, (5.6, 5.7, 5.2, 4.7, 4.7, 4.2, 3.8), 12),
-                top,
-                "textile",
-                f"sleeve_{word}",
+                top.color,
+                top.surface,
+                sleeve,
             )
-        glove = {"great_helm": ("steel", STEEL), "space_helmet": ("textile", shade(top, 0.8))}
-        worn = next((v for m, v in glove.items() if m in marks), ("skin", d.skin))
+        glove = {
+            "great_helm": Piece("hand", STEEL, "steel"),
+            "space_helmet": Piece("hand", shade(top.color, 0.8)),
+        }
+        usual = next((v for m, v in glove.items() if m in marks), Piece("hand", d.skin, "skin"))
+        worn = o.hands or usual
         body.add(
             lambda w=wrist, e=elbow, q=side: bodies.hand(w, e, q, grip),
-            worn[1],
-            worn[0],
-            f"hand_{word}",
+            worn.color,
+            worn.surface,
+            f"{worn.name}_{word}",
+        )
+        if o.hands is not None:
+            _gloved(body, joints, o.hands, word, padded=o.padded)
+
+
+def _gloved(body: _Drawer, joints: Any, glove: Piece, word: str, *, padded: bool) -> None:
+    """The cuff of a glove, and the padding of a boxer's."""
+    body.add(
+        lambda: bodies.limb(bodies.between(joints, 0.88, 1.0), (4.6, 4.4, 4.0, 3.6), 12),
+        shade(glove.color, 0.85),
+        glove.surface,
+        f"{glove.name}_cuff_{word}",
+    )
+    if padded:
+        _, elbow, wrist = joints
+        fist = wrist + 7.5 * (wrist - elbow) / max(float(((wrist - elbow) ** 2).sum()) ** 0.5, 1e-9)
+        body.add(
+            lambda: forms.cushion((15, 12.5, 15), tuple(fist), plan=2.2, side=0.9),
+            glove.color,
+            glove.surface,
+            f"{glove.name}_{word}",
         )
 
 
-def _head(flat: Sketch, marks: frozenset[str], d: Dress, style: str) -> None:
+def _head(flat: Sketch, marks: frozenset[str], d: Dress, style: str, hair: str) -> None:
     covered = marks & {"great_helm", "space_helmet"}
-    flat.add(lambda: forms.copied(bodies.head()), d.skin, of="skin", name="head")
+    bald = style == "none"
+    name = hair if bald else "head"
+    flat.add(lambda: forms.copied(bodies.head()), d.skin, of="skin", name=name)
     if covered:
         return
     flat.add(lambda: forms.copied(bodies.eyes()[0]), rgb(240, 238, 234), of="ceramic", name="eyes")
     flat.add(lambda: forms.copied(bodies.eyes()[1]), rgb(52, 36, 26), of="ceramic", name="irises")
     flat.add(lambda: forms.copied(bodies.mouth()), shade(d.skin, 0.66), of="skin", name="mouth")
     flat.add(lambda: forms.copied(bodies.brows()), shade(d.hair, 0.8), of="hair", name="brows")
-    if "wig" not in marks:
-        flat.add(lambda: forms.copied(bodies.hair(style)), d.hair, of="hair", name="hairdo")
+    if "wig" not in marks and not bald:
+        flat.add(lambda: forms.copied(bodies.hair(style)), d.hair, of="hair", name=hair)
     clothes.face_marks(flat, marks, d.hair)
 
 
@@ -300,45 +344,56 @@ def draw_person(
     """
     young = d is DRESSES["child"]
     d = _varied(d, s.appearance)
-    marks = d.marks
-    body = _Drawer(s, skeleton(_in_hem(POSES[pose], marks), head_size), size)
+    o = outfit(s.appearance.wears, d.marks, d.skin, c)
+    marks, c = frozenset(o.marks), o.color
+    d = replace(d, hair=o.hair or d.hair)
+    body = _Drawer(s, skeleton(_in_hem(POSES[pose], marks | o.hems), head_size), size)
     seated = body.skeleton.pose.seated
-    _legs(body, marks, d, c)
-    top = d.skin if "bare" in marks else c
-    hips = d.legs or c if not marks & {"skirt", "shorts_own"} else c
+    _legs(body, marks, d, c, o)
+    top = o.top or (Piece("chest", d.skin, "skin") if "bare" in marks else Piece("shirt", c))
+    lower = o.legs.color if o.legs else d.legs or c
+    hips = o.hips or Piece("hips", c if marks & {"skirt", "shorts_own"} else lower)
     tucked = bool(marks & {"belt", "shirt", "skirt", "shorts", "bare"})
 
     def trunk(flat: Sketch) -> None:
-        flat.add(lambda: bodies.trunk(79, 101, 0.5), hips, of="textile", name="hips")
-        if "bare" in marks:
-            flat.add(lambda: bodies.trunk(98, 146), d.skin, of="skin", name="chest")
+        flat.add(lambda: bodies.trunk(79, 101, 0.5), hips.color, of=hips.surface, name=hips.name)
+        if top.surface == "skin":
+            flat.add(lambda: bodies.trunk(98, 146), top.color, of="skin", name=top.name)
         elif tucked:
-            flat.add(lambda: bodies.trunk(97, 145.4, 0.6), top, of="textile", name="shirt")
+            flat.add(lambda: bodies.trunk(97, 145.4, 0.6), top.color, of=top.surface, name=top.name)
         else:
-            flat.add(lambda: bodies.trunk(86, 145.4, 0.6, 0.9), top, of="textile", name="shirt")
-        if not marks & {"bare", "ruff", "shirt", "space_helmet", "great_helm"}:
+            flat.add(
+                lambda: bodies.trunk(86, 145.4, 0.6, 0.9), top.color, of=top.surface, name=top.name
+            )
+        if top.surface != "skin" and not marks & {"ruff", "shirt", "space_helmet", "great_helm"}:
             loop = [
                 (6.4 * math.cos(t) - 2.2, 6.6 * math.sin(t), 145.2 - 1.2 * math.cos(t))
                 for t in (math.pi * k / 12 for k in range(24))
             ]
             flat.add(
                 lambda: forms.tube(loop, 0.9, 8, closed=True),
-                shade(top, 0.82),
+                shade(top.color, 0.82),
                 of="knit",
                 name="collar",
             )
         clothes.coats(flat, marks, c, seated)
         clothes.trimmings(flat, marks, c)
+        for draw in o.on_trunk:
+            draw(flat, seated)
 
     body.on(body.skeleton.trunk, trunk)
-    _arms(body, marks, d, top)
-    style = "long" if "long_hair" in marks else _CUTS[s.appearance.pick("cut", len(_CUTS))]
-    if young and style == "bald":
+    _arms(body, marks, d, top, o)
+    style = o.style or (
+        "long" if "long_hair" in marks else _CUTS[s.appearance.pick("cut", len(_CUTS))]
+    )
+    if (young or o.hair is not None) and style == "bald":
         style = "short"
 
     def head(flat: Sketch) -> None:
-        _head(flat, marks, d, style)
+        _head(flat, marks, d, style, o.hair_name)
         clothes.hats(flat, marks, d.hat or c, c)
+        for draw in o.on_head:
+            draw(flat)
 
     body.on(body.skeleton.head, head)
 

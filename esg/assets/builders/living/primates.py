@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import blob, bone, mirrored, shade, shift
+from esg.assets.builders.living.headwear import Anchor, adorn
 from esg.assets.geometry.sketch import DARK, Color, Sketch, rgb
 
 _SIDES = (-1, 1)
@@ -28,6 +29,7 @@ def gorilla(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         bone(s, (-30, side * 19, 50), 18, (-20, side * 27, 26), 11, c)
         bone(s, (-20, side * 27, 26), 10, (-30, side * 26, 8), 7.5, c)
         bone(s, (-32, side * 26, 5), 5, (-15, side * 27, 4), 4, face, of="skin")
+    adorn(s, Anchor((43, 0, 109), 14, (32, 0, 98), 17, (16.5, 4.2, -0.4), 40))
     for side in _SIDES:
         s.proxy_slab((28, 48), mirrored(side, 24, 40), (0, 40), 0.8)
         s.proxy_slab((-36, -12), mirrored(side, 16, 32), (0, 40), 0.8)
@@ -53,6 +55,7 @@ def koala(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
         bone(s, (3, side * 12, 32), 5, (15, side * 9, 25), 4, c)
         bone(s, (-2, side * 11, 8), 8, (13, side * 12, 6), 5.6, c)
         s.ball(1, (18, side * 12, 5), shade(c, 0.7), scale=(4.4, 4, 5))
+    adorn(s, Anchor((4, 0, 50), 12, (2, 0, 38), 10.5, (11.4, 6, 3)))
     s.proxy_slab((-16, 20), (-16, 16), (0, 12), 1.0)
     s.proxy_slab((-15, 13), (-14, 14), (12, 40), 1.0)
     s.proxy_slab((-8, 17), (-13, 13), (40, 62), 0.6)

@@ -70,6 +70,8 @@ class Entity:
     """One of several, as its phrase says ("one block"): "another" is one more of them."""
     place: str = ""
     """front, rear, left, right or an ordinal, once known."""
+    wears: list[str] = field(default_factory=list[str])
+    """What is said to be worn by it: "red shirt"."""
     origin: int = -1
     """Offset of the first mention, for coverage."""
 

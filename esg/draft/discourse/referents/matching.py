@@ -7,6 +7,7 @@ from esg.draft.discourse.referents.entities import PLACES, Entity
 from esg.draft.discourse.referents.ranks import told_apart
 from esg.draft.discourse.referents.record import World
 from esg.draft.text.elements import Mention
+from esg.lexicon.garments import read
 
 CONTRASTS = tuple(
     frozenset(words.split())
@@ -61,9 +62,21 @@ def matches(world: World, m: Mention, e: Entity) -> bool:
     """Whether a thing agrees with all that a phrase says of it."""
     if m.letters:
         return e.letter in m.letters and (m.head == "@" or same_kind(m, e))
-    if not same_kind(m, e) or told_apart(m, e, world.facts):
+    if not same_kind(m, e) or told_apart(m, e, world.facts) or _dressed_otherwise(m, e):
         return False
     return not any(unlike(e, a) for a in m.adjectives)
+
+
+def _dressed_otherwise(m: Mention, e: Entity) -> bool:
+    """ "The man in the red shirt" is not the one in the blue shirt."""
+    told = [read(put.phrase, lex.COLORS) for put in m.wears if e.wears]
+    known = [read(phrase, lex.COLORS) for phrase in e.wears if told]
+    return any(
+        a.garment.place == b.garment.place and bool(a.color and b.color) and a.color != b.color
+        for a in told
+        for b in known
+        if a is not None and b is not None
+    )
 
 
 def unlike(e: Entity, a: str) -> bool:

@@ -75,6 +75,8 @@ def resolve(
             ids = picked(world, m, ids)
         elif (m.single or m.subset) and len(ids) > 1:
             ids = ids[: m.subset or 1]
+        for name in ids if m.wears else ():
+            world.entities[name].wears += [put.phrase for put in m.wears]
         for other in m.coordinated:
             extra = resolve(world, other, avoid=avoid)
             ids = ids + [e for e in extra if e not in ids]

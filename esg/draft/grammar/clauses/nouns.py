@@ -118,7 +118,7 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
 
 
 def _another_with_a_place(c: Clauses, s: State, m: Mention, i: int) -> bool:
-    """ "A man on a horse and a boy on a bike ride": the horse is not on the bike, nor is the boy."""
+    """ "A man on a horse and a boy on a bike ride": the horse is not on the bike."""
     link = element_at(c.elements, i - 1)
     ahead = element_at(c.elements, i + 1)
     if s.frame is not None or s.subject is None or s.last is None or s.last is s.subject:

@@ -259,6 +259,8 @@ class _Book:
         if gap.predicate is not Predicate.NOT_REPRESENTED:
             if gap.predicate in _PACES and gap.text.lower() in _GAITS:
                 return "elsewhere"  # a motion of its own tells that somebody walks
+            if gap.predicate in (Predicate.WEARS, Predicate.LOOKS):
+                return "worn"
             said = gap.predicate is Predicate.MOVES or gap.predicate in _MANNERS
             return "stated" if said else "elsewhere"
         if (gap.start, gap.end) in self._verbs:
@@ -369,7 +371,12 @@ def _manner(book: _Book, gap: Statement) -> bool:
 
 
 def _other(book: _Book, gap: Statement) -> bool:
-    if book.about(gap) or book.happens(gap):
+    return book.happens(gap) or _worn(book, gap)
+
+
+def _worn(book: _Book, gap: Statement) -> bool:
+    """Whether a statement is about the words, or a stiff body that they name is tied to it."""
+    if book.about(gap):
         return True
     about = {n for g in gap.object for n in book.of_rules(g)}
     others = [n for n in book.named(gap.text) if n not in about and not book.soft(n)]
@@ -417,6 +424,7 @@ _HOLDS: dict[str, Callable[[_Book, Statement], bool]] = {
     "liquid": lambda book, told: False,
     "no_thing": _no_thing,
     "manner": _manner,
+    "worn": _worn,
     "other": _other,
 }
 """Whether a document holds what the rules could not, by the sort of its words."""
