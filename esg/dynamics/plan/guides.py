@@ -8,6 +8,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.dynamics.choreography.climbs import is_climb
 from esg.dynamics.choreography.handling import SETTLES_S
 from esg.dynamics.choreography.throws import opens_upwards
 from esg.dynamics.plan.aim import body_bounds, shape_bounds
@@ -252,7 +253,7 @@ def ways(cast: Cast) -> dict[str, Way]:
     for actor, phases in cast.story.phases.items():
         at = np.array(cast.scene.body(actor).position)
         for phase in phases:
-            if phase.edge.event is EdgeEvent.GUIDE:
+            if phase.edge.event is EdgeEvent.GUIDE and not is_climb(phase):
                 out[phase.edge.id] = way_of(cast, phase, at)
                 at = np.array(out[phase.edge.id].points[-1])
     return out

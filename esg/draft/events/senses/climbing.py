@@ -1,0 +1,138 @@
+"""Climbing: up a ladder, a trunk, a wall or stairs, down again, onto a thing, over it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+import re
+
+from esg.draft import lexicon as lex
+from esg.draft.discourse.core import entity_of, kind_of, mark_used, quantity_of, structural
+from esg.draft.discourse.record import Climbing, Discourse
+from esg.draft.discourse.referents.sizes import dimensions_of
+from esg.draft.discourse.scene import LIMBED, LIVING
+from esg.draft.discourse.tracks import Motion
+from esg.draft.events.stated import start_of
+from esg.draft.events.told import at_rest, things
+from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.text.elements import Mention
+from esg.graph.models import ForceDirection
+
+_CLIMBS = lex.word_set("climbs")
+_LEAPS = lex.word_set("jumping") - _CLIMBS
+_UNCLIMBED = lex.word_set("not climbed")
+_ONTO = ("onto", "on", "on top of", "upon", "atop")
+_FROM = ("down from", "from", "off", "down", "off of", "out of")
+_LOW = 1.5
+"""What is no more than so many times as high as who climbs it is climbed onto."""
+_LEAST_CM, _GRIP = 8.0, 0.5
+"""What is lower, or lower than this share of who climbs, is stepped over and not climbed."""
+_HALFWAY = re.compile(r"\bhalf ?-?way\b", re.IGNORECASE)
+
+
+@dataclass(frozen=True)
+class _Goal:
+    """What is climbed, how, and the words that name it."""
+
+    thing: str
+    course: str
+    mention: Mention
+    start: int
+
+
+def climbs_something(d: Discourse, f: Frame, s: list[str]) -> bool:
+    """ "Climbs a ladder", "runs up the trunk", "climbs over a fence": leads who does it there.
+
+    Returns:
+        Whether it is told of; else the clause is read as any other motion.
+    """
+    goal = _goal(d, f, s)
+    who = [a for a in s if kind_of(d, a) in LIMBED]
+    if goal is None or not who or who != s or f.verb.passive:
+        return False
+    if goal.thing in s or goal.thing in d.timeline.tracks or not all(at_rest(d, a) for a in s):
+        return False
+    if any(d.scene.supported_by.get(a) not in (None, goal.thing) for a in s):
+        return False
+    for actor in who:
+        course = _course(d, actor, goal)
+        if course is None:
+            return False
+        _lead(d, f, actor, goal, course)
+    mark_used(d, f, "climb")
+    return True
+
+
+def _lead(d: Discourse, f: Frame, actor: str, goal: _Goal, course: str) -> None:
+    """A guide along what is climbed, to the end of the climb."""
+    d.scene.supported_by.pop(actor, None)
+    params: dict[str, object] = {"climbs": course}
+    if course in ("up", "down"):
+        params["release"] = course == "down"
+    length = quantity_of(d, f, "length")
+    if length is not None and course in ("up", "down"):
+        params["height_cm"] = length[1].value
+        mark_used(d, length[1], "how high it climbs")
+    half = _HALFWAY.search(d.text, f.verb.start, goal.mention.end)
+    if half is not None and length is None and course == "up":
+        params["height_cm"] = round(0.5 * dimensions_of(entity_of(d, goal.thing))[2], 1)
+        d.scene.used[half.span()] = "how high it climbs"
+    motion = Motion("guide", target=goal.thing, params=params)
+    d.timeline.move(actor, motion, ForceDirection.ALONG_FORWARD_ONLY)
+    node = d.timeline.trigger(actor, f"{actor} has climbed {goal.thing}")
+    d.timeline.track(actor).motion = None
+    start = min(f.verb.start, goal.start)
+    said = Climbing(actor, goal.thing, course, node, (start, max(f.verb.end, goal.mention.end)))
+    d.moves.climbs.append(said)
+
+
+def _goal(d: Discourse, f: Frame, s: list[str]) -> _Goal | None:
+    """What a clause says is climbed; None where it says nothing of the kind."""
+    climbing = f.verb.lemma in _CLIMBS
+    if f.verb.lemma in _LEAPS or f.unreal or f.verb.negated:
+        return None
+    down = f.verb.lemma == "descend" or "down" in f.adverbs
+    down = down or f.verb.extra.get("particle") == "down"
+    if climbing and f.object is not None and f.object.entities and not f.object.attribute:
+        return _Goal(f.object.entities[0], "down" if down else "it", f.object, f.object.start)
+    for p in f.phrases:
+        if p.mention is None or not things(p) or p.mention.attribute:
+            continue
+        course = _said_course(p.prep, climbing, down)
+        if course is not None:
+            return _Goal(things(p)[0], course, p.mention, start_of(p, d.text))
+    return None
+
+
+def _said_course(prep: str, climbing: bool, down: bool) -> str | None:
+    if prep in ("up", "down"):
+        return prep
+    if not climbing:
+        return None
+    if down:
+        return "down" if prep in _FROM else None
+    return "over" if prep == "over" else "onto" if prep in _ONTO else None
+
+
+def _course(d: Discourse, actor: str, goal: _Goal) -> str | None:
+    """How somebody climbs something; None where that is nothing to climb."""
+    thing = entity_of(d, goal.thing)
+    mine, other = dimensions_of(entity_of(d, actor)), dimensions_of(thing)
+    if structural(d, goal.thing) or kind_of(d, goal.thing) in (*LIVING, "water", "region"):
+        return None
+    if thing.noun.kind in _UNCLIMBED or thing.noun.name in _UNCLIMBED:
+        return None
+    if "round" in thing.noun.traits or thing.noun.kind == "ramp":
+        return None  # what is sloped is driven and walked up
+    if other[2] < max(_LEAST_CM, _GRIP * min(mine)):
+        return None
+    walked = thing.noun.name in ("stairs", "staircase")
+    if goal.course in ("it", "up"):
+        low = goal.course == "it" and other[2] <= _LOW * max(mine)
+        room = min(other[:2]) >= 0.6 * min(mine[:2])
+        return "onto" if walked or (low and room and _carries(thing.noun)) else "up"
+    return goal.course
+
+
+def _carries(noun: lex.Noun) -> bool:
+    """Whether a thing has a top that somebody can stand on."""
+    return "support" in noun.traits or noun.kind in ("rock", "box", "block", "furniture", "table")
