@@ -573,6 +573,7 @@ class Predicate(str, enum.Enum):
     ATTACHED_TO = "attached_to"
     LEANS_ON = "leans_on"
     MOVES = "moves"
+    CLIMBS = "climbs"
     ROLLS = "rolls"
     SLIDES = "slides"
     SPINS = "spins"

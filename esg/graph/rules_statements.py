@@ -29,6 +29,7 @@ _WITH_TARGET = frozenset(
         Predicate.ENDS_ON,
         Predicate.ENDS_IN,
         Predicate.ENDS_NEAR,
+        Predicate.CLIMBS,
     }
 )
 _TARGETED_DIRECTIONS = frozenset(
@@ -78,7 +79,7 @@ def _needs(ctx: Context, here: str, statement: Statement) -> None:
         "noun": says in _OF_NOUNS,
         "object": says not in _OF_NOUNS and says is not Predicate.NOT_REPRESENTED,
         "target": says in _WITH_TARGET or statement.direction in _TARGETED_DIRECTIONS,
-        "direction": says is Predicate.MOVES,
+        "direction": says in (Predicate.MOVES, Predicate.CLIMBS),
         "side": says is Predicate.STRUCK_ON,
         "value": says in (Predicate.SLOWER_THAN, Predicate.FASTER_THAN, Predicate.COUNT),
         "note": says is Predicate.NOT_REPRESENTED,

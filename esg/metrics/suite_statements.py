@@ -60,6 +60,7 @@ _FIELDS: dict[str, _Fields] = {
     **dict.fromkeys(("slower_than", "faster_than"), _SPEED),
     "above": _Fields(("object", "target"), ("distance", "unit"), "distance"),
     "moves": _Fields(("object", "direction"), ("target",)),
+    "climbs": _Fields(("object", "target", "direction"), ("value", "unit"), "height"),
     "struck_on": _Fields(("object", "target", "side")),
     "size": _Fields(("object",), ("quantity", "value", "as", "unit"), "height"),
     "count": _Fields(("noun", "value")),

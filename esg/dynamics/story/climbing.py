@@ -21,8 +21,8 @@ GAP_M = 0.012
 """Left between a climber and what it climbs."""
 BEFORE_M = 0.35
 """Gap between who is about to climb and the thing."""
-OVERHANG_M = 0.12
-"""What juts out so far is not climbed past: the crown of a tree."""
+OVERHANG_M, BULGE_M = 0.03, 0.3
+"""What juts out so far is not climbed past: the crown of a tree; what is got onto may bulge."""
 HANDS = 0.7
 """Share of a climber's height within which its hands find a hold: so far below the top feet stop."""
 LEAST_SHARE = 0.62
@@ -215,7 +215,7 @@ def _up_upright(who: Climber, sides: Outline, rise: float | None) -> list[Pose] 
 
 def _onto_upright(who: Climber, sides: Outline, crosses: bool) -> list[Pose] | None:
     reach = _reach(who, sides)
-    if (reach < reach[0] - OVERHANG_M).any():
+    if (reach < reach[0] - BULGE_M).any():
         return None
     way = _follow(who, reach)
     last = way[-1]
@@ -232,10 +232,10 @@ def _onto_upright(who: Climber, sides: Outline, crosses: bool) -> list[Pose] | N
 # -- on all fours ----------------------------------------------------------------------------
 
 
-def _side(sides: Outline) -> list[tuple[float, float]]:
+def _side(sides: Outline, jut: float) -> list[tuple[float, float]]:
     """The side of a thing as a belly passes along it: convex, from its foot up, (u, z) [m]."""
     near = sides.near.copy()
-    juts = np.flatnonzero(near < near[np.isfinite(near)][0] - OVERHANG_M)
+    juts = np.flatnonzero(near < near[np.isfinite(near)][0] - jut)
     if len(juts):
         near = near[: int(juts[0])]
     seen = np.flatnonzero(np.isfinite(near))
@@ -311,7 +311,7 @@ def _along(who: Climber, side: list[tuple[float, float]], until: float) -> list[
 
 
 def _up_flat(who: Climber, sides: Outline, rise: float | None) -> list[Pose] | None:
-    side = _passable(who, _side(sides))
+    side = _passable(who, _side(sides, OVERHANG_M))
     if len(side) < 2:
         return None
     top = side[-1][1]
@@ -322,7 +322,7 @@ def _up_flat(who: Climber, sides: Outline, rise: float | None) -> list[Pose] | N
 
 
 def _onto_flat(who: Climber, sides: Outline, crosses: bool) -> list[Pose] | None:
-    side = _passable(who, _side(sides))
+    side = _passable(who, _side(sides, BULGE_M))
     if len(side) < 2 or side[-1][1] < sides.top - 2.0 * SLAB_M:
         return None
     depth = who.foot + GAP_M

@@ -11,7 +11,7 @@ from esg.graph.models import Predicate
 from esg.metrics.binding import Binding, bind
 from esg.metrics.models import OF_EVENTS, StatementVerdict, SuiteScene, SuiteStatement
 from esg.metrics.replay import Replay
-from esg.metrics.statements import directions, facts, manner, place, sides
+from esg.metrics.statements import climbs, directions, facts, manner, place, sides
 from esg.metrics.statements.query import Kept, StatementQuery, window_of
 
 OfBody = place.OfBody
@@ -30,6 +30,7 @@ OF_BODIES: dict[Predicate, OfBody] = {
     Predicate.ATTACHED_TO: place.attached_to,
     Predicate.LEANS_ON: place.leans_on,
     Predicate.MOVES: directions.moves,
+    Predicate.CLIMBS: climbs.climbs,
     Predicate.ROLLS: manner.rolls,
     Predicate.SLIDES: manner.slides,
     Predicate.SPINS: manner.spins,
