@@ -507,7 +507,7 @@ class MotionParams(Model):
     release: bool | None = None
     """Guide: False holds the body on at the end; otherwise it is let go there"""
     height_cm: Quantity | None = None
-    """Toward that ends in a Jump: how far the body rises; Guide that climbs: how high it gets [cm]"""
+    """Toward that ends in a Jump, Guide that climbs: how far the body rises [cm]"""
     climbs: Literal["up", "down", "onto", "over"] | None = None
     """Guide that ends at a Trigger: leads the body along the surface of its target"""
     opening: Quantity | None = None

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from esg.draft.discourse.proposition import Clause
 from esg.draft.discourse.record import Climbing, Discourse
+from esg.draft.events.senses.climbing import HALFWAY
 from esg.draft.statements.book import Book
 from esg.graph.models import Predicate
 
@@ -23,6 +24,10 @@ def climbed(book: Book, clause: Clause) -> None:
         edge = next(e for e in d.timeline.edges if e.to == c.node and e.actor == c.actor)
         book.add(Predicate.CLIMBS, *c.words, object=(c.actor,), target=(c.thing,),
                  direction=_DIRECTIONS[c.course], value=edge.params.height_cm)  # fmt: skip
+        half = HALFWAY.search(d.text, *c.words)
+        if half is not None and edge.params.height_cm is None:
+            book.add(Predicate.NOT_REPRESENTED, *half.span(), object=(c.actor,),
+                     note="how far it gets is open")  # fmt: skip
         later = any(e.actor == c.actor and e.from_ == c.node for e in d.timeline.edges)
         if c.course == "onto" and not later:
             book.add(Predicate.ENDS_ON, *c.words, object=(c.actor,), target=(c.thing,),

@@ -19,6 +19,7 @@ from esg.draft.discourse.scene import LIMBED
 from esg.draft.events.courses import measurable
 from esg.draft.events.hanging import row_of
 from esg.draft.events.motions import flies_itself
+from esg.draft.events.senses.climbing import COMES_OFF
 from esg.draft.events.stated import adverbs_of
 from esg.draft.events.told import last_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
@@ -82,7 +83,7 @@ def rows() -> tuple[_Row, ...]:
 def missing(d: Discourse, clause: Clause) -> str:
     """What a clause that was read says and the document does not hold; empty if it holds it."""
     f = clause.frame
-    if climbs_told(d, clause):
+    if climbs_told(d, clause) or d.scene.used.get((f.verb.start, f.verb.end)) == COMES_OFF:
         return ""
     for row in rows():
         if row.names(f) and _applies(d, row.voice, clause):

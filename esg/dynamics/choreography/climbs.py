@@ -9,11 +9,11 @@ from typing import cast
 import numpy as np
 
 from esg.dynamics.choreography.stage import Stage
-from esg.dynamics.story.climbing import Climber, Course, Pose, climb, slope_deg, times, walk_down
 from esg.dynamics.story.climbing import WALKED_DEG as WALKED_DEG
+from esg.dynamics.story.climbing import Climber, Course, Pose, climb, slope_deg, times, walk_down
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.outlines import Floats, clouds_of_asset
-from esg.dynamics.story.story import Phase, bounds
+from esg.dynamics.story.story import Phase, bounds, is_climb
 from esg.graph.models import AssetConfiguration, EdgeEvent, TimelineNode
 
 SPEEDS_MPS = (0.12, 0.5)
@@ -25,9 +25,10 @@ ASIDE_M = 0.15
 """Gap between two that climb side by side."""
 
 
-def is_climb(phase: Phase) -> bool:
-    """Whether a phase leads its actor along the surface of something."""
-    return phase.edge.event is EdgeEvent.GUIDE and phase.edge.params.climbs is not None
+def pushes_off(before: Phase, phase: Phase) -> bool:
+    """Whether a phase leads off what its actor has climbed, to which it has its face."""
+    held = is_climb(before) and before.edge.params.climbs == "up"
+    return held and phase.edge.event is EdgeEvent.TOWARD
 
 
 def pace_of(phase: Phase, length: float) -> float:

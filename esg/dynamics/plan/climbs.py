@@ -8,8 +8,6 @@ import math
 import numpy as np
 
 from esg.dynamics.choreography.climbs import (
-
-    is_climb,
     pace_of,
     poses_of,
     seen_along,
@@ -17,7 +15,7 @@ from esg.dynamics.choreography.climbs import (
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.story.climbing import Climber, Pose, times, velocities
 from esg.dynamics.story.outlines import Floats, clouds_of_body
-from esg.dynamics.story.story import Phase
+from esg.dynamics.story.story import Phase, is_climb
 from esg.engines.program import MAX_KNOTS, GuideAlong, HoldSpin, Primitive, Vec
 from esg.units import quat_from_euler_deg, quat_multiply, quat_rotate, yaw_from_quat
 
@@ -126,6 +124,3 @@ def climbs(cast: Cast) -> dict[str, Climb]:
             if found is not None:
                 out[phase.edge.id] = found
     return out
-
-
-

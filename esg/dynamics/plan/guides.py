@@ -8,13 +8,12 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.choreography.climbs import is_climb
 from esg.dynamics.choreography.handling import SETTLES_S
 from esg.dynamics.choreography.throws import opens_upwards
 from esg.dynamics.plan.aim import body_bounds, shape_bounds
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.story.stagecraft import top_surface
-from esg.dynamics.story.story import Phase, bounds
+from esg.dynamics.story.story import Phase, bounds, is_climb
 from esg.engines.program import GuideAlong, Vec
 from esg.engines.scene import Body
 from esg.graph.models import EdgeEvent, NodeEvent, Predicate

@@ -9,7 +9,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.choreography.climbs import is_climb
+from esg.dynamics.choreography.climbs import pushes_off
 from esg.dynamics.choreography.flights import flown_to
 from esg.dynamics.choreography.handling import BETWEEN_JUMPS_S
 from esg.dynamics.choreography.hovering import climbs_at
@@ -43,7 +43,7 @@ from esg.dynamics.story.paces import (
     usual_halt,
 )
 from esg.dynamics.story.stagecraft import coasting_drag, prop, stacked_with, support_of
-from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, turn_of, turns_back
+from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, is_climb, turn_of, turns_back
 from esg.engines.joints import start_position
 from esg.engines.program import (
     AdjustProperties,
@@ -278,6 +278,8 @@ class Composer:
             if turns_back(self.story, phase, lambda name: self.scene.body(name).static):
                 course.heading += math.pi
             last = k + 1 == len(phases) or (jumps and all(map(self.cast.coasts, phases[k + 1 :])))
+            if k and pushes_off(phases[k - 1], phase):
+                course.heading += math.pi
             leg = _Leg(phase, v, start, end, k == 0, last, duration)
             done = len(course.out)
             self._act(course, leg, phases[k + 1 :])

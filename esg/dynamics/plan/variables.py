@@ -13,7 +13,6 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.choreography.climbs import is_climb
 from esg.dynamics.choreography.flights import flown_to
 from esg.dynamics.choreography.handling import TURN_RATE_DEG_S
 from esg.dynamics.choreography.throws import opens_upwards
@@ -27,7 +26,15 @@ from esg.dynamics.story.paces import (
     top_speed,
     usual_brake,
 )
-from esg.dynamics.story.story import CRUISES, ON_THE_SPOT, UNDISTURBED, Phase, bounds, middle
+from esg.dynamics.story.story import (
+    CRUISES,
+    ON_THE_SPOT,
+    UNDISTURBED,
+    Phase,
+    bounds,
+    is_climb,
+    middle,
+)
 from esg.dynamics.story.suspension import joint_of
 from esg.dynamics.story.tipping import FLIES_AT
 from esg.engines.scene import Body, Region

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, replace
+from itertools import pairwise
 import math
 from typing import Literal
 
@@ -24,11 +25,13 @@ BEFORE_M = 0.35
 OVERHANG_M, BULGE_M = 0.03, 0.3
 """What juts out so far is not climbed past: the crown of a tree; what is got onto may bulge."""
 HANDS = 0.7
-"""Share of a climber's height within which its hands find a hold: so far below the top feet stop."""
+"""Share of a climber's height that its hands reach up: so far below the top its feet stop."""
 LEAST_SHARE = 0.62
 """Share of a thing's height that who climbs it gets up at least, where nothing juts out."""
 HIGHEST_M = 3.0
 """Nobody climbs higher, unless it is told how high, or to the top."""
+LONGEST_S = 7.0
+"""How long somebody climbs where nothing says how far."""
 TURNS_RAD_S = math.radians(110.0)
 """How fast who goes on all fours turns up and down."""
 LONG = 1.15
@@ -170,7 +173,8 @@ def _wanted(who: Climber, sides: Outline, rise: float | None) -> float:
     if rise is not None:
         return min(rise, sides.top)
     height = who.length if who.flat else who.height
-    return min(max(sides.top - HANDS * height, LEAST_SHARE * sides.top), HIGHEST_M)
+    high = min(max(sides.top - HANDS * height, LEAST_SHARE * sides.top), HIGHEST_M)
+    return min(high, max(LONGEST_S * who.speed, 1.2 * max(who.length, who.height)))
 
 
 # -- upright ---------------------------------------------------------------------------------
@@ -289,7 +293,7 @@ def _along(who: Climber, side: list[tuple[float, float]], until: float) -> list[
     """Along a convex side until its centre is level with a height [m]."""
     out = _leaves_ground(who, side)
     depth = who.foot + GAP_M
-    for k, (a, b) in enumerate(zip(side, side[1:], strict=False)):
+    for k, (a, b) in enumerate(pairwise(side)):
         tilt = _angle(a, b)
         if k:
             before = _angle(side[k - 1], a)
@@ -298,7 +302,7 @@ def _along(who: Climber, side: list[tuple[float, float]], until: float) -> list[
                 for t in np.linspace(before, tilt, 3)
             ]
         end = Pose(b[0] - depth * math.sin(tilt), b[1] + depth * math.cos(tilt), tilt)
-        if end.z > until and k == len(side) - 2 or b[1] > until:
+        if (end.z > until and k == len(side) - 2) or b[1] > until:
             share = max((until - out[-1].z) / max(end.z - out[-1].z, 1e-9), 0.0)
             if share < 1.0:
                 end = replace(end, u=out[-1].u + share * (end.u - out[-1].u),
@@ -369,9 +373,11 @@ def times(poses: Sequence[Pose], speed: float) -> list[float]:
         speed: Along the way [m/s].
     """
     out = [0.0]
-    for a, b in zip(poses, poses[1:], strict=False):
+    for a, b in pairwise(poses):
         lasts = max(math.hypot(b.u - a.u, b.z - a.z) / speed, abs(b.tilt - a.tilt) / TURNS_RAD_S)
         out.append(out[-1] + max(math.ceil(60.0 * lasts), 2) / 60.0)
+    if out[-1] > 1.2 * LONGEST_S:  # farther away than that it goes faster
+        return times(poses, speed * out[-1] / LONGEST_S)
     return out
 
 

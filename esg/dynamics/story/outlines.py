@@ -44,8 +44,9 @@ def corners(
     else:
         half = size[2] if kind == "capsule" else 0.0
         tilts = np.linspace(0.0, 0.5 * math.pi, 4)
-        rings = [(r * math.cos(t), s * (half + size[0] * math.sin(t))) for s in (-1, 1)
-                 for t in tilts]  # fmt: skip
+        wide = 1.0 / math.cos(0.25 * math.pi / (len(tilts) - 1))
+        rings = [(wide * r * math.cos(t), s * (half + wide * size[0] * math.sin(t)))
+                 for s in (-1, 1) for t in tilts]  # fmt: skip
     return np.concatenate(
         [np.column_stack([ring * circle, np.full(_SIDES, z)]) for ring, z in rings]
     )

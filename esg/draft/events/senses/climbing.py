@@ -11,12 +11,17 @@ from esg.draft.discourse.record import Climbing, Discourse
 from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import LIMBED, LIVING
 from esg.draft.discourse.tracks import Motion
-from esg.draft.events.stated import start_of
+from esg.draft.events.acts import add_event
+from esg.draft.events.stated import said, start_of
+from esg.draft.events.timing import time_of
 from esg.draft.events.told import at_rest, things
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
-from esg.graph.models import ForceDirection
+from esg.graph.models import ForceDirection, NodeEvent, Predicate
+from esg.graph.rules_segments import LEAST_SPEED_CM_S
 
+COMES_OFF = "it comes down from what it has climbed"
+"""What became of a verb of falling or leaping after a climb."""
 _CLIMBS = lex.word_set("climbs")
 _LEAPS = lex.word_set("jumping") - _CLIMBS
 _UNCLIMBED = lex.word_set("not climbed")
@@ -26,7 +31,16 @@ _LOW = 1.5
 """What is no more than so many times as high as who climbs it is climbed onto."""
 _LEAST_CM, _GRIP = 8.0, 0.5
 """What is lower, or lower than this share of who climbs, is stepped over and not climbed."""
-_HALFWAY = re.compile(r"\bhalf ?-?way\b", re.IGNORECASE)
+_DOWN = re.compile(r"\s+(?:all the way |straight |back |right )?down\b", re.IGNORECASE)
+_OFF = frozenset({"down", "off"})
+_PUSHES_OFF_CM_S = (70.0, 130.0)
+"""How fast who jumps down from what he has climbed leaves it."""
+_USUAL_CM_S, _LENGTHS_S = (12.0, 50.0), 1.2
+"""How fast somebody climbs: so many of his lengths a second, within these."""
+_PACES = {"": (0.8, 1.2), "fast": (1.8, 2.8), "slow": (0.5, 0.8)}
+"""Shares of that which words of pace leave."""
+HALFWAY = re.compile(r"\bhalf ?-?way\b", re.IGNORECASE)
+"""Half of what is climbed."""
 
 
 @dataclass(frozen=True)
@@ -66,23 +80,63 @@ def _lead(d: Discourse, f: Frame, actor: str, goal: _Goal, course: str) -> None:
     """A guide along what is climbed, to the end of the climb."""
     d.scene.supported_by.pop(actor, None)
     params: dict[str, object] = {"climbs": course}
+    speed = _speed(d, f, actor)
     if course in ("up", "down"):
         params["release"] = course == "down"
     length = quantity_of(d, f, "length")
     if length is not None and course in ("up", "down"):
         params["height_cm"] = length[1].value
         mark_used(d, length[1], "how high it climbs")
-    half = _HALFWAY.search(d.text, f.verb.start, goal.mention.end)
-    if half is not None and length is None and course == "up":
+    half = HALFWAY.search(d.text, f.verb.start, goal.mention.end)
+    trunk = entity_of(d, goal.thing).noun.name == "tree"  # its crown is in the way
+    if half is not None and length is None and course == "up" and not trunk:
         params["height_cm"] = round(0.5 * dimensions_of(entity_of(d, goal.thing))[2], 1)
         d.scene.used[half.span()] = "how high it climbs"
-    motion = Motion("guide", target=goal.thing, params=params)
+    motion = Motion("guide", speed, target=goal.thing, params=params)
     d.timeline.move(actor, motion, ForceDirection.ALONG_FORWARD_ONLY)
     node = d.timeline.trigger(actor, f"{actor} has climbed {goal.thing}")
     d.timeline.track(actor).motion = None
     start = min(f.verb.start, goal.start)
     said = Climbing(actor, goal.thing, course, node, (start, max(f.verb.end, goal.mention.end)))
     d.moves.climbs.append(said)
+
+
+def _speed(d: Discourse, f: Frame, actor: str) -> tuple[float, float]:
+    """How fast somebody climbs [cm/s], by his size and the words of pace."""
+    size = max(dimensions_of(entity_of(d, actor)))
+    usual = min(max(_LENGTHS_S * size, _USUAL_CM_S[0]), _USUAL_CM_S[1])
+    told = [s.row.states for s in said(d.text, f)]
+    fast, slow = Predicate.FASTER_THAN in told, Predicate.SLOWER_THAN in told
+    low, high = _PACES["fast" if fast and not slow else "slow" if slow and not fast else ""]
+    low, high = max(low * usual, LEAST_SPEED_CM_S), max(high * usual, 1.2 * LEAST_SPEED_CM_S)
+    return round(low, 2), round(high, 2)
+
+
+def comes_off(d: Discourse, f: Frame, s: list[str]) -> bool:
+    """ "Climbs a ladder and jumps down", "climbs a tree and falls": down from where it has got.
+
+    Returns:
+        Whether it is told of; else the clause is read as any other fall or leap.
+    """
+    up = {c.actor: c for c in d.moves.climbs if c.course in ("up", "onto")}
+    if not s or f.object is not None or f.unreal or f.verb.negated or f.verb.passive:
+        return False
+    if any(a not in up or d.timeline.track(a).at != up[a].node for a in s):
+        return False
+    leaps = f.verb.lemma in _LEAPS
+    named = {i for p in f.phrases for i in things(p)}
+    elsewhere = {i for i in named if not structural(d, i)} - {up[a].thing for a in s}
+    off = _OFF & {*f.adverbs} or _DOWN.match(d.text, f.verb.end) is not None
+    off = off or any(p.prep in ("off", "from", "to", "onto") and things(p) for p in f.phrases)
+    if elsewhere or (leaps and not off) or "over" in f.adverbs:
+        return False
+    for actor in s:
+        track = d.timeline.track(actor)
+        track.motion = Motion("jump", _PUSHES_OFF_CM_S) if leaps else Motion("coast")
+        add_event(d, NodeEvent.FALL, (actor,), f, time_of(d, f))
+        track.motion = None
+    mark_used(d, f, COMES_OFF)
+    return True
 
 
 def _goal(d: Discourse, f: Frame, s: list[str]) -> _Goal | None:
@@ -92,6 +146,7 @@ def _goal(d: Discourse, f: Frame, s: list[str]) -> _Goal | None:
         return None
     down = f.verb.lemma == "descend" or "down" in f.adverbs
     down = down or f.verb.extra.get("particle") == "down"
+    down = down or _DOWN.match(d.text, f.verb.end) is not None
     if climbing and f.object is not None and f.object.entities and not f.object.attribute:
         return _Goal(f.object.entities[0], "down" if down else "it", f.object, f.object.start)
     for p in f.phrases:
@@ -123,8 +178,11 @@ def _course(d: Discourse, actor: str, goal: _Goal) -> str | None:
         return None
     if "round" in thing.noun.traits or thing.noun.kind == "ramp":
         return None  # what is sloped is driven and walked up
-    if other[2] < max(_LEAST_CM, _GRIP * min(mine)):
+    rock = thing.noun.kind == "rock" and goal.course in ("it", "up", "onto")
+    if not rock and other[2] < max(_LEAST_CM, _GRIP * min(mine)):
         return None
+    if rock and not thing.dimensions_prescribed:
+        return "onto"  # as large as who climbs it asks for
     walked = thing.noun.name in ("stairs", "staircase")
     if goal.course in ("it", "up"):
         low = goal.course == "it" and other[2] <= _LOW * max(mine)
