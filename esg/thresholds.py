@@ -132,7 +132,7 @@ CLIMBED_SHARE = 0.5
 """Who climbs something gets up so much of its height, or as high as itself: lower is a step."""
 CLIMBED_TOLERANCE = 0.15
 """A stated height of a climb may be off by this share."""
-CLIMBING_M = 0.1
+CLIMBING_M = 0.15
 """Who climbs stays this close to what it climbs, or as close as its own size: hands and feet, which
 bodies do not move, reach as far."""
 AROUND_DEG, BEND_DEG = 120.0, 40.0

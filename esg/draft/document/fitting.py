@@ -25,17 +25,15 @@ _CROWN = 0.55
 """Share of a rock's length that its flat crown has (`rock` of the parametric library)."""
 _STANDS = 0.75
 """Share of its length that an animal's feet take up."""
-_STAIRS, _LANDING = frozenset({"stairs", "staircase"}), 0.2
-"""Share of the length of stairs that their landing has at least."""
 _TRUNK = 0.4
 """Share of a tree's height that is bare trunk."""
-_TRUNKS, _ROOM_CM = 2.6, 80.0
-"""Trunk that who climbs it needs: so many times its longest side, and as much."""
+_TRUNKS, _ROOM_CM, _TALLEST_CM = 2.6, 80.0, 1100.0
+"""Trunk that who climbs it needs: so many times its longest side, and as much; no taller tree."""
 _OVER = re.compile(r"\bover an? |\bover the ", re.IGNORECASE)
 """Says that a vessel covers a thing, which "above" does not."""
 
 
-def fit(scene: Scene, leapt_on: dict[str, str], climbed: dict[str, str]) -> None:
+def fit(scene: Scene, leapt_on: Mapping[str, str], climbed: Mapping[str, str]) -> None:
     """Makes what vessels hold or cover small enough, and rocks large enough to stand on.
 
     Args:
@@ -45,7 +43,6 @@ def fit(scene: Scene, leapt_on: dict[str, str], climbed: dict[str, str]) -> None
     """
     _fit_rocks(scene, leapt_on)
     _fit_trees(scene, climbed)
-    _fit_stairs(scene, leapt_on | climbed)
     for body, vessel, covered in _held(scene):
         free = body.noun.kind in _ANY_SIZE and not body.dimensions_prescribed
         stacked = body.noun.name == vessel.noun.name  # crates of a stack
@@ -81,22 +78,10 @@ def _fit_trees(scene: Scene, climbed: Mapping[str, str]) -> None:
         if who is None or tree is None or tree.noun.name != "tree" or tree.dimensions_prescribed:
             continue
         room = dimensions_of(tree)
-        factor = (_TRUNKS * max(dimensions_of(who)) + _ROOM_CM) / (_TRUNK * room[2])
+        high = (_TRUNKS * max(dimensions_of(who)) + _ROOM_CM) / _TRUNK
+        factor = min(high, _TALLEST_CM) / room[2]
         if factor > 1.0:
             tree.dimensions_cm = [factor * x for x in room]
-
-
-def _fit_stairs(scene: Scene, climbed: Mapping[str, str]) -> None:
-    """Stairs have a landing as long as who climbs them."""
-    things = scene.world.entities
-    for body, host in climbed.items():
-        who, stairs = things.get(body), things.get(host)
-        if who is None or stairs is None or stairs.noun.name not in _STAIRS:
-            continue
-        room = dimensions_of(stairs)
-        factor = dimensions_of(who)[0] / (_LANDING * room[0])
-        if factor > 1.0 and not stairs.dimensions_prescribed:
-            stairs.dimensions_cm = [factor * room[0], room[1], factor * room[2]]
 
 
 def _held(scene: Scene) -> Iterator[tuple[Entity, Entity, bool]]:

@@ -16,9 +16,11 @@ from esg.dynamics.story.outlines import Floats, clouds_of_asset
 from esg.dynamics.story.story import Phase, bounds, is_climb
 from esg.graph.models import AssetConfiguration, EdgeEvent, TimelineNode
 
-SPEEDS_MPS = (0.12, 0.5)
-"""Of climbers whose segment says nothing of it: 1.2 of their lengths a second within these."""
-LENGTHS_S = 1.2
+SPEEDS_MPS = (0.18, 0.75)
+"""Of climbers whose segment says nothing of it: 1.8 of their lengths a second within these."""
+LENGTHS_S = 1.8
+PEAK = 1.5
+"""Largest speed over the mean one of who sets off from rest and comes to rest again."""
 WIDE = 2.0
 """A thing so much wider than deep is climbed across its width: walls, fences."""
 ASIDE_M = 0.15
@@ -40,7 +42,7 @@ def pace_of(phase: Phase, length: float) -> float:
     """
     usual = min(max(LENGTHS_S * length, SPEEDS_MPS[0]), SPEEDS_MPS[1])
     low, high, _ = bounds(phase.edge.params.speed, (100.0 * usual, 100.0 * usual))
-    return 0.005 * (low + high)
+    return 0.005 * (low + high) / PEAK
 
 
 def facing(config: AssetConfiguration) -> float:

@@ -13,7 +13,7 @@ from esg.dynamics.choreography.climbs import (
     seen_along,
 )
 from esg.dynamics.plan.cast import Cast
-from esg.dynamics.story.climbing import Climber, Pose, times, velocities
+from esg.dynamics.story.climbing import Climber, Pose, stands_on_top, times, velocities
 from esg.dynamics.story.outlines import Floats, clouds_of_body
 from esg.dynamics.story.story import Phase, is_climb
 from esg.engines.program import MAX_KNOTS, GuideAlong, HoldSpin, Primitive, Vec
@@ -30,6 +30,7 @@ class Climb:
         points: Where its centre of mass is then [m].
         speeds: How fast it moves then [m/s].
         times: When, since the start [s].
+        holds: Whether it holds on at the end, whatever comes of it if it is let go.
     """
 
     heading: float
@@ -37,6 +38,7 @@ class Climb:
     points: tuple[Vec, ...]
     speeds: tuple[Vec, ...]
     times: tuple[float, ...]
+    holds: bool = False
 
     @property
     def start(self) -> tuple[Floats, Floats]:
@@ -112,6 +114,7 @@ def climb_of(cast: Cast, phase: Phase, before: tuple[Phase, ...]) -> Climb | Non
         tuple(world(p) for p in poses),
         tuple((float(u * ahead[0]), float(u * ahead[1]), float(z)) for u, z in speeds),
         tuple(at),
+        phase.edge.params.climbs == "onto" and not stands_on_top(who, seen),
     )
 
 

@@ -376,7 +376,8 @@ class Composer:
         way = self.climbs.get(leg.phase.edge.id)
         if way is None:
             return
-        end, holds = leg.start + way.times[-1], leg.phase.edge.params.release is False
+        end = leg.start + way.times[-1]
+        holds = way.holds or leg.phase.edge.params.release is False
         until = leg.duration + HELD_ON_S if holds and leg.last else end
         course.out += way.program(course.actor, leg.start, until)
         course.clock = end

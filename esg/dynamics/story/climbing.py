@@ -22,8 +22,9 @@ GAP_M = 0.012
 """Left between a climber and what it climbs."""
 BEFORE_M = 0.35
 """Gap between who is about to climb and the thing."""
-OVERHANG_M, BULGE_M = 0.03, 0.3
-"""What juts out so far is not climbed past: the crown of a tree; what is got onto may bulge."""
+OVERHANG_M, BULGE = 0.03, 0.35
+"""What juts out so far is not climbed past: the crown of a tree. What is got onto may bulge by so
+much of its height: a boulder."""
 HANDS = 0.7
 """Share of a climber's height that its hands reach up: so far below the top its feet stop."""
 LEAST_SHARE = 0.62
@@ -38,6 +39,8 @@ LONG = 1.15
 """Over its height: the length of who goes on all fours."""
 TOP_M = 0.06
 """How far from the edge who has climbed onto something stands, its back to it."""
+ROOM = 0.9
+"""Least depth of a top over the length of who stands on it and is let go."""
 WALKED_DEG = 55.0
 """Slopes that are gone down face forward: stairs, hills."""
 _REACHED = 0.5
@@ -148,6 +151,13 @@ def walk_down(who: Climber, thing: Sequence[Floats]) -> list[Pose] | None:
     return None if up is None else [Pose(-p.u, p.z, -p.tilt) for p in reversed(up)]
 
 
+def stands_on_top(who: Climber, thing: Sequence[Floats]) -> bool:
+    """Whether the top of a thing has room for most of who has climbed onto it."""
+    sides = outline(thing, 0.0)
+    room = float(sides.far[-1] - sides.near[-1])
+    return room >= ROOM * (who.front + who.back)
+
+
 def slope_deg(thing: Sequence[Floats]) -> float:
     """How steep the side of a thing is from its foot to its top [degrees]; 90 for a wall."""
     sides = outline(thing, 0.0)
@@ -174,7 +184,7 @@ def _wanted(who: Climber, sides: Outline, rise: float | None) -> float:
         return min(rise, sides.top)
     height = who.length if who.flat else who.height
     high = min(max(sides.top - HANDS * height, LEAST_SHARE * sides.top), HIGHEST_M)
-    return min(high, max(LONGEST_S * who.speed, 1.2 * max(who.length, who.height)))
+    return min(high, max(0.8 * LONGEST_S * who.speed, 1.2 * max(who.length, who.height)))
 
 
 # -- upright ---------------------------------------------------------------------------------
@@ -219,7 +229,7 @@ def _up_upright(who: Climber, sides: Outline, rise: float | None) -> list[Pose] 
 
 def _onto_upright(who: Climber, sides: Outline, crosses: bool) -> list[Pose] | None:
     reach = _reach(who, sides)
-    if (reach < reach[0] - BULGE_M).any():
+    if (reach < reach[0] - BULGE * sides.top).any():
         return None
     way = _follow(who, reach)
     last = way[-1]
@@ -326,7 +336,7 @@ def _up_flat(who: Climber, sides: Outline, rise: float | None) -> list[Pose] | N
 
 
 def _onto_flat(who: Climber, sides: Outline, crosses: bool) -> list[Pose] | None:
-    side = _passable(who, _side(sides, BULGE_M))
+    side = _passable(who, _side(sides, BULGE * sides.top))
     if len(side) < 2 or side[-1][1] < sides.top - 2.0 * SLAB_M:
         return None
     depth = who.foot + GAP_M
@@ -339,7 +349,8 @@ def _onto_flat(who: Climber, sides: Outline, crosses: bool) -> list[Pose] | None
     middle = 0.5 * (edge[0] + far)
     if crosses or stands > far:
         stands = middle
-    return [*out, Pose(max(stands, out[-1].u), out[-1].z, 0.0)]
+    low = out[-1].z - (0.0 if crosses else GAP_M - 0.002)
+    return [*out, Pose(max(stands, out[-1].u), low, 0.0)]
 
 
 # -- times -----------------------------------------------------------------------------------
@@ -376,7 +387,7 @@ def times(poses: Sequence[Pose], speed: float) -> list[float]:
     for a, b in pairwise(poses):
         lasts = max(math.hypot(b.u - a.u, b.z - a.z) / speed, abs(b.tilt - a.tilt) / TURNS_RAD_S)
         out.append(out[-1] + max(math.ceil(60.0 * lasts), 2) / 60.0)
-    if out[-1] > 1.2 * LONGEST_S:  # farther away than that it goes faster
+    if out[-1] > 1.4 * LONGEST_S:  # farther away than that it goes faster
         return times(poses, speed * out[-1] / LONGEST_S)
     return out
 

@@ -28,7 +28,7 @@ def climbs(replay: Replay, q: StatementQuery, body: int) -> Kept:
     if direction == "across":
         return _over(replay, q, body, low, things)
     sign = 1.0 if direction == "up" else -1.0
-    rise = sign * low
+    rise = sign * replay.position[q.window.frames, body, 2]
     turn = int(np.argmax(rise >= rise.max() - STILL_M))
     gained = float(rise[turn] - rise[: turn + 1].min())
     begin = turn - int(np.argmin(rise[: turn + 1][::-1]))

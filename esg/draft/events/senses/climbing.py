@@ -35,7 +35,7 @@ _DOWN = re.compile(r"\s+(?:all the way |straight |back |right )?down\b", re.IGNO
 _OFF = frozenset({"down", "off"})
 _PUSHES_OFF_CM_S = (70.0, 130.0)
 """How fast who jumps down from what he has climbed leaves it."""
-_USUAL_CM_S, _LENGTHS_S = (12.0, 50.0), 1.2
+_USUAL_CM_S, _LENGTHS_S = (18.0, 75.0), 1.8
 """How fast somebody climbs: so many of his lengths a second, within these."""
 _PACES = {"": (0.8, 1.2), "fast": (1.8, 2.8), "slow": (0.5, 0.8)}
 """Shares of that which words of pace leave."""
