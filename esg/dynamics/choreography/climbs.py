@@ -48,6 +48,8 @@ def pace_of(phase: Phase, length: float) -> float:
 def facing(config: AssetConfiguration) -> float:
     """The side of a thing that is climbed: its direction from the thing's middle [rad]."""
     long, wide, _ = config.dimensions_cm
+    if is_walked(seen_along(clouds_of_asset(config), math.pi)):
+        return 0.0
     return 0.5 * math.pi if long > WIDE * wide else 0.0
 
 

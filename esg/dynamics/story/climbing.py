@@ -135,7 +135,7 @@ def climb(
     up = _onto(who, sides)
     if up is None or course == "onto":
         return up
-    mirrored = Outline(sides.base, -sides.far, -sides.near)
+    mirrored = replace(sides, near=-sides.far, far=-sides.near)
     down = _onto(who.turned_round(), mirrored, crosses=True)
     first = _onto(who, sides, crosses=True)
     if down is None or first is None:
@@ -147,7 +147,7 @@ def walk_down(who: Climber, thing: Sequence[Floats]) -> list[Pose] | None:
     """From the top of a thing down its slope, face forward: u leads away from it."""
     half = max(float(np.abs(c[:, 1]).max()) for c in who.clouds)
     sides = outline(thing, 0.0, half)
-    up = _onto(who.turned_round(), Outline(sides.base, -sides.far, -sides.near))
+    up = _onto(who.turned_round(), replace(sides, near=-sides.far, far=-sides.near))
     return None if up is None else [Pose(-p.u, p.z, -p.tilt) for p in reversed(up)]
 
 
@@ -233,13 +233,16 @@ def _onto_upright(who: Climber, sides: Outline, crosses: bool) -> list[Pose] | N
         return None
     way = _follow(who, reach)
     last = way[-1]
-    high = sides.top + SLAB_M + who.foot
+    high = max(sides.top + SLAB_M + who.foot, way[-1].z)
     edge = float(sides.near[-1])
     stands = edge + who.back + TOP_M
     middle = 0.5 * (edge + float(sides.far[-1]))
     if crosses or stands > float(sides.far[-1]):
         stands = middle
-    over = [Pose(last.u, high, 0.0), Pose(max(stands, last.u), high, 0.0)]
+    stands = max(stands, last.u)
+    over = [Pose(last.u, high, 0.0), Pose(stands, high, 0.0)]
+    if not crosses:
+        over.append(Pose(stands, sides.top + who.foot + 0.003, 0.0))
     return [_start(reach[:1], who), *way, *over]
 
 

@@ -77,16 +77,13 @@ class Outline:
     Args:
         base: Height of the lowest slab's floor [m].
         near, far: Least and largest coordinate in every slab [m], infinite where there is nothing.
+        top: Height of its top [m].
     """
 
     base: float
     near: Floats
     far: Floats
-
-    @property
-    def top(self) -> float:
-        """Height of its top [m]."""
-        return self.base + SLAB_M * len(self.near)
+    top: float
 
 
 def outline(clouds: Sequence[Floats], base: float, half_width: float = math.inf) -> Outline:
@@ -115,7 +112,7 @@ def outline(clouds: Sequence[Floats], base: float, half_width: float = math.inf)
         np.maximum.at(spans_far, slab, cloud[:, 0])
     near = np.minimum(np.minimum(near[:-1], near[1:]), spans_near[:-1])
     far = np.maximum(np.maximum(far[:-1], far[1:]), spans_far[:-1])
-    return Outline(base, near, far)
+    return Outline(base, near, far, top)
 
 
 def _cut(cloud: Floats, levels: Floats) -> tuple[Floats, Floats]:

@@ -24,6 +24,8 @@ COMES_OFF = "it comes down from what it has climbed"
 """What became of a verb of falling or leaping after a climb."""
 _CLIMBS = lex.word_set("climbs")
 _LEAPS = lex.word_set("jumping") - _CLIMBS
+_HANGING, _HUNG = frozenset({"rope", "cord"}), "climbing rope"
+"""What lies coiled, and what is climbed in its place: a rope that hangs from a frame."""
 _UNCLIMBED = lex.word_set("not climbed")
 _ONTO = ("onto", "on", "on top of", "upon", "atop")
 _FROM = ("down from", "from", "off", "down", "off of", "out of")
@@ -68,7 +70,7 @@ def climbs_something(d: Discourse, f: Frame, s: list[str]) -> bool:
     if any(d.scene.supported_by.get(a) not in (None, goal.thing) for a in s):
         return False
     for actor in who:
-        course = _course(d, actor, goal)
+        course = _course(d, actor, goal, climbing=f.verb.lemma in _CLIMBS)
         if course is None:
             return False
         _lead(d, f, actor, goal, course)
@@ -168,21 +170,26 @@ def _said_course(prep: str, climbing: bool, down: bool) -> str | None:
     return "over" if prep == "over" else "onto" if prep in _ONTO else None
 
 
-def _course(d: Discourse, actor: str, goal: _Goal) -> str | None:
+def _course(d: Discourse, actor: str, goal: _Goal, *, climbing: bool) -> str | None:
     """How somebody climbs something; None where that is nothing to climb."""
     thing = entity_of(d, goal.thing)
+    if thing.head in _HANGING and goal.course in ("it", "up", "down"):
+        thing.noun, thing.head, thing.known = lex.nouns()[_HUNG], _HUNG, True
     mine, other = dimensions_of(entity_of(d, actor)), dimensions_of(thing)
     if structural(d, goal.thing) or kind_of(d, goal.thing) in (*LIVING, "water", "region"):
         return None
     if thing.noun.kind in _UNCLIMBED or thing.noun.name in _UNCLIMBED:
         return None
-    if "round" in thing.noun.traits or thing.noun.kind == "ramp":
+    sloped = thing.noun.kind == "ramp"
+    if "round" in thing.noun.traits or (sloped and not climbing):
         return None  # what is sloped is driven and walked up
     rock = thing.noun.kind == "rock" and goal.course in ("it", "up", "onto")
     if not rock and other[2] < max(_LEAST_CM, _GRIP * min(mine)):
         return None
     if rock and not thing.dimensions_prescribed:
         return "onto"  # as large as who climbs it asks for
+    if sloped and goal.course != "down":
+        return "up" if goal.course in ("it", "up") else None
     walked = thing.noun.name in ("stairs", "staircase")
     if goal.course in ("it", "up"):
         low = goal.course == "it" and other[2] <= _LOW * max(mine)
