@@ -11,7 +11,6 @@ from esg.assets.geometry.sketch import BRASS, DARK, Color, Sketch
 from esg.assets.lazy import forms, shapes
 from esg.graph.models import ProxyKind
 
-
 BEAM = (0.48, 0.33, 0.2)
 """Colour of a timber frame."""
 

@@ -13,6 +13,7 @@ from esg.dynamics.story.climbing import WALKED_DEG as WALKED_DEG
 from esg.dynamics.story.climbing import Climber, Course, Pose, climb, slope_deg, times, walk_down
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.outlines import Floats, clouds_of_asset
+from esg.dynamics.story.stagecraft import Prop
 from esg.dynamics.story.story import Phase, bounds, is_climb
 from esg.graph.models import AssetConfiguration, EdgeEvent, TimelineNode
 
@@ -23,6 +24,8 @@ PEAK = 1.5
 """Largest speed over the mean one of who sets off from rest and comes to rest again."""
 WIDE = 2.0
 """A thing so much wider than deep is climbed across its width: walls, fences."""
+FOOT_M = 0.5
+"""Height up to which a thing's width at its foot is taken."""
 ASIDE_M = 0.15
 """Gap between two that climb side by side."""
 
@@ -139,6 +142,8 @@ def _put(stage: Stage, actor: str, other: str, along: float, heading: float) -> 
         way = (yaw or 0.0) + heading
         others = stage.landed.get(other, 0)
         step = 2.0 * stage.prop(actor).half_width + ASIDE_M
+        if _foot_width(stage.prop(other), heading) < 2.0 * step:  # from another side
+            way, others = way + 0.5 * math.pi * others, 0
         aside = (2 * (others % 2) - 1) * ((others + 1) // 2) * step
         x = bx + along * math.cos(way) - aside * math.sin(way)
         y = by + along * math.sin(way) + aside * math.cos(way)
@@ -148,3 +153,11 @@ def _put(stage: Stage, actor: str, other: str, along: float, heading: float) -> 
     stage.places.setdefault(other, (x, y, frame.angle - heading))
     stage.landed[other] = stage.landed.get(other, 0) + 1
     stage.places[actor] = (*frame.apply(0.0, 0.0), frame.angle)
+
+
+def _foot_width(thing: Prop, heading: float) -> float:
+    """How wide a thing is at its foot, across a way in its own frame [m]."""
+    assert thing.config is not None
+    clouds = seen_along(clouds_of_asset(thing.config), heading)
+    low = [c for c in clouds if c[:, 2].min() < FOOT_M]
+    return max((float(c[:, 1].max() - c[:, 1].min()) for c in low), default=0.0)

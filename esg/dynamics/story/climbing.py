@@ -127,8 +127,11 @@ def climb(
     """
     half = max(float(np.abs(c[:, 1]).max()) for c in who.clouds)
     sides = outline(thing, 0.0, half)
-    if not np.isfinite(sides.near).any():
+    seen = np.flatnonzero(np.isfinite(sides.near))
+    if not len(seen):
         return None
+    if seen[0]:  # what ends above the ground goes on down to it: a rope
+        sides.near[: seen[0]], sides.far[: seen[0]] = sides.near[seen[0]], sides.far[seen[0]]
     if course in ("up", "down"):
         found = _up(who, sides, rise)
         return found if course == "up" or found is None else found[::-1]

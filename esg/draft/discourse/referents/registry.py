@@ -25,7 +25,10 @@ _TWINS = lex.word_set("twins")
 LARGEST_CM, LIGHTEST_KG = 9000.0, 1e-3
 MAX_COUNT = 40
 """Most members of one plural."""
-_FLIGHTS, _STEPS = frozenset({"stairs", "staircase"}), frozenset({"step", "steps", "stair", "stairs"})
+_FLIGHTS, _STEPS = (
+    frozenset({"stairs", "staircase"}),
+    frozenset({"step", "steps", "stair", "stairs"}),
+)
 _RISE_CM, _GOING_CM, _MOST_STEPS = 17.0, 37.0, 12
 """Of a flight of so many steps, its landing included (`stairs` of the parametric library)."""
 _USUAL = {"pin": 10, "domino": 8}
@@ -134,7 +137,7 @@ def _count(world: World, m: Mention, noun: lex.Noun) -> int:
 
 def _steps(m: Mention, noun: lex.Noun) -> int:
     """ "Up three steps": so many of one flight; 0 for stairs that are not counted so."""
-    counted = noun.name in _FLIGHTS and m.head in _STEPS and m.after_prep in ("up", "down", "")
+    counted = noun.name in _FLIGHTS and m.head in _STEPS and m.after_prep in ("up", "down")
     return m.count or 0 if counted and 2 <= (m.count or 0) <= _MOST_STEPS else 0
 
 

@@ -91,9 +91,11 @@ def noun_here(
         name = _of_many(m, name, cricket=cricket)
     elif m.head == "arm" and _of_a_machine(m, named):
         name = "robot arm"
-    elif m.head in _HILLSIDES and m.after_prep in ("down", "up"):
-        name = "ramp"
-    elif (m.head == "plane" and _sloped(m)) or (m.head in _LEANT and m.after_prep == "down"):
+    elif (
+        (m.head in _HILLSIDES and m.after_prep in ("down", "up"))
+        or (m.head == "plane" and _sloped(m))
+        or (m.head in _LEANT and m.after_prep == "down")
+    ):
         name = "ramp"
     return noun if name == noun.name else lex.nouns()[name]
 

@@ -24,9 +24,16 @@ COMES_OFF = "it comes down from what it has climbed"
 """What became of a verb of falling or leaping after a climb."""
 _CLIMBS = lex.word_set("climbs")
 _LEAPS = lex.word_set("jumping") - _CLIMBS
+_BETWEEN = lex.word_set("between a climb and its goal")
 _HANGING, _HUNG = frozenset({"rope", "cord"}), "climbing rope"
 """What lies coiled, and what is climbed in its place: a rope that hangs from a frame."""
 _UNCLIMBED = lex.word_set("not climbed")
+_ACTS = frozenset(
+    {"own", "hit", "knock", "approach", "follow", "leave", "reverse", "roll", "slide", "fly",
+     "pick", "put", "carry", "launch", "turn", "stop", "brake", "accelerate", "open", "tow", "pass"}
+)  # fmt: skip
+"""Senses of what somebody does elsewhere, on the ground."""
+_FALLS = frozenset({"fall", "drop", "topple"})
 _ONTO = ("onto", "on", "on top of", "upon", "atop")
 _FROM = ("down from", "from", "off", "down", "off of", "out of")
 _LOW = 1.5
@@ -69,6 +76,8 @@ def climbs_something(d: Discourse, f: Frame, s: list[str]) -> bool:
         return False
     if any(d.scene.supported_by.get(a) not in (None, goal.thing) for a in s):
         return False
+    if goal.course in ("it", "up") and _goes_on(d, f, s):
+        return False  # nothing leads it down again
     for actor in who:
         course = _course(d, actor, goal, climbing=f.verb.lemma in _CLIMBS)
         if course is None:
@@ -76,6 +85,24 @@ def climbs_something(d: Discourse, f: Frame, s: list[str]) -> bool:
         _lead(d, f, actor, goal, course)
     mark_used(d, f, "climb")
     return True
+
+
+def _goes_on(d: Discourse, f: Frame, s: list[str]) -> bool:
+    """ "Climbs a ladder and walks to a box": whether more is told of who has climbed up."""
+    for g in d.told:
+        if g.verb.start <= f.verb.start or g.subject is None or not {*g.subject.entities} & {*s}:
+            continue
+        named = {i for p in g.phrases for i in things(p) if not structural(d, i)}
+        lands = g.verb.sense in _FALLS and (bool(named - {*_named(f)}) or g.object is not None)
+        if lands or (g.verb.sense in _ACTS and g.verb.lemma not in _LEAPS):
+            return True
+    return False
+
+
+def _named(f: Frame) -> list[str]:
+    """What a clause has as its object and in its phrases."""
+    named = [f.object, *(p.mention for p in f.phrases)]
+    return [i for m in named if m is not None for i in m.entities]
 
 
 def _lead(d: Discourse, f: Frame, actor: str, goal: _Goal, course: str) -> None:
@@ -98,9 +125,19 @@ def _lead(d: Discourse, f: Frame, actor: str, goal: _Goal, course: str) -> None:
     d.timeline.move(actor, motion, ForceDirection.ALONG_FORWARD_ONLY)
     node = d.timeline.trigger(actor, f"{actor} has climbed {goal.thing}")
     d.timeline.track(actor).motion = None
-    start = min(f.verb.start, goal.start)
-    said = Climbing(actor, goal.thing, course, node, (start, max(f.verb.end, goal.mention.end)))
-    d.moves.climbs.append(said)
+    words = _words(d, f, goal)
+    d.moves.climbs.append(Climbing(actor, goal.thing, course, node, words))
+
+
+def _words(d: Discourse, f: Frame, goal: _Goal) -> tuple[int, int]:
+    """The verb with what is climbed, or the verb alone where other words stand between them."""
+    between = d.text[f.verb.end : goal.start]
+    for start, end in d.scene.used:
+        if f.verb.end <= start and end <= goal.start:
+            between = between.replace(d.text[start:end], "")
+    plain = not {*re.findall(r"\w+", between.lower())} - _BETWEEN
+    ahead = goal.start < f.verb.start
+    return f.verb.start, f.verb.end if ahead or not plain else goal.mention.end
 
 
 def _speed(d: Discourse, f: Frame, actor: str) -> tuple[float, float]:
