@@ -128,8 +128,9 @@ shake, longer ones leave out what starts half way."""
 SLOPE_GRADE = 0.05
 """What moves up or down along a surface that is not named gains this share of its way: what is less
 steep is a walking surface, not a ramp (ADA Standards 403.3)."""
-CLIMBED_SHARE = 0.5
-"""Who climbs something gets up so much of its height, or as high as itself: lower is a step."""
+CLIMBED_SHARE, CLIMBED_SIZE = 0.5, 0.6
+"""Who climbs something gets up so much of its height, or so much of its own size: lower is a
+step."""
 CLIMBED_TOLERANCE = 0.15
 """A stated height of a climb may be off by this share."""
 CLIMBING_M = 0.15

@@ -10,6 +10,7 @@ from esg.metrics.statements.query import Kept, StatementQuery
 from esg.metrics.support import bounds, lowest_curve
 from esg.thresholds import (
     CLIMBED_SHARE,
+    CLIMBED_SIZE,
     CLIMBED_TOLERANCE,
     CLIMBING_M,
     MOST,
@@ -35,7 +36,7 @@ def climbs(replay: Replay, q: StatementQuery, body: int) -> Kept:
     size = 2.0 * max(replay.scene.bodies[body].half_extents)
     boxes = [bounds(replay, j, q.window.first) for j in things]
     need = CLIMBED_SHARE * min(float(high[2] - base[2]) for base, high in boxes)
-    need = min(need, size)
+    need = min(need, CLIMBED_SIZE * size)
     measured = {"rises_m": sign * gained}
     least, most = q.limits()
     if least is not None and most is not None:
