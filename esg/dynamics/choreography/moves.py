@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.choreography.braking import brake
-from esg.dynamics.choreography.climbs import climbed
+from esg.dynamics.choreography.courses.climbs import climbed
 from esg.dynamics.choreography.courses.rounds import way_needed, widest_turn
 from esg.dynamics.choreography.falls import goes_over_edge, over_edge, tip_over
 from esg.dynamics.choreography.placing import comes_to_rest, gap_left, join

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 
-from esg.dynamics.choreography.climbs import (
+from esg.dynamics.choreography.courses.climbs import (
     pace_of,
     poses_of,
     seen_along,

@@ -9,7 +9,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.dynamics.choreography.climbs import pushes_off
+from esg.dynamics.choreography.courses.climbs import pushes_off
 from esg.dynamics.choreography.flights import flown_to
 from esg.dynamics.choreography.handling import BETWEEN_JUMPS_S
 from esg.dynamics.choreography.hovering import climbs_at

@@ -104,7 +104,7 @@ def outline(clouds: Sequence[Floats], base: float, half_width: float = math.inf)
         high = (float(cloud[:, 2].max()) - base) / SLAB_M
         levels = np.arange(max(0, math.ceil(low)), min(count, math.floor(high)) + 1)
         if len(levels):
-            least, most = _cut(cloud, base + SLAB_M * levels)
+            least, most = _cut(cloud, np.asarray(base + SLAB_M * levels, float))
             near[levels] = np.minimum(near[levels], least)
             far[levels] = np.maximum(far[levels], most)
         slab = np.clip(np.floor((cloud[:, 2] - base) / SLAB_M).astype(int), 0, count)

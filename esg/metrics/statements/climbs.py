@@ -7,7 +7,7 @@ import numpy as np
 from esg.metrics.events.space import is_over, surface_distance
 from esg.metrics.replay import Floats, Replay
 from esg.metrics.statements.query import Kept, StatementQuery
-from esg.metrics.support import bounds, lowest_curve
+from esg.metrics.support import Frames, bounds, lowest_curve
 from esg.thresholds import (
     CLIMBED_SHARE,
     CLIMBED_SIZE,
@@ -51,7 +51,7 @@ def climbs(replay: Replay, q: StatementQuery, body: int) -> Kept:
 
 
 def _at_surface(
-    replay: Replay, q: StatementQuery, body: int, frames: Floats, measured: dict[str, float]
+    replay: Replay, q: StatementQuery, body: int, frames: Frames, measured: dict[str, float]
 ) -> Kept:
     """Whether it is near the target at most of some frames of the window."""
     step = max(1, round(SAMPLE_S / replay.frame_s))

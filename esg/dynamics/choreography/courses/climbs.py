@@ -9,8 +9,16 @@ from typing import cast
 import numpy as np
 
 from esg.dynamics.choreography.stage import Stage
-from esg.dynamics.story.climbing import WALKED_DEG as WALKED_DEG
-from esg.dynamics.story.climbing import Climber, Course, Pose, climb, slope_deg, times, walk_down
+from esg.dynamics.story.climbing import (
+    WALKED_DEG,
+    Climber,
+    Course,
+    Pose,
+    climb,
+    slope_deg,
+    times,
+    walk_down,
+)
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.outlines import Floats, clouds_of_asset
 from esg.dynamics.story.stagecraft import Prop
