@@ -137,6 +137,14 @@ shake, longer ones leave out what starts half way."""
 SLOPE_GRADE = 0.05
 """What moves up or down along a surface that is not named gains this share of its way: what is less
 steep is a walking surface, not a ramp (ADA Standards 403.3)."""
+CLIMBED_SHARE, CLIMBED_SIZE = 0.5, 0.6
+"""Who climbs something gets up so much of its height, or so much of its own size: lower is a
+step."""
+CLIMBED_TOLERANCE = 0.15
+"""A stated height of a climb may be off by this share."""
+CLIMBING_M = 0.15
+"""Who climbs stays this close to what it climbs, or as close as its own size: hands and feet, which
+bodies do not move, reach as far."""
 AROUND_DEG, BEND_DEG = 120.0, 40.0
 """What moves around something sees it turn by so much while its course bends by so much: a straight
 way past sees up to 180 degrees and bends by none."""

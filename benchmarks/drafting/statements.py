@@ -256,11 +256,26 @@ def _moves(doc: EsgDocument, asked: _Asked) -> bool:
     """Toward something that a segment aims at, past something that is missed."""
     if asked.direction == "past":
         return _between(doc, asked, NodeEvent.MISS)
+    if _climbs(doc, asked):
+        return True
     timeline = doc.timeline_system
     edges = timeline.sequence_graph.edges if timeline else ()
     wanted = set(_pairs(asked))
     return asked.direction == "toward" and any(
         e.event in _OWN_MOTION and (e.actor, e.target) in wanted for e in edges
+    )
+
+
+def _climbs(doc: EsgDocument, asked: _Asked) -> bool:
+    """Up or down what somebody climbs, or along it: "runs up the stairs"."""
+    own = {i for ids in asked.objects for i in ids}
+    other = {i for ids in asked.targets for i in ids}
+    return any(
+        s.predicate is Predicate.CLIMBS
+        and own & {*s.object}
+        and (s.direction == asked.direction or asked.direction == "along")
+        and (not other or bool(other & {*s.target}))
+        for s in doc.statements or ()
     )
 
 

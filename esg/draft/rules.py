@@ -112,7 +112,10 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     compare(text, clauses.mentions, scene)
     contrast(scene)
     space(text, clauses.mentions, scene)
-    fit(scene, discourse.moves.upon)
+    moves = discourse.moves
+    onto = {c.actor: c.thing for c in moves.climbs if c.course == "onto"}
+    climbed = {c.actor: c.thing for c in moves.climbs if c.course in ("up", "down")}
+    fit(scene, moves.upon | onto, climbed)
     contradictions(scene)
     nothing_to_draw(scene)
     too_much(scene)

@@ -521,7 +521,9 @@ class MotionParams(Model):
     release: bool | None = None
     """Guide: False holds the body on at the end; otherwise it is let go there"""
     height_cm: Quantity | None = None
-    """Toward that ends in a Jump: how far the body rises [cm]"""
+    """Toward that ends in a Jump, Guide that climbs: how far the body rises [cm]"""
+    climbs: Literal["up", "down", "onto", "over"] | None = None
+    """Guide that ends at a Trigger: leads the body along the surface of its target"""
     opening: Quantity | None = None
     """Drive: the joint's position at its end, hinge [deg], slider [cm]"""
 
@@ -585,6 +587,7 @@ class Predicate(str, enum.Enum):
     ATTACHED_TO = "attached_to"
     LEANS_ON = "leans_on"
     MOVES = "moves"
+    CLIMBS = "climbs"
     ROLLS = "rolls"
     SLIDES = "slides"
     SPINS = "spins"

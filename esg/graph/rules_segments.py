@@ -44,7 +44,8 @@ ONLY: dict[str, frozenset[EdgeEvent]] = {
     "lift_cm": frozenset({M.GUIDE}),
     "clearance_cm": frozenset({M.GUIDE}),
     "release": frozenset({M.GUIDE}),
-    "height_cm": frozenset({M.TOWARD}),
+    "height_cm": frozenset({M.TOWARD, M.GUIDE}),
+    "climbs": frozenset({M.GUIDE}),
     "opening": frozenset({M.DRIVE}),
 }
 """Parameters that only some segments have; all others fit every driven segment."""

@@ -35,6 +35,7 @@ _WITH_TARGET = frozenset(
         Predicate.ENDS_NEAR,
         Predicate.FLOATS,
         Predicate.SINKS,
+        Predicate.CLIMBS,
     }
 )
 _TARGETED_DIRECTIONS = frozenset(
@@ -84,7 +85,7 @@ def _needs(ctx: Context, here: str, statement: Statement) -> None:
         "noun": says in (*_OF_NOUNS, *_NAMING),
         "object": says not in _OF_NOTHING,
         "target": says in _WITH_TARGET or statement.direction in _TARGETED_DIRECTIONS,
-        "direction": says is Predicate.MOVES,
+        "direction": says in (Predicate.MOVES, Predicate.CLIMBS),
         "side": says is Predicate.STRUCK_ON,
         "filming": says is Predicate.FILMED,
         "value": says in (Predicate.SLOWER_THAN, Predicate.FASTER_THAN, Predicate.COUNT),

@@ -62,6 +62,7 @@ _FIELDS: dict[str, _Fields] = {
     "moves": _Fields(("object", "direction"), ("target",)),
     **dict.fromkeys(("floats", "sinks"), _PLACED),
     "filled_with": _Fields(("object", "noun")),
+    "climbs": _Fields(("object", "target", "direction"), ("value", "unit"), "height"),
     "struck_on": _Fields(("object", "target", "side")),
     "filmed": _Fields(("filming",), ("object",)),
     "size": _Fields(("object",), ("quantity", "value", "as", "unit"), "height"),

@@ -139,7 +139,35 @@ def case(says: str, kept: Make, broken: Make, why: str, **fields: object):
     return pytest.param(says, kept, broken, why, fields, id=f"{says}-{why}")
 
 
+POST = Shape("box", (0.1, 0.1, 1.0))
+
+
+def climbing(gap: float = 0.02, z=None, x=None) -> World:
+    """A box of 0.2 m that goes up a post of 2 m, so far from it."""
+    z = line(0.1, 0.6, 0.5) if z is None else z
+    post = body("post_1", POST, static=True)
+    return World(3.0).add(post).add(body("cat_1"), x=-0.2 - gap if x is None else x, z=z)
+
+
+def across(t: np.ndarray) -> np.ndarray:
+    """Up before a post, over its top and down behind it."""
+    return np.interp(t, [0.0, 1.2, 1.8, 3.0], [-0.22, -0.22, 0.22, 0.22])
+
+
+def up_and_down(t: np.ndarray) -> np.ndarray:
+    return np.interp(t, [0.0, 1.2, 1.8, 3.0], [0.1, 2.12, 2.12, 0.1])
+
+
+CLIMBS = {"object": "cat", "target": "post"}
 CASES = [
+    case("climbs", climbing, lambda: climbing(gap=0.5), "50 cm away", direction="up", **CLIMBS),
+    case("climbs", climbing, lambda: climbing(z=0.1), "rises by 0.00 m", direction="up", **CLIMBS),
+    case("climbs", lambda: climbing(z=line(1.5, -0.6, 0.5)), climbing, "sinks by",
+         direction="down", **CLIMBS),
+    case("climbs", climbing, lambda: climbing(z=line(0.1, 0.2, 0.5)), "needs 1.", value=1.5,
+         direction="up", **CLIMBS),
+    case("climbs", lambda: climbing(x=across, z=up_and_down), lambda: climbing(z=up_and_down),
+         "never is over", direction="across", **CLIMBS),
     case("supported_by", on_table, lambda: on_table(z=1.2), "not rest on", **ON),
     case("supported_by", on_table, lambda: on_table(x=1.2), "not rest on", when="start", **ON),
     case(

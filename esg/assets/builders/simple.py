@@ -11,6 +11,9 @@ from esg.assets.geometry.sketch import BRASS, DARK, Color, Sketch
 from esg.assets.lazy import forms, shapes
 from esg.graph.models import ProxyKind
 
+BEAM = (0.48, 0.33, 0.2)
+"""Colour of a timber frame."""
+
 
 @builder("box", "free")
 def box(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
@@ -202,6 +205,22 @@ def roller(s: Sketch, L: float, W: float, H: float, c: Color, hollow: bool = Fal
             ends = sorted((x * L / 2, x * (L / 2 - 0.4)))
             s.rod(r * 0.93, (ends[0], 0, r), (ends[1], 0, r), rim, rough=0.9, sections=36)
     s.proxy(ProxyKind.CYLINDER, (r, r, L / 2), (0, 0, r), 1.0, ALONG["x"])
+
+
+@builder("climbing_rope", "free")
+def climbing_rope(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
+    """A knotted rope that hangs from the beam of a frame across Y."""
+    post, r, low = min(L, 0.06 * W), 2.2, 12.0
+    for y in (-W / 2 + post / 2, W / 2 - post / 2):
+        s.slab((-post / 2, post / 2), (y - post / 2, y + post / 2), (0, H), BEAM, of="wood",
+               solid=1.0, name="post")  # fmt: skip
+        s.slab((-L / 2, L / 2), (y - post / 2, y + post / 2), (0, 5), BEAM, of="wood", solid=1.0,
+               name="foot")  # fmt: skip
+    half = W / 2 - post
+    s.slab((-r, r), (-half, half), (H - 12, H), BEAM, of="wood", solid=1.0, name="beam")
+    s.rod(r, (0, 0, low), (0, 0, H - 12), c, solid=1.0, rough=0.95, sections=12, name="rope")
+    for k in range(max(2, round((H - 40) / 45))):
+        s.ball(1.5 * r, (0, 0, low + 8 + 45 * k), c, rough=0.95)
 
 
 @builder("ladder", "free")

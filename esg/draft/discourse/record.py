@@ -81,6 +81,25 @@ class References:
     """What each person launched last."""
 
 
+@dataclass(frozen=True)
+class Climbing:
+    """A climb that is told of.
+
+    Args:
+        actor: Who climbs.
+        thing: What.
+        course: up, down, onto or over.
+        node: The event at its end.
+        words: Where its words stand in the text.
+    """
+
+    actor: str
+    thing: str
+    course: str
+    node: str
+    words: tuple[int, int]
+
+
 @dataclass
 class Moves:
     """What is told of those who move."""
@@ -110,6 +129,8 @@ class Moves:
     """What is told to hold its height in the air at first."""
     upon: dict[str, str] = field(default_factory=dict[str, str])
     """What somebody has leapt onto, and is on."""
+    climbs: list[Climbing] = field(default_factory=list[Climbing])
+    """Who climbs what."""
     outrun: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
     """Events of those who come first, and the same events of those who come later."""
     still: dict[str, int] = field(default_factory=dict[str, int])

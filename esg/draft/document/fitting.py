@@ -2,7 +2,8 @@
 
 A ball, a box and a block come in any size, so that one which no number is told of is as small as
 the cup that holds or covers it asks for. So does a rock, which is as large as whoever stands or
-leaps on it needs. All else keeps the size of its kind.
+leaps on it needs, and a tree's trunk as long as who climbs it asks for. All else keeps the size of
+its kind.
 """
 
 from __future__ import annotations
@@ -24,18 +25,24 @@ _CROWN = 0.55
 """Share of a rock's length that its flat crown has (`rock` of the parametric library)."""
 _STANDS = 0.75
 """Share of its length that an animal's feet take up."""
+_TRUNK = 0.4
+"""Share of a tree's height that is bare trunk."""
+_TRUNKS, _ROOM_CM, _TALLEST_CM = 2.6, 80.0, 1100.0
+"""Trunk that who climbs it needs: so many times its longest side, and as much; no taller tree."""
 _OVER = re.compile(r"\bover an? |\bover the ", re.IGNORECASE)
 """Says that a vessel covers a thing, which "above" does not."""
 
 
-def fit(scene: Scene, leapt_on: Mapping[str, str]) -> None:
+def fit(scene: Scene, leapt_on: Mapping[str, str], climbed: Mapping[str, str]) -> None:
     """Makes what vessels hold or cover small enough, and rocks large enough to stand on.
 
     Args:
         scene: Everything that has been read; sizes of its things are changed where they are free.
-        leapt_on: Who leaps on what, by node.
+        leapt_on: Who leaps on what, or climbs onto it, by node.
+        climbed: Who climbs up or down what, by node.
     """
     _fit_rocks(scene, leapt_on)
+    _fit_trees(scene, climbed)
     for body, vessel, covered in _held(scene):
         free = body.noun.kind in _ANY_SIZE and not body.dimensions_prescribed
         stacked = body.noun.name == vessel.noun.name  # crates of a stack
@@ -61,6 +68,20 @@ def _fit_rocks(scene: Scene, leapt_on: Mapping[str, str]) -> None:
             factor = _STANDS * max(mine[:2]) / (_CROWN * room[0])
             if factor > 1.0:
                 rock.dimensions_cm = [factor * x for x in room]
+
+
+def _fit_trees(scene: Scene, climbed: Mapping[str, str]) -> None:
+    """A tree that somebody climbs has so long a trunk."""
+    things = scene.world.entities
+    for body, host in climbed.items():
+        who, tree = things.get(body), things.get(host)
+        if who is None or tree is None or tree.noun.name != "tree" or tree.dimensions_prescribed:
+            continue
+        room = dimensions_of(tree)
+        high = (_TRUNKS * max(dimensions_of(who)) + _ROOM_CM) / _TRUNK
+        factor = min(high, _TALLEST_CM) / room[2]
+        if factor > 1.0:
+            tree.dimensions_cm = [factor * x for x in room]
 
 
 def _held(scene: Scene) -> Iterator[tuple[Entity, Entity, bool]]:

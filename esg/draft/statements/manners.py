@@ -15,6 +15,7 @@ from esg.draft.events.hanging import SENT_UP
 from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.book import Book, span
+from esg.draft.statements.climbed import climbs_told
 from esg.draft.statements.periods import hurled, period, segment_from, segments
 from esg.draft.verbphrases import verb_readings
 from esg.graph.models import EdgeEvent, Predicate, Quantity
@@ -45,7 +46,7 @@ def paced(book: Book, clause: Clause, s: Said, mover: str) -> None:
     value = _pace(book.d, clause, mover, s.row.states)
     if value is not None:
         start, end = s.start, s.end
-        if not s.row.pace and legs is not None:
+        if not s.row.pace and legs is not None and not climbs_told(book.d, clause):
             (start, end), slow = _gait_word(book.d, s), s.row.states is Predicate.SLOWER_THAN
             value = round(1.1 * legs[1] if slow else 0.9 * legs[0], 2)
         book.add(s.row.states, start, end, object=(mover,), quantity="speed", value=value,
@@ -64,7 +65,7 @@ def _pace(d: Discourse, clause: Clause, mover: str, says: Predicate) -> float | 
     """The speed [cm/s] that a word such as "slowly" leaves a mover of its kind."""
     since = clause.since.get(mover, START)
     edge = segment_from(d, mover, since)
-    if edge is not None and edge.event is EdgeEvent.GUIDE:
+    if edge is not None and edge.event is EdgeEvent.GUIDE and edge.params.climbs is None:
         return GENTLE_CM_S if says is Predicate.SLOWER_THAN else None
     speed: Quantity | None = edge.params.speed if edge is not None else None
     if edge is None or edge.speed_is_prescribed or not isinstance(speed, tuple):

@@ -81,6 +81,8 @@ _LEVELS = frozenset({"height", "level", "altitude"})
 _BY_THE_EDGE = frozenset({"along", "alongside", "at", "near", "by", "close to", "beside"})
 _BEFORE = re.compile(r"\bbefore (?:an? |the )?$", re.IGNORECASE)
 _OWN = frozenset({"own", "fly", "reverse"})
+_DRIVEN_INTO = lex.word_set("driven into (phrases)")
+_GOING = frozenset({"own", "fly", "reverse", "roll", "slide", "coast", "continue"})
 _INNER = frozenset({"in", "into", "inside", "within", "inside of"})
 _CLOSED = frozenset({"appliance", "electronics", "building", "vehicle"})
 """Kinds of things that have an inside, which nothing is put into."""
@@ -507,6 +509,9 @@ def _carrier(d: Discourse, others: set[str], p: Phrase, part: str, f: Frame | No
     if side:
         by = replace(by, relations=frozenset({side}))
     open_ = any(kind_of(d, i) in _ENTERED for i in others)
+    driven_in = p.mention is not None and p.mention.head in _DRIVEN_INTO and p.prep in _INNER
+    if driven_in and f is not None and f.verb.sense in _GOING:
+        by = replace(by, events=by.events - {"Collision"})  # "rolls into a garage"
     leapt = f is not None and any(d.moves.upon.get(i) in others for i in about_of(d, f))
     if not leapt and f is not None and f.verb.sense in _OWN and (open_ or p.prep in ("on", "onto")):
         by = replace(by, events=by.events - {"Collision"})  # "jumps onto a box" is no bump

@@ -132,6 +132,8 @@ def _falls(a: Account, event: str) -> tuple[str, ...]:
 def _was_on_something(a: Account, who: str) -> bool:
     """Whether it starts on or in something, has been flying, or is a level of a stack."""
     d = a.d
+    if any(c.actor == who for c in d.moves.climbs):
+        return True
     flew = any(e.actor == who and e.params.elevation_deg is not None for e in d.timeline.edges)
     entity = d.world.entities.get(who)
     stacked = entity is not None and (entity.pattern == "stack" or entity.whole)

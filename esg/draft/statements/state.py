@@ -11,6 +11,7 @@ from esg.draft.events.stated import adverbs_of, place_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.account import Account
 from esg.draft.statements.book import Book, Told, span
+from esg.draft.statements.climbed import climbed, climbs_told
 from esg.draft.statements.held import carried, driver, posture, support, tow
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
 from esg.draft.statements.manners import flown, gains, paced, rolled, slid
@@ -138,6 +139,7 @@ def _unkept(book: Book, f: Frame, why: str) -> None:
 
 def _motion(book: Book, clause: Clause) -> None:
     """What the words of a clause state of what it moves."""
+    climbed(book, clause)
     for s in clause.said:
         for mover in clause.movers:
             _said(book, clause, s, mover)
@@ -152,6 +154,8 @@ def _motion(book: Book, clause: Clause) -> None:
 
 
 def _said(book: Book, clause: Clause, s: Said, mover: str) -> None:
+    if s.row.states is Predicate.MOVES and climbs_told(book.d, clause):
+        return  # up what it climbs
     if s.row.part == "goal":
         flap = s.row.states is Predicate.UNDER and is_flap(book.d.scene, book.d.text, mover)
         if clause.frame.verb.lemma == "pass" or flap:

@@ -19,10 +19,12 @@ from esg.draft.discourse.scene import LIMBED
 from esg.draft.events.courses import measurable
 from esg.draft.events.hanging import row_of
 from esg.draft.events.motions import flies_itself
+from esg.draft.events.senses.climbing import COMES_OFF
 from esg.draft.events.stated import adverbs_of
 from esg.draft.events.told import last_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.account import held
+from esg.draft.statements.climbed import climbs_told
 from esg.draft.statements.ways import comes_to_ground
 from esg.graph.models import EdgeEvent, NodeEvent, Predicate
 
@@ -81,6 +83,8 @@ def rows() -> tuple[_Row, ...]:
 def missing(d: Discourse, clause: Clause) -> str:
     """What a clause that was read says and the document does not hold; empty if it holds it."""
     f = clause.frame
+    if climbs_told(d, clause) or d.scene.used.get((f.verb.start, f.verb.end)) == COMES_OFF:
+        return ""
     for row in rows():
         if row.names(f) and _applies(d, row.voice, clause):
             return row.missing

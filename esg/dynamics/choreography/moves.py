@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.choreography.braking import brake
+from esg.dynamics.choreography.courses.climbs import climbed
 from esg.dynamics.choreography.courses.rounds import way_needed, widest_turn
 from esg.dynamics.choreography.falls import goes_over_edge, over_edge, tip_over
 from esg.dynamics.choreography.placing import comes_to_rest, gap_left, join
@@ -18,6 +19,7 @@ from esg.dynamics.story.story import (
     ON_THE_SPOT,
     Phase,
     bounds,
+    is_climb,
     rebounds,
     turn_of,
     turns_back,
@@ -56,6 +58,10 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
     arrived: list[float] = []
     for actor, phase in stage.incoming(node):
         track = stage.tracks[actor]
+        if is_climb(phase):
+            climbed(stage, node, actor, phase)
+            arrived.append(track.time)
+            continue
         if prescribed is not None:
             duration = max(0.2, prescribed - track.time)
         elif phase.edge.event is EdgeEvent.BRAKE:

@@ -18,6 +18,7 @@ from esg.dynamics.choreography.moves import TURNED_RAD
 from esg.dynamics.losses.gap import bounding_radius, surface_gap
 from esg.dynamics.losses.hits import first_hit
 from esg.dynamics.losses.recording import Bools, Floats, Recording
+from esg.dynamics.story.story import climbed_before
 from esg.engines.scene import Body
 from esg.graph.models import NodeEvent, TimelineNode
 from esg.metrics.geometry import first_pass, gets_ahead
@@ -299,6 +300,9 @@ def fall(rec: Recording, node: TimelineNode, earliest: Floats, add: AddTerm) -> 
     body = rec.scene.index(node.participants[0])
     z = rec.r.position[:, :, body, 2].astype(float)
     need = 2.0 * SAFE_FALLEN_BY * rec.scene.bodies[body].half_extents[2]
+    climbed = climbed_before(rec.story, node)
+    if climbed is not None:
+        earliest = np.fmax(earliest, rec.program_time(climbed))
     # What has come down before the event that it follows does not count.
     drop = z[np.arange(rec.n), _since(rec, earliest)][:, None] - z
     late = rec.late(earliest)

@@ -101,6 +101,7 @@ def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: b
     def starts(theta: NDArray[np.float64]) -> dict[str, Start]:
         v = values(theta)
         driven = {a: composer.start_pose(a, v) for a in cast.story.phases if cast.drives(a)}
+        driven |= {a: way.start for a, way in composer.set_off_climbing.items()}
         return driven | _seated(cast.doc, scene, driven)
 
     variables = tuple(declared.variables.values())

@@ -9,6 +9,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.dynamics.choreography.courses.climbs import pushes_off
 from esg.dynamics.choreography.flights import flown_to
 from esg.dynamics.choreography.handling import BETWEEN_JUMPS_S
 from esg.dynamics.choreography.hovering import climbs_at
@@ -17,6 +18,7 @@ from esg.dynamics.choreography.slopes import FASTEST_MPS
 from esg.dynamics.choreography.ways import arrives
 from esg.dynamics.plan.aim import aim_heading
 from esg.dynamics.plan.cast import Cast
+from esg.dynamics.plan.climbs import Climb, climbs
 from esg.dynamics.plan.drives import (
     drawn_to,
     driven,
@@ -41,7 +43,7 @@ from esg.dynamics.story.paces import (
     usual_halt,
 )
 from esg.dynamics.story.stagecraft import coasting_drag, prop, stacked_with, support_of
-from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, turn_of, turns_back
+from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, is_climb, turn_of, turns_back
 from esg.engines.joints import start_position
 from esg.engines.program import (
     AdjustProperties,
@@ -170,6 +172,17 @@ class Composer:
         return out
 
     @cached_property
+    def climbs(self) -> dict[str, Climb]:
+        """The ways of all who climb, by segment id."""
+        return climbs(self.cast)
+
+    @property
+    def set_off_climbing(self) -> dict[str, Climb]:
+        """The ways of those whose first motion is a climb, by actor."""
+        first = {a: p[0].edge.id for a, p in self.story.phases.items()}
+        return {a: self.climbs[i] for a, i in first.items() if i in self.climbs}
+
+    @cached_property
     def _riders(self) -> dict[str, tuple[str, ...]]:
         """What lies on an actor or is joined to it and does not act itself, or is drawn along by
         it: it is under way with it.
@@ -208,7 +221,7 @@ class Composer:
         if self.cast.goes_down(actor, first):
             slope = self.scene.body(support_of(self.doc, actor) or "")
             return float(yaw_from_quat(slope.quaternion))
-        if self.cast.drives(actor) and not straight:
+        if (self.cast.drives(actor) and not straight) or is_climb(first):
             return yaw
         if target is not None and straight and not self.cast.look_ahead:
             offset = np.array(self.scene.body(target).position) - np.array(body.position)
@@ -265,6 +278,8 @@ class Composer:
             if turns_back(self.story, phase, lambda name: self.scene.body(name).static):
                 course.heading += math.pi
             last = k + 1 == len(phases) or (jumps and all(map(self.cast.coasts, phases[k + 1 :])))
+            if k and pushes_off(phases[k - 1], phase):
+                course.heading += math.pi
             leg = _Leg(phase, v, start, end, k == 0, last, duration)
             done = len(course.out)
             self._act(course, leg, phases[k + 1 :])
@@ -277,7 +292,9 @@ class Composer:
     def _act(self, course: _Course, leg: _Leg, later: tuple[Phase, ...]) -> None:
         """Adds what an actor does in one phase, by the kind of its edge."""
         phase, edge = leg.phase, leg.phase.edge
-        if edge.event is EdgeEvent.GUIDE:
+        if is_climb(phase):
+            self._climb_along(course, leg)
+        elif edge.event is EdgeEvent.GUIDE:
             self._guide(course, leg)
         elif edge.event is EdgeEvent.SPIN:
             self._spin(course, leg)
@@ -353,6 +370,17 @@ class Composer:
         held_until = leg.duration + HELD_ON_S if leg.last and not release else end
         course.out.append(way.path(course.actor, begin, leg.start - begin, held_until))
         course.clock, course.held = end, not release
+
+    def _climb_along(self, course: _Course, leg: _Leg) -> None:
+        """It goes along what it climbs, and is let go at the end, or holds on there."""
+        way = self.climbs.get(leg.phase.edge.id)
+        if way is None:
+            return
+        end = leg.start + way.times[-1]
+        holds = way.holds or leg.phase.edge.params.release is False
+        until = leg.duration + HELD_ON_S if holds and leg.last else end
+        course.out += way.program(course.actor, leg.start, until)
+        course.clock = end
 
     def _spin(self, course: _Course, leg: _Leg) -> None:
         """It is kept turning: on the spot where it has stood, else wherever it goes.

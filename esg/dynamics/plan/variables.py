@@ -26,7 +26,15 @@ from esg.dynamics.story.paces import (
     top_speed,
     usual_brake,
 )
-from esg.dynamics.story.story import CRUISES, ON_THE_SPOT, UNDISTURBED, Phase, bounds, middle
+from esg.dynamics.story.story import (
+    CRUISES,
+    ON_THE_SPOT,
+    UNDISTURBED,
+    Phase,
+    bounds,
+    is_climb,
+    middle,
+)
 from esg.dynamics.story.suspension import joint_of
 from esg.dynamics.story.tipping import FLIES_AT
 from esg.engines.scene import Body, Region
@@ -170,7 +178,9 @@ class Declarations:
         nominal = self.nominal
         if self.cast.coasts(phase):
             return
-        if phase.end.event is NodeEvent.JUMP:
+        if is_climb(phase):
+            self.declare_climb(phase)
+        elif phase.end.event is NodeEvent.JUMP:
             self.declare_jump(phase)
         elif edge.event in (EdgeEvent.GUIDE, EdgeEvent.DRIVE):
             self.declare_way(phase)
@@ -262,6 +272,11 @@ class Declarations:
             ends = f"{phase.edge.id}/aloft" in self.nominal
             low, high = (0.96, 1.06) if ends else (0.8, 1.4)
             self.add(name, low * told, high * told, told, told, 0.04 * told, "m/s", fixed=fixed)
+
+    def declare_climb(self, phase: Phase) -> None:
+        """When it has got there: its way and its pace leave no choice."""
+        told = self.nominal.get(f"{phase.end.id}/event_time", 1.0)
+        self.add(f"{phase.end.id}/time", told, told, told, told, 0.0, "s", fixed=True)
 
     def declare_way(self, phase: Phase) -> None:
         """How long something is carried; a Trigger at its end has a time of its own."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass
+import itertools
 import math
 
 from esg.graph.models import (
@@ -266,6 +267,20 @@ def hits(doc: EsgDocument, story: Story) -> list[tuple[TimelineNode, str, str]]:
         if a in nodes and b in nodes:
             out.append((node, a, b))
     return out
+
+
+def is_climb(phase: Phase) -> bool:
+    """Whether a phase leads its actor along the surface of something."""
+    return phase.edge.event is EdgeEvent.GUIDE and phase.edge.params.climbs is not None
+
+
+def climbed_before(story: Story, node: TimelineNode) -> TimelineNode | None:
+    """The end of the climb from which an event's actor comes down; None if it has not climbed."""
+    for phases in story.phases.values():
+        for before, phase in itertools.pairwise(phases):
+            if phase.end.id == node.id and is_climb(before):
+                return before.end
+    return None
 
 
 def _begins_at_a_wall(phase: Phase, is_fixed: Callable[[str], bool]) -> bool:

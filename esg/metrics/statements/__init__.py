@@ -13,6 +13,7 @@ from esg.metrics.binding import Binding, bind
 from esg.metrics.models import OF_EVENTS, StatementVerdict, SuiteScene, SuiteStatement
 from esg.metrics.replay import Replay
 from esg.metrics.statements import (
+    climbs,
     directions,
     facts,
     filmed,
@@ -40,6 +41,7 @@ OF_BODIES: dict[Predicate, OfBody] = {
     Predicate.ATTACHED_TO: place.attached_to,
     Predicate.LEANS_ON: place.leans_on,
     Predicate.MOVES: directions.moves,
+    Predicate.CLIMBS: climbs.climbs,
     Predicate.ROLLS: manner.rolls,
     Predicate.SLIDES: manner.slides,
     Predicate.SPINS: manner.spins,

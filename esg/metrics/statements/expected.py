@@ -79,7 +79,7 @@ def _ref(names: Iterable[str]) -> str | None:
 def _si(s: Statement) -> tuple[float | None, tuple[float, float] | None]:
     """A statement's value, or its range, in base units."""
     quantity = s.quantity or ("speed" if s.predicate in _SPEEDS else "")
-    in_cm = quantity in _IN_CM or s.predicate is Predicate.ABOVE
+    in_cm = quantity in _IN_CM or s.predicate in (Predicate.ABOVE, Predicate.CLIMBS)
     if isinstance(s.value, tuple):
         low, high = s.value
         return None, (m_from_cm(low), m_from_cm(high)) if in_cm else (low, high)

@@ -17,6 +17,7 @@ from esg.thresholds import HIT_GAP_S, MOMENT_S, OPENING_S, SAMPLE_S
 OF_MOTION = frozenset(
     {
         Predicate.MOVES,
+        Predicate.CLIMBS,
         Predicate.ROLLS,
         Predicate.SLIDES,
         Predicate.SPINS,

@@ -25,6 +25,12 @@ _TWINS = lex.word_set("twins")
 LARGEST_CM, LIGHTEST_KG = 9000.0, 1e-3
 MAX_COUNT = 40
 """Most members of one plural."""
+_FLIGHTS, _STEPS = (
+    frozenset({"stairs", "staircase"}),
+    frozenset({"step", "steps", "stair", "stairs"}),
+)
+_RISE_CM, _GOING_CM, _MOST_STEPS = 17.0, 37.0, 12
+"""Of a flight of so many steps, its landing included (`stairs` of the parametric library)."""
 _USUAL = {"pin": 10, "domino": 8}
 _USUAL_IN = {"row": 5, "stack": 3, "rack": 6, "queue": 3, "pins": 10, "": 3}
 """Members of a plural without a number, by kind and by arrangement."""
@@ -129,6 +135,12 @@ def _count(world: World, m: Mention, noun: lex.Noun) -> int:
     return _USUAL.get(noun.kind, _USUAL_IN.get(m.pattern or "", 4))
 
 
+def _steps(m: Mention, noun: lex.Noun) -> int:
+    """ "Up three steps": so many of one flight; 0 for stairs that are not counted so."""
+    counted = noun.name in _FLIGHTS and m.head in _STEPS and m.after_prep in ("up", "down")
+    return m.count or 0 if counted and 2 <= (m.count or 0) <= _MOST_STEPS else 0
+
+
 def _pattern(m: Mention, noun: lex.Noun, number: int) -> str | None:
     """How the members of a plural stand."""
     if number <= 1:
@@ -211,7 +223,8 @@ def create(world: World, m: Mention) -> list[str]:
             noun, m.head = like[-1].noun, like[-1].head  # "a curling stone ... another stone"
     if m.letters:
         return [letter_of(world, m, x) for x in m.letters]
-    number = _count(world, m, noun)
+    steps = _steps(m, noun)
+    number = 1 if steps else _count(world, m, noun)
     plain = [a for a in m.adjectives if not a.startswith("@")]
     group, label = None, (m.text or m.head).removesuffix(f" {m.part}")
     if number > 1:
@@ -227,6 +240,10 @@ def create(world: World, m: Mention) -> list[str]:
         for _ in range(number)
     ]  # fmt: skip
     enrich(world, m, ids)
+    if steps:
+        flight = world.entities[ids[0]]
+        flight.dimensions_cm = [steps * _GOING_CM, noun.dimensions_cm[1], steps * _RISE_CM]
+        flight.dimensions_prescribed = True
     if group is None:
         world.entities[ids[0]].one = m.count == 1
         return ids

@@ -13,6 +13,7 @@ from esg.draft.text.elements import Mention
 
 _AT_A_BAR = lex.word_set("at a bar")
 _FRICTION = frozenset({"frictionless", "rough", "smooth", "slippery"})
+_HILLSIDES = lex.word_set("hillsides")
 _LEANT = lex.word_set("boards (leant)")
 _ROOMS = lex.word_set("rooms")
 
@@ -90,7 +91,11 @@ def noun_here(
         name = _of_many(m, name, cricket=cricket)
     elif m.head == "arm" and _of_a_machine(m, named):
         name = "robot arm"
-    elif (m.head == "plane" and _sloped(m)) or (m.head in _LEANT and m.after_prep == "down"):
+    elif (
+        (m.head in _HILLSIDES and m.after_prep in ("down", "up"))
+        or (m.head == "plane" and _sloped(m))
+        or (m.head in _LEANT and m.after_prep == "down")
+    ):
         name = "ramp"
     return noun if name == noun.name else lex.nouns()[name]
 

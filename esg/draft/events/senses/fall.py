@@ -34,6 +34,7 @@ from esg.draft.events.motions import (
     on_what_was_hit,
     start_motion,
 )
+from esg.draft.events.senses.climbing import comes_off
 from esg.draft.events.senses.launch import heights, look_at, motion_of_things
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import (
@@ -258,6 +259,8 @@ class Fall:
 @sense("fall")
 def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """What "falls" means for who does, from the most special reading to a plain fall."""
+    if comes_off(d, f, s):
+        return
     if _comes(d, f, s, o):
         return
     if _tumbles_on(d, f, s):

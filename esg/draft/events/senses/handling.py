@@ -18,6 +18,7 @@ from esg.draft.events.consequences import already_hit
 from esg.draft.events.ends import takes_up_from_above
 from esg.draft.events.hanging import turning, turns_told
 from esg.draft.events.roles import doer_and_done
+from esg.draft.events.senses.climbing import comes_off
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import enter, enterable, moved_by_others, time_of
 from esg.draft.events.told import amount, at_rest, ignore, recent, things, traits_of
@@ -188,6 +189,8 @@ def _lay_aside(d: Discourse, body: str, target: str) -> None:
 @sense("jump")
 def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "Jumps over the fence", "hops three times": leaps from the ground and back to it."""
+    if comes_off(d, f, s):
+        return
     springy = [i for i in things(f.phrase(*_PUT_ON)) if entity_of(d, i).noun.name in _HOPPED_ON]
     springy = [] if _ONTO.search(d.text, f.verb.end) else springy
     place(d, s, springy[:1], "on")

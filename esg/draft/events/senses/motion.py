@@ -24,6 +24,7 @@ from esg.draft.events.ends import bounces_over
 from esg.draft.events.hanging import thrown_up
 from esg.draft.events.motions import flies_itself, hover, motion, start_motion, target_of
 from esg.draft.events.roles import doer_and_done, filling
+from esg.draft.events.senses.climbing import climbs_something
 from esg.draft.events.senses.contact import hit_targets
 from esg.draft.events.senses.handling import bounces_on_ground
 from esg.draft.events.senses.launch import aim_at, launch_by, motion_of_things, stand_by
@@ -69,6 +70,8 @@ _ANYHOW = lex.word_set("goes anyhow")
 @sense("own")
 def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """Drives, walks, runs: by itself, or what a person drives."""
+    if climbs_something(d, f, s):
+        return
     if _sets_going(d, f, s, o):
         launch_by(d, f, s, o)
         return
