@@ -38,7 +38,7 @@ class Searchers:
     def __init__(self, pool: WorkerPool) -> None:
         self.pool = pool
         self.in_hand = 2 * pool.processes + READY
-        """Batches that are begun: as many are proved as searched, so that drafts do not run away."""
+        """Batches that are begun: as many are proved as searched; drafts do not run away."""
         self._free = threading.BoundedSemaphore(pool.processes)
         self._ready = threading.BoundedSemaphore(READY)
 

@@ -279,6 +279,13 @@ def _climbs(doc: EsgDocument, asked: _Asked) -> bool:
     )
 
 
+def _on_it(doc: EsgDocument, asked: _Asked) -> bool:
+    """Who climbs something is told to keep to its surface: "a bear climbing a tree"."""
+    pairs = {frozenset(pair) for pair in _pairs(asked)}
+    climbs = [s for s in doc.statements or () if s.predicate is Predicate.CLIMBS]
+    return any(frozenset((a, b)) in pairs for s in climbs for a in s.object for b in s.target)
+
+
 def _absent(doc: EsgDocument, asked: _Asked) -> bool:
     noun = words_of(asked.label["noun"])[-1:]
     return not any([head_of(doc, name)] == noun for name in doc.spatial_relation_graph.nodes)
@@ -344,7 +351,9 @@ _EQUIVALENT: dict[str, Callable[[EsgDocument, _Asked], bool]] = {
     Predicate.INSIDE.value: _inside,
     Predicate.MOVES.value: _moves,
     Predicate.ENDS_IN.value: _ends_in,
-    Predicate.TOUCHES.value: lambda doc, asked: _between(doc, asked, NodeEvent.COLLISION),
+    Predicate.TOUCHES.value: lambda doc, asked: (
+        _between(doc, asked, NodeEvent.COLLISION) or _on_it(doc, asked)
+    ),
     Predicate.NEVER_TOUCHES.value: lambda doc, asked: _between(doc, asked, NodeEvent.MISS),
     Predicate.ABSENT.value: _absent,
     Predicate.COUNT.value: _count,

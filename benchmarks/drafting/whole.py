@@ -23,6 +23,22 @@ from esg.lexicon.places import sky_words
 _FRAME = frozenset({"a", "an", "at", "day", "during", "in", "on", "sky", "the", "time", "under"})
 """Small words around those that name a light."""
 
+_LATER = frozenset(
+    {
+        Predicate.FILMED,
+        Predicate.FILLED_WITH,
+        Predicate.FLOATS,
+        Predicate.SINKS,
+        Predicate.WEARS,
+        Predicate.LOOKS,
+    }
+)
+"""Of what labels call unsayable: documents hold it since."""
+_FUNCTION = _FRAME | frozenset(
+    {"and", "from", "her", "his", "is", "its", "of", "shot", "their", "view", "wearing", "with"}
+)
+"""Words that say nothing by themselves of how a scene is filmed or what is worn."""
+
 
 class Outcome(str, enum.Enum):
     """Class of a draft; the four shares add up to 100%."""
@@ -108,7 +124,8 @@ def judge(
         for label, (_, held) in zip(row["statements"], statements, strict=True)
         if not held
     ]
-    unsayable = [words for words in row.get("unsayable", ()) if not _shown(words)]
+    held = _words_held(doc)
+    unsayable = [w for w in row.get("unsayable", ()) if not (_shown(w) or _held(w, held))]
     found += [Fault("unsayable", words) for words in unsayable]
     says = bool(notes) or (doc is None and said)
     hollow = bool(unsayable) and not row["events"] and not row.get("static")
@@ -123,6 +140,29 @@ def judge(
     named = tuple(_names(notes, words) for words in unsayable)
     stand_ins = bool(notes) and all("stand-in" in note for note, _ in notes)
     return Verdict(outcome, main, says, stand_ins, tuple(found), statements, named)
+
+
+def _words_held(doc: EsgDocument | None) -> set[str]:
+    """Content words of statements for which labels were written before documents had them.
+
+    Each is measured by the judge. Words that the draft owns up to as well are not held.
+    """
+    statements = (doc.statements or ()) if doc else ()
+    lost = {
+        w for s in statements if s.predicate is Predicate.NOT_REPRESENTED for w in _content(s.text)
+    }
+    return {w for s in statements if s.predicate in _LATER for w in _content(s.text)} - lost
+
+
+def _held(words: str, held: set[str]) -> bool:
+    """Whether all content words of a label are held; one of function words alone is not."""
+    content = _content(words)
+    return bool(content) and content <= held
+
+
+def _content(words: str) -> set[str]:
+    """Content words of a phrase."""
+    return set(words_of(words)) - _FUNCTION
 
 
 def _shown(words: str) -> bool:

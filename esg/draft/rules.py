@@ -104,6 +104,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     world.net_sport, world.billiards = is_net_sport(text), is_billiards(text)
     world.cricket, world.filled = is_cricket(text), fillings.meant
     discourse = begin(world, text, clauses.mentions)
+    discourse.scene.fillings = fillings
     scene = interpret(discourse, clauses.frames, clauses.attachments)
     scene.text = text
     fill(discourse, fillings)

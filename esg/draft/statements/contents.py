@@ -28,7 +28,6 @@ _TIPS = frozenset({NodeEvent.FALL, NodeEvent.TOPPLE, NodeEvent.BREAK})
 
 def fill(d: Discourse, fillings: Fillings) -> None:
     """Notes what each vessel of the scene is filled with."""
-    d.scene.fillings = fillings
     for f in fillings.fillings:
         for vessel in _at(d, f.vessel):
             told = Contents(name=f.content, share=f.share, color=f.color)

@@ -24,6 +24,7 @@ _PREPOSITION = re.compile(
     r"behind|in front of|beside|onto|out of|down|up|from)\s",
     re.IGNORECASE,
 )
+_BESIDE = "only the view itself is held"
 _NOT_THERE = "nothing in the scene stands for what the camera is about"
 _ABOUT: frozenset[Filming] = frozenset(
     {"first_person", "over_shoulder", "follows", "from_front", "from_behind", "from_side",
@@ -100,7 +101,28 @@ def how_filmed(d: Discourse, elements: Sequence[Element]) -> tuple[Statement, ..
             )
         )  # fmt: skip
         out += _past(d, w, told)
-    return tuple(out)
+    return (*out, *_beside(d, told, elements))
+
+
+def _beside(d: Discourse, told: Sequence[Words], elements: Sequence[Element]) -> list[Statement]:
+    """ "An overhead view in a plane": what was read with such words and is not held by them."""
+    out: list[Statement] = []
+    for e in elements:
+        ends = [w.end for w in told if e.start <= w.start and w.end < e.end]
+        if isinstance(e, Mention) or not ends:
+            continue
+        start, end = max(ends), e.end
+        words = re.findall(r"[\w'-]+", d.text[start:end].lower())
+        if set(words) <= _SMALL:
+            continue
+        start += len(d.text[start:end]) - len(d.text[start:end].lstrip(" ,"))
+        out.append(
+            Statement(
+                id="s0", text=d.text[start:end], start=start, end=end,
+                predicate=Predicate.NOT_REPRESENTED, note=_BESIDE,
+            )
+        )  # fmt: skip
+    return out
 
 
 _FACING: dict[str, Filming] = {"in front of": "from_front", "behind": "from_behind"}

@@ -210,7 +210,7 @@ def _put_into(found: Fillings, m: re.Match[str]) -> None:
 
 
 _SET_DOWN = re.compile(
-    r"\b(?:puts?|places?|sets?|lays?|lowers?|(?:gently|carefully|slowly|softly|lightly)\s+"
+    r"\b(?:puts?|places?|sets?|lays?|lowers?|(?:is|are|gently|carefully|slowly|softly|lightly)\s+"
     r"(?:placed|put|set|laid|lowered)|(?:placed|put|set|laid|lowered)\s+"
     r"(?:down\s+)?(?:gently|carefully|slowly|softly|lightly))\b[^.,;]*$",
     re.IGNORECASE,

@@ -137,7 +137,20 @@ def _told_as_act(d: Discourse, f: Frame) -> bool:
     group = {*f.adverbs, *d.text[f.verb.start : f.verb.end].lower().split()}
     known = any(i in d.timeline.tracks for i in (f.subject.entities if f.subject else []))
     being = f.verb.lemma == "lower" or "being" in group or "then" in group
-    return being or known or bool(group & lex.word_set("manners of acting"))
+    acted = bool(group & lex.word_set("manners of acting")) or _onto_a_liquid(d, f)
+    return being or known or acted
+
+
+_IS = re.compile(r"(?:is|are)\b", re.IGNORECASE)
+
+
+def _onto_a_liquid(d: Discourse, f: Frame) -> bool:
+    """ "A cork is placed on the surface of a bucket of water": what it does there is the story."""
+    found = f.phrase(*_PUT_ON, *_PUT_IN)
+    m = found.mention if found is not None else None
+    filled = [at.vessel for at in d.scene.fillings.fillings]
+    liquid = m is not None and any(m.start <= at < m.end for at in filled)
+    return liquid and _IS.match(d.text, f.verb.start) is not None
 
 
 def _goal(d: Discourse, f: Frame, moved: list[str]) -> tuple[str, str] | None:
