@@ -41,6 +41,7 @@ from esg.draft.statements.drawn import drawn_otherwise
 from esg.draft.statements.filmed import how_filmed, set_filming_apart, with_filming
 from esg.draft.text.elements import Element
 from esg.draft.text.fillings import take_out
+from esg.draft.text.filming import without_heading
 from esg.draft.text.tagging import parsed, pos_tags
 from esg.draft.text.tokens import tokenize
 from esg.draft.text.topics import is_billiards, is_cricket, is_net_sport
@@ -87,8 +88,9 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     text = screen(prompt)
     tags = pos_tags(text)
     fillings = take_out(text, [at for at, part in tags if part in ("NOUN", "PROPN")])
-    if fillings.text != text:
-        text, tags = fillings.text, pos_tags(fillings.text)
+    meant = without_heading(fillings.text)
+    if meant != text:
+        text, tags = meant, pos_tags(meant)
     tokens = join_compounds(join_modifiers(tokenize(text, tags), text))
     tokens = straight_verbs(name_relatives(tokens))
     elements = chunk(text, tokens)

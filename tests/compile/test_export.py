@@ -487,7 +487,7 @@ def test_usd_runs_in_newton(tmp_path: Path, name: str) -> None:
 def test_the_documented_reader_needs_nothing_of_ours(folder: Path) -> None:
     """docs/play_manifest.py plays the manifest alone; its first contacts are the class's."""
     docs = Path(__file__).parents[2] / "docs"
-    for name in ("read_manifest.py", "read_traction.py", "play_manifest.py"):
+    for name in ("read_manifest.py", "read_liquid.py", "read_traction.py", "play_manifest.py"):
         assert "esg" not in (docs / name).read_text().replace("nothing of this project", "")
     assert len((docs / "read_manifest.py").read_text().splitlines()) <= 80
     done = subprocess.run(

@@ -58,9 +58,10 @@ def recombined(seed: int, count: int) -> list[str]:
 
 
 def dropped(prompt: str, doc: EsgDocument) -> list[str]:
-    """Quantities, nouns and verbs of the prompt (by lexicon or tagger) in no coverage item."""
+    """Quantities, nouns and verbs of the prompt (by lexicon or tagger) that nothing is about."""
     text = screen(prompt)
-    known = {k for item in doc.coverage.items for k in range(item.start, item.end)}
+    told = (*doc.coverage.items, *(doc.statements or ()))
+    known = {k for item in told for k in range(item.start, item.end)}
     lost: list[str] = []
     for token in tokenize(text, pos_tags(text)):
         if known & set(range(token.start, token.end)):

@@ -150,10 +150,6 @@ _CASES = {
             "An apple falls onto one side of a seesaw, causing the pear on the other side to fly up.",
             "on the other side",
         ),
-        (
-            "a women in a car and a woman on a motorcycle are preparing to drag race",
-            "on a motorcycle",
-        ),
     ),
     things.NO_PART: (
         (

@@ -94,7 +94,6 @@ def test_what_is_no_word_of_the_camera(prompt):
 @pytest.mark.parametrize(
     ("prompt", "words"),
     [
-        ("Close-up of a hand pushing a ball.", "Close-up"),
         ("A wide shot of a dog that runs. Then a close-up of the dog.", "close-up"),
         ("The camera pans left, then zooms out while a dog walks.", "zooms out"),
         ("The camera quickly zooms in on a car that drives along a road.", "camera"),

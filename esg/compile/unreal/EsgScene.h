@@ -455,21 +455,23 @@ struct FEsgBuoyUp
 	UPROPERTY(EditAnywhere, Category = "ESG")
 	FVector Extents = FVector::ZeroVector;
 
-	/** Of the length of the basin [deg]. */
-	UPROPERTY(EditAnywhere, Category = "ESG")
+	/** Of the length of the basin. */
+	UPROPERTY(EditAnywhere, Category = "ESG", meta = (Units = "deg"))
 	double Heading = 0.0;
 
 	/** What all of the body in it adds to its vertical velocity [cm/s^2]. */
 	UPROPERTY(EditAnywhere, Category = "ESG")
 	double Lift = 0.0;
 
-	/** Drag that grows with the speed [1/s], with its square [1/cm], and of turning [1/s]. */
+	/** Drag that grows with the speed [1/s]. */
 	UPROPERTY(EditAnywhere, Category = "ESG")
 	double LinearDrag = 0.0;
 
+	/** Drag that grows with the square of the speed [1/cm]. */
 	UPROPERTY(EditAnywhere, Category = "ESG")
 	double QuadraticDrag = 0.0;
 
+	/** Of turning [1/s]. */
 	UPROPERTY(EditAnywhere, Category = "ESG")
 	double TurningDrag = 0.0;
 

@@ -75,7 +75,7 @@ def how_filmed(d: Discourse, elements: Sequence[Element]) -> tuple[Statement, ..
         d: The discourse, with all of its things; its record of used words takes note.
         elements: What the text was read as.
     """
-    told = [w for w in said(d.text) if not _is_thing(d, w)]
+    told = [w for w in said(_told(d)) if not _is_thing(d, w)]
     acting = _acting(d) if told else ()
     if not acting:
         return ()
@@ -93,7 +93,7 @@ def how_filmed(d: Discourse, elements: Sequence[Element]) -> tuple[Statement, ..
                 d.scene.used.setdefault(place, FILMED)
         out.append(
             Statement(
-                id=f"s{number}", text=d.text[w.start : w.end], start=w.start, end=w.end,
+                id=f"s{number}", text=_told(d)[w.start : w.end], start=w.start, end=w.end,
                 predicate=Predicate.FILMED if held else Predicate.NOT_REPRESENTED,
                 filming=w.filming if held else None,
                 object=about if about is not None and held else (),
@@ -112,17 +112,22 @@ def _beside(d: Discourse, told: Sequence[Words], elements: Sequence[Element]) ->
         if isinstance(e, Mention) or not ends:
             continue
         start, end = max(ends), e.end
-        words = re.findall(r"[\w'-]+", d.text[start:end].lower())
+        words = re.findall(r"[\w'-]+", _told(d)[start:end].lower())
         if set(words) <= _SMALL:
             continue
-        start += len(d.text[start:end]) - len(d.text[start:end].lstrip(" ,"))
+        start += len(_told(d)[start:end]) - len(_told(d)[start:end].lstrip(" ,"))
         out.append(
             Statement(
-                id="s0", text=d.text[start:end], start=start, end=end,
+                id="s0", text=_told(d)[start:end], start=start, end=end,
                 predicate=Predicate.NOT_REPRESENTED, note=_BESIDE,
             )
         )  # fmt: skip
     return out
+
+
+def _told(d: Discourse) -> str:
+    """The text before words were taken out of it, which keep their places."""
+    return d.scene.fillings.told or d.text
 
 
 _FACING: dict[str, Filming] = {"in front of": "from_front", "behind": "from_behind"}
@@ -132,7 +137,7 @@ def _facing(d: Discourse, told: Sequence[Words], acting: tuple[str, ...]) -> lis
     """ "Moves backward in front of the man" who acts: where the camera is."""
     out: list[Words] = []
     for w in told:
-        prep = _PREPOSITION.match(d.text, w.end) if w.moves else None
+        prep = _PREPOSITION.match(_told(d), w.end) if w.moves else None
         way = _FACING.get(prep["words"].lower()) if prep else None
         if prep is None or way is None:
             continue
@@ -144,7 +149,7 @@ def _facing(d: Discourse, told: Sequence[Words], acting: tuple[str, ...]) -> lis
 
 def _past(d: Discourse, w: Words, told: Sequence[Words]) -> list[Statement]:
     """ "Pans left across the rooftops": where else the camera goes, which is not held."""
-    prep = _PREPOSITION.match(d.text, w.end) if w.moves else None
+    prep = _PREPOSITION.match(_told(d), w.end) if w.moves else None
     if prep is None or any(o.start < prep.end() and prep.start() < o.end for o in told):
         return []
     near = (m.end for m in d.mentions if m.start <= prep.end() + 1 and prep.end() < m.end)
@@ -156,7 +161,7 @@ def _past(d: Discourse, w: Words, told: Sequence[Words]) -> list[Statement]:
         return []  # "pulls back from the car"
     return [
         Statement(
-            id="s0", text=d.text[start:end], start=start, end=end,
+            id="s0", text=_told(d)[start:end], start=start, end=end,
             predicate=Predicate.NOT_REPRESENTED, note=_WAY,
         )
     ]  # fmt: skip
@@ -241,7 +246,7 @@ def _about(d: Discourse, w: Words, acting: tuple[str, ...]) -> tuple[str, ...] |
 
 def _named(d: Discourse, w: Words) -> Mention | None:
     """The noun phrase right behind words and "of", "on" or a verb of showing."""
-    of = _OF.match(d.text, w.end)
+    of = _OF.match(_told(d), w.end)
     at = of.end() if of else w.end
     near = (m for m in d.mentions if w.end <= m.start and m.start <= at + 1)
     return min(near, key=lambda m: m.start, default=None)

@@ -270,3 +270,31 @@ def _move_at(text: str, at: int, end: int) -> Words | None:
         if best is None or found.end() > best.end:
             best = Words(at, found.end(), row.filming)
     return best
+
+
+_OPENING = re.compile(
+    r"(?:(?<=[.!?;\n])|^)\s*(?P<words>[\w\s,'’-]{4,80}?)\b(?:of|:)\s+(?=\w)", re.IGNORECASE
+)
+_FRAMES = re.compile(rf"\b(?:an?|the|in|and|with|from|{_PICTURES})\b|[\s,'’-]+", re.IGNORECASE)
+
+
+def without_heading(text: str) -> str:
+    """A text whose sentences begin with what is filmed: "Slow motion close-up of a ball falling".
+
+    Args:
+        text: A prompt.
+
+    Returns:
+        Spaces in place of headings that consist of words of the camera alone; the same length.
+    """
+    words = said(text)
+    for found in [*_OPENING.finditer(text)] if words else ():
+        start, end = found.span("words")
+        inside = [w for w in words if start <= w.start and w.end <= end]
+        left = "".join(
+            c for k, c in enumerate(text[start:end], start)
+            if not any(w.start <= k < w.end for w in inside)
+        )  # fmt: skip
+        if inside and not _FRAMES.sub("", left):
+            text = text[: found.start("words")] + " " * (found.end() - start) + text[found.end() :]
+    return text

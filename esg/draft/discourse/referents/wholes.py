@@ -87,7 +87,9 @@ def made_of(world: World, m: Mention) -> list[str]:
     if not told or m.adjectives or m.after_prep in _HOLDING or m.possessor is not None:
         return []
     things = [*world.entities.values()]
-    if " of " in m.text or any(e.head.split()[-1] == m.head for e in things):
+    if " of " in m.text or m.head in world.filled.values():
+        return []
+    if any(e.head.split()[-1] == m.head for e in things):
         return []
     return [e.id for e in things if m.head in (e.noun.material, *e.adjectives)][-1:]
 

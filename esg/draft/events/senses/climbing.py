@@ -25,8 +25,8 @@ COMES_OFF = "it comes down from what it has climbed"
 _CLIMBS = lex.word_set("climbs")
 _LEAPS = lex.word_set("jumping") - _CLIMBS
 _BETWEEN = lex.word_set("between a climb and its goal")
-_HANGING, _HUNG = frozenset({"rope", "cord"}), "climbing rope"
-"""What lies coiled, and what is climbed in its place: a rope that hangs from a frame."""
+_UPRIGHT = {"rope": "climbing rope", "cord": "climbing rope", "tree trunk": "tree"}
+"""What lies elsewhere, and what stands where it is climbed: a rope hangs from a frame."""
 _UNCLIMBED = lex.word_set("not climbed")
 _ACTS = frozenset(
     {"own", "hit", "knock", "approach", "follow", "leave", "reverse", "roll", "slide", "fly",
@@ -210,8 +210,9 @@ def _said_course(prep: str, climbing: bool, down: bool) -> str | None:
 def _course(d: Discourse, actor: str, goal: _Goal, *, climbing: bool) -> str | None:
     """How somebody climbs something; None where that is nothing to climb."""
     thing = entity_of(d, goal.thing)
-    if thing.head in _HANGING and goal.course in ("it", "up", "down"):
-        thing.noun, thing.head, thing.known = lex.nouns()[_HUNG], _HUNG, True
+    if thing.head in _UPRIGHT and goal.course in ("it", "up", "down"):
+        thing.head = _UPRIGHT[thing.head]
+        thing.noun, thing.known = lex.nouns()[thing.head], True
     mine, other = dimensions_of(entity_of(d, actor)), dimensions_of(thing)
     if structural(d, goal.thing) or kind_of(d, goal.thing) in (*LIVING, "water", "region"):
         return None

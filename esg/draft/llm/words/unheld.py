@@ -50,6 +50,9 @@ _MANNERS = frozenset(
     }
 )
 """Predicates that can say how something is done."""
+_BY_WORDS = frozenset({Predicate.CLIMBS, Predicate.FILMED})
+"""Predicates that nothing but a statement of the same words holds."""
+_SAID = _BY_WORDS | {Predicate.MOVES}
 FORGOTTEN = "the rules read it, the model's draft has nothing of it"
 _ACTS = frozenset(
     {
@@ -261,7 +264,7 @@ class _Book:
                 return "elsewhere"  # a motion of its own tells that somebody walks
             if gap.predicate in (Predicate.WEARS, Predicate.LOOKS):
                 return "worn"
-            said = gap.predicate is Predicate.MOVES or gap.predicate in _MANNERS
+            said = gap.predicate in _MANNERS or gap.predicate in _SAID
             return "stated" if said else "elsewhere"
         if (gap.start, gap.end) in self._verbs:
             return "verb"
@@ -387,6 +390,8 @@ def _stated(book: _Book, told: Statement) -> bool:
     """Whether the document says the same, by words or by who goes where."""
     if any(s.predicate is told.predicate for s in book.doc.statements or ()) or book.about(told):
         return True
+    if told.predicate in _BY_WORDS:
+        return False
     if any(n.event in _UP_OR_DOWN.get(told.direction or "", ()) for n in _points(book.doc)):
         return True
     if told.direction == "backward" and any(e.params.backward for e in _edges(book.doc)):
