@@ -53,6 +53,10 @@ def paced(book: Book, clause: Clause, s: Said, mover: str) -> None:
                  when=period(book.d, clause, mover))  # fmt: skip
 
 
+_STEPS = 1.8
+"""Who climbs goes up in steps, each of them faster than all of them together."""
+
+
 def _gait_word(d: Discourse, s: Said) -> tuple[int, int]:
     """Where the verb itself stands: "run" of "run out", of which "out" says more."""
     for word in re.finditer(r"\w+", d.text[s.start : s.end]):
@@ -70,7 +74,8 @@ def _pace(d: Discourse, clause: Clause, mover: str, says: Predicate) -> float | 
     speed: Quantity | None = edge.params.speed if edge is not None else None
     if edge is None or edge.speed_is_prescribed or not isinstance(speed, tuple):
         return None
-    return round(1.1 * speed[1] if says is Predicate.SLOWER_THAN else 0.9 * speed[0], 2)
+    most = _STEPS if edge.params.climbs is not None else 1.1
+    return round(most * speed[1] if says is Predicate.SLOWER_THAN else 0.9 * speed[0], 2)
 
 
 def gains(book: Book, clause: Clause, mover: str) -> None:
