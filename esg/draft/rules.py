@@ -36,9 +36,9 @@ from esg.draft.grammar.rewrites.opposites import oppose
 from esg.draft.grammar.rewrites.patterns import rewrite
 from esg.draft.grammar.rewrites.shares import count
 from esg.draft.statements import state
-from esg.draft.statements.contents import as_told, fill
-from esg.draft.statements.drawn import drawn_otherwise
 from esg.draft.statements.filmed import how_filmed, set_filming_apart, with_filming
+from esg.draft.statements.looks.contents import as_told, fill
+from esg.draft.statements.looks.drawn import drawn_otherwise
 from esg.draft.text.elements import Element
 from esg.draft.text.fillings import take_out
 from esg.draft.text.filming import without_heading
@@ -70,6 +70,14 @@ _REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
     ("clothes", partial(rewrite, reading="worn")),
 )
 """What puts phrases into plain order before clauses are built, in this order."""
+
+
+def _fit_what_is_climbed(d: Discourse) -> None:
+    """Sizes of what is leapt or climbed onto, and of what is climbed."""
+    climbs = d.moves.climbs
+    onto = {c.actor: c.thing for c in climbs if c.course == "onto"}
+    climbed = {c.actor: c.thing for c in climbs if c.course in ("up", "down")}
+    fit(d.scene, d.moves.upon | onto, climbed)
 
 
 def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
@@ -115,10 +123,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     compare(text, clauses.mentions, scene)
     contrast(scene)
     space(text, clauses.mentions, scene)
-    moves = discourse.moves
-    onto = {c.actor: c.thing for c in moves.climbs if c.course == "onto"}
-    climbed = {c.actor: c.thing for c in moves.climbs if c.course in ("up", "down")}
-    fit(scene, moves.upon | onto, climbed)
+    _fit_what_is_climbed(discourse)
     contradictions(scene)
     nothing_to_draw(scene)
     too_much(scene)

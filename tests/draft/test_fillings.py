@@ -7,7 +7,7 @@ import pytest
 from esg.assets import resolve
 from esg.draft import draft
 from esg.draft.lexicon import word_set
-from esg.draft.statements.contents import AS_IT_IS, NO_SPLASH, SPILLS
+from esg.draft.statements.looks.contents import AS_IT_IS, NO_SPLASH, SPILLS
 from esg.graph.models import EsgDocument, NodeEvent, Predicate
 from esg.lexicon.contents import CONTENT, contents, contents_said, densities
 

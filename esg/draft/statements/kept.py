@@ -18,7 +18,7 @@ from esg.draft.events.stated import start_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.grammar.clauses.modality import STOPPED_FIRST
 from esg.draft.statements.book import Told, ids, span, word_end
-from esg.draft.statements.contents import contained
+from esg.draft.statements.looks.contents import contained
 from esg.draft.statements.periods import is_told, segment_from, since_the_jolt
 from esg.draft.statements.struck import struck
 from esg.graph.models import NodeEvent, Predicate

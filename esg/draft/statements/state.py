@@ -14,13 +14,13 @@ from esg.draft.statements.book import Book, Told, span
 from esg.draft.statements.climbed import climbed, climbs_told
 from esg.draft.statements.held import carried, driver, posture, support, tow
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
+from esg.draft.statements.looks.worn import USED, worn
 from esg.draft.statements.manners import flown, gains, paced, rolled, slid
 from esg.draft.statements.order import ALONE, UNKEPT, orders, started_alone
 from esg.draft.statements.unclaimed import unclaimed
 from esg.draft.statements.unkept import BY_ITSELF, UNCARRIED, UNTOUCHED, dropped, missing
 from esg.draft.statements.unseen import unseen
 from esg.draft.statements.ways import goal, landed, leapt, moved
-from esg.draft.statements.worn import USED, worn
 from esg.draft.text.elements import Element, Token
 from esg.graph.models import Predicate, Statement
 

@@ -1,0 +1,1 @@
+"""What statements say of how things look: worn, drawn on them, filled with."""
