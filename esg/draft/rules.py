@@ -6,6 +6,7 @@ from collections.abc import Callable
 from functools import partial
 
 from esg.draft.audit import owned_up
+from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.resolution import new_world
 from esg.draft.document.build import build, is_restricted
 from esg.draft.document.comparisons import compare, contrast
