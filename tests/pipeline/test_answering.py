@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import atexit
 from collections.abc import Callable
 import os
 from pathlib import Path
@@ -22,6 +23,8 @@ def concluded(main: Callable[[], None], tell: Callable[[int], object]) -> int:
     pid = os.fork()
     if pid == 0:
         os.setsid()
+        # What libraries of this test run would do at its end, some with threads that are not here.
+        atexit._clear()
         conclude(main, tell)
     return os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1])
 
