@@ -38,7 +38,7 @@ def owned(doc: EsgDocument) -> set[tuple[str, str]]:
         ("A tennis ball floats in a bathtub.", "floats bathtub_1 'floats'"),
         (
             "A cork is placed on the surface of a bowl of water.",
-            "floats bowl_1 'on the surface of'",
+            "inside bowl_1 'on the surface of'",
         ),
         ("An egg sinks in a glass of water.", "sinks glass_1 'sinks'"),
         (

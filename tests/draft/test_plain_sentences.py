@@ -111,7 +111,6 @@ def test_before_another_event_nothing_backs_away() -> None:
         ("A cook leaves a tap running and walks out.", "leaves a tap running"),
         ("A batter swings at a ball and misses.", "swings at"),
         ("A worker took the sign down.", "took"),
-        ("A duck waddles into a pond.", "A duck"),
     ],
 )
 def test_what_is_lost_is_owned_up_to(prompt: str, words: str) -> None:
