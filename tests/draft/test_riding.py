@@ -191,3 +191,19 @@ def test_each_of_two_has_a_place_of_their_own(prompt: str, carried: dict[str, st
     on = {n: places.get(node.semantic_region or "") for n, node in graph.nodes.items()}
     assert {name: on[name] for name in carried} == carried
     assert not {on.get(place) for place in carried.values()} & {*carried.values()}
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A child slides down a snowy hill on a sledge.",
+        "A boy rolls down a ramp on a skateboard.",
+        "A man goes along a road on a horse.",
+    ],
+)
+def test_no_way_stands_on_what_goes_along_it(prompt: str) -> None:
+    """The hill stood on the sledge; who slides is on it, or that is owned up to."""
+    graph = clean(prompt).spatial_relation_graph
+    places = {name: r.parent_object for name, r in graph.semantic_regions.items()}
+    on = {n: places.get(node.semantic_region or "") for n, node in graph.nodes.items()}
+    assert {on.get(n) for n in ("hill_1", "ramp_1", "road_1")} <= {None, "ground_1"}

@@ -10,6 +10,9 @@ from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
 
 _OCCASIONS = lex.word_set("occasions")
 _BEINGS = frozenset({"person", "animal", "robot"})
+_WAYS = frozenset({"ramp", "stairs", "ground", "water"})
+_RIDDEN = frozenset({"sliding", "cart", "vehicle", "watercraft", "animal", "toyvehicle"})
+"""Kinds of ways, and of what somebody is on who goes along them."""
 _THIS = lex.word_set("this")
 _OF_NOUNS = lex.word_set("prepositions of nouns")
 _BESIDE = frozenset({"left of", "right of", "in front of", "behind", "beside", "next to", "near"})
@@ -299,6 +302,8 @@ def _attach(c: Clauses, s: State, phrase: Phrase, i: int) -> None:
         return
     if s.frame is None:
         _attach_to_noun(c, s, phrase, m)
+    elif _rides_on_it(s, s.frame, phrase, m):
+        s.frame.phrases.append(phrase)
     elif (sent := _sent_there(c, s.frame, phrase, i)) is not None:
         sent.phrases.append(phrase)
     elif _of_the_verb(s, s.frame, phrase, m):
@@ -307,6 +312,15 @@ def _attach(c: Clauses, s: State, phrase: Phrase, i: int) -> None:
         s.loose.append(phrase)
     elif not _of_the_noun(c, s, s.frame, phrase, m, i):
         s.frame.phrases.append(phrase)
+
+
+def _rides_on_it(s: State, f: Frame, phrase: Phrase, m: Mention) -> bool:
+    """ "Slides down a hill on a sledge": no hill is on a sledge, who slides is."""
+    way = s.last.noun if s.last is not None and s.last_after_prep else None
+    rider = f.subject.noun if f.subject is not None else None
+    if phrase.prep not in ("on", "in") or way is None or rider is None or m.noun is None:
+        return False
+    return rider.kind in _BEINGS and way.kind in _WAYS and m.noun.kind in _RIDDEN
 
 
 def _sent_there(c: Clauses, f: Frame, phrase: Phrase, i: int) -> Frame | None:
