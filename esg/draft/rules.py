@@ -138,7 +138,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     timeline = take_time(timeline, statements or (), scene)
     shown = how_filmed(discourse, elements)
     read = account(text, elements, clauses.mentions, scene, tokens)
-    expanded = text + ("" if not reasons else " [" + "; ".join(reasons) + "]")
+    expanded = fillings.told + ("" if not reasons else " [" + "; ".join(reasons) + "]")
     placed = stated_in_prompt(statements, text, prompt)
     doc = build(scene, prompt, seed, timeline, in_prompt(read, text, prompt), placed, expanded)
     if parsed(text) is None:
@@ -151,11 +151,11 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
         if not any(q.start <= s.start < q.end for q in asked)
     )  # fmt: skip
     found += drawn_otherwise(discourse, (*(statements or ()), *found))
+    doc = as_told(doc, fillings, prompt)
     if shown:
-        everything = with_filming(text, (*(statements or ()), *found), shown)
+        everything = with_filming(fillings.told, (*(statements or ()), *found), shown)
         return doc.model_copy(update={"statements": stated_in_prompt(everything, text, prompt)})
     missed = stated_in_prompt(found, text, prompt)
-    doc = as_told(doc, fillings, prompt)
     if not missed:
         return doc
     said = sorted((*(placed or ()), *missed), key=lambda s: s.start)

@@ -137,3 +137,19 @@ def test_the_tables_are_sound():
     said = [w for row in contents().values() for w in (row.name, *row.said_as)]
     assert len(said) == len(set(said)) == len(contents_said())
     assert min(densities().values()) > 1000.0
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "Slow motion close-up of an apple falling into a bucket of water.",
+        "Aerial view of a drop of water falling into a bowl.",
+        "A stone falls into a bowl of water.",
+    ],
+)
+def test_what_is_taken_out_to_be_read_is_told_as_it_was(prompt: str) -> None:
+    """Leave no holes where a heading, a content or a drop stood."""
+    doc = draft(prompt)
+    assert doc.scene_definition.expanded_description.startswith(prompt)
+    told = (*doc.coverage.items, *(doc.statements or ()))
+    assert [prompt[t.start : t.end] for t in told] == [t.text for t in told]

@@ -326,10 +326,15 @@ _SOME = r"\s+(?:some\s+|a\s+little\s+)?"
 _INSIDE = r"(?:\s+(?:in\s+it|inside(?:\s+it)?)(?=[\s,.;]|$))?"
 
 
+def _counted() -> str:
+    """A vessel with its article or number, and a word or two between."""
+    return rf"{COUNTED}\s+(?:[\w-]+\s+){{0,2}}?{_vessels()}"
+
+
 def _where() -> str:
     """A vessel, or what one is filled with."""
     return (
-        rf"(?:{COUNTED}\s+(?:[\w-]+\s+){{0,2}}?{_vessels()}"
+        rf"(?:{_counted()}"
         rf"|the\s+(?P<content>{_any([*contents_said()])})\b)"
     )
 
@@ -365,7 +370,7 @@ def _within_words() -> re.Pattern[str]:
     part = r"(?:the\s+(?:surface|top|bottom)\s+of\s+)?(?:the\s+|some\s+)?"
     return _compiled(
         rf"\b(?P<prep>in|into|inside|through|onto|on|to|at)\s+(?P<told>{part}{_content()}"
-        rf"\s+(?:in|inside|within|of)\s+)(?={COUNTED}\s+(?:[\w-]+\s+){{0,2}}?{_vessels()})"
+        rf"\s+(?:in|inside|within|of)\s+)(?={_counted()})"
     )
 
 
@@ -373,7 +378,7 @@ def _within_words() -> re.Pattern[str]:
 def _level_words() -> re.Pattern[str]:
     return _compiled(
         r"\b(?P<prep>on|onto|to|at|upon)\s+(?P<told>(?:the\s+)?(?:surface|top)\s+of\s+)"
-        rf"(?={COUNTED}\s+(?:[\w-]+\s+){{0,2}}?{_vessels()})"
+        rf"(?={_counted()})"
     )
 
 
@@ -389,7 +394,7 @@ def _floats_words() -> re.Pattern[str]:
 def _splash_words() -> re.Pattern[str]:
     return _compiled(
         r"\b(?P<verb>splashes|splash|splashed|splashing)\s+(?:down\s+)?into\s+"
-        rf"{COUNTED}\s+(?:[\w-]+\s+){{0,2}}?{_vessels()}"
+        rf"{_counted()}"
     )
 
 
