@@ -94,6 +94,7 @@ def test_what_is_no_word_of_the_camera(prompt):
 @pytest.mark.parametrize(
     ("prompt", "words"),
     [
+        ("A drone shot following a red car along a road.", "following"),
         ("A wide shot of a dog that runs. Then a close-up of the dog.", "close-up"),
         ("The camera pans left, then zooms out while a dog walks.", "zooms out"),
         ("The camera quickly zooms in on a car that drives along a road.", "camera"),

@@ -25,6 +25,7 @@ _PREPOSITION = re.compile(
     re.IGNORECASE,
 )
 _BESIDE = "only the view itself is held"
+_STANDS = "nothing moves that the camera could follow"
 _NOT_THERE = "nothing in the scene stands for what the camera is about"
 _ABOUT: frozenset[Filming] = frozenset(
     {"first_person", "over_shoulder", "follows", "from_front", "from_behind", "from_side",
@@ -85,6 +86,8 @@ def how_filmed(d: Discourse, elements: Sequence[Element]) -> tuple[Statement, ..
     for number, w in enumerate(told, 1):
         about = _about(d, w, acting)
         why = _lacks(w, about, [word for word, _ in kept])
+        if w.filming == "follows" and not why and not d.timeline.tracks:
+            why = _STANDS
         held = about is not None and not why
         if about is not None and held:
             kept.append((w, about))
