@@ -13,6 +13,7 @@ from concurrent.futures.process import BrokenProcessPool
 import contextlib
 from dataclasses import dataclass
 import multiprocessing
+from multiprocessing.context import BaseContext
 import os
 from pathlib import Path
 import signal
@@ -60,6 +61,7 @@ class WorkerPool:
         max_memory_bytes: A process that has grown beyond this after a call is replaced too.
         bound_bytes: What each may allocate; None: its share of the machine, 0: no bound.
         niceness: Added to that of this process: others come first.
+        context: How they start (`esg.machine.forked`); default spawned.
     """
 
     def __init__(
@@ -70,13 +72,14 @@ class WorkerPool:
         *,
         bound_bytes: int | None = None,
         niceness: int = 0,
+        context: Callable[[], BaseContext] | None = None,
     ) -> None:
         self.processes = processes
         self._recycle_after = recycle_after
         # Processes share the cores: one engine thread each, unless there is but one process.
         bound = memory_bound(processes) if bound_bytes is None else bound_bytes
         how = _Worker(max_memory_bytes, bound, processes > 1, niceness)
-        self._all = [_Slot(how) for _ in range(processes)]
+        self._all = [_Slot(how, context or _spawned) for _ in range(processes)]
         self._free = list(self._all)
         self._change = threading.Condition()
         self._urgent = 0
@@ -156,9 +159,14 @@ class _Worker:
     niceness: int
 
 
+def _spawned() -> BaseContext:
+    return multiprocessing.get_context("spawn")
+
+
 class _Slot:
-    def __init__(self, how: _Worker) -> None:
+    def __init__(self, how: _Worker, context: Callable[[], BaseContext]) -> None:
         self._how = how
+        self._context = context
         self._executor: ProcessPoolExecutor | None = None
         self._calls = 0
 
@@ -167,13 +175,13 @@ class _Slot:
             # A spawned worker inherits the environment before it imports numpy: one thread each,
             # because the processes already share the cores.
             os.environ.setdefault("OMP_NUM_THREADS", "1")
-            context = multiprocessing.get_context("spawn")
+            context = self._context()
             events, tell = context.Pipe(duplex=False)
             self._executor = ProcessPoolExecutor(
                 1,
                 mp_context=context,
                 initializer=_begin,
-                initargs=(os.getpid(), tell, self._how),
+                initargs=(os.getpid(), dict(os.environ), tell, self._how),
             )
             self._calls = 0
             with _with_children():
@@ -279,7 +287,10 @@ def machine_memory() -> int:
     return total
 
 
-def _begin(parent: int, tell: Any, how: _Worker) -> None:
+def _begin(command: int, environment: dict[str, str], tell: Any, how: _Worker) -> None:
+    if (parent := os.getppid()) != command:  # forked off a process with an environment of its own
+        os.environ.clear()
+        os.environ.update(environment)
     if how.sharing:
         os.environ.setdefault("ESG_THREADS", "1")
     if how.niceness and hasattr(os, "nice"):

@@ -16,9 +16,9 @@ from esg.workers import WorkerPool
 _Draft = TypeVar("_Draft")
 _Found = TypeVar("_Found")
 
-READY = 1
-"""Batches that are drafted, or being drafted, and wait for a search: one is enough for a device
-that never waits, and more would only fill the disk."""
+READY = 2
+"""Batches that are drafted, or being drafted, and wait for a search: one for a device that never
+waits, and another that fills the cores while the first one's last share is drafted."""
 
 Watcher = Callable[[str, SceneState], None]
 """Called with a stage's name and the scene's new state after every stage of every scene."""
