@@ -1,4 +1,4 @@
-"""What the process does that workers are forked off (esg.machine.forked): it imports this module."""
+"""The process that workers are forked off (esg.machine.forked) imports this module and so loads."""
 
 from __future__ import annotations
 
@@ -23,13 +23,12 @@ ROOMS = (
 
 
 def load(strategy: str) -> None:
-    """Imports what scenes need and takes sample scenes through the stages; what comes is thrown away.
+    """Imports what scenes need and takes sample scenes through the stages, for nothing else.
 
     Args:
         strategy: Of the search.
     """
     from esg.api.warming import SAMPLES, warm_up
-    from esg.costs.spent import Meter
     from esg.dataset.running import SCENE_STAGES
     from esg.pipeline import SceneRequest, SceneState, run_stage, scratch_store
 

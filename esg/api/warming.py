@@ -11,6 +11,7 @@ SAMPLES = (
 )
 """Scenes whose way through the stages loads what scenes need."""
 
+
 def load_usd() -> None:
     """Loads USD's libraries, which no thread may do while another one imports anything native.
 
