@@ -28,7 +28,7 @@ BEHIND_SEARCHES = 10
 
 @contextlib.contextmanager
 def session(
-    processes: int, watch: Watcher | None = None, searchers: int = 0, *, strategy: str = ""
+    processes: int, watch: Watcher | None = None, searchers: int = 0, *, forked: str = ""
 ) -> Generator[Callable[..., Any]]:
     """Everything a flow needs, for the body.
 
@@ -39,17 +39,17 @@ def session(
         processes: Worker processes, 0 for none.
         watch: Called after every stage of every scene.
         searchers: Processes beside them that only search; the others let them have the cores first.
-        strategy: Of the searches that workers run without a GPU, which are then forked off a
-            process that has loaded everything (`esg.machine.forked`); default: each loads it.
+        forked: How workers search that use no GPU and are forked off a process that has loaded
+            everything (`esg.machine.forked.begin`); default: each loads it.
 
     Yields:
         A function that calls a flow once the API answers: `call(flow, *args, **kwargs)`.
     """
     stage_limits()  # a mistake in them is told before anything starts
     check_limits()
-    forks = bool(strategy) and processes > 1
+    forks = bool(forked) and processes > 1
     if forks:
-        begin(strategy)
+        begin(forked)
     niceness, how = BEHIND_SEARCHES if searchers else 0, context if forks else None
     with (
         prefect_api() as api,

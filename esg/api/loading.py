@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Generator
 import contextlib
+from functools import partial
 import gc
 import importlib
 import os
 from pathlib import Path
 import tempfile
 
-from esg.machine.forked import ASKED
+from esg.machine.forked import ASKED, DRAFTING
 
 ROOMS = (
     "esg.dataset.shares",
@@ -22,27 +23,31 @@ ROOMS = (
 """What workers of datasets use beside the stages."""
 
 
-def load(strategy: str) -> None:
+def load(search: str) -> None:
     """Imports what scenes need and takes sample scenes through the stages, for nothing else.
 
     Args:
-        strategy: Of the search.
+        search: How workers search; `DRAFTING`: what comes after drafts is left to each.
     """
-    from esg.api.warming import SAMPLES, warm_up
+    from esg.api.warming import SAMPLES, load_usd, warm_up
     from esg.dataset.running import SCENE_STAGES
+    from esg.dataset.shares import DRAFT
     from esg.pipeline import SceneRequest, SceneState, run_stage, scratch_store
 
-    warm_up()
+    if search == DRAFTING:
+        load_usd()
+        request, stages, samples = SceneRequest, DRAFT, SAMPLES[:1]
+    else:
+        warm_up()
+        request, stages, samples = partial(SceneRequest, strategy=search), SCENE_STAGES, SAMPLES
     for room in ROOMS:
         importlib.import_module(room)
     with tempfile.TemporaryDirectory(prefix="esg-load-") as folder:
-        for prompt in SAMPLES:
+        for prompt in samples:
             with scratch_store(Path(folder), durable=False):
-                state = SceneState(SceneRequest(prompt, strategy=strategy))
-                for stage in SCENE_STAGES:
+                state = SceneState(request(prompt))
+                for stage in stages:
                     state = run_stage(stage, state)
-    gc.collect()
-    gc.freeze()  # no search for garbage in a fork need touch, and copy, what stays
 
 
 @contextlib.contextmanager
@@ -62,6 +67,9 @@ def _silent() -> Generator[None]:
 
 
 if (asked := os.environ.get(ASKED)) is not None:
+    gc.disable()
     # A worker loads by itself whatever could not be loaded here, and says what is missing.
     with _silent(), contextlib.suppress(Exception):
         load(asked)
+    gc.freeze()  # no search for garbage in a fork need touch, and copy, what stays
+    gc.enable()

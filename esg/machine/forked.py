@@ -20,7 +20,9 @@ from esg.workers import usable_cores
 LOADER = "esg.api.loading"
 """The module that the process imports; it loads what `ASKED` says."""
 ASKED = "ESG_FORKED_OFF"
-"""Names the search whose first uses are done, too; only set in that process."""
+"""Says how workers search, in that process alone."""
+DRAFTING = "drafting"
+"""They do not: a GPU waits for what they draft, and they are forked off as soon as they can."""
 _TOLD = ("ESG_", "PYTHON", "HOME", "XDG_", "TMPDIR", "LANG", "LC_")
 """What starts so in the environment may decide what is loaded, or where from."""
 _OWN = {
@@ -34,11 +36,11 @@ _running: dict[str, str] | None = None
 """What `_TOLD` names, as it was when the process started."""
 
 
-def begin(strategy: str) -> None:
+def begin(search: str) -> None:
     """Starts the process, which loads by itself from then on; a second call does nothing.
 
     Args:
-        strategy: Of the searches that workers run (`esg.dynamics`); `none`: they run none.
+        search: The strategy of the searches that workers run (`esg.dynamics`), or `DRAFTING`.
     """
     global _running
     if _running is not None or sys.platform != "linux" or usable_cores() < 2:
@@ -46,7 +48,7 @@ def begin(strategy: str) -> None:
     before = dict(os.environ)
     _running = _told(before)
     multiprocessing.get_context("forkserver").set_forkserver_preload([LOADER])
-    os.environ.update(_OWN, **{ASKED: strategy})
+    os.environ.update(_OWN, **{ASKED: search})
     try:
         forkserver.ensure_running()
     finally:

@@ -394,9 +394,9 @@ def make_batches(
         bar.step(f"batch {result.number}", result.scenes)
 
     note_first_use()
-    strategy = _forked_with(jobs[0], runner, searchers)
+    forked = _forked(jobs[0], runner, searchers)
     processes = count if runner == "process" else 0
-    with listening(show), session(processes, None, searchers, strategy=strategy) as call:
+    with listening(show), session(processes, None, searchers, forked=forked) as call:
         from flows.dataset import with_runner
 
         try:
@@ -413,17 +413,19 @@ def _load_ahead(job: BatchJob, runner: str, workers: int | None) -> None:
     """Lets the process that workers are forked off load while the batches are planned."""
     from esg.machine.forked import begin
 
-    strategy = _forked_with(job, runner, _searchers(job) if runner == "process" else 0)
-    if strategy and workers != 1 and job.spec.n_batches > 1:
-        begin(strategy)
+    search = _forked(job, runner, _searchers(job) if runner == "process" else 0)
+    if search and workers != 1 and job.spec.n_batches > 1:
+        begin(search)
 
 
-def _forked_with(job: BatchJob, runner: str, searchers: int) -> str:
-    """The search for which workers are loaded once and forked off; none if they use a GPU."""
+def _forked(job: BatchJob, runner: str, searchers: int) -> str:
+    """How workers search that are loaded once and forked off; empty if they use a GPU."""
+    from esg.machine.forked import DRAFTING
+
     spec = job.spec
     if runner != "process" or (spec.device != "cpu" and (spec.render or not searchers)):
         return ""
-    return "none" if searchers else spec.strategy
+    return DRAFTING if searchers else spec.strategy
 
 
 def _searchers(job: BatchJob) -> int:
