@@ -21,7 +21,6 @@ from pathlib import Path
 from queue import SimpleQueue
 import signal
 import threading
-import time
 from typing import Any, TypeVar
 
 from esg.progress import forward_to, relay
