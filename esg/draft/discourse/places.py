@@ -252,8 +252,3 @@ def set_free(d: Discourse, nodes: list[str]) -> None:
     for node in nodes:
         if not structural(d, node):
             entity_of(d, node).freed = True
-
-
-def enterable(d: Discourse, node: str) -> bool:
-    noun = entity_of(d, node).noun
-    return noun.kind in ("region", "goal", "hole", "hoop", "water") or "goal" in noun.traits
