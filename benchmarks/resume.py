@@ -112,7 +112,7 @@ def kill(
     """Kills what is asked and waits until all processes of the run have ended."""
     rng = rng or random.Random(0)
     family = descendants(process.pid)
-    workers = [p for p in family if "spawn_main" in command_line(p)]
+    workers = [p for p in family if is_worker(p)]
     if victim in ("worker", "both") and workers:
         with contextlib.suppress(ProcessLookupError):
             os.kill(rng.choice(workers), signal.SIGKILL)
@@ -126,6 +126,17 @@ def kill(
     deadline = time.monotonic() + 30
     while time.monotonic() < deadline and any(alive(p) for p in family):
         time.sleep(0.1)
+
+
+def is_worker(pid: int) -> bool:
+    """Whether a process is a worker: spawned, or forked off the one that loads for all."""
+    line = command_line(pid)
+    if "forkserver" not in line:
+        return "spawn_main" in line
+    with contextlib.suppress(OSError, IndexError, ValueError):
+        status = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+        return "forkserver" in command_line(int(status[1]))
+    return False
 
 
 def descendants(pid: int) -> list[int]:

@@ -19,7 +19,9 @@ from esg.outcomes import UserError
 from flows import artifacts
 from flows.naming import current_name, run_tags
 from tasks.context import current
-from tasks.dataset import dataset_batch
+from tasks.dataset import dataset_batch, draft_ahead
+
+__all__ = ["dataset", "draft_ahead", "lost_machine", "with_runner"]
 
 LOST = frozenset(
     {"KilledWorker", "WorkerCrashedError", "NodeDiedError", "ObjectLostError", "CrashedRun"}

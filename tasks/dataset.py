@@ -2,10 +2,12 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import ThreadPoolExecutor
+import contextlib
 from functools import partial
 from itertools import chain
+import threading
 from typing import Any, TypeVar
 
 from prefect import task
@@ -15,6 +17,7 @@ from prefect.states import Completed
 from prefect.tasks import Task, exponential_backoff
 
 from esg.dataset.batch import close_batch, make_batch
+from esg.dataset.folder import read_mark
 from esg.dataset.job import BatchJob, BatchResult
 from esg.dataset.running import forget_dead, mark_dead, try_scene
 from esg.dataset.shares import draft_share, make_share, prove_share, search_batch
@@ -51,8 +54,6 @@ def dataset_batch(job: BatchJob) -> Any:
     Returns:
         A `BatchResult`, in a state called `Cached` if the batch was done before.
     """
-    from esg.dataset.folder import read_mark
-
     done = read_mark(job.out, job.number)
     if done is not None:
         return Completed(name="Cached", message="done before", data=done)
@@ -108,6 +109,30 @@ def _in_shares(job: BatchJob, pool: WorkerPool, searchers: Searchers) -> BatchRe
         found = {scene.index: state for scene, state in zip(job.scenes, states, strict=True)}
         results = list(threads.map(prove, shares))
     return pool.run(close_batch, job, results)
+
+
+def draft_ahead(jobs: Sequence[BatchJob]) -> None:
+    """Lets workers draft the batches that are searched first; the batches then find it done.
+
+    A flow begins once its scheduler answers, which takes longer than workers need to be there, and
+    without a draft the device has nothing to do.
+
+    Args:
+        jobs: Batches that the flow is about to make, in order.
+    """
+    pool, searchers = current().pool, current().searchers
+    if searchers is None:
+        return
+
+    def begin(share: BatchJob) -> None:
+        # Whatever is wrong with a share is told when its batch comes to it.
+        with contextlib.suppress(Exception, KeyboardInterrupt):
+            pool.run(draft_share, share, rank=(DRAFTS, share.number))
+
+    for job in jobs[: searchers.pool.processes]:
+        if job.searches_together and job.source is None and read_mark(job.out, job.number) is None:
+            for share in job.shares():
+                threading.Thread(target=begin, args=(share,), daemon=True).start()
 
 
 def _survived(

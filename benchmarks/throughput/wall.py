@@ -16,7 +16,7 @@ import threading
 import time
 from typing import Any
 
-from benchmarks.resume import command_line, descendants, kill
+from benchmarks.resume import command_line, descendants, is_worker, kill
 
 MIB = 2**20
 ROLES = ("command", "server", "worker", "compiler")
@@ -27,7 +27,7 @@ def role_of(pid: int, command: int) -> str:
     if pid == command:
         return "command"
     line = command_line(pid)
-    if "spawn_main" in line:
+    if is_worker(pid):
         return "worker"
     if "multiprocessing" in line or not line:
         return ""

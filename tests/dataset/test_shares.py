@@ -6,6 +6,7 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 import threading
+import time
 from typing import Any
 
 import pytest
@@ -20,7 +21,7 @@ from esg.dataset.job import BatchJob
 from esg.dataset.running import dead_scenes
 from esg.workers import WorkerDied, WorkerPool
 from tasks.context import Searchers, run_context
-from tasks.dataset import DRAFTS, run_job
+from tasks.dataset import DRAFTS, draft_ahead, run_job
 from tests.dataset import fakes
 from tests.dataset.test_batch import below, dataset
 from tests.dataset.test_running import Fleet
@@ -88,6 +89,30 @@ def test_a_batch_in_shares_leaves_what_one_in_one_piece_leaves(
     assert searching.calls == ["search_batch"] * 3
     first = sorted(pool.calls[: pool.calls.index("close_batch")])
     assert first == ["draft_share 0 first", "draft_share 1 first", "prove_share 0", "prove_share 1"]
+
+
+def test_what_is_drafted_before_the_scheduler_answers_is_not_drafted_again(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Only the batches that are searched first, and none that is done; the dataset is the same."""
+    Fleet(monkeypatch)
+    shared(dataset(tmp_path / "whole", TEXTS, device="cuda:0"), Noting(), Noting())
+    jobs = dataset(tmp_path / "ahead", TEXTS, device="cuda:0")
+    pool, searching = Noting(), Noting()
+    (tmp_path / "calls").unlink()
+    with run_context(pool, searchers=searching):
+        draft_ahead(jobs)
+        deadline = time.monotonic() + 10.0
+        while len(fakes.calls()) < 4 * len(jobs[0].scenes) and time.monotonic() < deadline:
+            time.sleep(0.01)
+        with pool._local:  # the last call is over
+            assert sorted(pool.calls) == ["draft_share 0 first", "draft_share 1 first"]
+        results = {job.number: run_job(job) for job in jobs}
+        draft_ahead(jobs)
+    finish(DatasetFolder(jobs[0].out), jobs[0].spec, results)
+    assert below(tmp_path / "ahead") == below(tmp_path / "whole")
+    drafted = [c for c in fakes.calls() if c.startswith(("draft ", "layout ")) and "bug" not in c]
+    assert len(drafted) == len(set(drafted)) > 0
 
 
 def test_the_last_batches_are_made_by_all_workers_and_stay_the_same(tmp_path: Path) -> None:
