@@ -35,6 +35,7 @@ TOPS = lex.word_set("tops of slopes")
 """Parts of a slope from which things come down it."""
 _HANDS = {"left side": "left_of", "right side": "right_of"}
 """Sides of a thing that are the viewer's."""
+_AFLOAT = lex.word_set("afloat")
 _OPEN = frozenset({"watercraft", "cart", "sliding"})
 """Kinds of what is ridden in, and has no roof."""
 _CARRIES_ON_ITS_BACK = frozenset({"animal", "vehicle", "cart"})
@@ -233,7 +234,7 @@ def carries(d: Discourse, host: str, thing: str) -> bool:
         return False
     mine, other = entity_of(d, thing).noun, entity_of(d, host).noun
     if other.kind == "water":
-        return mine.kind == "watercraft"
+        return mine.kind == "watercraft" or entity_of(d, thing).head in _AFLOAT
     return mine.mass_kg < 2.0 * other.mass_kg and other.kind not in ("region", "hole")
 
 
