@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.jointed import behind_doors, has_a_door, is_flap
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.record import links
 from esg.draft.discourse.referents.wholes import has_pans, tips
 from esg.draft.discourse.scene import LIMBED, Relation
@@ -258,3 +261,20 @@ def set_free(d: Discourse, nodes: list[str]) -> None:
 def enterable(d: Discourse, node: str) -> bool:
     noun = entity_of(d, node).noun
     return noun.kind in ("region", "goal", "hole", "hoop", "water") or "goal" in noun.traits
+
+
+def told_by_side(entities: Mapping[str, Entity]) -> Iterator[tuple[str, str]]:
+    """Two of a kind that are told from each other by their sides: "the left plate, the right one".
+
+    Args:
+        entities: Things by node.
+
+    Yields:
+        The nodes of the one on the left and of the one on the right.
+    """
+    told = {side: [e for e in entities.values() if e.label.startswith(f"{side} ")]
+            for side in ("left", "right")}  # fmt: skip
+    for one in told["left"]:
+        fellows = [e for e in told["right"] if e.head == one.head]
+        if len(fellows) == 1 and not one.part and "structural" not in one.noun.traits:
+            yield one.id, fellows[0].id
