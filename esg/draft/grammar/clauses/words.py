@@ -11,6 +11,7 @@ from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
 from esg.draft.text.quantities import Amount
 
 PROPERTIES = lex.word_set("properties")
+_OF_NOUNS = lex.word_set("prepositions of nouns")
 OWNED = PROPERTIES | {"speed", "velocity"}
 _BEFORE_AMOUNTS = frozenset({"of", "at", ",", "(", "about", "-", "–", "—"})
 _PARTICLES = lex.word_set("particles (words)")
@@ -298,7 +299,12 @@ def _one_more(c: Clauses, w: Word, i: int) -> bool:
 
 def flush(c: Clauses, s: State) -> None:
     for item in s.loose:
-        if not isinstance(item, Phrase) or item.amount is None:
+        if not isinstance(item, Phrase):
+            continue
+        if item.mention is not None and s.frame is None and s.subject is not None:
+            both = (s.subject, *s.subject.coordinated) if item.prep in _OF_NOUNS else ()
+            c.attachments += [(m, item) for m in both]  # "A cup and a spoon on a tray"
+        if item.amount is None:
             continue
         if s.frame is not None:
             s.frame.phrases.append(item)
