@@ -312,3 +312,21 @@ def test_the_left_one_is_on_the_left_of_the_right_one(prompt: str, kind: str) ->
     told = {(s.predicate, s.object, s.target) for s in doc.statements or ()}
     assert (Predicate.LEFT_OF, (left,), (right,)) in told
     assert (Predicate.RIGHT_OF, (right,), (left,)) in told
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "Two toy cars collide in the middle of a table.",
+        "A ball rolls in the middle of the table.",
+        "A coin spins in the middle of a desk.",
+    ],
+)
+def test_what_acts_in_the_middle_of_a_table_is_on_it(prompt: str) -> None:
+    """Put it on the table, and own up to the middle, which nothing measures."""
+    doc = draft(prompt)
+    graph = doc.spatial_relation_graph
+    regions = (n.semantic_region for n in graph.nodes.values() if n.semantic_region)
+    hosts = {graph.semantic_regions[r].parent_object for r in regions}
+    assert hosts & {"table_1", "desk_1"}
+    assert owned(doc) == ["in the middle"]
