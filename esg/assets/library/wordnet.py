@@ -54,7 +54,7 @@ _FLESH = re.compile(
 """Animals as food come back as the animals themselves."""
 _DOER = re.compile(r"(?:er|or)$")
 _OF_ANYTHING = frozenset({"piece"})
-"""Nouns of no shape of their own: a piece of styrofoam is no gun, which is another of its senses."""
+"""Nouns of no shape of their own: a piece of styrofoam is no gun, another of its senses."""
 _USUAL = 0.5
 """Share of the weight of a noun's senses that are things from which on a sense is the usual one."""
 _WORDS = re.compile(r"[a-z][a-z' -]*")
