@@ -119,7 +119,7 @@ def _of_traffic(c: Chunks, i: int) -> bool:
 
 
 def _lands_on(c: Chunks, i: int) -> bool:
-    """ "The brick lands on a car", "seen from afar, a train crosses a bridge": verbs, no grounds."""
+    """ "The brick lands on a car", "seen from afar crosses a bridge": verbs, no grounds."""
     verb = any(r.form == "s" for r in verb_readings(low_at(c, i)))
     return verb and low_at(c, i + 1) in lex.PREPOSITIONS | {"a", "an", "the"}
 
