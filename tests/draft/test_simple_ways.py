@@ -168,3 +168,16 @@ def test_what_floats_on_water_lies_on_it(prompt: str, afloat: int) -> None:
     assert held.count(Predicate.SUPPORTED_BY) == afloat
     assert (Predicate.AIRBORNE in held) == (afloat == 0)
     assert Predicate.NOT_REPRESENTED not in held
+
+
+@pytest.mark.parametrize(
+    ("prompt", "where"),
+    [
+        ("Three toy boats float in a bathtub.", "generic"),
+        ("A toy truck hits a chair.", "room"),
+        ("A truck hits a chair.", "street"),
+    ],
+)
+def test_toys_are_on_no_street(prompt: str, where: str) -> None:
+    """Take no street or lake from what is a toy."""
+    assert draft(prompt).scene_definition.scene_parameters.environment == where
