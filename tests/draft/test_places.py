@@ -330,3 +330,10 @@ def test_what_acts_in_the_middle_of_a_table_is_on_it(prompt: str) -> None:
     hosts = {graph.semantic_regions[r].parent_object for r in regions}
     assert hosts & {"table_1", "desk_1"}
     assert owned(doc) == ["in the middle"]
+
+
+def test_what_only_burns_in_the_middle_is_there() -> None:
+    """Keep the middle of what has it to itself."""
+    doc = draft("In the middle of a table a tall candle burns.")
+    relations = doc.spatial_relation_graph.edges.binary_relations
+    assert ("candle_1", "center_of") in {(r.from_, r.relation_type.value) for r in relations}

@@ -223,7 +223,7 @@ def interpret(
 def _acts_upon(frames: list[Frame]) -> None:
     """ "Two toy cars collide in the middle of a table": they are on it, where is owned up to."""
     for f in frames:
-        for p in f.phrases if f.verb.sense not in ("be", "posture") else ():
+        for p in f.phrases if f.verb.sense not in ("be", "posture", "noop") else ():
             noun = p.mention.noun if p.mention is not None else None
             if p.prep == CENTRE and noun is not None and "support" in noun.traits:
                 p.prep = "on"
