@@ -12,12 +12,15 @@ from concurrent.futures import ProcessPoolExecutor
 from concurrent.futures.process import BrokenProcessPool
 import contextlib
 from dataclasses import dataclass
+import heapq
+from itertools import count
 import multiprocessing
+from multiprocessing.context import BaseContext
 import os
 from pathlib import Path
+from queue import SimpleQueue
 import signal
 import threading
-import time
 from typing import Any, TypeVar
 
 from esg.progress import forward_to, relay
@@ -60,6 +63,7 @@ class WorkerPool:
         max_memory_bytes: A process that has grown beyond this after a call is replaced too.
         bound_bytes: What each may allocate; None: its share of the machine, 0: no bound.
         niceness: Added to that of this process: others come first.
+        context: How they start (`esg.machine.forked`); default spawned.
     """
 
     def __init__(
@@ -70,26 +74,29 @@ class WorkerPool:
         *,
         bound_bytes: int | None = None,
         niceness: int = 0,
+        context: Callable[[], BaseContext] | None = None,
     ) -> None:
         self.processes = processes
         self._recycle_after = recycle_after
         # Processes share the cores: one engine thread each, unless there is but one process.
         bound = memory_bound(processes) if bound_bytes is None else bound_bytes
         how = _Worker(max_memory_bytes, bound, processes > 1, niceness)
-        self._all = [_Slot(how) for _ in range(processes)]
+        self._all = [_Slot(how, context or _spawned) for _ in range(processes)]
         self._free = list(self._all)
-        self._change = threading.Condition()
-        self._urgent = 0
+        self._change = threading.Lock()
+        self._calls = count()
+        self._waiting: list[tuple[tuple[int, ...], int, SimpleQueue[_Slot]]] = []
         self._local = threading.Lock()
         self._stopped = threading.Event()
 
-    def run(self, function: Callable[..., T], *args: Any, urgent: bool = False) -> T:
+    def run(self, function: Callable[..., T], *args: Any, rank: tuple[int, ...] = ()) -> T:
         """Calls `function(*args)` in a free worker and waits for its result.
 
         Args:
             function: A module-level function; exceptions it raises pass through.
             *args: Picklable arguments.
-            urgent: Whether it comes before calls that are not and wait for a worker, too.
+            rank: Of the calls that wait for a worker, the one with the lowest rank comes first, and
+                of equals whoever has waited longest.
 
         Raises:
             WorkerDied: If two processes in a row ended during the call.
@@ -99,25 +106,29 @@ class WorkerPool:
             with self._local:
                 self._go_on()
                 return function(*args)
-        slot = self._take(urgent)
+        slot = self._take(rank)
         try:
             self._go_on()
             return slot.run(function, args, self._recycle_after, self._go_on)
         finally:
-            with self._change:
-                self._free.append(slot)
-                self._change.notify_all()
+            self._hand_on(slot)
 
-    def _take(self, urgent: bool) -> _Slot:
+    def _take(self, rank: tuple[int, ...]) -> _Slot:
         """Waits for a free worker."""
         with self._change:
-            self._urgent += urgent
-            while not self._free or (self._urgent and not urgent):
-                self._change.wait()
-            self._urgent -= urgent
-            slot = self._free.pop(0)
-            self._change.notify_all()  # whoever is not urgent may have waited for this one only
-            return slot
+            if self._free:
+                return self._free.pop(0)
+            given: SimpleQueue[_Slot] = SimpleQueue()
+            heapq.heappush(self._waiting, (rank, next(self._calls), given))
+        return given.get()
+
+    def _hand_on(self, slot: _Slot) -> None:
+        """Gives a worker to whoever comes first: nobody else need wake up for it."""
+        with self._change:
+            if self._waiting:
+                heapq.heappop(self._waiting)[-1].put(slot)
+            else:
+                self._free.append(slot)
 
     def _go_on(self) -> None:
         if self._stopped.is_set():
@@ -156,9 +167,14 @@ class _Worker:
     niceness: int
 
 
+def _spawned() -> BaseContext:
+    return multiprocessing.get_context("spawn")
+
+
 class _Slot:
-    def __init__(self, how: _Worker) -> None:
+    def __init__(self, how: _Worker, context: Callable[[], BaseContext]) -> None:
         self._how = how
+        self._context = context
         self._executor: ProcessPoolExecutor | None = None
         self._calls = 0
 
@@ -167,13 +183,13 @@ class _Slot:
             # A spawned worker inherits the environment before it imports numpy: one thread each,
             # because the processes already share the cores.
             os.environ.setdefault("OMP_NUM_THREADS", "1")
-            context = multiprocessing.get_context("spawn")
+            context = self._context()
             events, tell = context.Pipe(duplex=False)
             self._executor = ProcessPoolExecutor(
                 1,
                 mp_context=context,
                 initializer=_begin,
-                initargs=(os.getpid(), tell, self._how),
+                initargs=(os.getpid(), dict(os.environ), tell, self._how),
             )
             self._calls = 0
             with _with_children():
@@ -242,7 +258,7 @@ def _with_children() -> Generator[None]:
     """Lets this process start others even if it is a daemon, as the workers of Dask are.
 
     Daemons may not, so that they leave none behind; ours end with their parent
-    (`_end_with_parent`).
+    (`_end_with_command`).
     """
     config: dict[str, Any] = vars(multiprocessing.current_process())["_config"]
     before = config.get("daemon")
@@ -279,7 +295,10 @@ def machine_memory() -> int:
     return total
 
 
-def _begin(parent: int, tell: Any, how: _Worker) -> None:
+def _begin(command: int, environment: dict[str, str], tell: Any, how: _Worker) -> None:
+    if os.getppid() != command:  # forked off a process with an environment of its own
+        os.environ.clear()
+        os.environ.update(environment)
     if how.sharing:
         os.environ.setdefault("ESG_THREADS", "1")
     if how.niceness and hasattr(os, "nice"):
@@ -291,7 +310,7 @@ def _begin(parent: int, tell: Any, how: _Worker) -> None:
     signal.signal(signal.SIGINT, signal.SIG_IGN)
     signal.signal(signal.SIGTERM, signal.default_int_handler)
     forward_to(tell)
-    _end_with_parent(parent)
+    _end_with_command()
 
 
 def _limit_memory(bound_bytes: int) -> None:
@@ -306,15 +325,16 @@ def _limit_memory(bound_bytes: int) -> None:
         resource.setrlimit(resource.RLIMIT_DATA, (bound, most))
 
 
-def _end_with_parent(parent: int) -> None:
-    """In a worker: ends the process soon after the command is gone, even if it was killed.
+def _end_with_command() -> None:
+    """In a worker: ends the process as soon as the command is gone, even if it was killed.
 
     Linux's parent-death signal would not do: it follows the thread that started the worker.
     """
+    command = multiprocessing.parent_process()
+    assert command is not None, "a worker has been started"
 
     def watch() -> None:
-        while os.getppid() == parent:
-            time.sleep(1.0)
+        command.join()
         os._exit(1)
 
     threading.Thread(target=watch, daemon=True).start()

@@ -13,6 +13,7 @@ from typing import Any, TypeVar
 
 from esg.api.warming import load_usd, warm_up
 from esg.limits import stage_limits
+from esg.machine.forked import begin, context
 from esg.settings import check_limits
 from esg.workers import WorkerPool, asked_bound
 from flows.embedded import prefect_api
@@ -27,7 +28,7 @@ BEHIND_SEARCHES = 10
 
 @contextlib.contextmanager
 def session(
-    processes: int, watch: Watcher | None = None, searchers: int = 0
+    processes: int, watch: Watcher | None = None, searchers: int = 0, *, forked: str = ""
 ) -> Generator[Callable[..., Any]]:
     """Everything a flow needs, for the body.
 
@@ -38,15 +39,21 @@ def session(
         processes: Worker processes, 0 for none.
         watch: Called after every stage of every scene.
         searchers: Processes beside them that only search; the others let them have the cores first.
+        forked: How workers search that use no GPU and are forked off a process that has loaded
+            everything (`esg.machine.forked.begin`); default: each loads it.
 
     Yields:
         A function that calls a flow once the API answers: `call(flow, *args, **kwargs)`.
     """
     stage_limits()  # a mistake in them is told before anything starts
     check_limits()
+    forks = bool(forked) and processes > 1
+    if forks:
+        begin(forked)
+    niceness, how = BEHIND_SEARCHES if searchers else 0, context if forks else None
     with (
         prefect_api() as api,
-        WorkerPool(processes, niceness=BEHIND_SEARCHES if searchers else 0) as pool,
+        WorkerPool(processes, niceness=niceness, context=how) as pool,
         # Their memory is the device's and what they share with processes that plan beside them.
         WorkerPool(searchers, max_memory_bytes=sys.maxsize, bound_bytes=asked_bound()) as apart,
         stopping(pool, apart),
@@ -54,7 +61,8 @@ def session(
     ):
         if processes:
             apart.warm(warm_up)
-            pool.warm(warm_up)
+            if not forks:
+                pool.warm(warm_up)
         # Batches import the engines in threads of this process, with workers too.
         load_usd()
         if not processes:

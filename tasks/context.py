@@ -16,10 +16,6 @@ from esg.workers import WorkerPool
 _Draft = TypeVar("_Draft")
 _Found = TypeVar("_Found")
 
-READY = 1
-"""Batches that are drafted, or being drafted, and wait for a search: one is enough for a device
-that never waits, and more would only fill the disk."""
-
 Watcher = Callable[[str, SceneState], None]
 """Called with a stage's name and the scene's new state after every stage of every scene."""
 
@@ -37,10 +33,12 @@ class Searchers:
 
     def __init__(self, pool: WorkerPool) -> None:
         self.pool = pool
-        self.in_hand = 2 * pool.processes + READY
-        """Batches that are begun: as many are proved as searched; drafts do not run away."""
+        ahead = 2 * pool.processes
+        self.in_hand = 2 * pool.processes + ahead
+        """Batches that are begun: as many are proved as searched, and so many drafted ahead that
+        cores have enough to do until the first are searched; further drafts would fill the disk."""
         self._free = threading.BoundedSemaphore(pool.processes)
-        self._ready = threading.BoundedSemaphore(READY)
+        self._ready = threading.BoundedSemaphore(ahead)
 
     def search(self, draft: Callable[[], _Draft], search: Callable[[_Draft], _Found]) -> _Found:
         """What `search` finds for what `draft` makes; drafts wait until few others are ready."""

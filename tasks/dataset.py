@@ -26,6 +26,9 @@ from tasks.context import Searchers, current, expendable_pool
 Result = TypeVar("Result")
 RETRIES = 3
 
+DRAFTS, PROOFS = 0, 1
+"""Ranks of calls that wait for a worker; of equals the earlier batch comes first."""
+
 
 def _retry(_: Task[Any, Any], __: TaskRun, state: State[Any]) -> bool:
     failure = state.result(raise_on_failure=False)
@@ -89,7 +92,7 @@ def _in_shares(job: BatchJob, pool: WorkerPool, searchers: Searchers) -> BatchRe
 
         def begun(share: BatchJob) -> list[SceneState]:
             # Before all proofs: without a draft the device has nothing to do.
-            return _survived(partial(pool.run, urgent=True), share, draft_share)
+            return _survived(partial(pool.run, rank=(DRAFTS, job.number)), share, draft_share)
 
         def draft() -> list[SceneState]:
             return list(chain.from_iterable(threads.map(begun, shares)))
@@ -99,7 +102,7 @@ def _in_shares(job: BatchJob, pool: WorkerPool, searchers: Searchers) -> BatchRe
 
         def prove(share: BatchJob) -> BatchResult:
             mine = [found[scene.index] for scene in share.scenes]
-            return _survived(pool.run, share, prove_share, mine)
+            return _survived(partial(pool.run, rank=(PROOFS, job.number)), share, prove_share, mine)
 
         states = searchers.search(draft, search)
         found = {scene.index: state for scene, state in zip(job.scenes, states, strict=True)}

@@ -5,6 +5,12 @@ from __future__ import annotations
 import contextlib
 import importlib
 
+SAMPLES = (
+    "A red ball rolls across the floor and hits a wooden box.",
+    "A car collides with a trashbin, knocking it into a picnic table by the street side.",
+)
+"""Scenes whose way through the stages loads what scenes need."""
+
 
 def load_usd() -> None:
     """Loads USD's libraries, which no thread may do while another one imports anything native.

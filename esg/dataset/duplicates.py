@@ -11,15 +11,19 @@ each other: that they are alike is their use.
 
 from __future__ import annotations
 
+from array import array
 from collections import defaultdict
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass, field
 import math
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
+
+from esg.workers import usable_cores
 
 if TYPE_CHECKING:
     import pyarrow as pa
@@ -142,49 +146,103 @@ def find_duplicates(
         prompts: By scene key.
         pairs: Counterfactual pair by scene key, of those that are in one.
     """
-    kept: dict[tuple[int, int], list[Way]] = defaultdict(list)
-    out: list[Duplicate] = []
-    for path in sorted(paths, key=lambda p: p.scene_key):
-        shelf = math.floor(math.log(path.reach_m) / math.log1p(REACH_TOLERANCE))
-        near = [
-            other
-            for step in (-1, 0, 1)
-            for other in kept.get((len(path.points), shelf + step), ())
-            if not (
-                pairs.get(path.scene_key)
-                and pairs.get(path.scene_key) == pairs.get(other.scene_key)
-            )
-        ]
-        found = _nearest(path, near, prompts)
+    ways = sorted(paths, key=lambda p: p.scene_key)
+    said = _embedded(ways, prompts, pairs)
+    kept, out = _Shelves(pairs), list[Duplicate]()
+    for way in ways:
+        found = _nearest(way, kept.near(way), prompts, said)
         if found is None:
-            kept[len(path.points), shelf].append(path)
+            kept.add(way)
         else:
             out.append(found)
     return out
 
 
-def _nearest(path: Way, others: list[Way], prompts: Mapping[str, str]) -> Duplicate | None:
-    """The nearest of some scenes that is near enough in all that counts."""
+@dataclass
+class _Shelf:
+    """Scenes that reach about as far, and what is compared first, in arrays."""
+
+    ways: list[Way] = field(default_factory=list)
+    reach_m: array[float] = field(default_factory=lambda: array("d"))
+    length_s: array[float] = field(default_factory=lambda: array("d"))
+
+
+class _Shelves:
+    """Scenes by how far they reach, so that few are compared with each other.
+
+    Args:
+        pairs: Counterfactual pair by scene key, of those that are in one.
+    """
+
+    def __init__(self, pairs: Mapping[str, str]) -> None:
+        self._pairs = pairs
+        self._shelves: dict[tuple[int, int], _Shelf] = defaultdict(_Shelf)
+
+    def add(self, way: Way) -> None:
+        shelf = self._shelves[_place(way)]
+        shelf.ways.append(way)
+        shelf.reach_m.append(way.reach_m)
+        shelf.length_s.append(way.length_s)
+
+    def near(self, way: Way) -> list[tuple[float, Way]]:
+        """Those that move as it does, the nearest first, with their distance."""
+        movers, place = _place(way)
+        pair = self._pairs.get(way.scene_key)
+        found: list[tuple[float, Way]] = []
+        for step in (-1, 0, 1):
+            shelf = self._shelves.get((movers, place + step))
+            if shelf is None:
+                continue
+            reach = np.frombuffer(shelf.reach_m) / way.reach_m
+            length = np.frombuffer(shelf.length_s) / max(way.length_s, 1e-9)
+            alike = np.flatnonzero(
+                (np.abs(np.log(reach)) <= math.log1p(REACH_TOLERANCE))
+                & (np.abs(length - 1) <= LENGTH_TOLERANCE)
+            )
+            others = [shelf.ways[k] for k in alike]
+            others = [o for o in others if not pair or pair != self._pairs.get(o.scene_key)]
+            if others:
+                difference = np.stack([o.points for o in others]) - way.points
+                distance = np.sqrt((difference.astype(float) ** 2).sum(axis=-1).mean(axis=(1, 2)))
+                found += [
+                    (float(d), o)
+                    for d, o in zip(distance, others, strict=True)
+                    if d <= PATH_TOLERANCE
+                ]
+        return sorted(found, key=lambda f: (f[0], f[1].scene_key))
+
+
+def _place(way: Way) -> tuple[int, int]:
+    return len(way.points), math.floor(math.log(way.reach_m) / math.log1p(REACH_TOLERANCE))
+
+
+def _embedded(
+    ways: Sequence[Way], prompts: Mapping[str, str], pairs: Mapping[str, str]
+) -> dict[str, NDArray[np.float32]]:
+    """Embeddings of the prompts of all scenes that move as another one does, made on all cores."""
     from esg.assets.library.embed import embed
 
-    if not others:
-        return None
-    reach = np.array([o.reach_m for o in others]) / path.reach_m
-    length = np.array([o.length_s for o in others]) / max(path.length_s, 1e-9)
-    difference = np.stack([o.points for o in others]) - path.points
-    distance = np.sqrt((difference.astype(float) ** 2).sum(axis=-1).mean(axis=(1, 2)))
-    near = (
-        (np.abs(np.log(reach)) <= math.log1p(REACH_TOLERANCE))
-        & (np.abs(length - 1) <= LENGTH_TOLERANCE)
-        & (distance <= PATH_TOLERANCE)
-    )
-    for i in sorted(np.flatnonzero(near), key=lambda k: (distance[k], others[k].scene_key)):
-        mine, its = embed([prompts[path.scene_key], prompts[others[i].scene_key]])
-        cosine = float(mine @ its)
+    earlier, wanted = _Shelves(pairs), dict[str, None]()
+    for way in ways:
+        for _, other in earlier.near(way):
+            wanted[prompts[way.scene_key]] = wanted[prompts[other.scene_key]] = None
+        earlier.add(way)
+    embed(list(wanted)[:1])  # the model is loaded once
+    with ThreadPoolExecutor(usable_cores()) as threads:
+        return dict(zip(wanted, threads.map(lambda text: embed([text])[0], wanted), strict=True))
+
+
+def _nearest(
+    way: Way,
+    others: Sequence[tuple[float, Way]],
+    prompts: Mapping[str, str],
+    said: Mapping[str, NDArray[np.float32]],
+) -> Duplicate | None:
+    """The nearest of the scenes that move as it does whose prompt means the same."""
+    for distance, other in others:
+        cosine = float(said[prompts[way.scene_key]] @ said[prompts[other.scene_key]])
         if cosine >= TEXT_COSINE:
-            return Duplicate(
-                path.scene_key, others[i].scene_key, round(float(distance[i]), 5), round(cosine, 4)
-            )
+            return Duplicate(way.scene_key, other.scene_key, round(distance, 5), round(cosine, 4))
     return None
 
 

@@ -1,12 +1,14 @@
 """Parts into a dataset: split files in order of their keys, a card and `meta/info.json`.
 
 Files are `<table>/{split}-{i:05d}-of-{n:05d}.parquet`. The same records give the same bytes,
-whatever parts they came in. One output file is in memory at a time, beside one part.
+whatever parts they came in. A few output files (`AT_ONCE`) are in memory at a time, beside a part
+each.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable, Collection, Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 import contextlib
 from dataclasses import dataclass
 import json
@@ -31,11 +33,14 @@ from esg.store.tables import (
     to_table,
     write_part,
 )
+from esg.workers import usable_cores
 
 if TYPE_CHECKING:
     import pyarrow as pa
 
 MAX_FILE_BYTES = 200 * 2**20
+AT_ONCE = 4
+"""Output files that are put together at a time: disks gain little from more, memory does not."""
 PART_PATTERN = "{split}-{index:05d}-of-{count:05d}.parquet"
 SPLITS = ("train", "validation", "test")
 
@@ -115,10 +120,17 @@ def assemble_tables(
             write_part(data, out / "runs" / "runs.parquet")
             counts["runs"] = {"": data.num_rows}
             continue
-        counts[table] = {}
-        for split, places in _in_order(table, files, splits).items():
-            _write_split(table, split, files, places, out, max_bytes, scenes_per_file, changed)
-            counts[table][split] = len(places)
+        ordered = _in_order(table, files, splits)
+        counts[table] = {split: len(places) for split, places in ordered.items()}
+        outputs = [
+            (table, *output)
+            for split, places in ordered.items()
+            for output in _outputs(out / table, split, places, max_bytes, scenes_per_file)
+        ]
+        with ThreadPoolExecutor(min(AT_ONCE, usable_cores())) as threads:
+            written = [threads.submit(_write, *output, files, changed) for output in outputs]
+        for one in written:
+            one.result()
     return counts
 
 
@@ -235,32 +247,37 @@ def _row_sizes(data: pa.Table) -> NDArray[np.int64]:
     return pc.cast(total, pa.int64()).to_numpy() + fixed
 
 
-def _write_split(
-    table: str,
-    split: str,
-    files: Sequence[Path],
-    places: _Places,
-    out: Path,
-    max_bytes: int,
-    fixed: int | None,
-    changed: Callable[[str, pa.Table], pa.Table] | None,
-) -> None:
-    folder = out / table
+def _outputs(
+    folder: Path, split: str, places: _Places, max_bytes: int, fixed: int | None
+) -> list[tuple[Path, _Places]]:
+    """The files of a split, with the rows of each; those of an earlier attempt are removed."""
     for old in folder.glob(f"{split}-*-of-*.parquet"):
         old.unlink()
     if not len(places):
-        return
+        return []
     if fixed is not None:
         count = -(-len(places) // max(1, fixed))
     else:
         count = max(1, -(-int(places.size.sum()) // max_bytes))
     bounds = [len(places) * i // count for i in range(count + 1)]
-    for i in range(count):
-        name = PART_PATTERN.format(split=split, index=i, count=count)
-        data = _gather(table, files, places.some(slice(*bounds[i : i + 2])))
-        if changed is not None:
-            data = changed(table, data)
-        write_part(data, folder / name)
+    return [
+        (
+            folder / PART_PATTERN.format(split=split, index=i, count=count),
+            places.some(slice(*bounds[i : i + 2])),
+        )
+        for i in range(count)
+    ]
+
+
+def _write(
+    table: str,
+    file: Path,
+    places: _Places,
+    files: Sequence[Path],
+    changed: Callable[[str, pa.Table], pa.Table] | None,
+) -> None:
+    data = _gather(table, files, places)
+    write_part(data if changed is None else changed(table, data), file)
 
 
 def _gather(table: str, files: Sequence[Path], places: _Places) -> pa.Table:

@@ -34,11 +34,6 @@ REQUEST_S = 5.0
 """Whoever connects and says nothing for so long is hung up on."""
 KILL_AFTER_S = 5.0
 """From asking the process of a command whose caller is gone to end, to killing it."""
-SAMPLES = (
-    "A red ball rolls across the floor and hits a wooden box.",
-    "A car collides with a trashbin, knocking it into a picnic table by the street side.",
-)
-"""Scenes whose way through the stages loads what scenes need."""
 TAKEN_PLACE = 75
 """Exit code of a worker where another one serves."""
 _PDEATHSIG = 1
@@ -125,7 +120,7 @@ def serve(main: Callable[[], None], path: Path, idle_s: float) -> int:
 
 def warm() -> None:
     """Loads what scenes need and runs sample scenes, whose results are thrown away."""
-    from esg.api.warming import warm_up
+    from esg.api.warming import SAMPLES, warm_up
     from esg.pipeline import SceneRequest, run_scene, scratch_store
     from esg.runs import record_run
 

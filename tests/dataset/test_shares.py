@@ -20,7 +20,7 @@ from esg.dataset.job import BatchJob
 from esg.dataset.running import dead_scenes
 from esg.workers import WorkerDied, WorkerPool
 from tasks.context import Searchers, run_context
-from tasks.dataset import run_job
+from tasks.dataset import DRAFTS, run_job
 from tests.dataset import fakes
 from tests.dataset.test_batch import below, dataset
 from tests.dataset.test_running import Fleet
@@ -40,10 +40,10 @@ class Noting(WorkerPool):
         self.processes = 1
         self.calls: list[str] = []
 
-    def run(self, function: Callable[..., Any], *args: Any, urgent: bool = False) -> Any:
+    def run(self, function: Callable[..., Any], *args: Any, rank: tuple[int, ...] = ()) -> Any:
         job: BatchJob = args[0]
         share = "" if job.share is None else f" {job.share}"
-        self.calls.append(f"{function.__name__}{share}{' first' if urgent else ''}")
+        self.calls.append(f"{function.__name__}{share}{' first' if rank[:1] == (DRAFTS,) else ''}")
         one = function.__name__ == "try_scene"
         scenes = (job.scenes[args[1]],) if one else job.scenes
         dead = dead_scenes(job)
@@ -154,10 +154,10 @@ def test_shares_are_of_all_scenes_and_none_is_much_larger(tmp_path: Path) -> Non
 
 
 def test_no_more_is_drafted_than_waits_for_a_search() -> None:
-    """While both processes search, one batch is drafted; the next one waits until it is searched."""
+    """While both processes search, four batches are drafted; the next waits until one is searched."""
     searchers = Searchers(WorkerPool(2))
     try:
-        go = [threading.Event() for _ in range(5)]
+        go = [threading.Event() for _ in range(8)]
         drafted: list[int] = []
         found: list[int] = []
 
@@ -172,19 +172,19 @@ def test_no_more_is_drafted_than_waits_for_a_search() -> None:
 
             found.append(searchers.search(draft, search))
 
-        threads = [threading.Thread(target=run, args=(k,), daemon=True) for k in range(5)]
+        threads = [threading.Thread(target=run, args=(k,), daemon=True) for k in range(8)]
         for k, thread in enumerate(threads):
             thread.start()
             thread.join(0.05)
-            assert len(drafted) == min(k + 1, 3)
+            assert len(drafted) == min(k + 1, 6)
         go[drafted[0]].set()
         threads[drafted[0]].join(5)
-        threads[4].join(0.1)
-        assert len(drafted) == 4
+        threads[7].join(0.1)
+        assert len(drafted) == 7
         for event in go:
             event.set()
         for thread in threads:
             thread.join(5)
-        assert sorted(found) == list(range(5))
+        assert sorted(found) == list(range(8))
     finally:
         searchers.pool.close()

@@ -186,3 +186,18 @@ def test_a_call_that_took_too_long_is_not_tried_again(tmp_path: Path) -> None:
     with WorkerPool(1) as pool, pytest.raises(OutOfTime, match="ESG_STAGE_SECONDS"):
         pool.run(out_of_time, str(tmp_path / "calls"))
     assert (tmp_path / "calls").read_text() == "x"
+
+
+def test_the_lowest_rank_gets_the_next_free_worker(tmp_path: Path) -> None:
+    done: list[str] = []
+    with WorkerPool(1) as pool, ThreadPoolExecutor(5) as threads:
+        slot = pool._take(())
+        for n, (name, rank) in enumerate(
+            [("proof", (1, 0)), ("late", (0, 2)), ("early", (0, 1)), ("again", (0, 1))], start=1
+        ):
+            threads.submit(lambda name=name, rank=rank: done.append(pool.run(str, name, rank=rank)))
+            while len(pool._waiting) < n:
+                time.sleep(0.001)
+        pool._hand_on(slot)
+        threads.shutdown()
+    assert done == ["early", "again", "late", "proof"]

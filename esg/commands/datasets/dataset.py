@@ -296,6 +296,8 @@ def _build(
     bar.step(f"{sum(r.scenes for r in done.values())} made before", _scenes(done.values()))
     left = [n for n in numbers if n not in done]
     if left:
+        for job in _jobs(folder, spec, texts, run, left[:1], remote):
+            _load_ahead(job, runner, workers)
         jobs = _jobs(folder, spec, texts, run, left, remote)
         for result in make_batches(jobs, runner, workers, bar):
             done[result.number] = result
@@ -392,7 +394,9 @@ def make_batches(
         bar.step(f"batch {result.number}", result.scenes)
 
     note_first_use()
-    with listening(show), session(count if runner == "process" else 0, None, searchers) as call:
+    forked = _forked(jobs[0], runner, searchers)
+    processes = count if runner == "process" else 0
+    with listening(show), session(processes, None, searchers, forked=forked) as call:
         from flows.dataset import with_runner
 
         try:
@@ -403,6 +407,25 @@ def make_batches(
                 "kept, run the same command with --resume to go on",
                 exit_code=1,
             ) from None
+
+
+def _load_ahead(job: BatchJob, runner: str, workers: int | None) -> None:
+    """Lets the process that workers are forked off load while the batches are planned."""
+    from esg.machine.forked import begin
+
+    search = _forked(job, runner, _searchers(job) if runner == "process" else 0)
+    if search and workers != 1 and job.spec.n_batches > 1:
+        begin(search)
+
+
+def _forked(job: BatchJob, runner: str, searchers: int) -> str:
+    """How workers search that are loaded once and forked off; empty if they use a GPU."""
+    from esg.machine.forked import DRAFTING
+
+    spec = job.spec
+    if runner != "process" or (spec.device != "cpu" and (spec.render or not searchers)):
+        return ""
+    return DRAFTING if searchers else spec.strategy
 
 
 def _searchers(job: BatchJob) -> int:

@@ -258,11 +258,6 @@ def set_free(d: Discourse, nodes: list[str]) -> None:
             entity_of(d, node).freed = True
 
 
-def enterable(d: Discourse, node: str) -> bool:
-    noun = entity_of(d, node).noun
-    return noun.kind in ("region", "goal", "hole", "hoop", "water") or "goal" in noun.traits
-
-
 def told_by_side(entities: Mapping[str, Entity]) -> Iterator[tuple[str, str]]:
     """Two of a kind that are told from each other by their sides: "the left plate, the right one".
 

@@ -235,7 +235,7 @@ def _note_speed(d: Discourse, f: Frame, subject: list[str]) -> None:
     named = f.subject if f.verb.sense == "be" else f.object if f.verb.sense == "have" else None
     if speed is None or named is None or not named.attribute:
         return
-    its = named.determiner in ("its", "his", "her") and bool(d.refs.told)
+    its = named.determiner in lex.POSSESSIVES and bool(d.refs.told)
     who = subject or (d.refs.told[-1].subject if its else [])
     if len(who) == 1:
         d.moves.stated[who[0]] = speed[1]

@@ -14,7 +14,7 @@ from esg.draft.discourse.referents.registry import add_entity, current_id
 from esg.draft.discourse.referents.wholes import has_pans
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.timing import moved_by_others
-from esg.draft.events.told import amount, at_rest, recent
+from esg.draft.events.told import amount, at_rest, one_that, recent
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
 from esg.graph.models import ForceDirection
@@ -100,14 +100,12 @@ def openable(d: Discourse, bodies: list[str]) -> list[str]:
 
 def turned_instead(d: Discourse, f: Frame, subject: list[str]) -> list[str]:
     """ "A coconut falls on the lid and it slams shut": what can of those named last."""
-    m = f.subject
-    pronoun = m is not None and m.pronoun in ("it", "that", "this", "which")
     words = d.text[f.verb.start : f.verb.end].lower().split()
     so = f.verb.extra.get("result") in _OPENING or f.verb.lemma in SHUTTING
     so = so or (f.verb.lemma in SWAYING and words[-1] in _OPENING)
-    if not pronoun or not so or f.object is not None or openable(d, subject):
+    if not so or f.object is not None:
         return subject
-    return next(([i] for i in recent(d) if openable(d, [i])), subject)
+    return one_that(d, f.subject, subject, lambda i: bool(openable(d, [i])))
 
 
 def closed_instead(d: Discourse, f: Frame, objects: list[str]) -> list[str]:

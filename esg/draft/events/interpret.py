@@ -82,7 +82,7 @@ from esg.draft.events.told import (
     last_of,
     mates_of,
     moves,
-    recent,
+    one_that,
     size_of,
     things,
     traits_of,
@@ -248,7 +248,7 @@ def _on_what_has_it(
         owner = owners.get(id(m))
         if owner is None or p.mention is None:
             continue
-        its = p.mention.determiner in ("its", "his", "her") and bool(p.mention.entities)
+        its = p.mention.determiner in lex.POSSESSIVES and bool(p.mention.entities)
         if its and {*p.mention.entities} <= {*m.entities}:
             p.mention.entities = d.world.resolved[id(p.mention)] = [*owner.entities]
             continue  # "a car with two bikes on its roof"
@@ -650,11 +650,8 @@ def _meets_a_link(d: Discourse, f: Frame, parts: Parts) -> bool:
 
 def _what_sways(d: Discourse, f: Frame, parts: Parts) -> bool:
     """ "A hammer strikes the bell, then it sways": of those named last, what hangs."""
-    m = f.subject
-    pronoun = m is not None and m.pronoun in ("it", "that", "this", "which")
-    if pronoun and f.verb.lemma in SWAYING and not hanging(d, parts.subject):
-        hung = next((i for i in recent(d) if hanging(d, [i])), None)
-        parts.subject = parts.subject if hung is None else [hung]
+    if f.verb.lemma in SWAYING:
+        parts.subject = one_that(d, f.subject, parts.subject, lambda i: bool(hanging(d, [i])))
     return False
 
 

@@ -73,9 +73,6 @@ def speed_of(d: Discourse, f: Frame, actors: list[str], mode: str) -> tuple[Quan
         return SPEEDS[mode] if launched else SPEEDS.get(kind, (50.0, 600.0)), False
     a = told[0]
     mark_used(d, a, "speed")
-    falling = f.verb.sense in ("brake", "slow", "stop")
-    if falling and a.low < a.high and a.text.lower().startswith("from"):
-        return a.high, True  # "brakes from 15 m/s to 5 m/s"
     if a.bound == "min":
         return (a.low, 2.0 * a.low), True
     if a.bound == "max":

@@ -2,14 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Literal
 
 from esg.draft.discourse.core import amounts_of, entity_of
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.windows import Draft
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.text.elements import Mention
 from esg.draft.text.quantities import Amount
 from esg.graph.models import EventConstraint, NodeEvent, Quantity
+
+_IT = ("it", "that", "this", "which")
 
 
 def ignore(d: Discourse, f: Frame, why: str) -> None:
@@ -65,6 +69,15 @@ def last_event(d: Discourse) -> Draft | None:
 def recent(d: Discourse) -> list[str]:
     """What the prompt has named, the last first."""
     return [i for ids in reversed(d.world.salience) for i in ids if i in d.world.entities]
+
+
+def one_that(
+    d: Discourse, m: Mention | None, bodies: list[str], can: Callable[[str], bool]
+) -> list[str]:
+    """ "A hammer hits a melon and it breaks": of those named last what can, where "it" cannot."""
+    if m is None or m.pronoun not in _IT or any(map(can, bodies)):
+        return bodies
+    return next(([i] for i in recent(d) if can(i)), bodies)
 
 
 def mates_of(d: Discourse, body: str) -> list[str]:

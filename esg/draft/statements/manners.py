@@ -11,7 +11,6 @@ from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
 from esg.draft.discourse.windows import START
 from esg.draft.events.courses import GENTLE_BRAKE_CM_S2, HARD_BRAKE_CM_S2, chosen_pace, measurable
 from esg.draft.events.gaits import on_legs
-from esg.draft.events.hanging import SENT_UP
 from esg.draft.events.motions import can_roll, flies_itself
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.book import Book, span
@@ -136,8 +135,6 @@ def flown(book: Book, clause: Clause, s: Said, mover: str) -> None:
     d = book.d
     if any(j.child == mover and j.kind != "rope" for j in d.scene.joints):
         return  # "the last ball of the cradle flies out": its string holds it
-    if d.scene.used.get(span(clause.frame)) == SENT_UP:
-        return  # it rises, and comes down again
     host = d.scene.supported_by.get(mover)
     if host is not None and d.world.entities[host].noun.kind == "water":
         return  # "a duck floats on a pond": on what it lies is stated

@@ -30,7 +30,6 @@ _ROUND = ("ball", "billiard", "barrel", "bottle", "cone", "pin", "wheel")
 """Kinds that look alike from all sides."""
 
 _HANDS = ("left", "right")
-_ITS = ("its", "his", "her")
 
 
 @dataclass(frozen=True)
@@ -100,7 +99,7 @@ def _whose(d: Discourse, f: Frame, n: Draft, p: Phrase, m: Mention) -> str | Non
     own = [i for i in m.entities if i in n.participants and i in d.world.entities]
     if own:
         return own[0]
-    its = not p.prep and m.determiner in _ITS
+    its = not p.prep and m.determiner in lex.POSSESSIVES
     if m.entities or not m.attribute or not (its or p.prep in ("in", "on", "at", "with")):
         return None
     hits = p.prep == "with" or m is f.subject

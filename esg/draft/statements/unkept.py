@@ -20,7 +20,6 @@ from esg.draft.events.courses import measurable
 from esg.draft.events.hanging import row_of
 from esg.draft.events.motions import flies_itself
 from esg.draft.events.senses.climbing import COMES_OFF
-from esg.draft.events.stated import adverbs_of
 from esg.draft.events.told import last_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.account import held
@@ -31,7 +30,6 @@ from esg.graph.models import EdgeEvent, NodeEvent, Predicate
 _NO_PICTURE = lex.word_set("no picture (statements)")
 _PICTURED = frozenset({"refuse", "lose"})
 """Verbs without a picture that have one with an object."""
-_MANNERS = frozenset({"gently", "carefully", "slowly", "softly", "quickly", "then", "suddenly"})
 _NOT_TOLD = frozenset({"gerund", "no event of its own"})
 """Reasons for which a verb is no statement of the prompt."""
 _STATES = frozenset(
@@ -294,11 +292,6 @@ def _acts_on_something(d: Discourse, clause: Clause) -> bool:
     return not (f.verb.passive or f.reduced or f.object is None)
 
 
-def _gently_done(d: Discourse, clause: Clause) -> bool:
-    """Whether a passive is told as an act, by an adverb of manner."""
-    return clause.frame.verb.passive and bool(_MANNERS & {*adverbs_of(d.text, clause.frame)})
-
-
 def _later_act(d: Discourse, clause: Clause) -> bool:
     """Whether who acts has acted before."""
     return not clause.frame.relative and _acted_before(d, clause, _doers(clause.frame))
@@ -352,7 +345,6 @@ def _not_all_fly(d: Discourse, clause: Clause) -> bool:
 
 _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "active": _acts_on_something,
-    "gently": _gently_done,
     "unmet": lambda d, c: not _leads_to_an_event(d, c),
     "later": _later_act,
     "!flyer": _not_all_fly,

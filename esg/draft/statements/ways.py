@@ -31,7 +31,6 @@ _SIDE_WORDS = {
 }
 """The words of a side, of which the first in the text is where something starts."""
 _SPANS = lex.word_set("spans")
-_DOWN_ON = ("on", "onto", "upon", "atop", "on top of")
 _DOWN = frozenset({"fall", "topple", "drop"})
 _SENT = ("over", "across", "through", "past")
 """What leads on from a hit: "hits a ball over the net"."""
@@ -154,8 +153,6 @@ def _by_others(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
         return
     if direction in _ABOUT and d.scene.supported_by.get(mover) in targets:
         return
-    if direction == "between" and len(targets) == 1:
-        targets = _pair_of(d, targets[0], mover)
     if not targets:
         return
     some = tuple(targets) if direction == "between" else tuple(targets[:1])
@@ -163,13 +160,6 @@ def _by_others(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
     book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=some, direction=direction,
              when=where)  # fmt: skip
     _lengthwise(book, s, mover, some, direction, where)
-
-
-def _pair_of(d: Discourse, one: str, mover: str) -> list[str]:
-    """ "A cube left of a bin ... between them": the two that a relation has of; [] for none."""
-    pairs = [(r.source, r.target) for r in d.scene.relations if one in (r.source, r.target)
-             and mover not in (r.source, r.target)]  # fmt: skip
-    return [*pairs[0]] if pairs else []
 
 
 def _lengthwise(
@@ -212,8 +202,6 @@ def goal(book: Book, clause: Clause, s: Said, mover: str) -> None:
         return
     if s.row.states is Predicate.ENDS_NEAR and d.scene.used.get(span(clause.frame)) != "put":
         return  # "runs next to a horse": it need not end there
-    if s.row.states is Predicate.ABOVE and clause.frame.verb.sense in ("drop", "fall"):
-        return  # that is where it starts
     if queues_behind(d, s, mover) is not None:
         book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=tuple(targets),
                  direction="toward", when=period(d, clause, mover))  # fmt: skip
@@ -263,7 +251,7 @@ def landed(book: Book, clause: Clause, p: Phrase) -> None:
     So does what has fallen or was thrown, and lands on the ground.
     """
     d = book.d
-    if p.mention is None or p.prep not in (*_DOWN_ON, "in"):
+    if p.mention is None or p.prep not in (*lex.ONTO, "in"):
         return
     words = (start_of(p, d.text), p.mention.end)
     grounds = [i for i in things(p) if structural(d, i)][:1]
@@ -273,7 +261,7 @@ def landed(book: Book, clause: Clause, p: Phrase) -> None:
                 book.add(Predicate.ENDS_ON, *words, object=(mover,), target=tuple(grounds),
                          when="end")  # fmt: skip
         return
-    hosts = [i for i in things(p) if i in d.world.entities and p.prep in _DOWN_ON][:1]
+    hosts = [i for i in things(p) if i in d.world.entities and p.prep in lex.ONTO][:1]
     for mover in clause.movers if hosts else []:
         if comes_down_on(d, clause, mover, hosts[0]):
             book.add(Predicate.ENDS_ON, *words, object=(mover,), target=tuple(hosts), when="end")

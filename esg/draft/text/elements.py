@@ -114,6 +114,8 @@ class Verb:
 
 
 WordKind = Literal["prep", "adv", "conj", "punct", "rel", "sub", "qty", "to", "unknown"]
+PARTING = ("punct", "conj", "sub", "rel")
+"""Kinds of words between clauses."""
 
 
 @dataclass

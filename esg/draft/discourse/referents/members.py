@@ -10,7 +10,7 @@ from esg.draft.discourse.referents.record import World
 from esg.draft.discourse.referents.registry import create, new_id, rename
 from esg.draft.text.elements import Mention
 
-_OPPOSITE = {"front": "rear", "rear": "front"}
+OPPOSITE = {"front": "rear", "rear": "front"}
 _AS_TOLD = {
     ("size", 1.0): ("large",), ("size", -1.0): ("small",), ("mass", 1.0): ("heavy",),
     ("mass", -1.0): ("light",), ("height", 1.0): ("tall",), ("height", -1.0): ("short",),
@@ -60,8 +60,8 @@ def at_place(world: World, m: Mention, things: list[Entity]) -> list[str]:
     if len(row) > _NAMED and word in lex.ORDINALS:
         return [row[k].id]
     found = name_by(world, row[k], place)
-    if len(row) == 2 and place in _OPPOSITE and not row[1 - k % 2].place:
-        name_by(world, row[1 - k % 2], _OPPOSITE[place])
+    if len(row) == 2 and place in OPPOSITE and not row[1 - k % 2].place:
+        name_by(world, row[1 - k % 2], OPPOSITE[place])
     return found
 
 

@@ -11,7 +11,6 @@ from esg.lexicon import plural
 from esg.lexicon.articulations import articulations
 
 _THE = ("the", "this", "that", "its")
-_OUTER = frozenset({"outer", "outermost", "outside", "last"})
 
 
 def counted_parts(world: World, m: Mention) -> list[str]:
@@ -33,8 +32,6 @@ def counted_parts(world: World, m: Mention) -> list[str]:
         if not told or (m.count or 1) > row.count:
             return []
         parts = parts_of(world, whole) or _all_parts(world, whole, m, row.count)
-        if m.count == 2 and _OUTER & {*m.adjectives}:
-            return [parts[0].id, parts[-1].id]
         if m.plural:
             return [e.id for e in parts[: m.count]]
         return at_place(world, m, parts) or [parts[0].id]

@@ -20,7 +20,6 @@ _MONTHS, _SEASONS = lex.word_set("months"), lex.word_set("seasons")
 _TO_PIECES = lex.word_set("to pieces")
 _PICTURE, _THE_PICTURE = ("frame", "screen"), ("", "the")
 _ACROSS = ("across", "of", "off", "on")
-_OWN = ("his", "her", "its", "their")
 _ACTING_PARTS = lex.word_set("acting parts")
 _RUN = lex.OWN_PARTS - {"door", "leg", "roof"}
 _HAVE_PARTS = frozenset({"vehicle", "cart", "flyer", "toyvehicle"})
@@ -52,7 +51,7 @@ def names_nothing(world: World, m: Mention, subject: bool) -> bool:
 def _lane_of_a_road(m: Mention) -> bool:
     """ "Changes to the left lane", "drives in its lane": part of the road, and no second one."""
     part = m.head == "lane" and m.noun is not None and m.noun.name == "road"
-    return part and (m.determiner in _OWN or bool(_LANES & {*m.adjectives}))
+    return part and (m.determiner in lex.POSSESSIVES or bool(_LANES & {*m.adjectives}))
 
 
 def _cushion(world: World, m: Mention, subject: bool) -> bool:
@@ -76,7 +75,7 @@ def _with_a_part(world: World, m: Mention, subject: bool) -> bool:
     """ "with one hand", "in its mouth", "wags its tail": a part of who acts."""
     part = m.head in lex.BODY_PARTS or (m.noun is None and no_things().get(m.head) == "body")
     bare = m.plural and not m.determiner and m.count is None  # "shake hands"
-    own = m.after_prep in _WITH or ((m.determiner in _OWN or bare) and not subject)
+    own = m.after_prep in _WITH or ((m.determiner in lex.POSSESSIVES or bare) and not subject)
     return part and own and m.possessor is None
 
 
@@ -172,7 +171,7 @@ def _stands_on(world: World, m: Mention, subject: bool) -> bool:
 
 def _own_motion(world: World, m: Mention, subject: bool) -> bool:
     """ "Stops at the top of its swing": what it does, and no swing to sit on."""
-    return m.determiner in _OWN and m.head in _MOTIONS and bool(m.after_prep)
+    return m.determiner in lex.POSSESSIVES and m.head in _MOTIONS and bool(m.after_prep)
 
 
 def _place_name(world: World, m: Mention, subject: bool) -> bool:

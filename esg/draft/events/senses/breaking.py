@@ -13,7 +13,7 @@ from esg.draft.events.senses.fall import drop
 from esg.draft.events.stated import place_of
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import record_event, representatives, time_of
-from esg.draft.events.told import at_rest, happened, ignore, moves, recent, things
+from esg.draft.events.told import at_rest, happened, ignore, moves, one_that, things
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 from esg.lexicon.breakables import Breakable
@@ -33,11 +33,9 @@ def row_of(d: Discourse, node: str) -> Breakable | None:
 
 def who_breaks(d: Discourse, f: Frame, subject: list[str]) -> list[str]:
     """ "A hammer hits a melon and it breaks apart": of those named last, what can."""
-    m = f.subject
-    pronoun = m is not None and m.pronoun in ("it", "that", "this", "which")
-    if not pronoun or f.object is not None or any(row_of(d, i) for i in subject):
+    if f.object is not None:
         return subject
-    return next(([i] for i in recent(d) if row_of(d, i) is not None), subject)
+    return one_that(d, f.subject, subject, lambda i: row_of(d, i) is not None)
 
 
 def sense_of_breaking(d: Discourse, f: Frame, subject: list[str], objects: list[str]) -> bool:

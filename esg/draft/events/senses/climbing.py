@@ -34,7 +34,6 @@ _ACTS = frozenset(
 )  # fmt: skip
 """Senses of what somebody does elsewhere, on the ground."""
 _FALLS = frozenset({"fall", "drop", "topple"})
-_ONTO = ("onto", "on", "on top of", "upon", "atop")
 _FROM = ("down from", "from", "off", "down", "off of", "out of")
 _LOW = 1.5
 """What is no more than so many times as high as who climbs it is climbed onto."""
@@ -204,7 +203,7 @@ def _said_course(prep: str, climbing: bool, down: bool) -> str | None:
         return None
     if down:
         return "down" if prep in _FROM else None
-    return "over" if prep == "over" else "onto" if prep in _ONTO else None
+    return "over" if prep == "over" else "onto" if prep in lex.ONTO else None
 
 
 def _course(d: Discourse, actor: str, goal: _Goal, *, climbing: bool) -> str | None:

@@ -27,7 +27,6 @@ from esg.draft.text.amounts import Amount
 from esg.draft.text.numerals import parse_number
 from esg.graph.models import ForceDirection, NodeEvent
 
-_PUT_ON = ("on", "onto", "on top of", "upon", "atop")
 _PUT_IN = ("in", "into", "inside")
 _PUT_BY = ("left of", "right of", "in front of", "behind", "next to", "beside", "near", "close to")
 """What somebody puts something to the left of stands there, on what carries it."""
@@ -58,7 +57,7 @@ def _hoist(d: Discourse, agents: list[str], bodies: list[str]) -> None:
 
 def _from_where(d: Discourse, f: Frame, bodies: list[str]) -> None:
     """ "Picks the cup up from the table", "in the box pick up the cup": where it is at first."""
-    ahead = f.phrase(*_PUT_ON, *_PUT_IN)
+    ahead = f.phrase(*lex.ONTO, *_PUT_IN)
     if ahead is not None and ahead.mention is not None and ahead.mention.start < f.verb.start:
         place(d, [i for i in bodies if i not in d.scene.supported_by], things(ahead), ahead.prep)
     of_it = [p for m, p in d.attached if m is f.object]
@@ -146,7 +145,7 @@ _IS = re.compile(r"(?:is|are)\b", re.IGNORECASE)
 
 def _onto_a_liquid(d: Discourse, f: Frame) -> bool:
     """ "A cork is placed on the surface of a bucket of water": what it does there is the story."""
-    found = f.phrase(*_PUT_ON, *_PUT_IN)
+    found = f.phrase(*lex.ONTO, *_PUT_IN)
     m = found.mention if found is not None else None
     filled = [at.vessel for at in d.scene.fillings.fillings]
     liquid = m is not None and any(m.start <= at < m.end for at in filled)
@@ -155,7 +154,7 @@ def _onto_a_liquid(d: Discourse, f: Frame) -> bool:
 
 def _goal(d: Discourse, f: Frame, moved: list[str]) -> tuple[str, str] | None:
     """Where a clause says that things are put: the preposition, and on or in what."""
-    found = f.phrase(*_PUT_ON, *_PUT_IN)
+    found = f.phrase(*lex.ONTO, *_PUT_IN)
     said = found.mention if found is not None and things(found) else None
     again = "again" in f.verb.extra  # "puts a cup on a shelf, then a plate"
     if found is not None and said is not None and (again or said.start > f.verb.start):
@@ -204,7 +203,7 @@ def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "Jumps over the fence", "hops three times": leaps from the ground and back to it."""
     if comes_off(d, f, s):
         return
-    springy = [i for i in things(f.phrase(*_PUT_ON)) if entity_of(d, i).noun.name in _HOPPED_ON]
+    springy = [i for i in things(f.phrase(*lex.ONTO)) if entity_of(d, i).noun.name in _HOPPED_ON]
     springy = [] if _ONTO.search(d.text, f.verb.end) else springy
     place(d, s, springy[:1], "on")
     over = [i for i in (*things(f.phrase("over", "across")), *o) if i not in s]
@@ -212,7 +211,7 @@ def read_jump(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     leaps = [a for a in s if kind_of(d, a) in LIMBED and not moved_by_others(d, a)]
     if leaps and not over and not springy and _jumps_away(d, f, leaps):
         return
-    elsewhere = f.phrase(*_PUT_ON, "to", "off", "into", "in", "from", "out of", "down", "at")
+    elsewhere = f.phrase(*lex.ONTO, "to", "off", "into", "in", "from", "out of", "down", "at")
     leaps = [a for a in leaps if d.scene.supported_by.get(a) in (None, *springy)]
     away = _ELSEWHERE & {*f.adverbs, f.verb.extra.get("particle", "")}
     if away or (things(elsewhere) and not springy) or not leaps:
@@ -242,12 +241,12 @@ def _jumps_away(d: Discourse, f: Frame, leaps: list[str]) -> bool:
     said = {p.prep: things(p)[0] for p in f.phrases if things(p)}
     bottoms = [said[k] for k in ("off", "from") if k in said]
     bottoms = [i for i in bottoms if elevated(d, i) or carries(d, i, leaps[0])]
-    tops = [said[k] for k in _PUT_ON if k in said and _jumped_onto(d, said[k])]
+    tops = [said[k] for k in lex.ONTO if k in said and _jumped_onto(d, said[k])]
     upward = f.phrase("to")
     to_top = upward is not None and upward.mention is not None and upward.mention.part == "top"
     tops += [i for k, i in said.items() if k == "to" and (bottoms or to_top)]
     pools = [i for k, i in said.items() if k in _PUT_IN and bottoms and enterable(d, i)]
-    others = said.keys() - {*_PUT_ON, *_PUT_IN, "to", "off", "from"}
+    others = said.keys() - {*lex.ONTO, *_PUT_IN, "to", "off", "from"}
     if others & {"out of", "at", "down", "through"} or not (tops or bottoms):
         return False
     if said.keys() & {*_PUT_IN} and not pools:
@@ -325,7 +324,7 @@ def read_spin(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if angle is not None and turned and kind_of(d, turned[0]) in SELF_POWERED:
         read_as(d, "turn", f, s, o)  # "the robot spins around by 180 degrees"
         return
-    on = things(f.phrase(*_PUT_ON))
+    on = things(f.phrase(*lex.ONTO))
     if turned and on and not structural(d, on[0]):
         place(d, turned, on, "on")
     note = "spin"

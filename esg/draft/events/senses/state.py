@@ -22,6 +22,7 @@ from esg.draft.discourse.jointed import CRANES
 from esg.draft.discourse.places import RELATION_PREPS, hang, holds, place, towers
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import head_of
+from esg.draft.discourse.referents.members import OPPOSITE
 from esg.draft.discourse.referents.registry import apply_amount, current_id
 from esg.draft.discourse.scene import LIMBED, SELF_POWERED, Relation
 from esg.draft.events.acts import add_event, add_hit
@@ -43,6 +44,7 @@ from esg.draft.events.told import (
     unread,
 )
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.grammar.rewrites.positions import NEIGHBOURS
 from esg.draft.grammar.rewrites.shares import dealt
 from esg.draft.text.elements import Mention
 from esg.draft.text.quantities import Amount
@@ -75,12 +77,9 @@ _AT_REST = lex.word_set("places of acts")
 _HANGING = lex.word_set("hanging")
 _HUNG_BY = lex.word_set("hung by")
 _NAMED_BEFORE = ("it", "them", "him", "her", "both")
-_APART = frozenset({"in front of", "behind", "beside", "next to", "left of", "right of", "near"}
-                   | {"above", "under", "below"})  # fmt: skip
+_APART = lex.BESIDE | {"above", "under", "below"}
 """Prepositions of what is outside of what it goes with."""
-_AHEAD = {"behind": ("rear", "front"), "in front of": ("front", "rear")}
-"""Where in a row of two the one is, and the other, by what is said of the one."""
-_BESIDE_IT, _OWN = ("left", "right"), ("its", "his", "her", "their")
+_BESIDE_IT = ("left", "right")
 _BESIDE = ("on", "against", "at", "by")
 _FILLING = ("cover", "load", "fill", "stack", "set")
 _MEASURES = ("tall", "high", "wide", "long", "thick", "deep")
@@ -134,11 +133,11 @@ def _in_their_order(
     d: Discourse, owned: Mention, owners: list[str], prep: str, others: list[str]
 ) -> tuple[list[str], list[str]]:
     """ "Two buses drive one behind the other. The front bus brakes": either may be the one."""
-    ahead = _AHEAD.get(prep)
-    if ahead is None or owned.pronoun != "one" or len(owners) != 1 or len(others) != 1:
+    here = NEIGHBOURS.get(prep, "")
+    if here not in OPPOSITE or owned.pronoun != "one" or len(owners) != 1 or len(others) != 1:
         return owners, others
     ranks = tuple(d.world.entities[i].place for i in (*owners, *others) if i in d.world.entities)
-    return (others, owners) if ranks == ahead[::-1] else (owners, others)
+    return (others, owners) if ranks == (OPPOSITE[here], here) else (owners, others)
 
 
 def _carried_by_its_owner(d: Discourse, owners: list[str], things: list[str]) -> None:
@@ -168,7 +167,9 @@ def _placed_apart(d: Discourse, node: str, p: Phrase) -> bool:
     phrases = [q for m, q in d.attached if q is not p and node in m.entities and q.mention]
     its = [q for q in phrases if q.mention is not None and q.mention.pronoun in _NAMED_BEFORE]
     sides = [q.mention for q in phrases if q.mention is not None and q.mention.head in _BESIDE_IT]
-    apart = any(q.prep in _APART for q in its) or any(m.determiner in _OWN for m in sides)
+    apart = any(q.prep in _APART for q in its) or any(
+        m.determiner in lex.POSSESSIVES for m in sides
+    )
     return apart
 
 

@@ -14,7 +14,7 @@ from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import settle, time_of
 from esg.draft.events.told import amount, at_rest, constrain, ignore, things
 from esg.draft.grammar.clauses.frames import Frame
-from esg.draft.text.quantities import Amount, find_amounts
+from esg.draft.text.quantities import Amount
 from esg.graph.models import ForceDirection, NodeEvent
 
 _LEAST_TURN_S = 0.01
@@ -90,9 +90,6 @@ def _first_turn(d: Discourse, f: Frame, angles: list[Amount]) -> float:
     degrees = 180.0 if f.verb.extra.get("dir") in ("u", "around", "back") else 90.0
     if angles:
         degrees = _degrees(d, angles[0])
-    for a in find_amounts(d.text[f.verb.start : f.verb.end]):
-        degrees = max(1.0, min(720.0, abs(a.middle)))  # "makes a 60-degree turn"
-        d.scene.used[(f.verb.start + a.start, f.verb.start + a.end)] = "turn angle"
     return degrees
 
 

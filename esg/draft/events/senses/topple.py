@@ -19,7 +19,6 @@ from esg.draft.events.consequences import (
 from esg.draft.events.hanging import hanging
 from esg.draft.events.motions import moves_on_it, start_motion
 from esg.draft.events.roles import doer_and_done
-from esg.draft.events.senses.climbing import comes_off
 from esg.draft.events.senses.contact import whose_way
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import moved_by_others, representatives, speed_after, time_of
@@ -87,8 +86,6 @@ def read_give(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 @sense("topple")
 def read_topple(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """Falls over by itself, or because of what knocks it over."""
-    if comes_off(d, f, s):
-        return
     if s and not o and _only_falls(d, f, s):
         read_as(d, "fall", f, s, o)
         return

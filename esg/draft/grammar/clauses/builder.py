@@ -40,7 +40,6 @@ def build_clauses(elements: list[Element]) -> Clauses:
         i += 1
     flush(c, s)
     for k, f in enumerate(c.frames):
-        _hand_over(f)
         _takes_time(f, c.frames[k + 1 :])
         _fronted(f, [g for g in c.frames[k + 1 :] if g.sentence == f.sentence])
         if f.subordinate:
@@ -125,16 +124,6 @@ def _goes_behind(f: Frame, ahead: Frame) -> Frame:
     verb = replace(f.verb, lemma="follow", sense="follow", extra={})
     whom = ahead.object if ahead.object is not None and ahead.subject is None else ahead.subject
     return replace(f, verb=verb, object=whom)
-
-
-def _hand_over(f: Frame) -> None:
-    """ "car B, weighing 1500 kg, at 10 m/s": the speed belongs to the clause around it."""
-    if f.parent is None or f.verb.sense not in ("weigh", "measure", "have"):
-        return
-    for p in list(f.phrases):
-        if p.amount is not None and p.amount.dimension in ("speed", "time"):
-            f.phrases.remove(p)
-            f.parent.phrases.append(p)
 
 
 def _fronted(f: Frame, following: list[Frame]) -> None:

@@ -86,8 +86,6 @@ def _there(previous: Frame, last: Mention) -> Mention | None:
 
 def _is_meant(c: Clauses, v: Verb, there: Mention, last: Mention) -> bool:
     """Whether a verb is about what is there, and not about the place."""
-    if v.form == "base" and not v.auxiliary and there.plural is not last.plural:
-        return there.plural
     before = reversed(c.elements[: c.elements.index(v)])
     rel = next((e for e in before if getattr(e, "kind", "") == "rel"), None)
     if last.noun is None or getattr(rel, "low", "") == "who":

@@ -15,12 +15,10 @@ _RIDDEN = frozenset({"sliding", "cart", "vehicle", "watercraft", "animal", "toyv
 """Kinds of ways, and of what somebody is on who goes along them."""
 _THIS = lex.word_set("this")
 _OF_NOUNS = lex.word_set("prepositions of nouns")
-_BESIDE = frozenset({"left of", "right of", "in front of", "behind", "beside", "next to", "near"})
-_PLACED = _BESIDE | {"on", "in", "under", "above", "on top of", "inside"}
+_PLACED = lex.BESIDE | {"on", "in", "under", "above", "on top of", "inside"}
 _SENDING = frozenset({"launch", "hit", "knock", "drop", "cause", "topple", "carry", "tow"})
 _OUT = frozenset({"into", "onto", "off", "out of", "through", "across"})
 _OVER = frozenset({"over", "past", *_OUT})
-_HIS = frozenset({"his", "her", "its", "their"})
 _INTO = frozenset({"in", "into", "on", "onto", "inside"})
 _GONE_WITH = frozenset({"it", "him", "her", "them", "both"})
 _WITH = frozenset({"with", ".", ";", "!", "?", ":"})
@@ -257,7 +255,7 @@ def _stated_of_it(c: Clauses, s: State, m: Mention, i: int) -> bool:
     subject = s.frame.subject if s.frame is not None else s.subject
     if not isinstance(value, Word) or value.amount is None or subject is None:
         return False
-    if m.attribute and m.head in OWNED and m.determiner in ("its", "his", "her", "their"):
+    if m.attribute and m.head in OWNED and m.determiner in lex.POSSESSIVES:
         c.attachments.append((subject.possessor or subject, Phrase("with", m)))
         return True
     bare = m.attribute and m.head in PROPERTIES and not m.determiner
@@ -381,7 +379,7 @@ def _of_the_verb(s: State, f: Frame, phrase: Phrase, m: Mention) -> bool:
         return True  # "takes the pin with it"
     if phrase.prep == "by" and f.verb.passive:
         return True
-    if phrase.prep == "with" and m.determiner in _HIS and m.head in lex.BODY_PARTS:
+    if phrase.prep == "with" and m.determiner in lex.POSSESSIVES and m.head in lex.BODY_PARTS:
         return f.verb.sense not in ("be", "posture", "have")  # "shuts a chest with his elbow"
     owned = phrase.prep == "with" and m.head in PROPERTIES and s.last is not f.subject
     return m.attribute and phrase.prep != "of" and not owned
@@ -406,8 +404,8 @@ def _of_the_noun(c: Clauses, s: State, f: Frame, phrase: Phrase, m: Mention, i: 
     if f.object is not noun and not s.last_after_prep:
         return False
     c.attachments.append((noun, phrase))
-    beside = noun.after_prep == "with" and phrase.prep in _BESIDE
-    put = f.object is not None and noun.after_prep in _INTO and phrase.prep in _BESIDE
+    beside = noun.after_prep == "with" and phrase.prep in lex.BESIDE
+    put = f.object is not None and noun.after_prep in _INTO and phrase.prep in lex.BESIDE
     put = put and f.verb.sense == "posture" and not m.pronoun  # "in the bowl beside the mug"
     if f.verb.sense in _ALSO_OF_VERBS and not beside and not put:
         f.phrases.append(phrase)  # not "a clock hangs on a wall with a lamp to the right of it"
@@ -429,6 +427,6 @@ def _attach_to_noun(c: Clauses, s: State, phrase: Phrase, m: Mention) -> None:
     if owner is None or s.boundary:
         s.loose.append(phrase)
     else:
-        its_side = m.head in ("left", "right") and m.determiner in ("its", "his", "her", "their")
+        its_side = m.head in ("left", "right") and m.determiner in lex.POSSESSIVES
         near = last if (its_side or phrase.prep in _OF_NOUNS) and last is not None else owner
         c.attachments.append((near, phrase))

@@ -26,7 +26,7 @@ from esg.draft.grammar.clauses.links import (
 )
 from esg.draft.grammar.clauses.nouns import runs_on
 from esg.draft.grammar.clauses.record import Clauses
-from esg.draft.text.elements import Mention, Verb, Word, element_at
+from esg.draft.text.elements import PARTING, Mention, Verb, Word, element_at
 from esg.draft.text.quantities import Amount
 
 _LETTING = lex.word_set("letting (verbs)")
@@ -55,11 +55,8 @@ def verb(c: Clauses, s: State, v: Verb, i: int) -> None:
         s.prep = ""
         return
     v.negated = v.negated or after_prep == "without"
-    if s.frame is None and not s.sub:
-        if "perfect" in v.extra:
-            s.sub = "after"  # "Having hit it, it stops"
-        if after_prep in ("after", "before"):
-            s.sub, s.prep = after_prep, ""  # "after being kicked"
+    if s.frame is None and not s.sub and "perfect" in v.extra:
+        s.sub = "after"  # "Having hit it, it stops"
     frame = Frame(v, sentence=c.sentence, link=s.link)
     frame.start_of_sentence = not any(g.sentence == c.sentence for g in c.frames[-1:])
     s.link = "then"
@@ -344,7 +341,7 @@ def _parenthetical(c: Clauses, i: int) -> bool:
         e = c.elements[k]
         if isinstance(e, Verb):
             return False
-        if isinstance(e, Word) and e.kind in ("punct", "conj", "sub", "rel"):
+        if isinstance(e, Word) and e.kind in PARTING:
             rest = [x for x in c.elements[k + 1 : k + 3] if getattr(x, "kind", "") != "adv"]
             nxt = rest[0] if rest else None
             finite = isinstance(nxt, Verb) and not nxt.infinitive and nxt.form != "ing"

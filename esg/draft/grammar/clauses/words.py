@@ -7,7 +7,7 @@ from collections.abc import Callable
 from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import Phrase, State, finite_ahead
 from esg.draft.grammar.clauses.record import Clauses
-from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
+from esg.draft.text.elements import PARTING, Element, Mention, Verb, Word, element_at
 from esg.draft.text.quantities import Amount
 
 PROPERTIES = lex.word_set("properties")
@@ -15,14 +15,13 @@ _PLACES = lex.word_set("places of acts")
 OWNED = PROPERTIES | {"speed", "velocity"}
 _BEFORE_AMOUNTS = frozenset({"of", "at", ",", "(", "about", "-", "–", "—"})
 _PARTICLES = lex.word_set("particles (words)")
-_AIMED = lex.word_set("aimed (words)")
 _HAPPENING = lex.word_set("happening")
 _SIZES = lex.word_set("sizes")
 
 
 def read_word(c: Clauses, s: State, w: Word, i: int) -> State:
     """Reads a small word or a quantity; the state after it."""
-    if id(w) in c.told and w.kind not in ("punct", "conj", "rel", "sub"):
+    if id(w) in c.told and w.kind not in PARTING:
         return s
     reader = READERS.get(w.kind)
     return s if reader is None else reader(c, s, w, i) or s
@@ -79,7 +78,7 @@ def _preposition(c: Clauses, s: State, w: Word, i: int) -> None:
 
 
 def _ends_phrase(w: Word) -> bool:
-    return w.kind in ("punct", "conj", "sub", "rel") or w.low in ("too", "again")
+    return w.kind in PARTING or w.low in ("too", "again")
 
 
 def _quantity(c: Clauses, s: State, w: Word, i: int) -> None:

@@ -15,10 +15,8 @@ from esg.draft.grammar.phrases.noun_phrases import noun_phrase
 from esg.draft.grammar.phrases.noun_starts import EXTENTS, finite_after_of
 from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
 from esg.draft.grammar.phrases.reader import (
-    acts_on_something,
     element_before,
     is_adjective,
-    noun_soon,
     thing_named,
     unknown_verb,
     verb_ahead,
@@ -234,8 +232,6 @@ def _clause_of_noun(c: Chunks, i: int) -> bool:
     head = element_before(c)
     if not isinstance(head, Mention) or head.attribute or head.pronoun:
         return False
-    if {"so", "such"} & {low_at(c, k) for k in range(max(0, i - 5), i)}:
-        return False
     if low_at(c, i + 1) not in lex.DETERMINERS:
         return low_at(c, i + 1) in _DOES_IT and verb_ahead(c, i + 2)
     noun = match_noun(c, i + 2) or match_noun(c, i + 3)
@@ -366,8 +362,6 @@ def _apart(c: Chunks, i: int, words: tuple[str, ...]) -> bool:
         return True  # "at the end of the ramp", "on the way to the door"
     if words == ("to", "a", "man") and not _of_several(c):
         return True  # "runs to a man who has fallen"
-    if words == ("a", "little") and noun_soon(c, i + 2):
-        return True  # "pushes a little wooden ball"
     if words[-1] in ("that", "this") and after in lex.RETOLD_NOUNS:
         return True  # "because of that bump"
     if words == ("at", "the", "end") and isinstance(previous, Mention):
@@ -386,11 +380,9 @@ def _verb_after_to(c: Chunks, i: int) -> bool:
 
 
 def _goes_on(c: Chunks, j: int) -> bool:
-    """Whether a finite verb stands at token j, after a conjunction, and no noun."""
+    """Whether a finite verb stands at token j, after a conjunction."""
     j += low_at(c, j) in ("then", "also", "finally")
-    finite = any(r.form in ("s", "past") for r in verb_readings(low_at(c, j)))
-    plural = match_noun(c, j) is not None and not acts_on_something(c, j + 1)
-    return finite and not plural
+    return any(r.form in ("s", "past") for r in verb_readings(low_at(c, j)))
 
 
 def _clause_follows(c: Chunks, i: int) -> bool:

@@ -70,7 +70,6 @@ _LIMBS = (lex.BODY_PARTS | _FIGURES) - lex.PARTS
 _IN_THE_SKY = lex.word_set("hangs in the sky")
 _UNDER_THE_SKY = lex.word_set("under the sky")
 _GROUPS = lex.word_set("people")
-_OWN = ("his", "her", "its", "their")
 _HANDS = frozenset({"left", "left-hand", "right", "right-hand"})
 _DOING = frozenset({"do", "does", "did", "perform", "execute", "attempt"})
 _PAVED = lex.word_set("paved (nouns)")
@@ -136,7 +135,7 @@ def _noun_here(c: Chunks, j: int, m: Mention) -> NounMatch | None:
     noun = match_noun(c, j) if j < len(c.tokens) else None
     if noun is None:
         return None
-    own = m.determiner in _OWN or low_at(c, j + 1) == "of"
+    own = m.determiner in lex.POSSESSIVES or low_at(c, j + 1) == "of"
     if noun[3] in ("corner", "entrance", "exit", "rim", "step", "rung") and own:
         return None  # of a room or a table, not of the street; a tunnel has no door
     if noun[3] == "path" and m.determiner and low_at(c, j + 1) == "of":
@@ -436,7 +435,9 @@ def _body_part(c: Chunks, p: Place, m: Mention) -> Head | None:
         if whose and not m.adjectives:  # "the tail of the dog"
             m.head = lex.singular(p.low)[0]
             return Head(p.at + 1)
-    if p.low not in lex.BODY_PARTS or not (low_at(c, p.first - 1) == "'s" or m.determiner in _OWN):
+    if p.low not in lex.BODY_PARTS or not (
+        low_at(c, p.first - 1) == "'s" or m.determiner in lex.POSSESSIVES
+    ):
         return OTHER
     m.head, m.attribute = p.low, False
     return Head(p.at + 1)
@@ -535,11 +536,11 @@ def _determiner_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
     if p.at != p.first + 1 or (m.determiner == "another" and unknown_noun(c, p.at)):
         return OTHER
     if m.determiner in lex.PRONOUNS and not m.adjectives and m.count is None:
-        if p.low in _CAST and m.determiner in _OWN:
+        if p.low in _CAST and m.determiner in lex.POSSESSIVES:
             m.head, m.attribute = p.low, True  # "its shadow"
             return Head(p.at + 1)
         m.pronoun = m.determiner
-        return None if m.determiner in (*_OWN, "my", "our", "your") else Head(p.at)
+        return None if m.determiner in {*lex.POSSESSIVES, "my", "our", "your"} else Head(p.at)
     if m.determiner in ("both", "each", "all", "some", "many", "several", "another"):
         m.pronoun = m.determiner
         return Head(p.at)

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from esg.draft import lexicon as lex
 from esg.draft.grammar.phrases.chunks import Chunks
 from esg.draft.grammar.phrases.noun_heads import read_head
-from esg.draft.grammar.phrases.noun_questions import goes_off, is_she, people_here, side_acts
+from esg.draft.grammar.phrases.noun_questions import goes_off, is_she, people_here
 from esg.draft.grammar.phrases.noun_starts import (
     EXTENTS,
     alone,
@@ -76,10 +76,6 @@ def _without_noun(c: Chunks, i: int, m: Mention) -> int:
     if lone_letter(c, i):
         m.letters, m.head, m.determiner = [c.tokens[i].text.lstrip("#")], "@", "the"
         m.text, m.end = c.tokens[i].text, c.tokens[i].end
-        while low_at(c, i + 1) == "and" and lone_letter(c, i + 2):
-            i += 2
-            m.letters.append(c.tokens[i].text)
-            m.end = c.tokens[i].end
         c.elements.append(m)
         return i + 1
     previous = c.elements[-1] if c.elements else None
@@ -180,10 +176,6 @@ def _ends_early(c: Chunks, i: int, j: int, m: Mention) -> bool:
     if (_part_acts(c, i, j, m) or _bare_acts(c, i, j, m)) and acting:
         own = low_at(c, i - 1) in _OWNS
         m.head, m.known, m.attribute = m.adjectives.pop(), own, own
-        _add(c, m, j)
-        return True
-    if side_acts(c, j, m):
-        m.head, m.attribute = m.adjectives.pop(), True
         _add(c, m, j)
         return True
     if m.determiner == "the" and m.adjectives[-1] in lex.ALONE and acting:

@@ -145,17 +145,6 @@ def one_does(c: Chunks, j: int, m: Mention) -> bool:
     return bool(single or (ordinal and match_noun(c, j) is None)) and "s" in forms
 
 
-def side_acts(c: Chunks, j: int, m: Mention) -> bool:
-    """ "The crate on the right slides": a side and a verb, no slide."""
-    side = m.determiner == "the" and m.adjectives in (["left"], ["right"])
-    on = element_before(c)
-    if not side or not isinstance(on, Word) or on.low not in ("on", "to") or m.count:
-        return False
-    whose = c.elements[-2] if len(c.elements) > 1 else None
-    s = any(r.form == "s" for r in verb_readings(low_at(c, j)))
-    return s and isinstance(whose, Mention) and lex.singular(low_at(c, j))[0] != low_at(c, j)
-
-
 def is_she(c: Chunks, i: int) -> bool:
     """ "hits her on the leg", "runs into her": no noun follows that could be hers."""
     nxt = token_at(c, i + 1)

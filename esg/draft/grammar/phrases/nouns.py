@@ -80,14 +80,10 @@ def _entry(c: Chunks, i: int, words: list[str]) -> tuple[NounMatch | None, bool]
 
 
 def _compounded(c: Chunks, i: int) -> NounMatch | None:
-    """Nouns that no entry spells: "six-year-olds", "tea-cups", "lights" that turn green."""
+    """Nouns that no entry spells: "six-year-olds", "lights" that turn green."""
     table, low = lex.nouns(), low_at(c, i)
     if low.removesuffix("s").endswith("-year-old"):
         return table["child"], 1, low.endswith("s"), "child"
-    if "-" in low:
-        last, plural = lex.singular(low.replace("-", " "))
-        if last in table:
-            return table[last], 1, plural, last
     if low in ("light", "lights") and _of_traffic(c, i):
         return table["traffic light"], 1, False, "traffic light"
     return None

@@ -69,10 +69,6 @@ def is_adjective(c: Chunks, i: int) -> bool:
     )
 
 
-def _bare(c: Chunks, mention: Mention) -> bool:
-    return not mention.determiner and not mention.pronoun and not mention.letters
-
-
 def _verb_context(c: Chunks, i: int) -> bool:
     nxt = token_at(c, i + 1)
     if nxt is None:
@@ -234,8 +230,6 @@ def _after_preposition(c: Chunks, w: _Word) -> bool | None:
 def _after_noun(c: Chunks, w: _Word) -> bool | None:
     if not isinstance(w.previous, Mention):
         return None
-    if w.adjectival and w.forms <= {"pp", "past", "ing"} and noun_soon(c, w.at + 1):
-        return bool(w.forms & {"past", "pp"}) and not _bare(c, w.previous)
     return True
 
 
@@ -356,8 +350,6 @@ def unknown_act(c: Chunks, i: int, m: Mention) -> bool:
     low, nxt = low_at(c, i), token_at(c, i + 1)
     if not low.endswith("ing") or verb_readings(low):
         return False
-    if match_noun(c, i) is not None:
-        return nxt is not None and nxt.low in _ARTICLES  # "painting a wall"
     if not (m.determiner or m.count is not None or m.plural):
         return False
     goes_on = nxt is not None and (nxt.kind == "punct" or nxt.tag in _AFTER_ACTS)
@@ -444,8 +436,6 @@ def compound_noun(c: Chunks, k: int, m: Mention) -> bool:
     after = match_noun(c, k + 1)
     if m.determiner and after is not None and after[2] and "pp" in {r.form for r in readings}:
         return True  # "the engine shed doors"
-    if base and m.determiner in ("a", "an") and after is not None and not after[2]:
-        return c.tokens[k].tag == "NOUN"  # "a ski lift chair"
     if base and stands_for_noun(c, k, m):
         return True
     return c.tokens[k].tag == "NOUN" and bool(verb_readings(nxt.low))
@@ -537,9 +527,3 @@ def thing_named(c: Chunks, i: int) -> bool:
 
 def verb_soon(c: Chunks, i: int) -> bool:
     return any(verb_readings(low_at(c, k)) for k in range(i, min(i + 6, len(c.tokens))))
-
-
-def acts_on_something(c: Chunks, j: int) -> bool:
-    low = low_at(c, j)
-    small = lex.DETERMINERS | lex.PREPOSITIONS | lex.PRONOUNS | lex.ADVERBS
-    return low in small or low in ("", ".", ",")

@@ -8,7 +8,7 @@ import itertools
 from esg.draft import lexicon as lex
 from esg.draft.grammar.clauses.frames import finite_ahead
 from esg.draft.grammar.rewrites.positions import picks, place_of
-from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
+from esg.draft.text.elements import PARTING, Element, Mention, Verb, Word, element_at
 from esg.draft.verbphrases import verb_readings
 
 STOPS = ".;:!?\n"
@@ -207,7 +207,7 @@ def starts_clause(_: list[Element], __: int, out: list[Element]) -> bool:
 def breaks(elements: list[Element], i: int, _: list[Element]) -> bool:
     """A clause ends."""
     e = element_at(elements, i)
-    return e is None or (isinstance(e, Word) and e.kind in ("punct", "conj", "sub", "rel"))
+    return e is None or (isinstance(e, Word) and e.kind in PARTING)
 
 
 def ends(elements: list[Element], i: int, _: list[Element]) -> bool:
@@ -254,11 +254,11 @@ def _verbless(elements: list[Element], i: int, out: list[Element]) -> bool:
     for e in elements[i:]:
         if isinstance(e, Verb):
             return False
-        if isinstance(e, Word) and e.kind in ("punct", "conj", "sub", "rel"):
+        if isinstance(e, Word) and e.kind in PARTING:
             break
     told = goes = False
     for e in reversed(out):
-        if isinstance(e, Word) and e.kind in ("punct", "conj", "sub", "rel"):
+        if isinstance(e, Word) and e.kind in PARTING:
             if told or e.low in STOPS:
                 break
             goes = False

@@ -21,7 +21,6 @@ _PLAIN = frozenset({"own", "fly", "cross", "coast", "continue", "leave"})
 """Senses of those who go along, and of whom no event is told."""
 _ENDS_OF_WAYS = frozenset({"off", "from", "out of", "into", "onto", "in", "on"})
 _BY_THE_WAY = frozenset({"past", "through", "over", "across", "around", "round"})
-_ITS = frozenset({"its", "his", "her", "their"})
 _ACTORS = frozenset({"person", "animal", "vehicle", "robot", "flyer"})
 _ARRIVES = lex.word_set("arrives (gapping)")
 _BY = frozenset({"pass", "enter"})
@@ -154,7 +153,7 @@ def _of_its_sort(clause: _Clause, who: Mention) -> bool:
     met = [clause.object, *clause.others]
     if any(m is not None and kind_of(m) in _ACTORS for m in met):
         return False
-    own = who.determiner in _ITS and kind in ("", "animal", "person")  # "then its cubs"
+    own = who.determiner in lex.POSSESSIVES and kind in ("", "animal", "person")  # "then its cubs"
     return own or (kind == acts and kind in _ACTORS)
 
 

@@ -6,7 +6,7 @@ from esg.draft.text.elements import Element, Mention, Word
 
 NEIGHBOUR = "@beside"
 """Adjective of a phrase that says which neighbour of the subject, or of "it", is meant."""
-_NEIGHBOURS = {
+NEIGHBOURS = {
     "in front of": "front", "ahead of": "front", "ahead": "front", "in front": "front",
     "front": "front", "behind": "rear", "beside": "other", "opposite": "other",
 }  # fmt: skip
@@ -29,7 +29,7 @@ def picks(e: Element) -> bool:
 def place_of(e: Element) -> str:
     """Where one of several is, by "behind" or "the left"; "" for any other words."""
     if isinstance(e, Word):
-        return _NEIGHBOURS.get(e.low, "")
+        return NEIGHBOURS.get(e.low, "")
     if not isinstance(e, Mention) or e.possessor is not None or e.determiner not in ("", "the"):
         return ""
     bare = not e.adjectives or (e.pronoun == "one" and len(e.adjectives) == 1)
