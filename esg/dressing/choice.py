@@ -26,6 +26,8 @@ MOST_OF_KINDS = 7.0
 """The things of a scene together weigh no more: less than words that say where it is."""
 LUCK = 1.0
 """Greatest weight of chance: among places of about equal right one by the seed."""
+TOY_SHARE = 0.25
+"""What is shorter than this share of such things says nothing of where it is."""
 STREETLIKE = 2.0
 """A road is a street if it is so many times as long as it is wide."""
 _BEFORE = (
@@ -78,11 +80,19 @@ def _said_of_places(doc: EsgDocument) -> str:
     return text
 
 
+@cache
+def _usual_cm() -> dict[str, float]:
+    """The usual longest extent of things [cm], by category."""
+    return {k.name.replace(" ", "_"): max(k.dimensions_cm) for k in kinds() if k.dimensions_cm}
+
+
 def categories(scene: SimScene) -> set[str]:
-    """What there is in a scene; a road that is no street but a yard does not count."""
+    """What there is in a scene; no road that is no street but a yard, and no toys of things."""
     found: set[str] = set()
     for body in scene.bodies:
         a, b = sorted(body.half_extents[:2])
+        if 200.0 * max(body.half_extents) < TOY_SHARE * _usual_cm().get(body.category, 0.0):
+            continue  # boats of 20 cm in a bathtub are on no lake
         if body.category == "road" and not body.collides and b < STREETLIKE * a:
             continue
         found.add(body.category)

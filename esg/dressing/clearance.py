@@ -25,6 +25,9 @@ DECAL_M = 0.05
 """Things stand so far from roads and lanes."""
 GROUND_HALF_M = 45.0
 """A surface without collision at least this wide is the ground itself (esg.view.parts)."""
+WATER = "water"
+WATERS = frozenset({"pool", "pond"})
+"""Categories of what lies flat and is water: lakes and rivers are pools."""
 GROUNDS = frozenset({"ground", "floor", "terrain", "land"})
 """Categories of what carries everything (esg.graph.rules_scene)."""
 CROSSING = "crossing"
@@ -163,14 +166,21 @@ class Clearance:
         return bool((box.gap(rows) > room - 1e-6).all())
 
 
-def covered(body: Body, *, indoor: bool) -> bool:
+def covered(body: Body, *, indoor: bool, ground: str = "") -> bool:
     """Whether the ground of a place takes the place of a flat body.
 
-    So it is with the ground itself, and in a room with a road that nobody speaks of: drafts lay one
-    under whatever drives.
+    So it is with the ground itself, in a room with a road that nobody speaks of (drafts lay one
+    under whatever drives), and with a lake where the place is one: its edge would be seen in it.
+
+    Args:
+        body: Any body.
+        indoor: Whether the place is a room.
+        ground: Row of the table of surfaces that its ground has.
     """
     if body.collides:
         return False
+    if ground == WATER and body.category in WATERS:
+        return True
     if body.category in GROUNDS or max(body.half_extents[:2]) > GROUND_HALF_M:
         return True
     return indoor and body.category == "road" and not body.mentioned

@@ -395,10 +395,11 @@ def around_of(
         uvs = part.uvs if look.texture else None
         pieces.append(Piece(thing_of(part), part.vertices, part.faces, uvs, surface_of(look)))
     indoor = places()[doc.dressing.place].setting == "indoor" if doc.dressing else False
+    ground = doc.dressing.ground if doc.dressing else ""
     bodies = enumerate(replay.scene.bodies)
     return {
         "mesh": meshes.add_pieces(pieces),
-        "covered": [i for i, b in bodies if not b.collides and covered(b, indoor=indoor)],
+        "covered": [i for i, b in bodies if covered(b, indoor=indoor, ground=ground)],
         "kind": sky.kind,
         **{
             k: list(getattr(sky, k)) for k in ("sun", "sun_rgb", "ambient_rgb", "zenith", "horizon")

@@ -93,11 +93,13 @@ def ground_bodies(scene: SimScene, doc: EsgDocument) -> frozenset[int]:
     """Indices of the bodies in whose place the ground is seen."""
     from esg.dressing.clearance import covered
 
-    around = None if doc.dressing is None else places()[doc.dressing.place].setting
+    told = doc.dressing
+    indoor = told is not None and places()[told.place].setting == "indoor"
     return frozenset(
         index
         for index, body in enumerate(scene.bodies)
-        if is_ground(body) or (around is not None and covered(body, indoor=around == "indoor"))
+        if is_ground(body)
+        or (told is not None and covered(body, indoor=indoor, ground=told.ground))
     )
 
 

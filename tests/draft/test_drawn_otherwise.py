@@ -21,6 +21,8 @@ def stand_ins(doc: EsgDocument) -> dict[str, str]:
         ("The blorft slides into a wall.", {"The blorft": "plain box"}),
         ("A checker slides off the board.", {"A checker": "worker"}),
         ("An elbow tips the first domino.", {"An elbow": "arm"}),
+        ("A piece of styrofoam lies on a table.", {"A piece of styrofoam": "plain box"}),
+        ("A man rides up an escalator.", {"an escalator": "ramp"}),
         ("Two eels lie on a plate.", {"Two eels": "snake"}),
     ],
 )

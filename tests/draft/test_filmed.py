@@ -118,3 +118,20 @@ def test_no_thing_is_made_of_the_camera():
     ):
         nodes = draft(prompt).spatial_relation_graph.nodes
         assert not [n for n in nodes if n.startswith(("drone", "camera", "pov"))]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "other"),
+    [
+        ("A boat seen from above crosses a lake.", "lake"),
+        ("A man seen from behind crosses the street.", "street"),
+        ("A train seen from afar crosses a bridge.", "bridge"),
+        ("A boat viewed from the side crosses a lake.", "lake"),
+    ],
+)
+def test_who_is_seen_from_somewhere_acts(prompt, other):
+    """Read the verb behind a side as what happens, and draw no crossroads for it."""
+    doc = draft(prompt)
+    ways = [s for s in doc.statements or () if s.predicate is Predicate.MOVES]
+    assert ("across", (f"{other}_1",)) in [(s.direction, s.target) for s in ways]
+    assert not [n for n in doc.spatial_relation_graph.nodes if n.startswith("cross")]

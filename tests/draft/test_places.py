@@ -271,3 +271,69 @@ def test_the_viewer_is_where_the_front_is(prompt: str, way: str, words: str) -> 
 def test_it_after_the_camera_is_the_camera() -> None:
     doc = draft("A white truck drives towards the camera as a motorcycle drives away from it.")
     assert owned(doc) == ["it"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "places"),
+    [
+        ("A teapot and three cups on a tray", {("teapot_1", "tray_1"), ("cup_3", "tray_1")}),
+        ("A boy and a girl on a bench", {("boy_1", "bench_1"), ("girl_1", "bench_1")}),
+        ("Two apples and a banana in a bowl", {("apple_2", "bowl_1"), ("banana_1", "bowl_1")}),
+        ("A cat on a mat and a dog on a sofa.", {("cat_1", "mat_1"), ("dog_1", "sofa_1")}),
+    ],
+)
+def test_a_place_behind_two_things_is_that_of_both(prompt: str, places: set) -> None:
+    """Put both where a caption without a verb says, unless the first has its own place."""
+    graph = draft(prompt).spatial_relation_graph
+    hosts = {
+        (name, graph.semantic_regions[node.semantic_region].parent_object)
+        for name, node in graph.nodes.items()
+        if node.semantic_region
+    }
+    assert places <= hosts
+    assert not [s for s in draft(prompt).statements or () if s.note]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "kind"),
+    [
+        ("put the white mug on the left plate and put the red mug on the right plate", "plate"),
+        ("The left car hits the right car.", "car"),
+        ("Two balls lie on a table. The left ball rolls to the right ball.", "ball"),
+    ],
+)
+def test_the_left_one_is_on_the_left_of_the_right_one(prompt: str, kind: str) -> None:
+    """Hold two that are told from each other by their sides apart, and state it."""
+    doc = draft(prompt)
+    left, right = f"left_{kind}_1", f"right_{kind}_1"
+    sides = [r for r in doc.spatial_relation_graph.edges.binary_relations
+             if (r.from_, r.to) == (left, right)]  # fmt: skip
+    assert [r.relation_type.value for r in sides if r.relation_type.value != "face"] == ["left_of"]
+    told = {(s.predicate, s.object, s.target) for s in doc.statements or ()}
+    assert (Predicate.LEFT_OF, (left,), (right,)) in told
+    assert (Predicate.RIGHT_OF, (right,), (left,)) in told
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "Two toy cars collide in the middle of a table.",
+        "A ball rolls in the middle of the table.",
+        "A coin spins in the middle of a desk.",
+    ],
+)
+def test_what_acts_in_the_middle_of_a_table_is_on_it(prompt: str) -> None:
+    """Put it on the table, and own up to the middle, which nothing measures."""
+    doc = draft(prompt)
+    graph = doc.spatial_relation_graph
+    regions = (n.semantic_region for n in graph.nodes.values() if n.semantic_region)
+    hosts = {graph.semantic_regions[r].parent_object for r in regions}
+    assert hosts & {"table_1", "desk_1"}
+    assert owned(doc) == ["in the middle"]
+
+
+def test_what_only_burns_in_the_middle_is_there() -> None:
+    """Keep the middle of what has it to itself."""
+    doc = draft("In the middle of a table a tall candle burns.")
+    relations = doc.spatial_relation_graph.edges.binary_relations
+    assert ("candle_1", "center_of") in {(r.from_, r.relation_type.value) for r in relations}

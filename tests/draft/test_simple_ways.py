@@ -136,3 +136,48 @@ def test_birds_that_walk_go_at_a_walk() -> None:
     assert doc.timeline_system is not None
     (edge,) = doc.timeline_system.sequence_graph.edges
     assert isinstance(edge.params.speed, tuple) and edge.params.speed[1] < 150.0
+
+
+def test_a_boat_has_the_time_to_cross_its_lake() -> None:
+    """Let what crosses water go over more than half of it at its own speed."""
+    doc = draft("A boat crosses a lake.")
+    assert doc.timeline_system is not None
+    (edge,) = doc.timeline_system.sequence_graph.edges
+    (wide,) = (
+        min(r.expected_dimensions_cm[:2])
+        for k, r in doc.asset_requirement.items()
+        if k.startswith("pool") and r.expected_dimensions_cm
+    )
+    assert isinstance(edge.params.speed, tuple) and isinstance(edge.params.duration, tuple)
+    assert edge.params.duration[0] * edge.params.speed[1] > 0.5 * wide
+
+
+@pytest.mark.parametrize(
+    ("prompt", "afloat"),
+    [
+        ("Five yellow ducks float on a pond.", 5),
+        ("A swan floats on the lake.", 1),
+        ("A red balloon floats on a pond.", 1),
+        ("A bird floats in the air.", 0),
+    ],
+)
+def test_what_floats_on_water_lies_on_it(prompt: str, afloat: int) -> None:
+    """Lay on its water what is said to float on it, and keep nothing of it in the air."""
+    doc = draft(prompt)
+    held = [s.predicate for s in doc.statements or ()]
+    assert held.count(Predicate.SUPPORTED_BY) == afloat
+    assert (Predicate.AIRBORNE in held) == (afloat == 0)
+    assert Predicate.NOT_REPRESENTED not in held
+
+
+@pytest.mark.parametrize(
+    ("prompt", "where"),
+    [
+        ("Three toy boats float in a bathtub.", "generic"),
+        ("A toy truck hits a chair.", "room"),
+        ("A truck hits a chair.", "street"),
+    ],
+)
+def test_toys_are_on_no_street(prompt: str, where: str) -> None:
+    """Take no street or lake from what is a toy."""
+    assert draft(prompt).scene_definition.scene_parameters.environment == where

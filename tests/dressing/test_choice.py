@@ -163,3 +163,13 @@ def test_what_one_runs_into_is_not_the_ground() -> None:
 def test_a_room_keeps_its_floor_although_sand_is_spoken_of() -> None:
     found = chosen("A bag falls on the sand in the gym.", BALL, setting="indoor", environment="gym")
     assert found.ground == "lane_wood"
+
+
+def test_toys_are_in_no_street_and_on_no_lake() -> None:
+    """Take no place from what is a quarter as long as such things are."""
+    boat, bath = ("boat", (0.2, 0.08, 0.05)), ("bathtub", (1.7, 0.75, 0.6))
+    for seed in range(8):
+        found = chosen("Three toy boats float in a bathtub.", boat, bath, seed=seed)
+        assert found.place.name == "room", found.reasons
+    large = ("boat", (4.0, 1.5, 1.0))
+    assert chosen("A boat drifts.", large, setting="outdoor").place.name == "water"

@@ -53,6 +53,8 @@ _FLESH = re.compile(
 )
 """Animals as food come back as the animals themselves."""
 _DOER = re.compile(r"(?:er|or)$")
+_OF_ANYTHING = frozenset({"piece"})
+"""Nouns of no shape of their own: a piece of styrofoam is no gun, another of its senses."""
 _USUAL = 0.5
 """Share of the weight of a noun's senses that are things from which on a sense is the usual one."""
 _WORDS = re.compile(r"[a-z][a-z' -]*")
@@ -165,6 +167,8 @@ def table(net: WordNet) -> str:
         if not _WORDS.fullmatch(text) or len(text.split()) > 3:
             continue
         single = normalize(text)
+        if single in _OF_ANYTHING:
+            continue
         if single != text and single.replace(" ", "_") in net.senses:
             continue  # "glasses" must not speak for a glass
         usable = [o for o in offsets if stated.get(o, ("",))[0] or _usable(net, word, o, people)]

@@ -2,10 +2,13 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator, Mapping
+
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.jointed import behind_doors, has_a_door, is_flap
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.record import links
 from esg.draft.discourse.referents.wholes import has_pans, tips
 from esg.draft.discourse.scene import LIMBED, Relation
@@ -35,6 +38,7 @@ TOPS = lex.word_set("tops of slopes")
 """Parts of a slope from which things come down it."""
 _HANDS = {"left side": "left_of", "right side": "right_of"}
 """Sides of a thing that are the viewer's."""
+_AFLOAT = lex.word_set("afloat")
 _OPEN = frozenset({"watercraft", "cart", "sliding"})
 """Kinds of what is ridden in, and has no roof."""
 _CARRIES_ON_ITS_BACK = frozenset({"animal", "vehicle", "cart"})
@@ -233,7 +237,7 @@ def carries(d: Discourse, host: str, thing: str) -> bool:
         return False
     mine, other = entity_of(d, thing).noun, entity_of(d, host).noun
     if other.kind == "water":
-        return mine.kind == "watercraft"
+        return mine.kind == "watercraft" or entity_of(d, thing).head in _AFLOAT
     return mine.mass_kg < 2.0 * other.mass_kg and other.kind not in ("region", "hole")
 
 
@@ -252,3 +256,20 @@ def set_free(d: Discourse, nodes: list[str]) -> None:
     for node in nodes:
         if not structural(d, node):
             entity_of(d, node).freed = True
+
+
+def told_by_side(entities: Mapping[str, Entity]) -> Iterator[tuple[str, str]]:
+    """Two of a kind that are told from each other by their sides: "the left plate, the right one".
+
+    Args:
+        entities: Things by node.
+
+    Yields:
+        The nodes of the one on the left and of the one on the right.
+    """
+    told = {side: [e for e in entities.values() if e.label.startswith(f"{side} ")]
+            for side in ("left", "right")}  # fmt: skip
+    for one in told["left"]:
+        fellows = [e for e in told["right"] if e.head == one.head]
+        if len(fellows) == 1 and not one.part and "structural" not in one.noun.traits:
+            yield one.id, fellows[0].id

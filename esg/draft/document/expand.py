@@ -11,10 +11,11 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.decks import is_driven, lay_decks, widen_waters
 from esg.draft.discourse.jointed import articulation_of
+from esg.draft.discourse.places import told_by_side
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.registry import add_entity
 from esg.draft.discourse.referents.sizes import dimensions_of
-from esg.draft.discourse.scene import GROUND, Scene
+from esg.draft.discourse.scene import GROUND, Relation, Scene
 from esg.draft.discourse.windows import START
 from esg.draft.document.joining import ARM_CM, join_parts, lowers
 from esg.draft.document.riding import board, put_into_cars, seat_riders
@@ -66,6 +67,8 @@ def expand(scene: Scene, prompt: str, restricted: bool) -> list[str]:
     board(scene)
     lay_decks(scene)
     widen_waters(scene)
+    for left, right in told_by_side(scene.world.entities):
+        scene.relations.append(Relation(left, right, "left_of"))
     _throw_what_rolls_too_low(scene, prompt)
     _kick_from_the_ground(scene)
     _lay_slope(scene, prompt, reasons)

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import Any
 
 from esg.draft import lexicon as lex
-from esg.draft.discourse.referents.entities import Entity, slug
+from esg.draft.discourse.referents.entities import Entity, is_toy, slug
 from esg.draft.discourse.referents.sizes import dimensions_of, mass_of
 from esg.draft.discourse.scene import GROUND, Scene
 from esg.graph.models import AssetRequirement
@@ -41,8 +41,9 @@ _HOLE_CM, _GOLF_HOLE_CM = (30.0, 40.0, 30.0), (30.0, 30.0, 15.0)
 def environment(scene: Scene) -> tuple[str, str]:
     """(indoor or outdoor, named preset) from what is in the scene."""
     entities = scene.world.entities
-    found = {word for e in entities.values() for word in (e.noun.kind, e.head, e.noun.name)}
-    found |= {word for e in entities.values() for word in e.head.split() if word in _OFFICE}
+    told = [e for e in entities.values() if not is_toy(e)]  # toy boats float in a bathtub
+    found = {word for e in told for word in (e.noun.kind, e.head, e.noun.name)}
+    found |= {word for e in told for word in e.head.split() if word in _OFFICE}
     ground = entities.get(GROUND)
     for kinds, place, preset in _ENVIRONMENTS:
         if preset == "ground" and ground is not None:

@@ -1,4 +1,4 @@
-"""How long who goes across a road takes: as long as its width needs at his pace."""
+"""How long who goes across a road or a lake takes: as long as its width needs at his pace."""
 
 from __future__ import annotations
 
@@ -41,9 +41,11 @@ def take_time(
         width, most = (max if along else min)(dimensions_of(flat[0])[:2]), ALONG if along else ALL
         for e in graph.edges:
             speed = e.params.speed
-            walks = e.actor in s.object and things[e.actor].noun.kind in LIVING
-            if walks and isinstance(speed, tuple) and e.params.elevation_deg is None:
-                pace = min(0.9 * speed[1], BRISK_CM_S)
+            kind = things[e.actor].noun.kind if e.actor in s.object else ""
+            slow = kind in LIVING or kind == "watercraft"
+            if slow and isinstance(speed, tuple) and e.params.elevation_deg is None:
+                pace = 0.9 * speed[1]
+                pace = min(pace, BRISK_CM_S) if kind in LIVING else pace
                 windows[e.to] = (round(PART * width / pace, 2), round(most * width / pace, 2))
     edges = tuple(
         e.model_copy(update={"params": e.params.model_copy(update={"duration": windows[e.to]})})

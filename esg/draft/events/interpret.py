@@ -71,6 +71,7 @@ from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.breaking import gone_through, sense_of_breaking, who_breaks
 from esg.draft.events.senses.outcome import target_of_mates
 from esg.draft.events.senses.state import attachment, mass_of_load, stands_there
+from esg.draft.events.stated import CENTRE
 from esg.draft.events.table import read_as
 from esg.draft.events.timing import hand_on, precedes, settle, time_of
 from esg.draft.events.told import (
@@ -185,6 +186,7 @@ def interpret(
     told_by_their_parts(d)
     named_parts(d)
     _on_what_has_it(d, frames, attachments)
+    _acts_upon(frames)
     linked = take_links(d)
     loosen(d.scene, d.text)
     dodge(frames, d.text)
@@ -216,6 +218,15 @@ def interpret(
         else:
             d.scene.used.pop((amount.start, amount.end), None)
     return d.scene
+
+
+def _acts_upon(frames: list[Frame]) -> None:
+    """ "Two toy cars collide in the middle of a table": they are on it, where is owned up to."""
+    for f in frames:
+        for p in f.phrases if f.verb.sense not in ("be", "posture", "noop") else ():
+            noun = p.mention.noun if p.mention is not None else None
+            if p.prep == CENTRE and noun is not None and "support" in noun.traits:
+                p.prep = "on"
 
 
 def _on_what_has_it(

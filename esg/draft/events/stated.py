@@ -153,6 +153,9 @@ def place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:
     return min(places, key=lambda at: abs(at[0] - f.verb.end), default=None)
 
 
+CENTRE = "in the middle of"
+
+
 def start_of(p: Phrase, text: str) -> int:
     """Where a phrase starts: at its preposition, if that stands just before what it names."""
     assert p.mention is not None

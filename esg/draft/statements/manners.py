@@ -135,6 +135,9 @@ def flown(book: Book, clause: Clause, s: Said, mover: str) -> None:
     d = book.d
     if any(j.child == mover and j.kind != "rope" for j in d.scene.joints):
         return  # "the last ball of the cradle flies out": its string holds it
+    host = d.scene.supported_by.get(mover)
+    if host is not None and d.world.entities[host].noun.kind == "water":
+        return  # "a duck floats on a pond": on what it lies is stated
     if hurled(d, mover) and period(d, clause, mover) == "throughout":
         # What is thrown comes down again.
         book.add(s.row.states, s.start, s.end, object=(mover,), when="start")

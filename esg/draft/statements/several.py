@@ -3,17 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, structural
 from esg.draft.discourse.referents.entities import Entity
-from esg.draft.statements.account import Account, Gap, nodes_of
+from esg.draft.statements.account import NOTHING, Account, Gap, nodes_of
 from esg.draft.text.elements import Mention
 
 ALONE = "it is the only one of its kind in the scene"
 _AMONG = lex.word_set("one of several (unclaimed)")
 _BETWEEN = frozenset({"middle", "center", "centre", "central"})
 """Words of what has another one on both sides."""
+_MIDDLE = re.compile(
+    r"\b(?:in|at) the (?:very )?(?:middle|cent(?:er|re))(?= of\s*$)", re.IGNORECASE
+)
 _REST = frozenset({"other", "remaining"})
 """Words of what is left, be it of another kind: "the remaining cylinder", of three solids."""
 _PARTS = lex.BODY_PARTS | lex.OWN_PARTS | lex.word_set("sides of a thing (audit)")
@@ -37,6 +41,14 @@ def one_of_several(a: Account) -> Iterator[Gap]:
         fellows = [x for x in a.d.world.entities.values() if _alike(e, x, word.low in _REST)]
         if not e.part and len(fellows) < _others(word.low):
             yield Gap(word.start, m.end, ALONE, (e.id,))
+
+
+def in_the_middle(a: Account) -> Iterator[Gap]:
+    """ "Collide in the middle of a table": on it is shown, where on it is not."""
+    for p in (p for f in a.frames for p in f.phrases if p.prep == "on" and p.mention is not None):
+        found = _MIDDLE.search(a.d.text, 0, p.mention.start) if p.mention is not None else None
+        if found is not None:
+            yield Gap(found.start(), found.end(), NOTHING)
 
 
 def _singular(m: Mention) -> bool:

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from esg.draft.discourse.jointed import is_flap
+from esg.draft.discourse.places import told_by_side
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
 from esg.draft.events.stated import adverbs_of, place_of
@@ -91,6 +92,20 @@ def _in_order(t: Told) -> None:
     for (start, end), who in alone.items():
         if (start, end) not in lost:
             book.add(Predicate.NOT_REPRESENTED, start, end, object=tuple(who), note=ALONE)
+
+
+def _sides(t: Told) -> None:
+    """ "The left plate", where there is a right one: it is on the left of that."""
+    entities = t.d.world.entities
+    for left, right in told_by_side(entities):
+        for one, other, says in (
+            (left, right, Predicate.LEFT_OF),
+            (right, left, Predicate.RIGHT_OF),
+        ):
+            side = entities[one].label.split()[0]
+            named = (m for m in t.d.mentions if one in m.entities and side in m.adjectives)
+            for m in [*named][:1]:
+                t.book.add(says, m.start, m.end, object=(one,), target=(other,), when="start")
 
 
 def _own_up(t: Told) -> None:
@@ -180,6 +195,7 @@ _SAYINGS: dict[Predicate, Callable[[Book, Clause, Said, str], None]] = {
 
 WRITTEN: tuple[Callable[[Told], None], ...] = (
     worn,
+    _sides,
     _clauses,
     _dropped,
     *BESIDE_MOTIONS,

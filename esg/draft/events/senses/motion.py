@@ -92,7 +92,8 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         d.moves.flying.update(actors)
         motion(d, f, actors, "own")
         return
-    if f.verb.lemma in _HOVERING and _all_fly(d, actors):
+    lies = f.verb.lemma == "float" and things(f.phrase("on", "upon"))  # "a duck floats on a pond"
+    if f.verb.lemma in _HOVERING and not lies and _all_fly(d, actors):
         _hovers(d, f, actors)
         return
     by_itself = kind in SELF_POWERED and f.verb.lemma not in _ANYHOW

@@ -11,6 +11,7 @@ from esg.draft.text.elements import PARTING, Element, Mention, Verb, Word, eleme
 from esg.draft.text.quantities import Amount
 
 PROPERTIES = lex.word_set("properties")
+_PLACES = lex.word_set("places of acts")
 OWNED = PROPERTIES | {"speed", "velocity"}
 _BEFORE_AMOUNTS = frozenset({"of", "at", ",", "(", "about", "-", "–", "—"})
 _PARTICLES = lex.word_set("particles (words)")
@@ -295,9 +296,34 @@ def _one_more(c: Clauses, w: Word, i: int) -> bool:
     return True
 
 
+def _placed_by(c: Clauses, first: Mention, phrase: Phrase, told: int) -> list[Mention]:
+    """Both of "a cup and a spoon on a tray": what is listed before a place and behind the last.
+
+    Args:
+        c: What is read; without an "and" only the last of a list is there.
+        first: The first of the list.
+        phrase: The place.
+        told: Where the place before it ends in the text.
+    """
+    if phrase.mention is None or phrase.prep not in _PLACES:
+        return []
+    end = phrase.mention.start
+    listed = [m for m in (first, *first.coordinated) if told <= m.start and m.end < end]
+    last = [m.start for m in listed[-1:]]
+    words = (e for e in c.elements if isinstance(e, Word) and e.low in ("and", "&"))
+    joined = any(m.end <= w.start < at for w in words for m in listed[-2:-1] for at in last)
+    return listed if joined else listed[-1:]
+
+
 def flush(c: Clauses, s: State) -> None:
+    told = 0
     for item in s.loose:
-        if not isinstance(item, Phrase) or item.amount is None:
+        if not isinstance(item, Phrase):
+            continue
+        if item.mention is not None and s.frame is None and s.subject is not None:
+            c.attachments += [(m, item) for m in _placed_by(c, s.subject, item, told)]
+            told = item.mention.end
+        if item.amount is None:
             continue
         if s.frame is not None:
             s.frame.phrases.append(item)

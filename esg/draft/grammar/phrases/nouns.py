@@ -115,9 +115,9 @@ def _of_traffic(c: Chunks, i: int) -> bool:
 
 
 def _lands_on(c: Chunks, i: int) -> bool:
-    """ "The brick lands on a car": a verb, no ground."""
+    """ "The brick lands on a car", "seen from afar crosses a bridge": verbs, no grounds."""
     verb = any(r.form == "s" for r in verb_readings(low_at(c, i)))
-    return verb and low_at(c, i + 1) in lex.PREPOSITIONS
+    return verb and low_at(c, i + 1) in lex.PREPOSITIONS | {"a", "an", "the"}
 
 
 def _subject_and_verb(c: Chunks, i: int, words: list[str]) -> bool:

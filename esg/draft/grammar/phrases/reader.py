@@ -219,6 +219,9 @@ def _after_preposition(c: Chunks, w: _Word) -> bool | None:
     dangles = previous.low in ("behind", "ahead", "opposite") and isinstance(owner, Mention)
     if dangles and "s" in w.forms:
         return True  # "bike behind hits bumper"
+    side = "from" in (getattr(owner, "low", ""), c.text[previous.start :].split(" ")[0].lower())
+    if side and "s" in w.forms and w.next in lex.DETERMINERS | lex.PREPOSITIONS | lex.ADVERBS:
+        return True  # "a boat seen from above crosses a lake"
     if previous.kind == "prep" and "ing" not in w.forms:
         return not (w.nounish or w.adjectival) and previous.low != "by"
     return None
