@@ -9,6 +9,7 @@ from esg.assets.appearances import appearances
 from esg.assets.colors import find_color
 from esg.assets.configuration import parametric_entry
 from esg.assets.library.catalogue import build_sketch
+from esg.assets.geometry.sketch import Part as SketchPart
 from esg.engines.scene import Shine, Sway
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument, Predicate, Statement
@@ -16,6 +17,8 @@ from esg.lexicon.shown import LIVELY, Light, lights, swaying
 
 FLAME = "flame"
 """Name of the part that flames are."""
+TOPMOST = "+"
+"""Behind the name of parts of which only those shine that reach the top of the model."""
 FLASH_S, FLICKER_S = 0.5, 0.9
 """Periods of flashing and flickering lights [s]: UN ECE R65 asks for 2 to 4 flashes a second."""
 _STATES = re.compile(
@@ -51,7 +54,7 @@ def shines_of(doc: EsgDocument) -> dict[str, tuple[Shine, ...]]:
     for s in told:
         for name in s.object:
             if name in doc.spatial_relation_graph.nodes:
-                out[name] = out.get(name, ()) + _shines(s, _parts(doc, name))
+                out[name] = out.get(name, ()) + _shines(s, [p.name for p in sketched(doc, name)])
     return {name: shines for name, shines in out.items() if shines}
 
 
@@ -69,7 +72,9 @@ def _shines(s: Statement, parts: list[str]) -> tuple[Shine, ...]:
         lit = replace(lit, period_s=FLASH_S if light.name == "beacon" else FLICKER_S)
     if light.flame:
         return (lit,)
-    own = list(dict.fromkeys(p for p in parts if p.startswith(light.parts)))
+    told = tuple(p.removesuffix(TOPMOST) for p in light.parts)
+    topmost = {p.removesuffix(TOPMOST) for p in light.parts if p.endswith(TOPMOST)}
+    own = [p + TOPMOST * (p in topmost) for p in dict.fromkeys(parts) if p.startswith(told)]
     colored = [p for p in own if p.endswith(f"_{color}")]
     if light.name == "traffic light":
         other = [p for p in own if p.endswith(f"_{_TRAFFIC.get(color, '')}")] if turned else []
@@ -113,12 +118,21 @@ def weather_of_scene(doc: EsgDocument) -> tuple[str, ...]:
     return tuple(dict.fromkeys(told))
 
 
-def _parts(doc: EsgDocument, name: str) -> list[str]:
-    """Names of the parts of a node's model; none of what no builder draws."""
+def named(parts: list[SketchPart], name: str) -> list[SketchPart]:
+    """Parts of a name; with a "+" behind it those of them that reach the top of the model."""
+    own = [p for p in parts if p.name == name.removesuffix(TOPMOST)]
+    if not name.endswith(TOPMOST):
+        return own
+    tops = [float(p.mesh().bounds[1, 2]) for p in parts]
+    return [p for p in own if float(p.mesh().bounds[1, 2]) >= max(tops) - 0.1]
+
+
+def sketched(doc: EsgDocument, name: str) -> list[SketchPart]:
+    """The parts of a node's model before it is finished; none of what no builder draws."""
     doc = effective(doc)
     config = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
     entry = parametric_entry(config)
     if entry is None:
         return []
     look = appearances(doc)[name]
-    return [p.name for p in build_sketch(entry, config.dimensions_cm, config.color_rgb, look).parts]
+    return build_sketch(entry, config.dimensions_cm, config.color_rgb, look).parts

@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.looks import Look
-from esg.assets.shows import FLAME
+from esg.assets.shows import FLAME, named, sketched
 from esg.engines.program import Program
 from esg.engines.scene import Body, Rollout, Shine, SimScene, Sway
 from esg.engines.shows import STEADY, phase_of, shining
 from esg.lexicon.shown import Weather, weather_of
+from esg.units import CM_PER_M
 from esg.view.pieces import Act, Part
 
 if TYPE_CHECKING:
@@ -27,14 +28,16 @@ Floats = NDArray[np.float64]
 
 GLOW, HALO_GLOW, HALO_ALPHA = 1.6, 0.9, 0.3
 """Of what shines, and of the halo around it."""
-HALO, HALO_M = 1.7, (0.03, 1.2)
-"""Radius of a halo by that of what shines, and in metres."""
+HALO, HALO_M = 1.5, (0.02, 0.25)
+"""Radius of a halo by that of what shines; and in metres: what is larger has none."""
 SKIN, SKIN_M = 0.02, 0.002
 """What shines is drawn around the part that does, so much larger by its size and in metres."""
 TONGUES, TONGUE_M = 5, (0.025, 2.5)
 """Flames on something, and the radius of one [m]."""
-STRIPS = 14
+STRIPS = 28
 """What waves is cut into so many along its length."""
+LAP, WAVES = 0.15, 7.0
+"""They lap over by this share of one, and by so much lags the last behind the first [rad]."""
 BOX_M, TOP_M, MOST = 9.0, 9.0, 4000
 """What falls is drawn so far around the action and so high [m], in so many pieces."""
 COARSE_M = 8.0
@@ -59,14 +62,29 @@ def with_shows(
     time = np.asarray(rollout.time, float)
     out = [swayed for p in parts for swayed in _swaying(p, scene)]
     for index, body in enumerate(scene.bodies):
-        own = [p for p in parts if p.body == index]
+        drawn = sketched(doc, body.name) if body.shines else []
         for shine in body.shines:
+            own = [p.mesh() for p in named(drawn, shine.part)]
             out += _shining(index, body, shine, own, there(shine, time, events))
     for noun in scene.weather:
         found = weather_of(noun)
         if found is not None and found[0].falls_mps:
             out.append(_falling(*found, rollout))
     return out
+
+
+def shown_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> tuple[Part, ...]:
+    """What exports add to the meshes of the bodies: of one that sways, all of its parts."""
+    if not scene.weather and not any(b.shines or b.sways for b in scene.bodies):
+        return ()
+    from esg.view.parts import body_parts
+
+    swaying = {k for k, b in enumerate(scene.bodies) if b.sways is not None}
+    whole = [p for p in body_parts(scene, doc) if p.body in swaying]
+    return tuple(
+        p if p.act is not None else replace(p, act=Act())
+        for p in with_shows(whole, scene, rollout, doc)
+    )
 
 
 def event_times(doc: EsgDocument, scene: SimScene, rollout: Rollout) -> dict[str, float | None]:
@@ -96,7 +114,11 @@ def there(
 
 
 def _shining(
-    index: int, body: Body, shine: Shine, parts: Sequence[Part], when: tuple[tuple[float, float], ...]
+    index: int,
+    body: Body,
+    shine: Shine,
+    meshes: Sequence[trimesh.Trimesh],
+    when: tuple[tuple[float, float], ...],
 ) -> list[Part]:
     if shine.part == FLAME:
         return _flames(index, body, shine, when)
@@ -104,22 +126,16 @@ def _shining(
     halo = Look("", shine.color, 1.0, alpha=HALO_ALPHA, glow=HALO_GLOW)
     act = Act(there=when)
     out: list[Part] = []
-    for part in parts:
-        if part.name != shine.part and not part.name.startswith(shine.part + "."):
-            continue
-        mesh = _mesh(part)
+    for drawn in meshes:
+        mesh = drawn.copy()
+        mesh.vertices = mesh.vertices / CM_PER_M + np.asarray(body.origin_offset)
+        mesh.merge_vertices()
         large = max(SKIN_M, SKIN * 0.5 * float(np.ptp(mesh.vertices, axis=0).min()))
         skin = mesh.vertices + large * mesh.vertex_normals
         out.append(_plain(index, skin, mesh.faces, look, "light", act))
         for ball in _balls(mesh):
             out.append(_plain(index, ball.vertices, ball.faces, halo, "halo", act))
     return out
-
-
-def _mesh(part: Part) -> trimesh.Trimesh:
-    import trimesh
-
-    return trimesh.Trimesh(part.vertices, part.faces, process=True)
 
 
 def _balls(mesh: trimesh.Trimesh) -> list[trimesh.Trimesh]:
@@ -136,7 +152,9 @@ def _balls(mesh: trimesh.Trimesh) -> list[trimesh.Trimesh]:
         else:
             boxes[near] = np.array([np.minimum(boxes[near][0], low), np.maximum(boxes[near][1], high)])
     for low, high in boxes:
-        radius = float(np.clip(HALO * 0.5 * np.sort(high - low)[1:].mean(), *HALO_M))
+        radius = max(HALO * 0.5 * float(np.sort(high - low)[1:].mean()), HALO_M[0])
+        if radius > HALO_M[1]:
+            continue
         ball = trimesh.creation.icosphere(subdivisions=2, radius=radius)
         ball.apply_translation(0.5 * (low + high))
         out.append(ball)
@@ -205,31 +223,35 @@ def _swaying(part: Part, scene: SimScene) -> list[Part]:
 
 def _strips(part: Part, body: Body, sways: Sway, phase: float) -> list[Part]:
     """What waves, in strips: each moves across, more the farther it is from where it is held."""
-    from trimesh.remesh import subdivide_to_size
+    import trimesh
 
     low, high = part.box
     along = int(np.argmax((high - low)[:2]))
     length = float((high - low)[along])
-    if part.uvs is not None or length < 1e-6:
-        part = replace(part, uvs=None, look=None if part.look is None else replace(part.look, texture=None))
-    vertices, faces = subdivide_to_size(part.vertices, part.faces, 1.5 * length / STRIPS, max_iter=12)
-    held = low[along] if abs(low[along]) < abs(high[along]) else high[along]
-    share = np.abs(vertices[faces].mean(axis=1)[:, along] - held) / length
-    across = np.zeros(3)
-    across[1 - along] = 1.0
-    reach = length * math.sin(math.radians(sways.degrees))
+    near = low[along] if abs(low[along]) < abs(high[along]) else high[along]
+    toward = np.zeros(3)
+    toward[along] = 1.0 if near == low[along] else -1.0
+    across = np.roll(np.abs(toward[:2]), 1) * length * math.sin(math.radians(sways.degrees))
+    mesh = trimesh.Trimesh(part.vertices, part.faces, process=False)
+    look = None if part.look is None else replace(part.look, texture=None)
     out: list[Part] = []
     for k in range(STRIPS):
-        mine = faces[np.clip((share * STRIPS).astype(int), 0, STRIPS - 1) == k]
-        if not len(mine):
+        begin, end = (length * (k + d) / STRIPS for d in (-LAP, 1.0 + LAP))
+        strip = mesh
+        for way, at in ((toward, begin), (-toward, end)):
+            origin = np.zeros(3)
+            origin[along] = near + toward[along] * at
+            strip = strip.slice_plane(origin, way)
+        if strip is None or not len(strip.faces):
             continue
-        used, renamed = np.unique(mine, return_inverse=True)
-        way = (k + 0.5) / STRIPS
-        shift = tuple(float(v) for v in across * reach * way)
-        act = Act(period_s=sways.period_s, phase=phase - 7.0 * way, shift=shift)
+        share = (k + 0.5) / STRIPS
+        x, y = (float(v) * share for v in across)
+        act = Act(period_s=sways.period_s, phase=phase - WAVES * share, shift=(x, y, 0.0))
+        vertices = np.asarray(strip.vertices, float)
         out.append(
-            replace(part, vertices=vertices[used], faces=renamed.reshape(-1, 3), normals=None, act=act)
-        )
+            replace(part, vertices=vertices, faces=np.asarray(strip.faces), normals=None, uvs=None,
+                    look=look, act=act)
+        )  # fmt: skip
     return out
 
 

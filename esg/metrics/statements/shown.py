@@ -65,7 +65,8 @@ def _turned(q: StatementQuery, time: np.ndarray, shines: np.ndarray, *, on: bool
 
 
 def _is_of(parts: tuple[str, ...], part: str) -> bool:
-    return part.startswith(parts) if parts else part == "flame"
+    own = tuple(p.removesuffix("+") for p in parts)
+    return part.startswith(own) if own else part == "flame"
 
 
 def _apart(a: tuple[float, float, float], b: tuple[float, float, float]) -> float:
