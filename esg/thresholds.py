@@ -121,8 +121,8 @@ WORN_COLOR = 0.15
 """What is worn has a stated colour within this in each channel: the table of colours has its red
 and its maroon 0.34 apart, its black and its navy 0.26."""
 LIT_COLOR = 0.3
-"""A light has a stated colour within this in each channel: signal red and pure red are 0.14 apart, red
-and amber 0.63."""
+"""A light has a stated colour within this in each channel: signal red and pure red are 0.14 apart,
+red and amber 0.63."""
 LIT_MOMENT_S = 0.1
 """A light that changes is asked so long before and after its moment: two frames of a film."""
 SWAYS_SHARE = 0.03

@@ -3,17 +3,16 @@
 from __future__ import annotations
 
 from dataclasses import replace
-import re
 
 from esg.assets.appearances import appearances
 from esg.assets.colors import find_color
 from esg.assets.configuration import parametric_entry
-from esg.assets.library.catalogue import build_sketch
 from esg.assets.geometry.sketch import Part as SketchPart
+from esg.assets.library.catalogue import build_sketch
 from esg.engines.scene import Shine, Sway
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument, Predicate, Statement
-from esg.lexicon.shown import LIVELY, Light, lights, swaying
+from esg.lexicon.shown import LIVELY, read_lit, swaying
 
 FLAME = "flame"
 """Name of the part that flames are."""
@@ -21,26 +20,8 @@ TOPMOST = "+"
 """Behind the name of parts of which only those shine that reach the top of the model."""
 FLASH_S, FLICKER_S = 0.5, 0.9
 """Periods of flashing and flickering lights [s]: UN ECE R65 asks for 2 to 4 flashes a second."""
-_STATES = re.compile(
-    r"(?P<light>.+?) (?P<turned>turned )?(?P<how>on|off|flashing)(?: (?P<color>[\w ]+))?"
-)
 _TRAFFIC = {"red": "green", "green": "red", "amber": "green"}
 """What a traffic light shows before it turns."""
-
-
-def read_lit(noun: str) -> tuple[Light, bool, str, str] | None:
-    """What a statement of `lit` says: the light, whether it changes, on, off or flashing, colour.
-
-    Args:
-        noun: "headlights flashing blue", "lamp turned off".
-
-    Returns:
-        None if no row of the table of lights is named so.
-    """
-    m = _STATES.fullmatch(noun)
-    if m is None or m["light"] not in lights():
-        return None
-    return lights()[m["light"]], bool(m["turned"]), m["how"], m["color"] or ""
 
 
 def shines_of(doc: EsgDocument) -> dict[str, tuple[Shine, ...]]:
@@ -81,7 +62,13 @@ def _shines(s: Statement, parts: list[str]) -> tuple[Shine, ...]:
         own = colored or own[:1]
         hues = {"red": "#db1411", "green": "#199e47", "amber": "#f2b214"}
         before = tuple(
-            replace(lit, part=p, before=True, after=False, color=find_color(hues[_TRAFFIC[color]]) or rgb)
+            replace(
+                lit,
+                part=p,
+                before=True,
+                after=False,
+                color=find_color(hues[_TRAFFIC[color]]) or rgb,
+            )
             for p in other
         )
         return (*(replace(lit, part=p) for p in own), *before)
@@ -103,7 +90,10 @@ def sways_of(doc: EsgDocument) -> dict[str, Sway]:
                 continue
             asset = doc.asset_requirement.get(node.asset_id)
             config = effective(doc).asset_configurations[node.asset_id]
-            called = [config.category.replace("_", " "), *(() if asset is None else [asset.asset_category.replace("_", " ")])]
+            called = [
+                config.category.replace("_", " "),
+                *(() if asset is None else [asset.asset_category.replace("_", " ")]),
+            ]
             row = next((swaying()[c] for c in called if c in swaying()), None)
             if row is not None:
                 much = LIVELY.get(s.noun or "", 1.0)

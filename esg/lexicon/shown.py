@@ -1,4 +1,4 @@
-"""What can be lit, what falls from the sky and what sways in the wind: tables with their sources."""
+"""What can be lit, falls from the sky and sways in the wind: tables with their sources."""
 
 from __future__ import annotations
 
@@ -7,11 +7,15 @@ import csv
 from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
+import re
 
 Rgb = tuple[float, float, float]
 
 LIVELY = {"heavy": 1.7, "thick": 1.5, "dense": 1.5, "strong": 1.5, "light": 0.5, "gentle": 0.6}
 """What such words do to how much falls, or how far something sways."""
+_STATES = re.compile(
+    r"(?P<light>.+?) (?P<turned>turned )?(?P<how>on|off|flashing)(?: (?P<color>[\w ]+))?"
+)
 
 
 @dataclass(frozen=True)
@@ -127,6 +131,21 @@ def lights_of(names: Iterable[str], *, wheeled: bool) -> list[Light]:
     """
     own = {*names, *(("@vehicle",) if wheeled else ())}
     return [row for row in lights().values() if own & row.of]
+
+
+def read_lit(noun: str) -> tuple[Light, bool, str, str] | None:
+    """What a statement of `lit` says: the light, whether it changes, on, off or flashing, colour.
+
+    Args:
+        noun: "headlights flashing blue", "lamp turned off".
+
+    Returns:
+        None if no row of the table of lights is named so.
+    """
+    m = _STATES.fullmatch(noun)
+    if m is None or m["light"] not in lights():
+        return None
+    return lights()[m["light"]], bool(m["turned"]), m["how"], m["color"] or ""
 
 
 def weather_of(noun: str) -> tuple[Weather, float] | None:

@@ -79,7 +79,7 @@ class Act:
         return np.any([(time >= a - 1e-9) & (time < b - 1e-9) for a, b in self.there], axis=0)
 
     def local(self, time: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
-        """Positions [m] and quaternions in the body's frame at times [s], shapes [..., 3], [..., 4]."""
+        """Poses in the body's frame [m] at times [s], shapes [..., 3] and [..., 4]."""
         time = np.asarray(time, float)
         wave = np.sin(2.0 * np.pi * time / self.period_s + self.phase)[..., None]
         turn = about_axle(self.lean + self.angle * wave[..., 0])

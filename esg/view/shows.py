@@ -146,11 +146,20 @@ def _balls(mesh: trimesh.Trimesh) -> list[trimesh.Trimesh]:
     boxes: list[Floats] = []
     for piece in mesh.split(only_watertight=False):
         low, high = piece.bounds
-        near = next((k for k, b in enumerate(boxes) if np.all(low < b[1] + 0.02) and np.all(high > b[0] - 0.02)), -1)
+        near = next(
+            (
+                k
+                for k, b in enumerate(boxes)
+                if np.all(low < b[1] + 0.02) and np.all(high > b[0] - 0.02)
+            ),
+            -1,
+        )
         if near < 0:
             boxes.append(np.array([low, high]))
         else:
-            boxes[near] = np.array([np.minimum(boxes[near][0], low), np.maximum(boxes[near][1], high)])
+            boxes[near] = np.array(
+                [np.minimum(boxes[near][0], low), np.maximum(boxes[near][1], high)]
+            )
     for low, high in boxes:
         radius = max(HALO * 0.5 * float(np.sort(high - low)[1:].mean()), HALO_M[0])
         if radius > HALO_M[1]:
@@ -164,7 +173,16 @@ def _balls(mesh: trimesh.Trimesh) -> list[trimesh.Trimesh]:
 def _plain(
     index: int, vertices: Floats, faces: NDArray[np.int64], look: Look, name: str, act: Act
 ) -> Part:
-    return Part(index, np.asarray(vertices, float), np.asarray(faces), look.color, None, look, name=name, act=act)
+    return Part(
+        index,
+        np.asarray(vertices, float),
+        np.asarray(faces),
+        look.color,
+        None,
+        look,
+        name=name,
+        act=act,
+    )
 
 
 def _flames(
@@ -192,8 +210,11 @@ def _flames(
         for scale, color, glow in ((1.0, shine.color, 1.1), (0.6, (1.0, 0.93, 0.6), 1.5)):
             flame = trimesh.creation.revolve(profile * r * scale, sections=10)
             act = Act(
-                there=when, period_s=float(rng.uniform(0.25, 0.5)) if scale == 1.0 else out[-1].act.period_s,
-                phase=2.4 * k, angle=0.2, pivot=tuple(at),
+                there=when,
+                period_s=float(rng.uniform(0.25, 0.5)) if scale == 1.0 else out[-1].act.period_s,
+                phase=2.4 * k,
+                angle=0.2,
+                pivot=tuple(at),
             )
             look = Look("", color, 1.0, glow=glow)
             lifted = flame.vertices + at + np.array([0.0, 0.0, 0.15 * r])
@@ -214,8 +235,11 @@ def _swaying(part: Part, scene: SimScene) -> list[Part]:
     angle, phase = math.radians(sways.degrees), phase_of(body)
     if sways.how == "bends":
         act = Act(
-            period_s=sways.period_s, phase=phase, angle=(1.0 - STEADY) * angle,
-            lean=STEADY * angle, pivot=body.origin_offset,
+            period_s=sways.period_s,
+            phase=phase,
+            angle=(1.0 - STEADY) * angle,
+            lean=STEADY * angle,
+            pivot=body.origin_offset,
         )
         return [replace(part, act=act)]
     return _strips(part, body, sways, phase)
@@ -274,8 +298,14 @@ def _falling(row: Weather, much: float, rollout: Rollout) -> Part:
     for side in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0)):
         across = np.cross(way, side)
         across = across / max(float(np.linalg.norm(across)), 1e-9)
-        corners = np.array([-way * length - across * width, -way * length + across * width,
-                            way * length + across * width, way * length - across * width])
+        corners = np.array(
+            [
+                -way * length - across * width,
+                -way * length + across * width,
+                way * length + across * width,
+                way * length - across * width,
+            ]
+        )
         # Once more above: what has left below comes in there.
         for lift in (0.0, 1.0):
             vertices.append((drops - lift * fall * period)[:, None] + corners)
@@ -285,6 +315,12 @@ def _falling(row: Weather, much: float, rollout: Rollout) -> Part:
     faces = (first + quad).reshape(-1, 3)
     look = Look("", row.color, 1.0, glow=0.25)
     return Part(
-        -1, points, faces, row.color, None, look, name=f"weather/{row.name}",
+        -1,
+        points,
+        faces,
+        row.color,
+        None,
+        look,
+        name=f"weather/{row.name}",
         act=Act(period_s=period, drift=(float(fall[0]), float(fall[1]), float(fall[2]))),
     )

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING, Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.lexicon.shown import weather_of
 from esg.assets.looks import Color, Look
+from esg.lexicon.shown import weather_of
 
 if TYPE_CHECKING:
     from esg.engines.scene import Rollout, SimScene
@@ -224,7 +224,9 @@ def surroundings_of(doc: EsgDocument, scene: SimScene, rollout: Rollout) -> Surr
     dressing = doc.dressing
     if dressing is None:
         color = ground_color(scene, doc)
-        return Surroundings(in_weather(Sky(), scene), Look("", color, 0.9), checkerboard(rollout, color))
+        return Surroundings(
+            in_weather(Sky(), scene), Look("", color, 0.9), checkerboard(rollout, color)
+        )
     from esg.dressing.meshes import surface_look
 
     sky = in_weather(_sky(dressing), scene)

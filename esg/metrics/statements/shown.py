@@ -1,15 +1,15 @@
-"""What is lit, falls from the sky and sways, measured on what is drawn of it at the times stated."""
+"""What is lit, falls from the sky and sways, measured on what is drawn at the times stated."""
 
 from __future__ import annotations
 
 import math
 
 import numpy as np
+from numpy.typing import NDArray
 
 from esg.assets.colors import find_color
-from esg.assets.shows import read_lit
 from esg.engines.shows import TURN_S, bent_by, phase_of, shining
-from esg.lexicon.shown import weather_of
+from esg.lexicon.shown import read_lit, weather_of
 from esg.metrics.replay import Replay
 from esg.metrics.statements.query import Kept, StatementQuery
 from esg.thresholds import FALLS_MPS, LIT_COLOR, LIT_MOMENT_S, SIGHT_M, SWAYS_SHARE
@@ -47,7 +47,9 @@ def lit(replay: Replay, q: StatementQuery, body: int) -> Kept:
     return Kept.when(share == wanted, reason, **measured)
 
 
-def _turned(q: StatementQuery, time: np.ndarray, shines: np.ndarray, *, on: bool) -> Kept:
+def _turned(
+    q: StatementQuery, time: NDArray[np.float64], shines: NDArray[np.bool_], *, on: bool
+) -> Kept:
     """Before its moment it is the other way than after it."""
     when = q.statement.when
     at = q.times.get(when) if when in q.times else TURN_S

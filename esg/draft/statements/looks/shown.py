@@ -1,4 +1,4 @@
-"""What is lit, what weather falls and what sways, as statements (words: `esg.draft.text.shining`)."""
+"""What is lit, falls from the sky and sways, as statements (words: `esg.draft.text.shining`)."""
 
 from __future__ import annotations
 
@@ -32,12 +32,14 @@ def shown(t: Told) -> None:
 def _lit(t: Told, s: Shown) -> None:
     d, book = t.d, t.book
     burns = s.noun in _STATES
-    who = _bearers(d, s)
-    found = {i: row for i in who if (row := _light(d, i, s, burns=burns)) is not None}
-    if s.about == BEFORE:
-        found = dict([*found.items()][:1])
+    found: dict[str, Light] = {}
+    who: list[str] = []
+    for who in _bearers(d, s):
+        found = {i: row for i in who if (row := _light(d, i, s, burns=burns)) is not None}
+        if found:
+            break
     if not found:
-        book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=tuple(who[:1]), note=NO_LIGHT)
+        book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=tuple(who), note=NO_LIGHT)
         return
     row = next(iter(found.values()))
     noun = f"{row.name} {_STATES.get(s.noun, s.noun)}"
@@ -48,12 +50,12 @@ def _lit(t: Told, s: Shown) -> None:
         book.add(Predicate.NOT_REPRESENTED, *s.act, object=alike, note=NOBODY)
 
 
-def _bearers(d: Discourse, s: Shown) -> list[str]:
+def _bearers(d: Discourse, s: Shown) -> list[list[str]]:
     """Of what it may be said: what is named there, or what was named before, the last first."""
     if s.about != BEFORE:
-        return named_at(d, s.about)
+        return [named_at(d, s.about)]
     before = sorted((m for m in d.mentions if m.start < s.start), key=lambda m: -m.start)
-    return list(dict.fromkeys(i for m in before for i in named_at(d, m.start)))
+    return [named_at(d, m.start) for m in before]
 
 
 def _light(d: Discourse, node: str, s: Shown, *, burns: bool) -> Light | None:
