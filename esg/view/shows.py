@@ -62,7 +62,8 @@ def with_shows(
     time = np.asarray(rollout.time, float)
     out = [swayed for p in parts for swayed in _swaying(p, scene)]
     for index, body in enumerate(scene.bodies):
-        drawn = sketched(doc, body.name) if body.shines else []
+        lamps = any(shine.part != FLAME for shine in body.shines)
+        drawn = sketched(doc, body.name) if lamps else []
         for shine in body.shines:
             own = [p.mesh() for p in named(drawn, shine.part)]
             out += _shining(index, body, shine, own, there(shine, time, events))
