@@ -32,7 +32,7 @@ HALO, HALO_M = 1.5, (0.02, 0.25)
 """Radius of a halo by that of what shines; and in metres: what is larger has none."""
 SKIN, SKIN_M = 0.02, 0.002
 """What shines is drawn around the part that does, so much larger by its size and in metres."""
-TONGUES, TONGUE_M = 5, (0.025, 2.5)
+TONGUES, TONGUE_M = 5, (0.025, 1.4)
 """Flames on something, and the radius of one [m]."""
 STRIPS = 28
 """What waves is cut into so many along its length."""
@@ -314,7 +314,7 @@ def _falling(row: Weather, much: float, rollout: Rollout) -> Part:
     first = 4 * np.arange(len(points) // 4)[:, None]
     quad = np.array([0, 1, 2, 0, 2, 3, 2, 1, 0, 3, 2, 0])
     faces = (first + quad).reshape(-1, 3)
-    look = Look("", row.color, 1.0, glow=0.25)
+    look = Look("", row.color, 1.0, glow=0.4)
     return Part(
         -1,
         points,

@@ -73,6 +73,9 @@ class Scan:
             "still": self._array(np.flatnonzero(~moving), int),
             "moving": self._array(np.flatnonzero(moving), int),
         }
+        # What gives light casts no shadow.
+        dark = np.array([p.look is None or not p.look.glow for p in parts], bool)
+        self._casting = self._array(np.flatnonzero(moving & dark[self._part]), int)
         self._rest = int(sum(c for c, p in zip(counts, parts, strict=True) if not _moves(p, rest)))
         self._local = self._array(_joined([p.vertices for p in parts], 3), wp.vec3)
         normals = [p.normals if p.normals is not None else 0 * p.vertices for p in parts]
@@ -248,7 +251,7 @@ class Scan:
             self._launch(self._k.shade_from, len(order), [*scene, order], [still])
             self._lit = self._light
         wp.copy(now, still)
-        order = self._order["moving"]
+        order = self._casting
         self._launch(self._k.shade_from, len(order), [*scene, order], [now])
         self._shadowed = True
 
