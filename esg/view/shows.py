@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 
 from esg.assets.looks import Look
 from esg.assets.shows import FLAME, named, sketched
-from esg.engines.program import Program
 from esg.engines.scene import Body, Rollout, Shine, SimScene, Sway
 from esg.engines.shows import STEADY, phase_of, shining
 from esg.lexicon.shown import Weather, weather_of
@@ -28,7 +27,7 @@ Floats = NDArray[np.float64]
 
 GLOW, HALO_GLOW, HALO_ALPHA = 1.6, 0.9, 0.3
 """Of what shines, and of the halo around it."""
-HALO, HALO_M = 1.5, (0.02, 0.25)
+HALO, HALO_M = 1.3, (0.02, 0.25)
 """Radius of a halo by that of what shines; and in metres: what is larger has none."""
 SKIN, SKIN_M = 0.02, 0.002
 """What shines is drawn around the part that does, so much larger by its size and in metres."""
@@ -92,11 +91,12 @@ def event_times(doc: EsgDocument, scene: SimScene, rollout: Rollout) -> dict[str
     """When the events happened at which lights change [s]; nothing where none does."""
     if not any(s.event for b in scene.bodies for s in b.shines):
         return {}
+    from esg.compile.scene import document_program
     from esg.metrics.expectations import expectations_from_timeline
     from esg.metrics.judging import judge
 
     asked = expectations_from_timeline(doc, scene).model_copy(update={"statements": ()})
-    found = judge(scene, Program((), float(rollout.time[-1])), rollout, asked)
+    found = judge(scene, document_program(doc, scene), rollout, asked)
     return {e.id: e.time_s if e.completed else None for e in found.events}
 
 
