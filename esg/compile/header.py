@@ -7,7 +7,7 @@ import numpy as np
 from esg.compile import frames, joints, names
 from esg.compile.model import ScenePlan, UnrealBody
 from esg.engines.scene import Shine
-from esg.engines.shows import TURN_S
+from esg.engines.wheels import TURN_S
 
 _PROGRAM = '\tUPROPERTY(EditAnywhere, Category = "ESG|Program")\n'
 

@@ -66,7 +66,7 @@ class Wheel:
 
 @dataclass(frozen=True)
 class Shine:
-    """Light of a body's model, of which no engine knows (`esg.engines.shows`).
+    """Light of a body's model, of which no engine knows (`esg.engines.wheels`).
 
     Args:
         part: How the names of the parts begin that shine; "flame" is drawn on top of it.
@@ -86,7 +86,7 @@ class Shine:
 
 @dataclass(frozen=True)
 class Sway:
-    """How parts of a body's model sway in the wind; no engine knows of it (`esg.engines.shows`).
+    """How parts of a body's model sway in the wind; no engine knows of it (`esg.engines.wheels`).
 
     Args:
         how: "bends" about its foot, or "waves" along its length.

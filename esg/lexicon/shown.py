@@ -97,17 +97,24 @@ def lights() -> dict[str, Light]:
 @cache
 def weathers() -> dict[str, Weather]:
     """All rows of `weathers.csv` by name."""
+
+    def number(row: dict[str, str], key: str) -> float:
+        return float(row[key] or 0)
+
     return {
         r["name"]: Weather(
-            r["name"], _list(r["said_as"]), *(float(r[k] or 0) for k in _MOTION),
-            (float(r["length_cm"] or 0), float(r["width_cm"] or 0)), rgb(r["color"] or "#ffffff"),
-            float(r["sight_m"]), r["not_shown"],
+            r["name"],
+            _list(r["said_as"]),
+            number(r, "falls_mps"),
+            number(r, "drifts_mps"),
+            number(r, "per_m3"),
+            (number(r, "length_cm"), number(r, "width_cm")),
+            rgb(r["color"] or "#ffffff"),
+            number(r, "sight_m"),
+            r["not_shown"],
         )
         for r in _rows("weathers")
-    }  # fmt: skip
-
-
-_MOTION = ("falls_mps", "drifts_mps", "per_m3")
+    }
 
 
 @cache

@@ -19,7 +19,7 @@ from esg.lexicon.places import places
 from esg.units import CM_PER_M
 from esg.view.ground import plane, span
 from esg.view.pieces import Part, Turning
-from esg.view.shows import with_shows
+from esg.view.seeing.shows import with_shows
 from esg.view.surroundings import GROUND, Surroundings, surroundings_of, thing_of
 
 

@@ -15,7 +15,7 @@ from esg.view.framing import corners_of
 from esg.view.parts import body_parts
 from esg.view.renderers.records import Scenery
 from esg.view.ropes import rope_parts
-from esg.view.shows import with_shows
+from esg.view.seeing.shows import with_shows
 from esg.view.skies import sun_behind
 from esg.view.surroundings import GROUND, surroundings_of, thing_of
 

@@ -19,10 +19,10 @@ from esg.view.cameras import action_cameras
 from esg.view.director.takes import Take
 from esg.view.filmed import said_take
 from esg.view.ground import span
-from esg.view.parts import ground_bodies
+from esg.view.parts import body_parts, ground_bodies
 from esg.view.renderers.records import Scenery
 from esg.view.scenery import seen_from
-from esg.view.shows import shown_parts
+from esg.view.seeing.shows import shown, shown_parts
 from esg.view.surroundings import surroundings_of
 
 if TYPE_CHECKING:
@@ -59,7 +59,7 @@ def setting_of(
     if cameras:
         seen = seen_from(Scenery((), 0, around), cameras, scene, rollout).surroundings
         around = around if seen is None else seen
-    shows = shown_parts(scene, rollout, doc)
+    shows = shown_parts(body_parts(scene, doc), scene, rollout, doc) if shown(scene) else ()
     low, high = span(rollout) if scene.bodies else (np.zeros(2), np.zeros(2))
     x, y = (float(v) for v in 0.5 * (low + high))
     away = max((math.dist(camera.eye, camera.target) for camera in cameras), default=0.0)

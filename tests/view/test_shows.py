@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from esg.engines.scene import Body, ContactLog, Rollout, Shape, Shine, SimScene, Sway
-from esg.engines.shows import TURN_S, shining
+from esg.engines.wheels import TURN_S, shining
 from esg.graph.models import EsgDocument
 from esg.lexicon.shown import weather_of
 from esg.view.pieces import Act, Movers, Part, clocked
-from esg.view.shows import there, with_shows
+from esg.view.seeing.shows import there, with_shows
 
 TIME = np.linspace(0.0, 3.0, 91)
 WHITE = (1.0, 1.0, 1.0)

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.colors import find_color
-from esg.engines.shows import TURN_S, bent_by, phase_of, shining
+from esg.engines.wheels import TURN_S, bent_by, phase_of, shining
 from esg.lexicon.shown import read_lit, weather_of
 from esg.metrics.replay import Replay
 from esg.metrics.statements.query import Kept, StatementQuery

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from esg.assets.looks import Look
 from esg.assets.shows import FLAME, named, sketched
 from esg.engines.scene import Body, Rollout, Shine, SimScene, Sway
-from esg.engines.shows import STEADY, phase_of, shining
+from esg.engines.wheels import STEADY, phase_of, shining
 from esg.lexicon.shown import Weather, weather_of
 from esg.units import CM_PER_M
 from esg.view.pieces import Act, Part
@@ -33,6 +33,8 @@ SKIN, SKIN_M = 0.02, 0.002
 """What shines is drawn around the part that does, so much larger by its size and in metres."""
 TONGUES, TONGUE_M = 5, (0.025, 1.4)
 """Flames on something, and the radius of one [m]."""
+INNER = Look("", (1.0, 0.93, 0.6), 1.0, glow=1.5)
+"""The bright middle of a flame."""
 STRIPS = 28
 """What waves is cut into so many along its length."""
 LAP, WAVES = 0.15, 7.0
@@ -42,6 +44,11 @@ BOX_M, TOP_M, MOST = 9.0, 9.0, 4000
 COARSE_M = 8.0
 """Pieces are drawn larger where the action is wider than this: smaller ones are not seen."""
 SEED = 20
+
+
+def shown(scene: SimScene) -> bool:
+    """Whether anything of a scene shines, sways or falls from the sky."""
+    return bool(scene.weather) or any(b.shines or b.sways for b in scene.bodies)
 
 
 def with_shows(
@@ -55,7 +62,7 @@ def with_shows(
         rollout: Their motion.
         doc: Whose events tell when lights change.
     """
-    if not scene.weather and not any(b.shines or b.sways for b in scene.bodies):
+    if not shown(scene):
         return list(parts)
     events = event_times(doc, scene, rollout)
     time = np.asarray(rollout.time, float)
@@ -73,14 +80,15 @@ def with_shows(
     return out
 
 
-def shown_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> tuple[Part, ...]:
-    """What exports add to the meshes of the bodies: of one that sways, all of its parts."""
-    if not scene.weather and not any(b.shines or b.sways for b in scene.bodies):
-        return ()
-    from esg.view.parts import body_parts
+def shown_parts(
+    parts: Sequence[Part], scene: SimScene, rollout: Rollout, doc: EsgDocument
+) -> tuple[Part, ...]:
+    """What exports add to the meshes of the bodies: of one that sways, all of its parts.
 
-    swaying = {k for k, b in enumerate(scene.bodies) if b.sways is not None}
-    whole = [p for p in body_parts(scene, doc) if p.body in swaying]
+    Args:
+        parts, scene, rollout, doc: As of `with_shows`.
+    """
+    whole = [p for p in parts if p.body >= 0 and scene.bodies[p.body].sways is not None]
     return tuple(
         p if p.act is not None else replace(p, act=Act())
         for p in with_shows(whole, scene, rollout, doc)
@@ -208,22 +216,14 @@ def _flames(
     for k in range(count):
         r = radius * float(rng.uniform(0.75, 1.1))
         at = np.append(middle + rng.uniform(-1.0, 1.0, 2) * spread, size[2] - 0.15 * r) + base
-        for scale, color, glow in ((1.0, shine.color, 1.1), (0.6, (1.0, 0.93, 0.6), 1.5)):
+        x, y, z = (float(v) for v in at)
+        period = float(rng.uniform(0.25, 0.5))
+        act = Act(there=when, period_s=period, phase=2.4 * k, angle=0.2, pivot=(x, y, z))
+        outer = Look("", shine.color, 1.0, alpha=0.6, glow=1.1)  # the inner one is seen through it
+        for scale, lift, look in ((1.0, 0.15, outer), (0.6, 0.25, INNER)):
             flame = trimesh.creation.revolve(profile * r * scale, sections=10)
-            act = Act(
-                there=when,
-                period_s=float(rng.uniform(0.25, 0.5)) if scale == 1.0 else out[-1].act.period_s,
-                phase=2.4 * k,
-                angle=0.2,
-                pivot=tuple(at),
-            )
-            look = Look("", color, 1.0, glow=glow)
-            lifted = flame.vertices + at + np.array([0.0, 0.0, 0.15 * r])
-            if scale != 1.0:  # seen through the outer one
-                lifted = lifted + np.array([0.0, 0.0, 0.1 * r])
+            lifted = flame.vertices + at + np.array([0.0, 0.0, lift * r])
             out.append(_plain(index, lifted, flame.faces, look, "flame", act))
-        outer = out[-2]
-        out[-2] = replace(outer, look=replace(outer.look, alpha=0.6))
     return out
 
 
