@@ -267,7 +267,7 @@ def _strips(part: Part, body: Body, sways: Sway, phase: float) -> list[Part]:
             origin = np.zeros(3)
             origin[along] = near + toward[along] * at
             strip = strip.slice_plane(origin, way)
-        if strip is None or not len(strip.faces):
+        if not len(strip.faces):
             continue
         share = (k + 0.5) / STRIPS
         x, y = (float(v) * share for v in across)
