@@ -120,6 +120,17 @@ SIZE_TOLERANCE = 0.15
 WORN_COLOR = 0.15
 """What is worn has a stated colour within this in each channel: the table of colours has its red
 and its maroon 0.34 apart, its black and its navy 0.26."""
+LIT_COLOR = 0.3
+"""A light has a stated colour within this in each channel: signal red and pure red are 0.14 apart,
+red and amber 0.63."""
+LIT_MOMENT_S = 0.1
+"""A light that changes is asked so long before and after its moment: two frames of a film."""
+SWAYS_SHARE = 0.03
+"""The tip of what sways goes at least this share of its size to and fro: less is not seen."""
+FALLS_MPS = {"rain": (4.0, 12.0), "storm": (4.0, 12.0), "snow": (0.5, 2.0), "hail": (8.0, 20.0)}
+"""How fast what falls from the sky does [m/s], by what it is (`esg/lexicon/weathers.csv`)."""
+SIGHT_M = 100.0
+"""In fog what is farther than this is mostly gone: a thick one, in which one drives with lights."""
 ALONG_M = 1.0
 """What moves along something stays this close to it, or as close as its own size: an arm's reach
 and half a lane's margin beside a kerb."""

@@ -31,6 +31,9 @@ _LATER = frozenset(
         Predicate.SINKS,
         Predicate.WEARS,
         Predicate.LOOKS,
+        Predicate.LIT,
+        Predicate.WEATHER,
+        Predicate.SWAYS,
     }
 )
 """Of what labels call unsayable: documents hold it since."""

@@ -19,6 +19,7 @@ class Look:
         texture: Name of a set of seeded maps; None for a plain surface.
         tile_m: Edge of one tile of the texture [m]; texture coordinates count tiles.
         normal_strength: What the slopes of its normal map are multiplied with.
+        glow: Light of its colour that it gives itself; 1 is white paper in daylight.
     """
 
     material: str
@@ -29,3 +30,4 @@ class Look:
     texture: str | None = None
     tile_m: float = 1.0
     normal_strength: float = 1.0
+    glow: float = 0.0

@@ -104,12 +104,15 @@ def scene_glb(
         if key not in library:
             library[key] = document.merge(data)
         poses = rollout.position[world, :, i], rollout.quaternion[world, :, i]
-        roots.append(_body(document, body, library[key], poses, rollout.time, scene, lifts.get(i)))
+        mesh = ([], []) if setting is not None and body.name in setting.redrawn else library[key]
+        roots.append(_body(document, body, mesh, poses, rollout.time, scene, lifts.get(i)))
+        _shows(document, roots[-1], i, setting, rollout.time)
         document.show(roots[-1], ~absent[:, i], rollout.time)
     for rope in ropes_of(scene, rollout.position[world], rollout.quaternion[world]):
         roots.append(_rope(document, rope, rollout.time))
     if setting is not None:
         roots += _surroundings(document, setting)
+        roots += _shows(document, None, -1, setting, rollout.time)
         roots += [_view(document, view, rollout.time) for view in setting.views]
     told = {} if manifest is None else {"extras": {"manifest": manifest}}
     document.data["scenes"] = [{"name": scene.scene_id, "nodes": roots, **told}]
@@ -152,6 +155,33 @@ def _body(
     angles = wheel_angles(body, time, *poses, scene.gravity)
     _turn_wheels(document, range(first, index), body, angles, time)
     return index
+
+
+def _shows(
+    document: Document, holder: int | None, body: int, setting: Setting | None, time: Floats
+) -> list[int]:
+    """Adds what moves by the time alone, below the node of its body; returns the new nodes."""
+    made: list[int] = []
+    for part in () if setting is None else setting.shows:
+        if part.body != body or part.act is None:
+            continue
+        at, turn = part.act.local(time)
+        at, turn = gltf_vector(at), continuous(to_gltf_quaternion(turn))
+        node = {
+            "name": part.name or "part",
+            "mesh": _dressing(document, part.name or "part", [part]),
+            "translation": at[0].astype(np.float32).tolist(),
+            "rotation": unit(turn[0]),
+        }
+        index = document.append("nodes", node)
+        document.animate(index, "translation", at, time)
+        document.animate(index, "rotation", turn, time)
+        document.show(index, part.act.seen(time), time)
+        made.append(index)
+    if holder is not None and made:
+        own = document.data["nodes"][holder]
+        own["children"] = [*own.get("children", ()), *made]
+    return made
 
 
 def _turn_wheels(

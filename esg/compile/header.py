@@ -2,8 +2,12 @@
 
 from __future__ import annotations
 
-from esg.compile import joints
+import numpy as np
+
+from esg.compile import frames, joints, names
 from esg.compile.model import ScenePlan, UnrealBody
+from esg.engines.scene import Shine
+from esg.engines.wheels import TURN_S
 
 _PROGRAM = '\tUPROPERTY(EditAnywhere, Category = "ESG|Program")\n'
 
@@ -42,14 +46,37 @@ protected:
 
 def _body_members(body: UnrealBody) -> str:
     return (
-        f'\tUPROPERTY(VisibleAnywhere, Category = "ESG|Bodies")\n'
-        f"\tTObjectPtr<UStaticMeshComponent> {body.member};\n\n"
-        f'\tUPROPERTY(EditAnywhere, Category = "ESG|Bodies")\n'
-        f"\tFEsgBody {body.settings};\n"
-    ) + "".join(
-        f'\n\tUPROPERTY(VisibleAnywhere, Category = "ESG|Wheels")\n'
-        f"\tTObjectPtr<UStaticMeshComponent> {wheel.member};\n\n"
-        f'\tUPROPERTY(EditAnywhere, Category = "ESG|Wheels")\n'
-        f"\tFEsgWheel {wheel.settings};\n"
-        for wheel in body.wheels
+        (
+            f'\tUPROPERTY(VisibleAnywhere, Category = "ESG|Bodies")\n'
+            f"\tTObjectPtr<UStaticMeshComponent> {body.member};\n\n"
+            f'\tUPROPERTY(EditAnywhere, Category = "ESG|Bodies")\n'
+            f"\tFEsgBody {body.settings};\n"
+        )
+        + "".join(
+            f'\n\tUPROPERTY(VisibleAnywhere, Category = "ESG|Wheels")\n'
+            f"\tTObjectPtr<UStaticMeshComponent> {wheel.member};\n\n"
+            f'\tUPROPERTY(EditAnywhere, Category = "ESG|Wheels")\n'
+            f"\tFEsgWheel {wheel.settings};\n"
+            for wheel in body.wheels
+        )
+        + "".join(_light_members(body, k, s) for k, s in enumerate(body.source.shines))
+    )
+
+
+def _light_members(body: UnrealBody, number: int, shine: Shine) -> str:
+    """A light or flame and when it shines, for whoever draws it: the class itself moves bodies."""
+    name = f"{body.member}Light{number}"
+    turns = frames.literal(-1.0 if shine.event else TURN_S)
+    values = [
+        ("FString", f"{name}Part", names.string_literal(shine.part)),
+        ("FVector", f"{name}Color", frames.vector_literal(np.array(shine.color))),
+        ("bool", f"b{name}Before", "true" if shine.before else "false"),
+        ("bool", f"b{name}After", "true" if shine.after else "false"),
+        ("double", f"{name}TurnsAt", turns),
+        ("FString", f"{name}TurnsAtEvent", names.string_literal(shine.event)),
+        ("double", f"{name}Period", frames.literal(shine.period_s)),
+    ]
+    return "".join(
+        f'\n\tUPROPERTY(EditAnywhere, Category = "ESG|Lights")\n\t{kind} {member} = {value};\n'
+        for kind, member, value in values
     )

@@ -12,7 +12,7 @@ from __future__ import annotations
 import json
 import math
 from pathlib import Path
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -57,7 +57,10 @@ from esg.engines.physx_engine import position_iterations
 from esg.engines.scene import FRAGMENT, Body, Rollout, Shape, SimScene
 from esg.engines.wheels import wheel_angles
 from esg.engines.worlds import principal_axes
-from esg.units import quat_rotate
+from esg.units import quat_multiply, quat_rotate
+
+if TYPE_CHECKING:
+    from esg.view.pieces import Part
 
 GROUND_SIZE_M = 200.0
 """Side of the drawn ground; the collider is an endless plane."""
@@ -66,7 +69,7 @@ GROUNDED = ("roll_radius", "wheeled", "tyre_friction", "tyre_drop", "tyre_foot")
 """Fields of a body that a player asks for who lets brakes and tyres act (docs/read_traction.py)."""
 _RESERVED = ("Ground", "VehicleGround", "Looks", "PhysicsScene", "Program")
 _SURROUNDINGS = ("Surroundings", "Cameras")
-JOINTS_PATH, ROPES_PATH = "/World/Joints", "/World/Ropes"
+JOINTS_PATH, ROPES_PATH, SHOWS_PATH = "/World/Joints", "/World/Ropes", "/World/Shows"
 SURROUNDINGS_PATH, CAMERAS_PATH = "/World/Surroundings", "/World/Cameras"
 _GONE = 1e-6
 """Size of a rope that has broken [m]."""
@@ -79,6 +82,7 @@ def reserved(scene: SimScene, setting: Setting | None) -> tuple[str, ...]:
     """Names of prims that no body gets."""
     ropes = ("Ropes",) if any(j.flexible for j in scene.joints) else ()
     joints = ("Joints",) if scene.joints else ()
+    ropes += ("Shows",) if setting is not None and setting.shows else ()
     return (*_RESERVED, *joints, *ropes, *(() if setting is None else _SURROUNDINGS))
 
 
@@ -223,6 +227,8 @@ def _seen(
         if index in lifts:
             up = visual.AddTranslateOp(UsdGeom.XformOp.PrecisionDouble)
             up.Set((0.0, 0.0, lifts[index]))
+        if setting is not None and body.name in setting.redrawn:
+            UsdGeom.Imageable(visual).MakeInvisible()
         out.append((str(visual.GetPath()), library[key]))
     positions = np.array([[b.position for b in scene.bodies]])
     quaternions = np.array([[b.quaternion for b in scene.bodies]])
@@ -234,6 +240,12 @@ def _seen(
         place(form, rope.position[0], rope.quaternion[0])
         form.AddScaleOp(UsdGeom.XformOp.PrecisionDouble).Set(_rope_scale(rope, 0))
         out.append((path, looks.rope(rope.kind)))
+    for number, part in enumerate(() if setting is None else setting.shows):
+        UsdGeom.Scope.Define(stage, SHOWS_PATH)
+        at, turn = _acted(part, (positions, quaternions), np.zeros(1))
+        path = f"{SHOWS_PATH}/Show{number}"
+        place(UsdGeom.Xform.Define(stage, path), at[0], turn[0])
+        out.append((path, looks.show(number, part)))
     if setting is not None:
         looks.surroundings(setting)
         UsdGeom.Xform.Define(stage, SURROUNDINGS_PATH)
@@ -242,6 +254,16 @@ def _seen(
         for path, view in _cameras(setting):
             camera_prim(stage, path, view, np.zeros(1))
     return out
+
+
+def _acted(part: Part, poses: tuple[Any, Any], time: Any) -> tuple[Any, Any]:
+    """Poses of what moves by the time alone in the world, for poses of all bodies, shape [T, B]."""
+    assert part.act is not None
+    at, turn = part.act.local(np.asarray(time, float))
+    if part.body < 0:
+        return at, turn
+    position, quaternion = (np.asarray(v, float)[:, part.body] for v in poses)
+    return position + quat_rotate(quaternion, at), quat_multiply(quaternion, turn)
 
 
 def _rope_paths(ropes: list[Rope]) -> list[str]:
@@ -593,6 +615,15 @@ def _animation_layer(
         scale = prim.CreateAttribute("xformOp:scale", Sdf.ValueTypeNames.Double3)
         for frame in range(len(rope.length)):
             scale.Set(_rope_scale(rope, frame), float(frame))
+    poses = rollout.position[0], rollout.quaternion[0]
+    for number, part in enumerate(() if setting is None else setting.shows):
+        prim = stage.OverridePrim(f"{SHOWS_PATH}/Show{number}")
+        at, turn = _acted(part, poses, rollout.time)
+        _move(prim, at, continuous(turn))
+        assert part.act is not None
+        there = part.act.seen(rollout.time)
+        if not there.all():
+            _show(prim, there)
     for path, view in _cameras(setting) if setting is not None else ():
         if len(view.time) > 1:
             at, turned = seen_at(view, rollout.time)

@@ -99,11 +99,16 @@ def categories(scene: SimScene) -> set[str]:
     return found
 
 
+_AIRY = frozenset({Predicate.WEATHER, Predicate.SWAYS})
+"""Weather and wind: they are in no room, unless words say so."""
+
+
 def _place(
     doc: EsgDocument, scene: SimScene, text: str, extent: float, rng: np.random.Generator
 ) -> tuple[Place, str]:
     told = doc.scene_definition.scene_parameters
     found = categories(scene)
+    airy = any(s.predicate in _AIRY for s in doc.statements or ())
     best: tuple[float, Place, str] | None = None
     for row in places().values():
         luck = LUCK * float(rng.random())
@@ -114,6 +119,8 @@ def _place(
         things = {name: weight for name, weight in row.kinds.items() if name in found}
         score = preset + said + min(MOST_OF_KINDS, sum(things.values()))
         if score <= 0.0 and row.name not in ("meadow", "room"):
+            continue
+        if airy and row.setting == "indoor" and said < WHERE:
             continue
         if row.setting != told.scene_type and told.environment != GENERIC and said < WHERE:
             continue
@@ -165,8 +172,9 @@ def _things() -> frozenset[str]:
 
 def _sky(place: Place, text: str, rng: np.random.Generator) -> tuple[SkyRow, str]:
     rows = [row for row in skies().values() if row.setting == place.setting]
-    for row in rows:
-        for word in (*row.said_as, *row.not_shown):
+    # "A rainy night" is a night.
+    for row, words in [(r, r.said_as) for r in rows] + [(r, r.not_shown) for r in rows]:
+        for word in words:
             if re.search(rf"\b{re.escape(word)}\b", text):
                 return row, f'{row.name} sky: "{word}"'
     weights = np.array([row.weight for row in rows])

@@ -53,7 +53,7 @@ from esg.engines.program import (
     program_from_json,
     program_to_json,
 )
-from esg.engines.scene import GROUND, Body, Region, Shape, SimScene, Wheel
+from esg.engines.scene import GROUND, Body, Region, Shape, Shine, SimScene, Sway, Wheel
 from esg.outcomes import UserError
 
 
@@ -112,6 +112,7 @@ def manifest_to_json(
         "bodies": [_plain(b) for b in scene.bodies],
         "regions": [_plain(r) for r in scene.regions],
         "joints": [_joint_json(j) for j in scene.joints],
+        "weather": list(scene.weather),
         "program": program_to_json(program),
         "watch": [list(p) for p in pairs],
         "effective_pairs": _effective_pairs(scene, pairs),
@@ -189,6 +190,7 @@ def manifest_from_json(data: Any) -> Manifest:
         ground_friction=model.ground.friction,
         ground_restitution=model.ground.restitution,
         vehicle_ground_friction=model.ground.vehicle_friction,
+        weather=model.weather,
         joints=tuple(_joint(j) for j in model.joints),
     )
     if problems := joint_problems(scene) + breaking_problems(scene):
@@ -259,6 +261,8 @@ def _body(model: BodyModel) -> Body:
     values = _fields(model)
     values["shapes"] = tuple(Shape(**_fields(s)) for s in model.shapes)
     values["wheels"] = tuple(Wheel(**_fields(w)) for w in model.wheels)
+    values["shines"] = tuple(Shine(**_fields(s)) for s in model.shines)
+    values["sways"] = None if model.sways is None else Sway(**_fields(model.sways))
     return Body(**values)
 
 

@@ -188,6 +188,26 @@ class WheelModel(_Model):
     radius: Positive
 
 
+class ShineModel(_Model):
+    """Parts of a body's mesh that shine, or flames on top of it (`part` is "flame")."""
+
+    part: Name
+    color: Vec
+    before: bool = True
+    after: bool = True
+    event: str = Field("", description="At which it changes; empty: 0.6 s after the start")
+    period_s: NonNegative = Field(0.0, description="Of its flashes [s]; 0: none")
+
+
+class SwayModel(_Model):
+    """Parts of a body's mesh that sway in the wind; all if none are named."""
+
+    how: Literal["bends", "waves"]
+    parts: tuple[str, ...] = ()
+    degrees: NonNegative
+    period_s: Positive
+
+
 class BodyModel(_Model):
     """One rigid body."""
 
@@ -231,13 +251,15 @@ class BodyModel(_Model):
     drawn: tuple[str, ...] = Field(
         (), description="Parts of its model, where it is stated what it wears; absent: it is not"
     )
+    shines: tuple[ShineModel, ...] = Field((), description="Its lights; absent: it is not lit")
+    sways: SwayModel | None = Field(None, description="In the wind; absent: it does not")
 
     @model_serializer(mode="wrap")
     def _without_what_it_lacks(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
         # Bodies without wheels and tyres, and those that do not break, read as they always did.
         data = handler(self)
         for name in ("tyre_friction", "tyre_drop", "tyre_foot", "wheels", "break_impulse",
-                     "fragments", "drawn"):  # fmt: skip
+                     "fragments", "drawn", "shines", "sways"):  # fmt: skip
             if not data[name]:
                 del data[name]
         return data
@@ -462,6 +484,7 @@ class ManifestModel(_Model):
     bodies: tuple[BodyModel, ...]
     regions: tuple[RegionModel, ...]
     joints: tuple[JointModel, ...] = Field((), description="Absent where there are none")
+    weather: tuple[str, ...] = Field((), description="That is drawn; absent: none")
     program: ProgramModel
     watch: tuple[tuple[Name, Name], ...] = Field(description="Pairs whose contacts matter")
     effective_pairs: tuple[PairModel, ...]
@@ -469,10 +492,11 @@ class ManifestModel(_Model):
 
     @model_serializer(mode="wrap")
     def _without_what_it_lacks(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
-        # Scenes without joints read as they always did.
+        # Scenes without joints and weather read as they always did.
         data = handler(self)
-        if not data["joints"]:
-            del data["joints"]
+        for name in ("joints", "weather"):
+            if not data[name]:
+                del data[name]
         return data
 
 

@@ -65,6 +65,43 @@ class Wheel:
 
 
 @dataclass(frozen=True)
+class Shine:
+    """Light of a body's model, of which no engine knows (`esg.engines.wheels`).
+
+    Args:
+        part: How the names of the parts begin that shine; "flame" is drawn on top of it.
+        color: sRGB in [0, 1].
+        before, after: Whether it shines before and after it changes; the same: all the time.
+        event: Id of the point event at which it changes; empty: soon after the start.
+        period_s: Of its flashes [s]; 0 does not flash.
+    """
+
+    part: str
+    color: tuple[float, float, float]
+    before: bool = True
+    after: bool = True
+    event: str = ""
+    period_s: float = 0.0
+
+
+@dataclass(frozen=True)
+class Sway:
+    """How parts of a body's model sway in the wind; no engine knows of it (`esg.engines.wheels`).
+
+    Args:
+        how: "bends" about its foot, or "waves" along its length.
+        parts: How the names of the parts begin that do; all if empty.
+        degrees: Largest angle.
+        period_s: Of one sway [s].
+    """
+
+    how: Literal["bends", "waves"]
+    parts: tuple[str, ...]
+    degrees: float
+    period_s: float
+
+
+@dataclass(frozen=True)
 class Body:
     """One rigid body.
 
@@ -104,6 +141,8 @@ class Body:
         fragments: Names of the bodies that it then is (`esg.engines.breaking`).
         drawn: Parts of its model as "NAME #rrggbb MATERIAL", of those of whom it is stated what
             they wear; nothing physical depends on it.
+        shines: Its lights and flames, where it is stated that it is lit.
+        sways: How it sways, where it is stated that it does.
     """
 
     name: str
@@ -136,6 +175,8 @@ class Body:
     break_impulse: float | None = None
     fragments: tuple[str, ...] = ()
     drawn: tuple[str, ...] = ()
+    shines: tuple[Shine, ...] = ()
+    sways: Sway | None = None
 
     @property
     def collides(self) -> bool:
@@ -174,6 +215,7 @@ class SimScene:
         ground_restitution: Coefficient of restitution of the ground.
         vehicle_ground_friction: Friction of the second ground that wheeled bodies touch.
         joints: What holds bodies together (`esg.engines.joints`).
+        weather: What falls or hangs in the air, as statements name it; no engine knows of it.
     """
 
     scene_id: str
@@ -184,6 +226,7 @@ class SimScene:
     ground_restitution: float = 0.3
     vehicle_ground_friction: float = 0.0
     joints: tuple[Joint, ...] = ()
+    weather: tuple[str, ...] = ()
 
     def index(self, name: str) -> int:
         """Index of the body called `name`; raises KeyError with the known names."""

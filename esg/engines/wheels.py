@@ -1,4 +1,4 @@
-"""Wheels of a recording: how far each has turned, told from how its body travelled.
+"""Wheels of a recording, how far each has turned; and what shines and sways, by the time alone.
 
 Engines simulate a vehicle as one body; its wheels are drawn. A wheel turns by the distance that its
 axle goes along the body's heading (+X) over its radius: backwards the other way, sideways not at
@@ -8,12 +8,13 @@ something. In the air, or lying on its side, a wheel keeps the rate it had and r
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
+import math
 
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.scene import Body, Rollout, SimScene
+from esg.engines.scene import Body, Rollout, Shine, SimScene, Sway
 from esg.units import quat_rotate
 
 Floats = NDArray[np.float64]
@@ -26,6 +27,12 @@ FALLS = 0.5
 """What gains this share of gravity's speed downwards is carried by nothing."""
 RUNS_DOWN_S = 2.0
 """Time in which a wheel that touches nothing loses 63% of its rate [s]: bearings of a bicycle."""
+TURN_S = 0.6
+"""What changes at no event of the scene does so this long after its start [s]."""
+LIT_SHARE = 0.5
+"""Of the time of a flash, in which it shines."""
+STEADY = 0.3
+"""What bends in the wind leans by this share of its largest angle, and swings by the rest."""
 
 
 def wheel_angles(
@@ -89,3 +96,38 @@ def about_axle(angle: Floats) -> Floats:
     """Rotations by angles [rad], shape [T], about Y, as quaternions (x, y, z, w), shape [T, 4]."""
     half, nothing = 0.5 * np.asarray(angle, float), np.zeros(np.shape(angle))
     return np.stack([nothing, np.sin(half), nothing, np.cos(half)], axis=-1)
+
+
+def turns_at(shine: Shine, events: Mapping[str, float | None]) -> float:
+    """When a light changes [s]; never if its event did not happen."""
+    if not shine.event:
+        return TURN_S
+    at = events.get(shine.event)
+    return math.inf if at is None else at
+
+
+def shining(shine: Shine, time: Floats, events: Mapping[str, float | None]) -> NDArray[np.bool_]:
+    """Whether a light shines at times [s], shape [T].
+
+    Args:
+        shine: The light.
+        time: [s], shape [T].
+        events: Times of the events [s], None for those that did not happen.
+    """
+    time = np.asarray(time, float)
+    on = np.where(time < turns_at(shine, events), shine.before, shine.after)
+    if shine.period_s > 0.0:
+        on = on & (np.mod(time + 1e-9, shine.period_s) < LIT_SHARE * shine.period_s)
+    return on.astype(bool)
+
+
+def phase_of(body: Body) -> float:
+    """Of what sways [rad], another for each body, the same in every run."""
+    return 2.399963 * sum(body.name.encode())
+
+
+def bent_by(sway: Sway, time: Floats, phase: float) -> Floats:
+    """By what angle it is bent at times [rad], shape [T]; of what waves, along its length."""
+    turn = 2.0 * math.pi * np.asarray(time, float) / sway.period_s + phase
+    steady = STEADY if sway.how == "bends" else 0.0
+    return math.radians(sway.degrees) * (steady + (1.0 - steady) * np.sin(turn))

@@ -617,6 +617,9 @@ class Predicate(str, enum.Enum):
     """How the scene is shown (`Filming`): measured on the way of the camera (`esg.filming`)."""
     WEARS = "wears"
     LOOKS = "looks"
+    LIT = "lit"
+    WEATHER = "weather"
+    SWAYS = "sways"
     NOT_REPRESENTED = "not_represented"
     """Its words are understood as a statement that the document cannot hold (`note` says why)."""
 
@@ -716,7 +719,8 @@ class Statement(Model):
     """In the document's units [cm/s, cm/s^2, cm, degrees, 1]."""
     noun: str | None = None
     """Of `absent` and `count`; of `filled_with`, what it is filled with; of `wears` and `looks`
-    what is worn, and how the hair is."""
+    what is worn, and how the hair is; of `lit` which light and how ("headlights flashing", "lamp
+    turned off"), of `weather` which ("heavy rain"), of `sways` how strong the wind is."""
     when: str = "throughout"
     """start, end, throughout, the id of a point event, or two of these as "from..to"."""
     note: str = ""

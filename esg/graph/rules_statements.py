@@ -8,8 +8,8 @@ from esg.graph.violations import listing, pointer
 
 _MOMENTS = ("start", "end", "throughout")
 _OF_EVENTS = (Predicate.SAME_TIME, Predicate.BEFORE)
-_OF_NOUNS = (Predicate.ABSENT, Predicate.COUNT)
-_NAMING = (Predicate.FILLED_WITH, Predicate.WEARS, Predicate.LOOKS)
+_OF_NOUNS = (Predicate.ABSENT, Predicate.COUNT, Predicate.WEATHER)
+_NAMING = (Predicate.FILLED_WITH, Predicate.WEARS, Predicate.LOOKS, Predicate.LIT)
 """Said of an object by a noun: what it is filled with, what somebody wears."""
 _OF_NOTHING = (*_OF_NOUNS, Predicate.FILMED, Predicate.NOT_REPRESENTED)
 """Said of the scene as a whole, or of what else they name."""

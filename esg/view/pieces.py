@@ -12,7 +12,8 @@ from numpy.typing import NDArray
 
 from esg.assets.looks import Look
 from esg.engines.breaking.swap import HIDDEN_M
-from esg.engines.wheels import about_axle
+from esg.engines.scene import Rollout, SimScene
+from esg.engines.wheels import about_axle, scene_angles
 from esg.units import quat_from_down, quat_multiply, quat_rotate
 
 
@@ -49,6 +50,46 @@ class Strand:
 
 
 @dataclass(frozen=True)
+class Act:
+    """How a part moves in its body's frame by the time alone, and when it is there.
+
+    Args:
+        there: Intervals in which it is seen [s]; None is always.
+        period_s, phase: Of what it does [s, rad].
+        angle, lean: Largest angle that it swings by about Y through `pivot`, and what it swings
+            about [rad].
+        pivot: In the body's frame [m].
+        shift: Largest way that it is moved by [m].
+        drift: Velocity [m/s], over and over for `period_s`.
+    """
+
+    there: tuple[tuple[float, float], ...] | None = None
+    period_s: float = 1.0
+    phase: float = 0.0
+    angle: float = 0.0
+    lean: float = 0.0
+    pivot: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    shift: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    drift: tuple[float, float, float] = (0.0, 0.0, 0.0)
+
+    def seen(self, time: NDArray[Any]) -> NDArray[np.bool_]:
+        """Whether it is there at times [s], shape [...]."""
+        if self.there is None:
+            return np.ones(np.shape(time), bool)
+        return np.any([(time >= a - 1e-9) & (time < b - 1e-9) for a, b in self.there], axis=0)
+
+    def local(self, time: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Poses in the body's frame [m] at times [s], shapes [..., 3] and [..., 4]."""
+        time = np.asarray(time, float)
+        wave = np.sin(2.0 * np.pi * time / self.period_s + self.phase)[..., None]
+        turn = about_axle(self.lean + self.angle * wave[..., 0])
+        pivot = np.asarray(self.pivot)
+        at = pivot - quat_rotate(turn, np.broadcast_to(pivot, (*time.shape, 3)))
+        at = at + wave * np.asarray(self.shift)
+        return at + np.mod(time, self.period_s)[..., None] * np.asarray(self.drift), turn
+
+
+@dataclass(frozen=True)
 class Part:
     """One coloured triangle mesh, fixed to a body or (body -1) to the world.
 
@@ -63,6 +104,7 @@ class Part:
         uvs: Texture coordinates at the vertices in tiles, v up, shape [n, 2]; None if untextured.
         name: Of the part in its asset.
         strand: The piece of a rope that it is; its body is -1.
+        act: How it moves by the time alone; None is fixed to its body.
     """
 
     body: int
@@ -75,6 +117,7 @@ class Part:
     uvs: NDArray[np.float64] | None = None
     name: str = ""
     strand: Strand | None = None
+    act: Act | None = None
 
     @cached_property
     def box(self) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
@@ -99,19 +142,25 @@ class Movers:
         self._axles = np.array([w.axle for w in self._wheels]).reshape(-1, 3)
         self._indices = [w.index for w in self._wheels]
         self._strands = [p.strand for p in parts if p.strand is not None]
+        acting = ((p.act, p.body) for p in parts if p.act is not None)
+        self._acts = list(dict.fromkeys(acting))
 
     def __len__(self) -> int:
-        return self._n_bodies + len(self._wheels) + len(self._strands)
+        return self._n_bodies + len(self._wheels) + len(self._strands) + len(self._acts)
 
     @property
     def bodies(self) -> list[int]:
         """Body of everything that has a pose; ropes belong to the world."""
-        return [*range(self._n_bodies), *self._carriers, *(-1 for _ in self._strands)]
+        ropes = (-1 for _ in self._strands)
+        return [*range(self._n_bodies), *self._carriers, *ropes, *(b for _, b in self._acts)]
 
     def of(self, part: Part) -> int:
         """Index of the pose that moves a part; -1 for the world."""
         if part.strand is not None:
             return self._n_bodies + len(self._wheels) + self._strands.index(part.strand)
+        if part.act is not None:
+            first = self._n_bodies + len(self._wheels) + len(self._strands)
+            return first + self._acts.index((part.act, part.body))
         if part.wheel is None:
             return part.body
         return self._n_bodies + self._wheels.index(part.wheel)
@@ -124,17 +173,20 @@ class Movers:
         Args:
             position: Body origins [m], shape [..., B, 3].
             quaternion: (x, y, z, w), shape [..., B, 4].
-            angles: Of all wheels of the scene [rad], shape [..., W]; None for none turned.
+            angles: Of all wheels of the scene [rad], and the time [s] (`clocked`), shape
+                [..., W + 1]; None for none turned, at the start.
 
         Returns:
             Positions and quaternions of bodies and wheels, both in the body's frame at angle 0,
-            and of pieces of ropes.
+            of pieces of ropes, and of what acts.
         """
         out = [(position, quaternion)]
         if self._wheels:
             out.append(self._turned(position, quaternion, angles))
         if self._strands:
             out.append(self._hung(position, quaternion))
+        if self._acts:
+            out.append(self._acted(position, quaternion, angles))
         if len(out) == 1:
             return out[0]
         at, turned = zip(*out, strict=True)
@@ -149,6 +201,23 @@ class Movers:
         if angles is not None:
             turned = quat_multiply(q, about_axle(angles[..., self._indices]))
         return at + quat_rotate(q, self._axles) - quat_rotate(turned, self._axles), turned
+
+    def _acted(
+        self, position: NDArray[Any], quaternion: NDArray[Any], angles: NDArray[Any] | None
+    ) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Poses of what moves by the time alone; out of sight while it is not there."""
+        time = np.zeros(position.shape[:-2]) if angles is None else angles[..., -1]
+        at: list[NDArray[Any]] = []
+        turned: list[NDArray[Any]] = []
+        for act, body in self._acts:
+            moved, turn = act.local(time)
+            if body >= 0:
+                q = quaternion[..., body, :]
+                moved = position[..., body, :] + quat_rotate(q, moved)
+                turn = quat_multiply(q, turn)
+            at.append(moved - ~act.seen(time)[..., None] * np.array([0.0, 0.0, HIDDEN_M]))
+            turned.append(turn)
+        return np.stack(at, axis=-2), np.stack(turned, axis=-2)
 
     def _hung(
         self, position: NDArray[Any], quaternion: NDArray[Any]
@@ -167,3 +236,9 @@ class Movers:
         at = ends[..., 0, :] + down * np.maximum(apart - length, 0.0) * share
         at[..., 2] -= HIDDEN_M * (apart > longest)[..., 0]
         return at, quat_from_down(down)
+
+
+def clocked(scene: SimScene, rollout: Rollout) -> NDArray[np.float64]:
+    """Angles of all wheels [rad], and the time [s], in all frames, shape [T, W + 1]."""
+    time = np.asarray(rollout.time, float)[:, None]
+    return np.concatenate([scene_angles(scene, rollout), time], axis=1)

@@ -14,7 +14,6 @@ from numpy.typing import NDArray
 
 from esg.engines.breaking import shown
 from esg.engines.scene import Rollout, SimScene
-from esg.engines.wheels import scene_angles
 from esg.graph.models import EsgDocument
 from esg.view.camera import Camera
 from esg.view.director.acting import Action
@@ -33,6 +32,7 @@ from esg.view.framing import (
 )
 from esg.view.moments import as_seen, failures, moments_of
 from esg.view.parts import ground_parts
+from esg.view.pieces import clocked
 from esg.view.render import SAMPLES, Renderer
 from esg.view.ropes import ropes_at
 from esg.view.scenery import scenery_of, seen_from
@@ -101,7 +101,7 @@ def preview(
         draw_ropes(image, shot.camera, ropes_at(scene, rollout, shot.frame))
         for shot, image in zip(
             shots,
-            _render(renderers, shown(scene, rollout), scene_angles(scene, rollout), shots),
+            _render(renderers, shown(scene, rollout), clocked(scene, rollout), shots),
             strict=True,
         )
     ]

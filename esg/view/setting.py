@@ -19,9 +19,10 @@ from esg.view.cameras import action_cameras
 from esg.view.director.takes import Take
 from esg.view.filmed import said_take
 from esg.view.ground import span
-from esg.view.parts import ground_bodies
+from esg.view.parts import body_parts, ground_bodies
 from esg.view.renderers.records import Scenery
 from esg.view.scenery import seen_from
+from esg.view.seeing.shows import shown, shown_parts
 from esg.view.surroundings import surroundings_of
 
 if TYPE_CHECKING:
@@ -58,6 +59,7 @@ def setting_of(
     if cameras:
         seen = seen_from(Scenery((), 0, around), cameras, scene, rollout).surroundings
         around = around if seen is None else seen
+    shows = shown_parts(body_parts(scene, doc), scene, rollout, doc) if shown(scene) else ()
     low, high = span(rollout) if scene.bodies else (np.zeros(2), np.zeros(2))
     x, y = (float(v) for v in 0.5 * (low + high))
     away = max((math.dist(camera.eye, camera.target) for camera in cameras), default=0.0)
@@ -69,6 +71,8 @@ def setting_of(
         covered=frozenset(scene.bodies[i].name for i in ground_bodies(scene, doc)),
         parts=tuple(spread(around.parts)),
         views=views,
+        shows=shows,
+        redrawn=frozenset(b.name for b in scene.bodies if b.sways is not None),
     )
 
 

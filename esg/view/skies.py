@@ -63,6 +63,12 @@ def sun_behind(azimuth: float) -> Vec:
 
 
 @lru_cache(maxsize=8)
+def haze_of(sky: Sky) -> float:
+    """Distance in which things turn into the horizon [m]; 0 for never."""
+    haze = AIRS[sky.kind].haze_m
+    return min(haze or sky.sight_m, sky.sight_m) if sky.sight_m else haze
+
+
 def sky_map(sky: Sky, seed: int = 0, size: tuple[int, int] = SKY_PX) -> Floats:
     """Linear colour of every direction above the horizon, shape [rows, columns, 3].
 

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.looks import Color, Look
+from esg.lexicon.shown import weather_of
 
 if TYPE_CHECKING:
     from esg.engines.scene import Rollout, SimScene
@@ -33,6 +34,7 @@ class Sky:
         sun_rgb: Linear irradiance of it on a surface that faces it; 1 is white paper in daylight.
         ambient_rgb: Linear irradiance of everything else.
         zenith, horizon: Linear colours of the sky straight up and at the horizon.
+        sight_m: Distance at which things are mostly gone in fog, rain or snow; 0 for clear air.
     """
 
     kind: SkyKind = "plain"
@@ -41,6 +43,7 @@ class Sky:
     ambient_rgb: Color = (0.34, 0.36, 0.4)
     zenith: Color = (0.6, 0.7, 0.83)
     horizon: Color = (0.6, 0.7, 0.83)
+    sight_m: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -221,10 +224,20 @@ def surroundings_of(doc: EsgDocument, scene: SimScene, rollout: Rollout) -> Surr
     dressing = doc.dressing
     if dressing is None:
         color = ground_color(scene, doc)
-        return Surroundings(Sky(), Look("", color, 0.9), checkerboard(rollout, color))
+        return Surroundings(
+            in_weather(Sky(), scene), Look("", color, 0.9), checkerboard(rollout, color)
+        )
     from esg.dressing.meshes import surface_look
 
-    return Surroundings(_sky(dressing), surface_look(dressing.ground)[0], _standing(dressing))
+    sky = in_weather(_sky(dressing), scene)
+    return Surroundings(sky, surface_look(dressing.ground)[0], _standing(dressing))
+
+
+def in_weather(sky: Sky, scene: SimScene) -> Sky:
+    """A sky with the air of what falls or hangs in it."""
+    told = [found for noun in scene.weather if (found := weather_of(noun)) is not None]
+    sights = [row.sight_m / much for row, much in told]
+    return replace(sky, sight_m=min(sights)) if sights else sky
 
 
 _last: list[tuple[Dressing, tuple[Part, ...]]] = []

@@ -26,6 +26,11 @@ def owned(prompt: str) -> list[str]:
         "A ball rolls through a shop at noon.",
         "A dog runs through the snow.",
         "A boy throws a ball in a park.",
+        "On a rainy street, a car brakes and hits a pole.",
+        "A car drives in heavy rain and hits a tree.",
+        "It is snowing and a car hits a tree.",
+        "A foggy road. A truck drives along it.",
+        "During a storm a tree falls on a car.",
     ],
 )
 def test_what_the_place_and_its_sky_show_is_represented(prompt: str) -> None:
@@ -35,11 +40,8 @@ def test_what_the_place_and_its_sky_show_is_represented(prompt: str) -> None:
 @pytest.mark.parametrize(
     ("prompt", "words"),
     [
-        ("On a rainy street, a car brakes and hits a pole.", ["rainy"]),
-        ("A car drives in heavy rain and hits a tree.", ["rain"]),
-        ("It is snowing and a car hits a tree.", ["snowing"]),
-        ("A foggy road. A truck drives along it.", ["foggy"]),
-        ("During a storm a tree falls on a car.", ["storm"]),
+        ("A car drives past a rainbow and hits a tree.", ["a rainbow"]),
+        ("Lightning flashes and a car hits a tree.", ["Lightning", "flashes"]),
         ("A ball rolls across the office floor in the moonlight.", ["moonlight"]),
     ],
 )

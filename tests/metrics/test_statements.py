@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from esg.engines.program import HoldVelocity
-from esg.engines.scene import Region, Shape
+from esg.engines.scene import Region, Shape, Shine, Sway
 from esg.graph.models import Predicate
 from esg.metrics import SuiteEvent, SuiteScene, SuiteStatement
 from esg.metrics.judging import failed_verdict
@@ -75,6 +75,38 @@ def dressed(part: str, color: str = "#18181a") -> World:
     """A man whose model has a part in a colour."""
     drawn = ("head #d6ac8c skin", f"{part} {color} textile")
     return World(2.0).add(body("man_1", BOX, drawn=drawn))
+
+
+def lamp(*shines: Shine, sways: Sway | None = None) -> World:
+    return World(2.0).add(body("lamp_1", BOX, shines=shines, sways=sways))
+
+
+def under(weather: str) -> World:
+    world = lamp()
+    world.weather = (weather,)
+    return world
+
+
+@pytest.mark.parametrize(
+    ("noun", "shines", "kept", "why"),
+    [
+        ("lamp on", (Shine("bulb", (1.0, 0.9, 0.6)),), True, ""),
+        ("lamp on", (Shine("bulb", (1.0, 0.9, 0.6), after=False),), False, "shines for"),
+        ("lamp off", (Shine("bulb", (1.0, 0.9, 0.6), False, False),), True, ""),
+        ("lamp on", (), False, "its model has no lamp"),
+        ("lamp on", (Shine("flame", (1.0, 0.9, 0.6)),), False, "its model has no lamp"),
+        ("flame on", (Shine("flame", (1.0, 0.6, 0.2)),), True, ""),
+        ("lamp on blue", (Shine("bulb", (1.0, 0.9, 0.6)),), False, "off blue"),
+        ("lamp flashing", (Shine("bulb", (1.0, 0.9, 0.6), period_s=0.5),), True, ""),
+        ("lamp flashing", (Shine("bulb", (1.0, 0.9, 0.6)),), False, "changes 0 times"),
+        ("lamp turned off", (Shine("bulb", (1.0, 0.9, 0.6), after=False),), True, ""),
+        ("laser on", (Shine("bulb", (1.0, 0.9, 0.6)),), None, "no light is drawn"),
+    ],
+)
+def test_lights_are_asked_at_their_times(noun, shines, kept, why):
+    found = lamp(*shines).states("lit", object="lamp", noun=noun)
+    assert found.kept is kept
+    assert why in found.reason
 
 
 def wall(x: float = 3.0) -> World:
@@ -376,6 +408,13 @@ CASES = [
          "its t-shirt is 0.85 off black; limit 0.15", object="man", noun="black t-shirt"),
     case("looks", lambda: dressed("long_hair"), lambda: dressed("t_shirt"),
          "its model has no hair", object="man", noun="black hair"),
+    case("lit", lambda: lamp(Shine("shade", (1.0, 0.9, 0.6), before=False)),
+         lambda: lamp(Shine("shade", (1.0, 0.9, 0.6))), "100% of the time before",
+         object="lamp", noun="lamp turned on"),
+    case("weather", lambda: under("heavy rain"), lambda: under("snow"), "no rain is drawn",
+         noun="rain"),
+    case("sways", lambda: lamp(sways=Sway("bends", (), 8.0, 1.0)), lambda: lamp(),
+         "nothing of its model sways", object="lamp"),
 ]  # fmt: skip
 
 

@@ -62,6 +62,7 @@ class World:
         self.primitives: list[Primitive] = []
         self.regions: list[Region] = []
         self.joints: list[Joint] = []
+        self.weather: tuple[str, ...] = ()
 
     def add(
         self,
@@ -134,7 +135,10 @@ class World:
 
     @property
     def scene(self) -> SimScene:
-        return SimScene("test", tuple(self.bodies), tuple(self.regions), joints=tuple(self.joints))
+        joints, weather = tuple(self.joints), self.weather
+        return SimScene(
+            "test", tuple(self.bodies), tuple(self.regions), joints=joints, weather=weather
+        )
 
     @property
     def program(self) -> Program:

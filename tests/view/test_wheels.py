@@ -129,7 +129,8 @@ def test_parts_of_a_scene_know_their_wheels(monkeypatch: pytest.MonkeyPatch) -> 
         dressing=None,
     )
     rollout = SimpleNamespace(position=np.zeros((1, 2, 2, 3)))
-    drawn = module.scene_parts(SimpleNamespace(bodies=bodies), rollout, doc)  # type: ignore[arg-type]
+    scene = SimpleNamespace(bodies=bodies, weather=())
+    drawn = module.scene_parts(scene, rollout, doc)  # type: ignore[arg-type]
     for body in (0, 1):
         found = {p.wheel.index for p in drawn if p.body == body and p.wheel is not None}
         assert found == {4 * body + k for k in range(4)}

@@ -26,6 +26,7 @@ _KINDS = {1: "SCALAR", 2: "VEC2", 3: "VEC3", 4: "VEC4"}
 _VERTICES, _INDICES = 34962, 34963
 _SAMPLER = {"magFilter": 9729, "minFilter": 9987, "wrapS": 10497, "wrapT": 10497}
 """Linear, with mipmaps, repeated."""
+STRENGTH = "KHR_materials_emissive_strength"
 _MIME = {"png": "image/png", "jpg": "image/jpeg"}
 _KEPT_BYTES = 2 * 2**20
 """Of tangents that a process keeps: exports of one scene ask for those of a surface again."""
@@ -212,6 +213,10 @@ class Document:
         if surface.average is not None:
             # For readers without pictures: sRGB of the surface on average.
             item["extras"] = {"color": [round(c, 4) for c in surface.average]}
+        if surface.glow > 0.0:
+            item["emissiveFactor"] = [*map(_six, surface.color)]
+            item["extensions"] = {STRENGTH: {"emissiveStrength": _six(surface.glow)}}
+            self.extensions.add(STRENGTH)
         if surface.alpha < 1.0:
             item["alphaMode"] = "BLEND"
         if surface.two_sided:

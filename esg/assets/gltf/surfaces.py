@@ -67,6 +67,7 @@ class Surface:
         normal: Normals in tangent space, +Y up.
         normal_scale: What their slopes are multiplied with.
         rough_metal: Roughness in its green channel, metalness in its blue one, linear.
+        glow: Light of its colour that it gives itself; 1 is white paper in daylight.
         two_sided: Whether both sides of a face are seen.
         average: sRGB of the surface on average, pictures included; None if nobody told.
     """
@@ -80,6 +81,7 @@ class Surface:
     normal: Picture | None = None
     normal_scale: float = 1.0
     rough_metal: Picture | None = None
+    glow: float = 0.0
     two_sided: bool = False
     average: Color | None = None
 
@@ -110,6 +112,7 @@ def surface_of(look: Look, average: Color | None = None) -> Surface:
         base=base,
         normal=normal,
         normal_scale=look.normal_strength,
+        glow=look.glow,
         rough_metal=rough_metal,
         average=average,
     )

@@ -68,6 +68,9 @@ class Setting:
         parts: Meshes fixed to the world, in its frame; those of one thing have names that are the
             same up to a slash. What lies on the ground has been `spread`.
         views: Cameras; the first is the one to look through.
+        shows: Meshes that move by the time alone in the frames of their bodies, or of the world:
+            lights, flames, what falls and what sways (`Part.act`).
+        redrawn: Names of bodies that are drawn by these alone.
     """
 
     sky: Sky
@@ -77,6 +80,8 @@ class Setting:
     covered: frozenset[str] = frozenset()
     parts: tuple[Part, ...] = ()
     views: tuple[View, ...] = ()
+    shows: tuple[Part, ...] = ()
+    redrawn: frozenset[str] = frozenset()
 
 
 def seen_at(view: View, time: Floats) -> tuple[Floats, Floats]:

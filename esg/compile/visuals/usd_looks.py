@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Iterable
 from dataclasses import replace
 import math
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
@@ -30,6 +30,9 @@ from esg.compile.visuals.setting import (
     strength,
 )
 from esg.engines.scene import Body
+
+if TYPE_CHECKING:
+    from esg.view.pieces import Part
 
 TEXTURES = "textures"
 """Folder of the pictures beside the layers."""
@@ -99,6 +102,16 @@ class UsdLooks:
             vertices, faces, normals = rope_mesh(kind)
             look = surface_of(LOOKS[kind])
             self._mesh(f"{path}/Mesh", (vertices, faces, normals, None), look, path)
+        return path
+
+    def show(self, number: int, part: Part) -> str:
+        """Writes the mesh of a part that moves by the time alone; returns its path."""
+        from pxr import UsdGeom
+
+        path = f"{ROOT}/Show{number}"
+        UsdGeom.Xform.Define(self._stage, path)
+        for surface, corners in by_surface([part]):
+            self._mesh(f"{path}/Mesh", corners, surface, path)
         return path
 
     def _free(self, parent: str, name: str) -> str:
@@ -172,6 +185,9 @@ class UsdLooks:
         color = input_("diffuseColor", types.Color3f, Gf.Vec3f(*surface.color))
         rough = input_("roughness", types.Float, surface.roughness)
         metal = input_("metallic", types.Float, surface.metalness)
+        if surface.glow > 0.0:
+            shining = Gf.Vec3f(*(surface.glow * c for c in surface.color))
+            input_("emissiveColor", types.Color3f, shining)
         if surface.alpha < 1.0:
             input_("opacity", types.Float, surface.alpha)
         if not (surface.base or surface.normal or surface.rough_metal):

@@ -9,10 +9,11 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from functools import cache
+from functools import cache, partial
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.text.shining import Shown, take_shown
 from esg.draft.verbphrases import verb_readings
 from esg.graph.models import Predicate
 from esg.lexicon.contents import contents, contents_said
@@ -76,6 +77,7 @@ class Fillings:
         told: The text as it was.
         text: The text without it, of the same length.
         fillings, floating, splashes, meant, changed: What was found.
+        shown: What shines, falls from the sky or sways.
     """
 
     told: str
@@ -86,6 +88,7 @@ class Fillings:
     """Verbs of which only the fall is shown."""
     changed: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
     """Where the text is another now."""
+    shown: list[Shown] = field(default_factory=list[Shown])
     meant: dict[str, str] = field(default_factory=dict[str, str])
     """By what a vessel is filled with, the vessel's noun: "the water" is what is in it."""
 
@@ -101,7 +104,8 @@ def take_out(text: str, nouns: Sequence[int] = ()) -> Fillings:
     if "drop" in text.lower():
         for m in [*_DROP.finditer(text)]:
             _blank(found, *m.span(), "droplets" if m["many"] or m["more"] else "droplet")
-    if not _ANY.search(text) or not _vessel_words().search(text):
+    found.shown = take_shown(found.text, partial(_blank, found))
+    if not _ANY.search(found.text) or not _vessel_words().search(found.text):
         return found
     taken = frozenset(nouns)
     for read in (_within, _said_of_it, _after, _before):

@@ -7,6 +7,7 @@ from dataclasses import replace
 import numpy as np
 
 from esg.assets.drawn_parts import drawn_parts
+from esg.assets.shows import shines_of, sways_of, weather_of_scene
 from esg.dynamics.plan.fragments import with_fragments
 from esg.dynamics.plan.joints import joints_of
 from esg.dynamics.plan.tyres import with_tyres
@@ -40,7 +41,7 @@ def build_scene(doc: EsgDocument) -> SimScene:
         raise UserError(f"nodes {missing} have no asset configuration: run the resolve stage first")
     actors = doc.timeline_system.actors if doc.timeline_system else {}
     starts = doc.dynamics_result.start_poses if doc.dynamics_result else {}
-    drawn = drawn_parts(doc)
+    drawn, shines, sways = drawn_parts(doc), shines_of(doc), sways_of(doc)
     bodies: list[Body] = []
     regions: list[Region] = []
     friction, restitution = 0.7, 0.3
@@ -49,7 +50,10 @@ def build_scene(doc: EsgDocument) -> SimScene:
         pose = starts.get(name) or doc.layout_result.poses[name]
         role = actors[name].role if name in actors else Role.PASSIVE
         body = make_body(doc, name, node, config, pose, active=role is Role.ACTIVE)
-        bodies.append(replace(body, drawn=drawn[name]) if name in drawn else body)
+        body = replace(body, drawn=drawn[name]) if name in drawn else body
+        if name in shines or name in sways:
+            body = replace(body, shines=shines.get(name, ()), sways=sways.get(name))
+        bodies.append(body)
         com = np.array(config.center_of_mass_cm)
         for region in config.regions:
             regions.append(
@@ -70,6 +74,7 @@ def build_scene(doc: EsgDocument) -> SimScene:
         ground_friction=friction,
         ground_restitution=restitution,
         joints=joints_of(doc, bodies),
+        weather=weather_of_scene(doc),
     )
     return with_fragments(doc, with_tyres(doc, scene))
 

@@ -20,6 +20,7 @@ from esg.metrics.statements import (
     liquids,
     manner,
     place,
+    shown,
     sides,
     worn,
 )
@@ -65,6 +66,8 @@ OF_BODIES: dict[Predicate, OfBody] = {
     Predicate.SIZE: facts.size,
     Predicate.WEARS: worn.wears,
     Predicate.LOOKS: worn.wears,
+    Predicate.LIT: shown.lit,
+    Predicate.SWAYS: shown.sways,
 }
 """Measures of one body; of a set, every member is measured."""
 
@@ -73,6 +76,7 @@ OF_SCENES: dict[Predicate, OfScene] = {
     Predicate.BEFORE: facts.before,
     Predicate.COUNT: facts.count,
     Predicate.ABSENT: facts.absent,
+    Predicate.WEATHER: shown.weather,
 }
 
 _NOTHING = Binding("")

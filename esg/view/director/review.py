@@ -9,12 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.breaking import shown
-from esg.engines.wheels import scene_angles
 from esg.view.camera import Camera
 from esg.view.director.acting import Action, Beat
 from esg.view.director.lens import FILL_LEAST, FILL_MOST, extent
 from esg.view.director.takes import Take
-from esg.view.pieces import Part
+from esg.view.pieces import Part, clocked
 from esg.view.scan.drawer import Scan
 from esg.view.surroundings import before_the_picture, in_the_way
 
@@ -76,7 +75,7 @@ class Viewfinder:
     ) -> None:
         self.action, self.scan, self.size, self.around = action, scan, size, around
         self.aspect = size[0] / size[1]
-        self._angles = scene_angles(action.scene, action.rollout)
+        self._angles = clocked(action.scene, action.rollout)
         self._drawn = shown(action.scene, action.rollout)
         self._dressed: tuple[Take, frozenset[str]] | None = None
         self._poses: dict[int, NDArray[np.float32]] = {}

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from esg.view.camera import Camera
 from esg.view.maps import encoded
-from esg.view.skies import AIRS, sky_at, sky_map
+from esg.view.skies import haze_of, sky_at, sky_map
 from esg.view.surroundings import Sky
 from esg.view.truth import Pinhole
 
@@ -38,7 +38,7 @@ def finished(
     """
     height, width = alpha.shape
     seen = sky_map(sky, seed)
-    haze_m = AIRS[sky.kind].haze_m
+    haze_m = haze_of(sky)
     out = np.asarray(color, float)
     covered = alpha[..., None]
     if haze_m:

@@ -16,6 +16,8 @@ from esg.view.surroundings import Sky, thing_of
 SHADOW_PX = 768
 """Side of the map of what the sun sees."""
 SOFT_TEXELS = 1.2
+CLEAR_M, MOST_HAZE = 60.0, 0.85
+"""Haze begins so far off [m], and hides so much at most five times as far, unless there is fog."""
 PLAIN_ROUGHNESS = 0.6
 
 Textures = Callable[[str], "NDArray[np.uint8] | None"]
@@ -55,7 +57,7 @@ class Scan:
         self._k = kernels
         rest = {-1, *still}
         # What stands still comes first, so that it is placed and drawn first.
-        parts = sorted((p for p in parts if len(p.faces)), key=lambda p: p.body not in rest)
+        parts = sorted((p for p in parts if len(p.faces)), key=lambda p: _moves(p, rest))
         self.size, self._movers, self._sky = size, Movers(parts, n_bodies), sky or Sky()
         counts = np.array([len(p.vertices) for p in parts], int)
         faces = np.array([len(p.faces) for p in parts], int)
@@ -63,7 +65,7 @@ class Scan:
         self._bodies = np.array([p.body for p in parts] or [-1], np.int32)
         triangles = _joined([p.faces + s for p, s in zip(parts, starts, strict=True)], 3)
         mover = np.repeat([self._movers.of(p) for p in parts], counts) + 1
-        moving = np.repeat([p.body not in rest for p in parts], faces)
+        moving = np.repeat([_moves(p, rest) for p in parts], faces)
         self._part = np.repeat(np.arange(len(parts)), faces)
         self._moving, self._hidden = moving, frozenset[str]()
         self._things = [thing_of(p) if p.body < 0 else "" for p in parts]
@@ -71,7 +73,10 @@ class Scan:
             "still": self._array(np.flatnonzero(~moving), int),
             "moving": self._array(np.flatnonzero(moving), int),
         }
-        self._rest = int(sum(c for c, p in zip(counts, parts, strict=True) if p.body in rest))
+        # What gives light casts no shadow.
+        dark = np.array([p.look is None or not p.look.glow for p in parts], bool)
+        self._casting = self._array(np.flatnonzero(moving & dark[self._part]), int)
+        self._rest = int(sum(c for c, p in zip(counts, parts, strict=True) if not _moves(p, rest)))
         self._local = self._array(_joined([p.vertices for p in parts], 3), wp.vec3)
         normals = [p.normals if p.normals is not None else 0 * p.vertices for p in parts]
         self._normal = self._array(_joined(normals, 3), wp.vec3)
@@ -124,6 +129,9 @@ class Scan:
         light.sun_rgb, light.ambient = wp.vec3(*sky.sun_rgb), wp.vec3(*sky.ambient_rgb)
         light.zenith, light.horizon = wp.vec3(*sky.zenith), wp.vec3(*sky.horizon)
         light.center = wp.vec3(*(float(c) for c in center))
+        light.clear_m, light.haze = CLEAR_M, MOST_HAZE
+        if sky.sight_m:
+            light.clear_m, light.haze = 0.2 * sky.sight_m, 1.0
         light.scale, light.side, light.soft = 0.5 * SHADOW_PX / reach, SHADOW_PX, SOFT_TEXELS
         self._light, self._shadowed = light, False
 
@@ -243,7 +251,7 @@ class Scan:
             self._launch(self._k.shade_from, len(order), [*scene, order], [still])
             self._lit = self._light
         wp.copy(now, still)
-        order = self._order["moving"]
+        order = self._casting
         self._launch(self._k.shade_from, len(order), [*scene, order], [now])
         self._shadowed = True
 
@@ -290,6 +298,10 @@ class Scan:
         self._wp.launch(kernel, dim=dim, inputs=inputs, outputs=outputs, device="cpu")
 
 
+def _moves(part: Part, rest: set[int]) -> bool:
+    return part.body not in rest or part.act is not None
+
+
 def _joined(arrays: Sequence[Any], width: int) -> Any:
     return np.concatenate([np.zeros((0, width)), *arrays])
 
@@ -322,6 +334,7 @@ def _surfaces(wp: Any, kernels: Any, parts: Sequence[Part], textures: Textures) 
         row.rgb = wp.vec3(*(color**2.2))
         row.roughness = look.roughness if look is not None else PLAIN_ROUGHNESS
         row.metalness = look.metalness if look is not None else 0.0
+        row.glow = look.glow if look is not None else 0.0
         row.alpha = look.alpha if look is not None else 1.0
         row.tile_m = look.tile_m if look is not None else 1.0
         row.body = part.body

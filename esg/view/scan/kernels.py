@@ -46,6 +46,8 @@ class Light:
     scale: float
     side: int
     soft: float
+    clear_m: float
+    haze: float
 
 
 @wp.struct
@@ -60,6 +62,7 @@ class Surface:
     edge: int
     tile_m: float
     body: int
+    glow: float
 
 
 @wp.kernel
@@ -378,7 +381,8 @@ def shade(
             color = color + wp.cw_mul(tint, light.sun_rgb) * (
                 sun * wp.pow(glint, power) * gloss * 4.0
             )
-        haze = wp.clamp((depth - 60.0) / 240.0, 0.0, 0.85)
+        color = color + base * s.glow
+        haze = wp.clamp((depth - light.clear_m) / (4.0 * light.clear_m), 0.0, light.haze)
         color = color * (1.0 - haze) + light.horizon * haze
     for k in range(3):
         image[y, x, k] = gamma[int(wp.clamp(color[k], 0.0, 1.0) * 4095.0)]

@@ -13,7 +13,6 @@ from numpy.typing import NDArray
 
 from esg.engines.breaking import shown
 from esg.engines.scene import Rollout, SimScene
-from esg.engines.wheels import scene_angles
 from esg.view import truth
 from esg.view.camera import Camera
 from esg.view.cameras import Takes, action_cameras, directed
@@ -24,7 +23,7 @@ from esg.view.director.takes import Take, standing
 from esg.view.film.shooting import viewfinder
 from esg.view.filmed import said_rate, said_take
 from esg.view.parts import scene_parts
-from esg.view.pieces import Movers, Part
+from esg.view.pieces import Movers, Part, clocked
 from esg.view.renderers.kinds import kind_named
 from esg.view.renderers.records import Quality, Scenery
 from esg.view.renderers.shutter import at_times, poses_at
@@ -121,7 +120,7 @@ def sight_of(
     takes = _takes(scene, rollout, verdict, doc, settings, cameras, times)
     scenery = scenery_of(scene, rollout, doc)
     rollout = shown(scene, played)
-    angles = scene_angles(scene, rollout)
+    angles = clocked(scene, rollout)
     movers = Movers(scenery.parts, len(scene.bodies))
     position, quaternion = rollout.position[0][frames], rollout.quaternion[0][frames]
     moved = movers.poses(position.astype(float), quaternion.astype(float), angles[frames])

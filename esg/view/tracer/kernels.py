@@ -56,6 +56,7 @@ class Material:
     first: int
     size: int
     texel_m: float
+    glow: float
 
 
 @wp.struct
@@ -463,7 +464,7 @@ def _shade(s: Scene, world: int, o: wp.vec3, d: wp.vec3, hit: Hit, pixel: float,
         seen = _mirrored(s, d + n * (2.0 * facing), m.roughness)
         out.mirror = out.mirror + wp.cw_mul(_share(m, facing), seen) * clear
         out.shine = out.shine + _highlight(s, m, n, d) * clear
-        out.rest = out.rest + s.haze_rgb * (left * haze)
+        out.rest = out.rest + s.haze_rgb * (left * haze) + m.color * (m.glow * clear * opaque)
         left = clear * (1.0 - opaque)
         if left < 0.02 or layer == LAYERS - 1:
             return out

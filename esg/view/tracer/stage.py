@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from esg.assets.looks import Look
 from esg.view.maps import RASTER_PX, linear, mean_color, pyramid
 from esg.view.pieces import Movers, Part
-from esg.view.skies import AIRS, blurred_maps, sky_map
+from esg.view.skies import AIRS, blurred_maps, haze_of, sky_map
 from esg.view.surroundings import GROUND, Sky, Surroundings, thing_of
 
 CLEAR = 0.97
@@ -155,6 +155,7 @@ class Stage:
             row.color = wp.vec3(*(float(c) for c in linear(look.color)))
             row.roughness, row.metalness = max(look.roughness, 0.04), look.metalness
             row.alpha = 1.0 if look.alpha >= CLEAR else look.alpha
+            row.glow = look.glow
             row.first = int(starts[look.texture]) if look.texture else -1
             row.size = RASTER_PX
             row.texel_m = look.tile_m / RASTER_PX
@@ -239,7 +240,7 @@ class Stage:
         scene.sky_rgb = wp.vec3(*sky.ambient_rgb)
         red, green, blue = (float(c) for c in bounce)
         scene.bounce_rgb = wp.vec3(red, green, blue)
-        scene.haze_m = air.haze_m
+        scene.haze_m = haze_of(sky)
         seen = sky_map(sky, seed)
         scene.haze_rgb = wp.vec3(*(float(c) for c in seen[0].mean(axis=0)))
         scene.sky = self._array(seen, wp.vec3)

@@ -29,7 +29,7 @@ _TIPS = frozenset({NodeEvent.FALL, NodeEvent.TOPPLE, NodeEvent.BREAK})
 def fill(d: Discourse, fillings: Fillings) -> None:
     """Notes what each vessel of the scene is filled with."""
     for f in fillings.fillings:
-        for vessel in _at(d, f.vessel):
+        for vessel in named_at(d, f.vessel):
             told = Contents(name=f.content, share=f.share, color=f.color)
             d.scene.contents.setdefault(vessel, told)
 
@@ -38,7 +38,7 @@ def contained(t: Told) -> None:
     """ "A bucket filled with water", "floats in a bathtub", "and sinks to the bottom"."""
     d, book = t.d, t.book
     for f in d.scene.fillings.fillings:
-        vessels = tuple(i for i in _at(d, f.vessel) if d.scene.contents[i].name == f.content)
+        vessels = tuple(i for i in named_at(d, f.vessel) if d.scene.contents[i].name == f.content)
         if not vessels:
             book.add(Predicate.NOT_REPRESENTED, f.start, f.end, note=NO_VESSEL)
             continue
@@ -81,7 +81,7 @@ def as_told(doc: EsgDocument, fillings: Fillings, prompt: str) -> EsgDocument:
     )
 
 
-def _at(d: Discourse, at: int) -> list[str]:
+def named_at(d: Discourse, at: int) -> list[str]:
     """The nodes of the mention that stands there."""
     there = [m for m in _each(d.mentions) if m.start <= at < m.end]
     for m in sorted(there, key=lambda m: m.end - m.start):
@@ -101,9 +101,9 @@ def _each(mentions: list[Mention]) -> Iterator[Mention]:
 
 def _in_what(d: Discourse, floating: Floating) -> tuple[str, ...]:
     if floating.vessel >= 0:
-        return tuple(i for i in _at(d, floating.vessel) if i in d.scene.contents)
+        return tuple(i for i in named_at(d, floating.vessel) if i in d.scene.contents)
     before = [f for f in d.scene.fillings.fillings if f.vessel < floating.start]
-    return tuple(_at(d, max(f.vessel for f in before))) if before else ()
+    return tuple(named_at(d, max(f.vessel for f in before))) if before else ()
 
 
 def _who(d: Discourse, floating: Floating) -> tuple[str, ...]:
