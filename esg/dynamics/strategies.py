@@ -16,6 +16,7 @@ from esg.dynamics.gradient import descend
 from esg.dynamics.gradient.refine import COLLISIONS, Staged, staged_search
 from esg.dynamics.plan import Plan, build_scene, make_plan, ruled_out
 from esg.dynamics.plan.liquids import liquids
+from esg.dynamics.plan.postures import first_postures
 from esg.dynamics.search import REFERENCE_DT_S, Found, Panel
 from esg.dynamics.search.baselines import BASELINES, minimize
 from esg.dynamics.search.batched import search, with_pieces
@@ -75,10 +76,10 @@ def optimize(
     given, doc = doc, effective(doc)
     scene = _scene_for(doc, strategy, collision)
     if doc.timeline_system is None:
-        return _write(given, static_result(strategy, liquids(doc, scene)), seed, strategy)
+        return _write(given, static_result(strategy, (*first_postures(doc, scene), *liquids(doc, scene))), seed, strategy)
     plan = make_plan(doc, scene, seed=seed, look_ahead=strategy != "none")
     if not plan.variables:
-        return _write(given, static_result(strategy, liquids(doc, scene)), seed, strategy)
+        return _write(given, static_result(strategy, (*first_postures(doc, scene), *liquids(doc, scene))), seed, strategy)
     salt = entropy(doc)
 
     def run(

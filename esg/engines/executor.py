@@ -165,7 +165,7 @@ class Executor:
                     world.set_motor(self._joint[k], _motor(row))
                 elif self._kind[k] is Action.CHANGE:
                     if self._changes is not None:
-                        self._changes.change(body, int(row[Column.INTO]), world)
+                        self._changes.change(body, row, world)
                 else:
                     _fire(self._kind[k], row, body, world)
                 if self._kind[k] is Action.ADJUST and not math.isnan(row[Column.BRAKING]):

@@ -22,6 +22,7 @@ from esg.engines.joints import Joint, Motor, joint_problems
 from esg.engines.manifest_model import (
     BRAKING_CONVENTION,
     BREAKING_CONVENTION,
+    POSTURES_CONVENTION,
     BUOY_CONVENTION,
     CLIMB_CONVENTION,
     CONVENTIONS,
@@ -54,6 +55,7 @@ from esg.engines.program import (
     program_to_json,
 )
 from esg.engines.scene import GROUND, Body, Region, Shape, SimScene, Wheel
+from esg.engines.stances import stance_problems
 from esg.outcomes import UserError
 
 
@@ -122,7 +124,7 @@ def manifest_to_json(
         data = ManifestModel.model_validate(data).model_dump(mode="json")
     except ValidationError as error:
         raise ValueError("; ".join(complaints(error))) from None
-    problems = dangling(data) + joint_problems(scene) + breaking_problems(scene)
+    problems = dangling(data) + joint_problems(scene) + breaking_problems(scene) + stance_problems(scene)
     if problems:
         raise ValueError("; ".join(problems))
     return data
@@ -144,6 +146,8 @@ def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
         out["joints"] = JOINTS_CONVENTION
     if any(b.fragments for b in scene.bodies):
         out["breaking"] = BREAKING_CONVENTION
+    if any(b.postures for b in scene.bodies):
+        out["postures"] = POSTURES_CONVENTION
     for p in program.primitives:
         if isinstance(p, HoldVelocity) and p.climb is not None:
             out["climb"] = CLIMB_CONVENTION
@@ -191,7 +195,7 @@ def manifest_from_json(data: Any) -> Manifest:
         vehicle_ground_friction=model.ground.vehicle_friction,
         joints=tuple(_joint(j) for j in model.joints),
     )
-    if problems := joint_problems(scene) + breaking_problems(scene):
+    if problems := joint_problems(scene) + breaking_problems(scene) + stance_problems(scene):
         raise UserError("not a valid manifest:\n" + "\n".join(problems))
     primitives = []
     for p in model.program.primitives:

@@ -57,7 +57,8 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   one it had, or none (`esg.engines.joints.Motor`).
 * A `ChangeBody` fires as `SetVelocity` does: `into`, which stands in for `body` in another posture,
   is there from then on instead of what was there of it before, with its velocities: where it lies
-  by the scene's poses of both, turning with it (`esg.engines.stances`). What the program asks of
+  by the scene's poses of both, turning with it (`esg.engines.stances`); with a `position` it rests
+  there, as if `body` had come there. What the program asks of
   `body` later it asks of the one that is there.
 * Brakes and tyres do not act in a step in which a hold or a guide sets the body's velocity, nor on
   what nothing carries: a body that lost more than g dt / 2 of its vertical velocity in the last
@@ -158,12 +159,22 @@ class DriveJoint:
 
 @dataclass(frozen=True)
 class ChangeBody:
-    """Lets `into` be there instead of `body`, or `body` itself again, from `time` [s] on."""
+    """Lets `into` be there instead of `body`, or `body` itself again, from `time` [s] on.
+
+    Args:
+        body: Name.
+        time: [s].
+        into: Name of the body that is there from then on.
+        position: Where `body` would be then [m]; None where it is.
+        heading: Which way it would face there [rad].
+    """
 
     kind: ClassVar[str] = "ChangeBody"
     body: str
     time: float
     into: str
+    position: Vec | None = None
+    heading: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -466,8 +477,10 @@ class Column(IntEnum):
     MOTOR_SPEED = 2
     MOTOR_POSITION = 3
     MOTOR_LIMIT = 4
-    # CHANGE: number of the body that is there from then on.
+    # CHANGE: number of the body that is there from then on; a place of NaN is where it is.
     INTO = 2
+    PLACE = 3
+    FACING = 6
     # HOLD: a climb of NaN keeps the vertical velocity, gains of NaN ask for no time.
     SPEED = 2
     HEADING = 3
@@ -676,7 +689,7 @@ def _row(p: Primitive) -> NDArray[np.float64]:
     elif isinstance(p, DriveJoint):
         values = (p.speed, p.position, p.limit)
     elif isinstance(p, ChangeBody):
-        values = ()
+        values = (nan, *((nan, nan, nan) if p.position is None else p.position), p.heading)
     elif isinstance(p, GuideAlong):
         knots = zip(p.times, p.points, p.velocities, strict=True)
         values = (p.turn_rate, float(len(p.times)), *(v for t, x, u in knots for v in (t, *x, *u)))

@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from esg.engines.joints import Floats
 from esg.engines.program import Action, Column, ProgramBatch
 from esg.engines.scene import ContactLog, SimScene
-from esg.units import quat_inverse, quat_multiply, quat_rotate
+from esg.units import quat_from_euler_deg, quat_inverse, quat_multiply, quat_rotate
 
 LIFT_M = 4e-4
 """So far above its place in the one that is there a body is recorded that is not [m]."""
@@ -105,7 +105,9 @@ def who_is_there(
     for w in range(batch.n_worlds):
         for k in rows[np.argsort(batch.table[w, rows, Column.START], kind="stable")]:
             # It is there after the step that began with the change.
-            later = batch.table[w, k, Column.START] <= time - 0.5 * dt
+            # What changes at once is so from the first frame on.
+            since = batch.table[w, k, Column.START]
+            later = (since <= time - 0.5 * dt) | (since <= 0.0)
             out[w, later] = s.bodies.index(int(batch.table[w, k, Column.INTO]))
     return out
 
@@ -131,17 +133,31 @@ def fill_in(
     for s in stances(scene):
         there = who_is_there(s, batch, time, dt)
         for w in range(batch.n_worlds) if worlds is None else worlds:
-            for k in np.unique(there[w]):
-                frames = np.flatnonzero(there[w] == k)
-                own = [a[w, frames, s.bodies[k]] for a in states]
-                base = frame_of(s, int(k), own[0], own[1])
-                base[0][..., 2] += LIFT_M * (k > 0)
-                for n, body in enumerate(s.bodies):
-                    if n == k:
-                        continue
-                    pose = base if n == 0 else pose_in(s, n, *base)
-                    for target, value in zip(states, (*pose, own[2], own[3]), strict=True):
-                        target[w, frames, body] = value
+            ride_along(s, w, there[w], states)
+
+
+def ride_along(
+    s: Stance, w: int, there: NDArray[np.int64], states: tuple[Any, Any, Any, Any]
+) -> None:
+    """Writes into a recording where the postures of one body are that are not there, in place.
+
+    Args:
+        s: The body.
+        w: World.
+        there: Number of the one that is there, shape [T].
+        states: As of `fill_in`.
+    """
+    for k in np.unique(there):
+        frames = np.flatnonzero(there == k)
+        own = [a[w, frames, s.bodies[k]] for a in states]
+        base = frame_of(s, int(k), own[0], own[1])
+        base[0][..., 2] += LIFT_M * (k > 0)
+        for n, body in enumerate(s.bodies):
+            if n == k:
+                continue
+            pose = base if n == 0 else pose_in(s, n, *base)
+            for target, value in zip(states, (*pose, own[2], own[3]), strict=True):
+                target[w, frames, body] = value
 
 
 def absent(scene: SimScene, position: Any, quaternion: Any) -> NDArray[np.bool_]:
@@ -194,16 +210,20 @@ class Changes:
             for body in s.bodies[1:]:
                 world.retire(body)
 
-    def change(self, body: int, into: int, world: Any) -> None:
-        """Lets another posture of a body be there."""
+    def change(self, body: int, row: Sequence[float], world: Any) -> None:
+        """Lets another posture of a body be there; `row` has the numbers of a `ChangeBody`."""
         s, k = self._of[body], self._now[body]
-        n = s.bodies.index(into)
+        n = s.bodies.index(int(row[Column.INTO]))
         if n == k:
             return
         position, quaternion, linear, angular = (
             np.asarray(a, float) for a in world.read(s.bodies[k])
         )
-        pose = pose_in(s, n, *frame_of(s, k, position, quaternion))
+        frame = frame_of(s, k, position, quaternion)
+        if row[Column.PLACE] == row[Column.PLACE]:
+            turn = quat_from_euler_deg(np.degrees(row[Column.FACING]))
+            frame = np.array(row[Column.PLACE : Column.PLACE + 3]), turn
+            linear, angular = np.zeros(3), np.zeros(3)
         world.retire(s.bodies[k])
-        world.release(into, *pose, linear, angular)
+        world.release(s.bodies[n], *pose_in(s, n, *frame), linear, angular)
         self._now[body] = n

@@ -524,6 +524,8 @@ class MotionParams(Model):
     """Toward that ends in a Jump, Guide that climbs: how far the body rises [cm]"""
     climbs: Literal["up", "down", "onto", "over"] | None = None
     """Guide that ends at a Trigger: leads the body along the surface of its target"""
+    posture: Literal["stands", "sits", "lies", "kneels", "crouches", "bends"] | None = None
+    """Guide that ends at a Trigger: the posture that its actor takes, on its target if it has one"""
     opening: Quantity | None = None
     """Drive: the joint's position at its end, hinge [deg], slider [cm]"""
 
@@ -617,6 +619,8 @@ class Predicate(str, enum.Enum):
     """How the scene is shown (`Filming`): measured on the way of the camera (`esg.filming`)."""
     WEARS = "wears"
     LOOKS = "looks"
+    POSTURE = "posture"
+    """How somebody holds his body (`noun`: stands, sits, lies, kneels, crouches, bends)."""
     NOT_REPRESENTED = "not_represented"
     """Its words are understood as a statement that the document cannot hold (`note` says why)."""
 
@@ -716,7 +720,7 @@ class Statement(Model):
     """In the document's units [cm/s, cm/s^2, cm, degrees, 1]."""
     noun: str | None = None
     """Of `absent` and `count`; of `filled_with`, what it is filled with; of `wears` and `looks`
-    what is worn, and how the hair is."""
+    what is worn, and how the hair is; of `posture`, which."""
     when: str = "throughout"
     """start, end, throughout, the id of a point event, or two of these as "from..to"."""
     note: str = ""

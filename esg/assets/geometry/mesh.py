@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 
 from esg.assets.appearance import USUAL, Appearance
 from esg.assets.appearances import appearances, first_of_asset
+from esg.assets.postures import config_of, taken
 from esg.assets.colors import color_word
 from esg.assets.configuration import node_mesh_path, parametric_entry
 from esg.assets.geometry.finishing import (
@@ -332,6 +333,10 @@ def _meshes(doc: EsgDocument) -> Iterator[MeshFile]:
         if config is not None and looks[name] != firsts[node.asset_id]:
             path = node_mesh_path(config.mesh_path, name)
             yield MeshFile(path, node.asset_id, glb_bytes(config, looks[name]))
+    for name, postures in taken(doc).items():
+        for h in postures:
+            own = glb_bytes(config_of(doc, name), h.drawn(looks[name]))
+            yield MeshFile(h.mesh, doc.spatial_relation_graph.nodes[name].asset_id, own)
 
 
 def _write(path: Path, data: bytes) -> None:

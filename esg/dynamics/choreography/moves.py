@@ -20,6 +20,7 @@ from esg.dynamics.story.story import (
     Phase,
     bounds,
     is_climb,
+    is_posture,
     rebounds,
     turn_of,
     turns_back,
@@ -31,6 +32,8 @@ TURNED_RAD = math.radians(10.0)
 """A turn counts as made this far before its end: between the end of its tolerance and of itself."""
 AT_ONCE_S, USUAL_DROP_M = 0.02, 0.8
 """What is hit breaks so soon; what comes down breaks where a fall of that height ends."""
+CHANGES_S = 1.1
+"""From the end of a motion until somebody has sat or lain down, or got up [s]."""
 SHORT_S = (1.2, 1.8)
 """Time of a run to nowhere [s]."""
 LEAST_MPS = 0.2
@@ -58,6 +61,10 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
     arrived: list[float] = []
     for actor, phase in stage.incoming(node):
         track = stage.tracks[actor]
+        if is_posture(phase):
+            track.straight(0.0, CHANGES_S, 0.0)
+            arrived.append(track.time)
+            continue
         if is_climb(phase):
             climbed(stage, node, actor, phase)
             arrived.append(track.time)

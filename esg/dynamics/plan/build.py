@@ -9,6 +9,7 @@ import numpy as np
 from esg.assets.drawn_parts import drawn_parts
 from esg.dynamics.plan.fragments import with_fragments
 from esg.dynamics.plan.joints import joints_of
+from esg.dynamics.plan.postures import with_postures
 from esg.dynamics.plan.tyres import with_tyres
 from esg.engines.scene import Body, Region, Shape, SimScene, Wheel
 from esg.graph.casting import effective
@@ -71,7 +72,7 @@ def build_scene(doc: EsgDocument) -> SimScene:
         ground_restitution=restitution,
         joints=joints_of(doc, bodies),
     )
-    return with_fragments(doc, with_tyres(doc, scene))
+    return with_postures(doc, with_fragments(doc, with_tyres(doc, scene)))
 
 
 def make_body(

@@ -9,6 +9,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.assets.postures import seat_of
 from esg.dynamics.choreography.courses.climbs import pushes_off
 from esg.dynamics.choreography.flights import flown_to
 from esg.dynamics.choreography.handling import BETWEEN_JUMPS_S
@@ -29,6 +30,7 @@ from esg.dynamics.plan.drives import (
     reach_of,
 )
 from esg.dynamics.plan.guides import Way
+from esg.dynamics.plan.postures import HALTED_S, HALTS_MPS2, LASTS_S, change
 from esg.dynamics.plan.settling import STILL_MPS, comes_to_lie, rolls_out
 from esg.dynamics.story.driving import goal_of
 from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
@@ -43,7 +45,7 @@ from esg.dynamics.story.paces import (
     usual_halt,
 )
 from esg.dynamics.story.stagecraft import coasting_drag, prop, stacked_with, support_of
-from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, is_climb, turn_of, turns_back
+from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, is_climb, is_posture, turn_of, turns_back
 from esg.engines.joints import start_position
 from esg.engines.program import (
     AdjustProperties,
@@ -96,6 +98,7 @@ class _Course:
         clock: When the next phase may begin [s].
         held: Whether it is still held then, by what guided it.
         opening: Position of its joint then [rad or m].
+        upon: What it sits or lies on that is no ground.
         out: The primitives so far.
     """
 
@@ -105,6 +108,7 @@ class _Course:
     clock: float = 0.0
     held: bool = False
     opening: float = 0.0
+    upon: str | None = None
     out: list[Primitive] = field(default_factory=list)
 
 
@@ -261,6 +265,7 @@ class Composer:
             duration: Of the scene [s].
         """
         course = _Course(actor, self.base_heading(actor) + v.get(f"{actor}/aim", 0.0))
+        course.upon = seat_of(self.doc, actor)
         for k, phase in enumerate(phases):
             start = max(course.clock, self.node_time(phase.start, v, course.clock))
             start = max(start, self._shaken.get(actor, 0.0) if k == 0 else 0.0)
@@ -292,7 +297,9 @@ class Composer:
     def _act(self, course: _Course, leg: _Leg, later: tuple[Phase, ...]) -> None:
         """Adds what an actor does in one phase, by the kind of its edge."""
         phase, edge = leg.phase, leg.phase.edge
-        if is_climb(phase):
+        if is_posture(phase):
+            self._change_posture(course, leg)
+        elif is_climb(phase):
             self._climb_along(course, leg)
         elif edge.event is EdgeEvent.GUIDE:
             self._guide(course, leg)
@@ -370,6 +377,21 @@ class Composer:
         held_until = leg.duration + HELD_ON_S if leg.last and not release else end
         course.out.append(way.path(course.actor, begin, leg.start - begin, held_until))
         course.clock, course.held = end, not release
+
+    def _change_posture(self, course: _Course, leg: _Leg) -> None:
+        """It comes to a halt, and is in its other posture from then on."""
+        time = leg.start
+        if not leg.first:
+            course.out = [_until(p, time) for p in course.out]
+            course.out.append(AdjustProperties(course.actor, time, braking=HALTS_MPS2))
+            time += HALTED_S
+            course.out.append(AdjustProperties(course.actor, time, braking=0.0))
+        found = change(self.doc, self.scene, leg.phase, time, course.upon)
+        if found is not None:
+            course.out.append(found)
+            course.heading = found.heading if found.position is not None else course.heading
+        course.upon = leg.phase.edge.target
+        course.clock = time + LASTS_S
 
     def _climb_along(self, course: _Course, leg: _Leg) -> None:
         """It goes along what it climbs, and is let go at the end, or holds on there."""

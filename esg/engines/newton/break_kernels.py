@@ -286,6 +286,8 @@ def change_bodies(
     grid: wp.array(dtype=wp.float64),
     time: wp.array2d(dtype=float),
     into: wp.array2d(dtype=int),
+    placed: wp.array2d(dtype=int),
+    place: wp.array2d(dtype=wp.transform),
     now: wp.array(dtype=int),
     member: wp.array2d(dtype=int),
     pose: wp.array2d(dtype=wp.transform),
@@ -301,15 +303,21 @@ def change_bodies(
     n = wp.tid()
     due = float((wp.float64(clock[0]) + wp.float64(0.5)) * grid[0])
     want = int(0)  # noqa: UP018  # a variable to Warp
+    last = int(0)  # noqa: UP018
     for k in range(time.shape[1]):
         if time[n, k] <= due:
             want = into[n, k]
+            last = k
     if want != now[n]:
         i = member[n, now[n]]
         frame = body_q[i] * wp.transform_inverse(pose[n, now[n]])
-        at = frame * pose[n, want]
         v = wp.spatial_top(body_qd[i])
         w = wp.spatial_bottom(body_qd[i])
+        if placed[n, last] != 0:
+            frame = place[n, last]
+            v = wp.vec3()
+            w = wp.vec3()
+        at = frame * pose[n, want]
         _place(member[n, want], at, first_q, body_q, joint_q)
         _move(member[n, want], v, w, first_qd, body_qd, joint_qd)
         now[n] = want

@@ -55,6 +55,8 @@ class Swaps:
         self.height = wp.array(height, dtype=float)
         self.time = wp.zeros((n, MOST_CHANGES), dtype=float)
         self.into = wp.zeros((n, MOST_CHANGES), dtype=int)
+        self.placed = wp.zeros((n, MOST_CHANGES), dtype=int)
+        self.place = wp.zeros((n, MOST_CHANGES), dtype=wp.transform)
         self.now = wp.zeros(n, dtype=int)
         joint_of = np.full(max(1, model.body_count), 0)
         joint_of[model.joint_child.numpy()] = np.arange(len(model.joint_child))
@@ -67,22 +69,30 @@ class Swaps:
             jobs: One of each scene of the model.
         """
         time = np.full(self.time.shape, np.inf, np.float32)
-        into = np.zeros(self.into.shape, np.int32)
+        into, placed = np.zeros(self.into.shape, np.int32), np.zeros(self.into.shape, np.int32)
+        place = np.zeros((*self.into.shape, 7), np.float32)
         first = np.searchsorted(self._scene_of, np.arange(len(self._shapes)))
         i = 0
         for w, k in enumerate(self._scene_of):
             job = jobs[k]
             for s in self._shapes[k].stances:
                 rows = np.flatnonzero((job.kind == Action.CHANGE) & (job.body == s.bodies[0]))
-                own = job.table[w - first[k], rows][:, [Column.START, Column.INTO]]
+                own = job.table[w - first[k], rows][:, [Column.START, *range(Column.INTO, Column.FACING + 1)]]
                 own = own[np.argsort(own[:, 0], kind="stable")]
                 if len(own) > MOST_CHANGES:
                     raise ValueError(f"{len(own)} changes of one body; at most {MOST_CHANGES}")
                 time[i, : len(own)] = own[:, 0]
                 into[i, : len(own)] = [s.bodies.index(int(b)) for b in own[:, 1]]
+                placed[i, : len(own)] = np.isfinite(own[:, 2])
+                place[i, : len(own), :3] = np.nan_to_num(own[:, 2:5])
+                place[i, : len(own), 5], place[i, : len(own), 6] = (
+                    np.sin(0.5 * own[:, 5]), np.cos(0.5 * own[:, 5]),
+                )
                 i += 1
         self.time.assign(time)
         self.into.assign(into)
+        self.placed.assign(placed)
+        self.place.assign(place)
         self.now.zero_()
 
     def begin(self, worlds: NewtonWorlds, state: Any) -> None:
@@ -94,7 +104,7 @@ class Swaps:
             kernels.change_bodies,
             dim=len(self.now),
             inputs=[
-                worlds.clock, worlds.grid, self.time, self.into, self.now, self.member, self.pose,
+                worlds.clock, worlds.grid, self.time, self.into, self.placed, self.place, self.now, self.member, self.pose,
                 self.height, self.first_q, start, state.body_q, state.body_qd, state.joint_q,
                 state.joint_qd,
             ],
