@@ -11,6 +11,8 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 
+from esg.lexicon.kinds import kinds
+
 TABLE = Path(__file__).parent / "postures.csv"
 PLANS = {"figure": "people", "child_figure": "people", "quadruped": "beasts"}
 """Plan of a body by what draws it."""
@@ -67,6 +69,21 @@ def postures() -> tuple[Posture, ...]:
             )
             for line in csv.DictReader(file)
         )
+
+
+@cache
+def plan_of(noun: str, *, person: bool) -> str | None:
+    """The plan of the body that is drawn for a noun; None for a body without postures.
+
+    Args:
+        noun: Head of its phrase.
+        person: Whether it names a person: those are drawn as people unless they have a row.
+    """
+    for kind in kinds():
+        if noun == kind.name or noun in kind.said_as or noun in kind.found_as:
+            if kind.builder:
+                return PLANS.get(kind.builder)
+    return "people" if person else None
 
 
 def posture_of(plan: str, posture: str, on: str = "ground") -> Posture | None:

@@ -68,7 +68,7 @@ _FIELDS: dict[str, _Fields] = {
     "size": _Fields(("object",), ("quantity", "value", "as", "unit"), "height"),
     "count": _Fields(("noun", "value")),
     "absent": _Fields(("noun",)),
-    **dict.fromkeys(("wears", "looks"), _Fields(("object", "noun"))),
+    **dict.fromkeys(("wears", "looks", "posture"), _Fields(("object", "noun"))),
 }  # fmt: skip
 _PHRASES = ("object", "target", "a", "b", "noun")
 _COMMON = ("id", "says", "when")

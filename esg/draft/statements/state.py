@@ -14,6 +14,7 @@ from esg.draft.statements.book import Book, Told, span
 from esg.draft.statements.climbed import climbed, climbs_told
 from esg.draft.statements.held import carried, driver, posture, support, tow
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
+from esg.draft.statements.looks.postures import postures
 from esg.draft.statements.looks.worn import USED, worn
 from esg.draft.statements.manners import flown, gains, paced, rolled, slid
 from esg.draft.statements.order import ALONE, UNKEPT, orders, started_alone
@@ -180,6 +181,7 @@ _SAYINGS: dict[Predicate, Callable[[Book, Clause, Said, str], None]] = {
 
 WRITTEN: tuple[Callable[[Told], None], ...] = (
     worn,
+    postures,
     _clauses,
     _dropped,
     *BESIDE_MOTIONS,

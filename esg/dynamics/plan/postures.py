@@ -14,6 +14,7 @@ from esg.engines.program import ChangeBody, Vec
 from esg.engines.scene import FRAGMENT, Body, Shape, SimScene
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument
+from esg.lexicon.postures import STANDS
 from esg.units import quat_rotate, yaw_from_quat
 
 LASTS_S = 0.7
@@ -93,6 +94,8 @@ def change(
         now: What he is on till then, that is no ground.
     """
     actor, target = phase.edge.actor, phase.edge.target
+    if target is None and phase.edge.params.posture == STANDS:
+        return risen(doc, scene, actor, start, now)
     found = held(doc, actor, phase.edge.params.posture or "", target)
     if found is None or found.name not in scene.names:
         return None
@@ -104,8 +107,23 @@ def change(
         at = np.array(seat.position) + quat_rotate(np.array(seat.quaternion), middle)
         heading = float(yaw_from_quat(seat.quaternion))
         return ChangeBody(actor, start, found.name, _standing(at, heading, foot), heading)
-    if now is not None and now in scene.names and target is None:
-        # Off what he sat on, to the ground before it.
+    return ChangeBody(actor, start, found.name)
+
+
+def risen(
+    doc: EsgDocument, scene: SimScene, actor: str, start: float, now: str | None
+) -> ChangeBody | None:
+    """The change of who gets up: where he is, or off what he is on to the ground before it.
+
+    Args:
+        doc, scene, start, now: As of `change`.
+        actor: Who.
+    """
+    body = scene.body(actor)
+    if not body.postures:
+        return None
+    foot = np.array(body.origin_offset)
+    if now is not None and now in scene.names:
         seat, heading = scene.body(now), float(yaw_from_quat(body.quaternion))
         ahead = np.array([math.cos(heading), math.sin(heading), 0.0])
         far = _reach(seat, ahead) + body.half_extents[0] + CLEAR_M
@@ -113,8 +131,8 @@ def change(
         across = np.array([-ahead[1], ahead[0], 0.0])
         aside = float((np.array(body.position) - np.array(seat.position)) @ across)
         at = at + far * ahead + aside * across
-        return ChangeBody(actor, start, found.name, _standing(at, heading, foot), heading)
-    return ChangeBody(actor, start, found.name)
+        return ChangeBody(actor, start, actor, _standing(at, heading, foot), heading)
+    return ChangeBody(actor, start, actor)
 
 
 def _standing(at: np.ndarray, heading: float, foot: np.ndarray) -> Vec:

@@ -20,6 +20,7 @@ from esg.metrics.statements import (
     liquids,
     manner,
     place,
+    postures,
     sides,
     worn,
 )
@@ -63,6 +64,7 @@ OF_BODIES: dict[Predicate, OfBody] = {
     Predicate.FLOATS: liquids.floats,
     Predicate.SINKS: liquids.sinks,
     Predicate.SIZE: facts.size,
+    Predicate.POSTURE: postures.posture,
     Predicate.WEARS: worn.wears,
     Predicate.LOOKS: worn.wears,
 }
