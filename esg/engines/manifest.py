@@ -22,7 +22,6 @@ from esg.engines.joints import Joint, Motor, joint_problems
 from esg.engines.manifest_model import (
     BRAKING_CONVENTION,
     BREAKING_CONVENTION,
-    POSTURES_CONVENTION,
     BUOY_CONVENTION,
     CLIMB_CONVENTION,
     CONVENTIONS,
@@ -32,6 +31,7 @@ from esg.engines.manifest_model import (
     JOINTS_CONVENTION,
     MANIFEST_FORMAT,
     MANIFEST_VERSION,
+    POSTURES_CONVENTION,
     SPIN_CONVENTION,
     TYRES_CONVENTION,
     WHEELS_CONVENTION,
@@ -124,7 +124,9 @@ def manifest_to_json(
         data = ManifestModel.model_validate(data).model_dump(mode="json")
     except ValidationError as error:
         raise ValueError("; ".join(complaints(error))) from None
-    problems = dangling(data) + joint_problems(scene) + breaking_problems(scene) + stance_problems(scene)
+    problems = (
+        dangling(data) + joint_problems(scene) + breaking_problems(scene) + stance_problems(scene)
+    )
     if problems:
         raise ValueError("; ".join(problems))
     return data

@@ -603,7 +603,9 @@ def redirected(program: Program, names: Collection[str]) -> list[Primitive]:
                 out.append(p)
             continue
         if isinstance(p, Lasting) and changes:
-            ends = (n for o in p.until_contact for n in (o, *(c.into for c in changes if c.body == o)))
+            ends = (
+                n for o in p.until_contact for n in (o, *(c.into for c in changes if c.body == o))
+            )
             if not isinstance(p, BuoyUp):
                 p = replace(p, until_contact=tuple(dict.fromkeys(ends)))
         moved = p.body in there and not isinstance(p, DriveJoint)

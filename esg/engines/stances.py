@@ -66,9 +66,13 @@ def stance_problems(scene: SimScene) -> list[str]:
         wrong = [n for n in body.postures if n not in bodies or n == body.name]
         wrong += [n for n in body.postures if n in bodies and _unfit(bodies[n])]
         if wrong:
-            out.append(f"/bodies/{i}/postures: {wrong} cannot be; name bodies that move and collide")
+            out.append(
+                f"/bodies/{i}/postures: {wrong} cannot be; name bodies that move and collide"
+            )
         elif body.postures and ({body.name, *body.postures} & joined or _unfit(body, own=True)):
-            out.append(f"/bodies/{i}/postures: {body.name!r} is fixed, joined or breaks; leave it out")
+            out.append(
+                f"/bodies/{i}/postures: {body.name!r} is fixed, joined or breaks; leave it out"
+            )
     return out
 
 
@@ -89,9 +93,7 @@ def pose_in(s: Stance, k: int, position: Any, quaternion: Any) -> tuple[Floats, 
     return np.asarray(position, float) + quat_rotate(q, s.local[k]), quat_multiply(q, s.turn[k])
 
 
-def who_is_there(
-    s: Stance, batch: ProgramBatch, time: Floats, dt: float
-) -> NDArray[np.int64]:
+def who_is_there(s: Stance, batch: ProgramBatch, time: Floats, dt: float) -> NDArray[np.int64]:
     """Which posture is there at the frames of a rollout, by its number, shape [W, T].
 
     Args:

@@ -18,7 +18,6 @@ from numpy.typing import NDArray
 
 from esg.assets.appearance import USUAL, Appearance
 from esg.assets.appearances import appearances, first_of_asset
-from esg.assets.postures import config_of, taken
 from esg.assets.colors import color_word
 from esg.assets.configuration import node_mesh_path, parametric_entry
 from esg.assets.geometry.finishing import (
@@ -38,6 +37,7 @@ from esg.assets.imports.imported import load_imported
 from esg.assets.library.catalogue import Entry, build_sketch
 from esg.assets.looks import Color, Look
 from esg.assets.materials import look_of
+from esg.assets.postures import config_of, taken
 from esg.assets.textures import has_grain
 from esg.graph.casting import effective
 from esg.graph.models import AssetConfiguration, EsgDocument, Vec3, Wheel

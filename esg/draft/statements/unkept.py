@@ -84,7 +84,11 @@ def rows() -> tuple[_Row, ...]:
 def missing(d: Discourse, clause: Clause) -> str:
     """What a clause that was read says and the document does not hold; empty if it holds it."""
     f = clause.frame
-    if poses_told(d, clause) or climbs_told(d, clause) or d.scene.used.get((f.verb.start, f.verb.end)) == COMES_OFF:
+    if (
+        poses_told(d, clause)
+        or climbs_told(d, clause)
+        or d.scene.used.get((f.verb.start, f.verb.end)) == COMES_OFF
+    ):
         return ""
     for row in rows():
         if row.names(f) and _applies(d, row.voice, clause):

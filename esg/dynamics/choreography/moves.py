@@ -12,7 +12,7 @@ from esg.dynamics.choreography.placing import comes_to_rest, gap_left, join
 from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, sliding_travel
-from esg.dynamics.story.paces import turns_at
+from esg.dynamics.story.paces import LASTS_S, turns_at
 from esg.dynamics.story.stagecraft import coasting_drag, prop, stays_on, top_surface
 from esg.dynamics.story.story import (
     CRUISES,
@@ -32,8 +32,6 @@ TURNED_RAD = math.radians(10.0)
 """A turn counts as made this far before its end: between the end of its tolerance and of itself."""
 AT_ONCE_S, USUAL_DROP_M = 0.02, 0.8
 """What is hit breaks so soon; what comes down breaks where a fall of that height ends."""
-CHANGES_S = 1.1
-"""From the end of a motion until somebody has sat or lain down, or got up [s]."""
 SHORT_S = (1.2, 1.8)
 """Time of a run to nowhere [s]."""
 LEAST_MPS = 0.2
@@ -62,7 +60,7 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
     for actor, phase in stage.incoming(node):
         track = stage.tracks[actor]
         if is_posture(phase):
-            track.straight(0.0, CHANGES_S, 0.0)
+            track.straight(0.0, LASTS_S, 0.0)
             arrived.append(track.time)
             continue
         if is_climb(phase):

@@ -17,12 +17,12 @@ from esg.graph.models import EsgDocument
 from esg.lexicon.postures import STANDS
 from esg.units import quat_rotate, yaw_from_quat
 
-LASTS_S = 0.7
-"""How long somebody does nothing else who has changed his posture [s]."""
 HALTS_MPS2 = 6.0
 """How fast who sits, lies or kneels down comes to a halt before."""
 HALTED_S = 0.35
 """How long that takes [s]."""
+FIRST_S = 0.8
+"""How long somebody is as he was at first who does nothing but change that [s]."""
 CLEAR_M = 0.06
 """Gap between who has got up and what he sat on."""
 

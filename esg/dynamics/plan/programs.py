@@ -30,18 +30,12 @@ from esg.dynamics.plan.drives import (
     reach_of,
 )
 from esg.dynamics.plan.guides import Way
-from esg.dynamics.plan.postures import (
-    HALTED_S,
-    HALTS_MPS2,
-    LASTS_S,
-    change,
-    first_postures,
-    risen,
-)
+from esg.dynamics.plan.postures import FIRST_S, HALTED_S, HALTS_MPS2, change
 from esg.dynamics.plan.settling import STILL_MPS, comes_to_lie, rolls_out
 from esg.dynamics.story.driving import goal_of
 from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
 from esg.dynamics.story.paces import (
+    LASTS_S,
     grip,
     on_foot,
     pace,
@@ -52,11 +46,18 @@ from esg.dynamics.story.paces import (
     usual_halt,
 )
 from esg.dynamics.story.stagecraft import coasting_drag, prop, stacked_with, support_of
-from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, is_climb, is_posture, turn_of, turns_back
+from esg.dynamics.story.story import (
+    UNDISTURBED,
+    Phase,
+    bounds,
+    is_climb,
+    is_posture,
+    turn_of,
+    turns_back,
+)
 from esg.engines.joints import start_position
 from esg.engines.program import (
     AdjustProperties,
-    ChangeBody,
     GuideAlong,
     HoldSpin,
     HoldVelocity,
@@ -184,11 +185,6 @@ class Composer:
         return out
 
     @cached_property
-    def _first_postures(self) -> dict[str, str]:
-        """What those are who do not stand at the start, by actor."""
-        return {p.body: p.into for p in first_postures(self.doc, self.scene)}
-
-    @cached_property
     def climbs(self) -> dict[str, Climb]:
         """The ways of all who climb, by segment id."""
         return climbs(self.cast)
@@ -310,8 +306,6 @@ class Composer:
     def _act(self, course: _Course, leg: _Leg, later: tuple[Phase, ...]) -> None:
         """Adds what an actor does in one phase, by the kind of its edge."""
         phase, edge = leg.phase, leg.phase.edge
-        if not is_posture(phase):
-            self._get_up(course, leg)
         if is_posture(phase):
             self._change_posture(course, leg)
         elif is_climb(phase):
@@ -393,31 +387,19 @@ class Composer:
         course.out.append(way.path(course.actor, begin, leg.start - begin, held_until))
         course.clock, course.held = end, not release
 
-    def _get_up(self, course: _Course, leg: _Leg) -> None:
-        """Who does not stand gets up before he does anything else."""
-        changed = [p.into for p in course.out if isinstance(p, ChangeBody)]
-        first = self._first_postures.get(course.actor, course.actor)
-        if (changed[-1] if changed else first) == course.actor:
-            return
-        found = risen(self.doc, self.scene, course.actor, leg.start, course.upon)
-        if found is not None:
-            course.out.append(found)
-            course.upon = None
-
     def _change_posture(self, course: _Course, leg: _Leg) -> None:
         """It comes to a halt, and is in its other posture from then on."""
-        time = leg.start
+        time = leg.start + (FIRST_S if leg.first else HALTED_S)
         if not leg.first:
-            course.out = [_until(p, time) for p in course.out]
-            course.out.append(AdjustProperties(course.actor, time, braking=HALTS_MPS2))
-            time += HALTED_S
+            course.out = [_until(p, leg.start) for p in course.out]
+            course.out.append(AdjustProperties(course.actor, leg.start, braking=HALTS_MPS2))
             course.out.append(AdjustProperties(course.actor, time, braking=0.0))
         found = change(self.doc, self.scene, leg.phase, time, course.upon)
         if found is not None:
             course.out.append(found)
             course.heading = found.heading if found.position is not None else course.heading
         course.upon = leg.phase.edge.target
-        course.clock = time + LASTS_S
+        course.clock = leg.start + LASTS_S
 
     def _climb_along(self, course: _Course, leg: _Leg) -> None:
         """It goes along what it climbs, and is let go at the end, or holds on there."""

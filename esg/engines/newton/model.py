@@ -17,12 +17,12 @@ from numpy.typing import NDArray
 
 from esg.engines.jobs import Buffer, Job, Pieces, Played
 from esg.engines.newton.breaking import Shatter, parked
-from esg.engines.newton.swaps import Swaps
 from esg.engines.newton.builder import MARK, Blueprint, Wanted
 from esg.engines.newton.jointed import Jointed
 from esg.engines.newton.places import Places
 from esg.engines.newton.setup import FIXED_POINT
 from esg.engines.newton.sizes import rounded, rung
+from esg.engines.newton.swaps import Swaps
 from esg.engines.newton.trees import AXES, plan_trees
 from esg.engines.newton.worlds import AxisRows, NewtonWorlds, Singles
 from esg.engines.program import FIELDS, Action, Column

@@ -77,7 +77,9 @@ class Swaps:
             job = jobs[k]
             for s in self._shapes[k].stances:
                 rows = np.flatnonzero((job.kind == Action.CHANGE) & (job.body == s.bodies[0]))
-                own = job.table[w - first[k], rows][:, [Column.START, *range(Column.INTO, Column.FACING + 1)]]
+                own = job.table[w - first[k], rows][
+                    :, [Column.START, *range(Column.INTO, Column.FACING + 1)]
+                ]
                 own = own[np.argsort(own[:, 0], kind="stable")]
                 if len(own) > MOST_CHANGES:
                     raise ValueError(f"{len(own)} changes of one body; at most {MOST_CHANGES}")
@@ -86,7 +88,8 @@ class Swaps:
                 placed[i, : len(own)] = np.isfinite(own[:, 2])
                 place[i, : len(own), :3] = np.nan_to_num(own[:, 2:5])
                 place[i, : len(own), 5], place[i, : len(own), 6] = (
-                    np.sin(0.5 * own[:, 5]), np.cos(0.5 * own[:, 5]),
+                    np.sin(0.5 * own[:, 5]),
+                    np.cos(0.5 * own[:, 5]),
                 )
                 i += 1
         self.time.assign(time)

@@ -25,8 +25,8 @@ from esg.engines.traction import FEATURES
 
 if TYPE_CHECKING:
     from esg.engines.newton.breaking import Shatter
-    from esg.engines.newton.swaps import Swaps
     from esg.engines.newton.jointed import Jointed
+    from esg.engines.newton.swaps import Swaps
 
 Ints = NDArray[np.int32]
 Singles = NDArray[np.float32]

@@ -10,12 +10,14 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, mark_used, structural
 from esg.draft.discourse.record import Discourse, Posing
+from esg.draft.discourse.referents.registry import unique
 from esg.draft.discourse.tracks import Motion
+from esg.draft.discourse.windows import Draft
 from esg.draft.events.stated import start_of
 from esg.draft.events.timing import settle
 from esg.draft.events.told import last_of, things
 from esg.draft.grammar.clauses.frames import Frame
-from esg.graph.models import ForceDirection, NodeEvent
+from esg.graph.models import EdgeEvent, ForceDirection, MotionParams, NodeEvent
 from esg.lexicon.postures import STANDS, plan_of, posture_of
 
 USED = "posture"
@@ -163,3 +165,33 @@ def _change(d: Discourse, f: Frame, actor: str, row: _Row, end: int, seat: str |
 
 LEAST, MOST = 30.0, 100.0
 """Speeds of a guide [cm/s]; a change of posture has none of its own."""
+
+
+def get_up_first(d: Discourse) -> None:
+    """ "A boy crouches, then jumps": who does not stand gets up before he goes anywhere."""
+    for actor in dict.fromkeys(p.actor for p in d.moves.postures):
+        first = next(p for p in d.moves.postures if p.actor == actor)
+        now = first.posture if first.node is None else STANDS
+        for k, edge in enumerate(d.timeline.edges):
+            if edge.actor != actor:
+                continue
+            if edge.params.posture is not None:
+                now = edge.params.posture
+            elif now != STANDS and edge.event in _GOES:
+                now = STANDS
+                node = unique(f"{actor}_stands", (n.id for n in d.timeline.nodes))
+                at = next(i for i, n in enumerate(d.timeline.nodes) if n.id == edge.to)
+                up = Draft(node, NodeEvent.TRIGGER, (actor,), f"{actor} stands up")
+                d.timeline.nodes.insert(at, up)
+                name = unique(f"{actor}_stands_up", (e.id for e in d.timeline.edges))
+                rises = edge.model_copy(
+                    update={"id": name, "to": node, "event": EdgeEvent.GUIDE, "target": None,
+                            "params": MotionParams(posture=STANDS)}
+                )  # fmt: skip
+                d.timeline.edges[k : k + 1] = [rises, edge.model_copy(update={"from_": node})]
+
+
+_GOES = frozenset(
+    {EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION, EdgeEvent.TURN, EdgeEvent.TOWARD}
+)
+"""Segments of who moves about by himself."""
