@@ -75,10 +75,11 @@ def optimize(
     _check(strategy, collision, rounds_closed)
     given, doc = doc, effective(doc)
     scene = _scene_for(doc, strategy, collision)
+    still = (*first_postures(doc, scene), *liquids(doc, scene))
     if doc.timeline_system is None:
         return _write(
             given,
-            static_result(strategy, (*first_postures(doc, scene), *liquids(doc, scene))),
+            static_result(strategy, still),
             seed,
             strategy,
         )
@@ -86,7 +87,7 @@ def optimize(
     if not plan.variables:
         return _write(
             given,
-            static_result(strategy, (*first_postures(doc, scene), *liquids(doc, scene))),
+            static_result(strategy, still),
             seed,
             strategy,
         )

@@ -157,11 +157,11 @@ BREAKING_CONVENTION = (
 )
 """Stands under `breaking` of the conventions of a manifest with bodies that break."""
 POSTURES_CONVENTION = (
-    "the postures of a body are bodies of this list, of which one at a time is there, at first the "
-    "body itself; those that are not neither move nor touch; a ChangeBody fires once when time <= t "
-    "+ dt/2, in list order: into is there from then on, where its pose of this list lies in that of "
-    "body, carried along with it, and with its velocities; with a position it rests where it is if "
-    "body is there and faces heading [rad]; what later primitives ask of body, or end at its touch, "
+    "the postures of a body are bodies of this list, of which one at a time is there, at first "
+    "the body itself; those that are not neither move nor touch; a ChangeBody fires once when "
+    "time <= t + dt/2, in list order: into is there from then on, where its pose of this list lies "
+    "in that of body, carried along with it, and with its velocities; with a position it rests "
+    "where it is if body is there and faces heading [rad]; what later primitives ask of body "
     "is of the one that is there; recordings have body 0.4 mm above its place in the one that is "
     "there, the others in it, and name it in contacts"
 )

@@ -525,7 +525,7 @@ class MotionParams(Model):
     climbs: Literal["up", "down", "onto", "over"] | None = None
     """Guide that ends at a Trigger: leads the body along the surface of its target"""
     posture: Literal["stands", "sits", "lies", "kneels", "crouches", "bends"] | None = None
-    """Guide that ends at a Trigger: the posture that its actor takes, on its target if it has one"""
+    """Guide that ends at a Trigger: the posture that its actor takes, on its target if any"""
     opening: Quantity | None = None
     """Drive: the joint's position at its end, hinge [deg], slider [cm]"""
 

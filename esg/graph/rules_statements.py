@@ -11,7 +11,7 @@ _MOMENTS = ("start", "end", "throughout")
 _OF_EVENTS = (Predicate.SAME_TIME, Predicate.BEFORE)
 _OF_NOUNS = (Predicate.ABSENT, Predicate.COUNT)
 _NAMING = (Predicate.FILLED_WITH, Predicate.WEARS, Predicate.LOOKS, Predicate.POSTURE)
-"""Said of an object by a word: what it is filled with, what somebody wears, how he holds himself."""
+"""Said of an object by a word: what it is filled with, what somebody wears, his posture."""
 _OF_NOTHING = (*_OF_NOUNS, Predicate.FILMED, Predicate.NOT_REPRESENTED)
 """Said of the scene as a whole, or of what else they name."""
 _WITH_TARGET = frozenset(

@@ -80,9 +80,8 @@ def plan_of(noun: str, *, person: bool) -> str | None:
         person: Whether it names a person: those are drawn as people unless they have a row.
     """
     for kind in kinds():
-        if noun == kind.name or noun in kind.said_as or noun in kind.found_as:
-            if kind.builder:
-                return PLANS.get(kind.builder)
+        if kind.builder and noun in (kind.name, *kind.said_as, *kind.found_as):
+            return PLANS.get(kind.builder)
     return "people" if person else None
 
 

@@ -72,7 +72,7 @@ def whole_of_fragments(scene: SimScene) -> dict[str, Body]:
 
 
 def unbroken(scene: SimScene) -> SimScene:
-    """The scene without fragments and postures: what would break stays whole, who lies down stands."""
+    """The scene without fragments and postures: what breaks stays whole, who lies down stands."""
     if not brittle(scene) and not stances(scene):
         return scene
     whole = (replace(b, fragments=(), postures=()) for b in scene.bodies if b.category != FRAGMENT)

@@ -302,8 +302,8 @@ def change_bodies(
     """One thread per body that changes its posture: lets the one that is due be there."""
     n = wp.tid()
     due = float((wp.float64(clock[0]) + wp.float64(0.5)) * grid[0])
-    want = 0  # a variable to Warp
-    last = 0
+    want = int(0)  # noqa: UP018, RUF046  # a variable to Warp
+    last = int(0)  # noqa: UP018, RUF046  # a variable to Warp
     for k in range(time.shape[1]):
         if time[n, k] <= due:
             want = into[n, k]

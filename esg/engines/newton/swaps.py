@@ -22,6 +22,7 @@ if TYPE_CHECKING:
 
 MOST_CHANGES = 8
 """Of one body in a scene."""
+_COLUMNS = [Column.START, *range(Column.INTO, Column.FACING + 1)]
 
 
 class Swaps:
@@ -77,9 +78,7 @@ class Swaps:
             job = jobs[k]
             for s in self._shapes[k].stances:
                 rows = np.flatnonzero((job.kind == Action.CHANGE) & (job.body == s.bodies[0]))
-                own = job.table[w - first[k], rows][
-                    :, [Column.START, *range(Column.INTO, Column.FACING + 1)]
-                ]
+                own = job.table[w - first[k], rows][:, _COLUMNS]
                 own = own[np.argsort(own[:, 0], kind="stable")]
                 if len(own) > MOST_CHANGES:
                     raise ValueError(f"{len(own)} changes of one body; at most {MOST_CHANGES}")
@@ -107,8 +106,9 @@ class Swaps:
             kernels.change_bodies,
             dim=len(self.now),
             inputs=[
-                worlds.clock, worlds.grid, self.time, self.into, self.placed, self.place, self.now, self.member, self.pose,
-                self.height, self.first_q, start, state.body_q, state.body_qd, state.joint_q,
+                worlds.clock, worlds.grid, self.time, self.into, self.placed, self.place, self.now,
+                self.member, self.pose, self.height, self.first_q, start, state.body_q,
+                state.body_qd, state.joint_q,
                 state.joint_qd,
             ],
         )  # fmt: skip
