@@ -11,15 +11,18 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, mark_used, structural
 from esg.draft.discourse.record import Discourse, Posing
 from esg.draft.discourse.referents.registry import unique
+from esg.draft.discourse.scene import LIVING, SELF_POWERED
 from esg.draft.discourse.tracks import Motion
 from esg.draft.discourse.windows import Draft
+from esg.draft.events.senses.state import stands_there
 from esg.draft.events.stated import start_of
 from esg.draft.events.timing import settle
-from esg.draft.events.told import last_of, things
+from esg.draft.events.told import ignore, last_of, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import EdgeEvent, ForceDirection, MotionParams, NodeEvent
 from esg.lexicon.postures import STANDS, plan_of, posture_of
 
+UNPOSED = "bodies keep their pose"
 USED = "posture"
 """What became of a verb of a posture that is held."""
 _SEATS = lex.word_set("seats")
@@ -61,9 +64,15 @@ def takes_posture(d: Discourse, f: Frame, s: list[str]) -> bool:
     row, end = found
     if f.subject is not None and f.subject.pronoun:  # "a person sits on a chair. They stand up"
         s = [a for a in s if kind_of(d, a) in ("person", "animal")] or s
-    if not all(_can(d, a, row) for a in s):
+    if not row.posture and all(kind_of(d, a) in ("person", "animal") for a in s):
+        ignore(d, f, UNPOSED)
+        stands_there(d, f, s)
+        return True
+    if not all(_can(d, a, row) for a in s) or _rides(d, f):
         return False
     first = row.how == "holds" and not any(_has_acted(d, a) for a in s)
+    if row.posture == STANDS and any(_is_up(d, a) for a in s):
+        return False  # nobody says how he had come down
     for actor in s if not first else ():
         settle(d, actor, None)
     seat = None if first else _seat(d, f, s)
@@ -118,6 +127,20 @@ def _has_acted(d: Discourse, actor: str) -> bool:
     track = d.timeline.tracks.get(actor)
     told = any(p.actor == actor for p in d.moves.postures)
     return told or last_of(d, actor) is not None or (track is not None and track.motion is not None)
+
+
+def _is_up(d: Discourse, actor: str) -> bool:
+    """Whether somebody stands, or what has befallen him leaves open whether he does."""
+    told = [p.posture for p in d.moves.postures if p.actor == actor]
+    return told[-1] == STANDS if told else last_of(d, actor) is not None
+
+
+def _rides(d: Discourse, f: Frame) -> bool:
+    """Whether a clause has somebody sit or lie on what may carry him off: a horse, a cart."""
+    on = {i for p in f.phrases if p.prep in (*_ON, "inside", "atop", "astride") for i in things(p)}
+    return any(
+        kind_of(d, i) in (*SELF_POWERED, *LIVING, "toy") or "wheeled" in traits_of(d, i) for i in on
+    )
 
 
 def _is_seat(d: Discourse, thing: str) -> bool:
