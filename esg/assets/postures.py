@@ -7,7 +7,7 @@ from dataclasses import dataclass, replace
 from esg.assets.appearance import Appearance
 from esg.assets.configuration import node_mesh_path, parametric_entry
 from esg.graph.casting import effective
-from esg.graph.models import AssetConfiguration, EsgDocument, Predicate
+from esg.graph.models import AssetConfiguration, EsgDocument, Predicate, Proxy, ProxyKind
 from esg.lexicon.postures import PLANS, STANDS, Posture, posture_of
 
 
@@ -90,3 +90,23 @@ def taken(doc: EsgDocument) -> dict[str, tuple[Held, ...]]:
 def config_of(doc: EsgDocument, name: str) -> AssetConfiguration:
     """The configuration of a node."""
     return doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
+
+
+def with_room_to_lie(doc: EsgDocument) -> EsgDocument:
+    """A resolved document in which people who lie on the ground at first are as large as that."""
+    first = {n: h for n, h in at_first(doc).items() if h.row.plan == "people"}
+    lying = {n: h for n, h in first.items() if h.row.posture == "lies" and not seat_of(doc, n)}
+    if not lying:
+        return doc
+    configs = dict(doc.asset_configurations)
+    nodes = doc.spatial_relation_graph.nodes
+    for name, h in lying.items():
+        key = nodes[name].asset_id
+        if all(n in lying for n, node in nodes.items() if node.asset_id == key):
+            size = h.row.size(doc.asset_configurations[key].dimensions_cm)
+            x, y, z = (0.5 * v for v in size)
+            box = Proxy(kind=ProxyKind.BOX, size_cm=(x, y, z), position_cm=(0.0, 0.0, z))
+            configs[key] = configs[key].model_copy(
+                update={"dimensions_cm": size, "proxies": (box,), "support_surfaces": ()}
+            )
+    return doc.model_copy(update={"asset_configurations": configs})

@@ -1,7 +1,8 @@
 """The table of postures, `postures.csv`: how large a body is in each of them, by its plan.
 
 Sizes of people are shares of their height; those of four-legged animals of their own length, width
-and height as they stand. `least` and `most` are what the judge takes for the posture.
+and height as they stand. Legs and arms that reach out of the place where somebody stands do not
+collide, but for who lies. `least` and `most` are what the judge takes for the posture.
 """
 
 from __future__ import annotations

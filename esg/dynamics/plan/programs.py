@@ -279,6 +279,10 @@ class Composer:
             start = max(course.clock, self.node_time(phase.start, v, course.clock))
             start = max(start, self._shaken.get(actor, 0.0) if k == 0 else 0.0)
             end = self.phase_end(phase, v, start, duration)
+            if k and is_posture(phases[k - 1]) and f"{phase.end.id}/time" in v:
+                # Who had to come to a halt first has as long for what comes then.
+                told = self.node_time(phase.start, v, start)
+                end = max(end, start + v[f"{phase.end.id}/time"] - told)
             if self.cast.coasts(phase):
                 continue
             # What it would have done after slowing down, had nothing come first, it does not do.

@@ -17,7 +17,7 @@ from esg.draft.discourse.windows import Draft
 from esg.draft.events.senses.state import stands_there
 from esg.draft.events.stated import start_of
 from esg.draft.events.timing import settle
-from esg.draft.events.told import ignore, last_of, things, traits_of
+from esg.draft.events.told import happened, ignore, last_of, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import EdgeEvent, ForceDirection, MotionParams, NodeEvent
 from esg.lexicon.postures import STANDS, plan_of, posture_of
@@ -32,6 +32,7 @@ _TAIL = {
     "over": re.compile(r"\s+over\b", re.IGNORECASE),
     "to feet": re.compile(r"\s+(?:back\s+)?(?:up\s+)?(?:on)?to\s+\w+\s+feet\b", re.IGNORECASE),
 }
+_BLOWS = (NodeEvent.COLLISION, NodeEvent.FALL, NodeEvent.TOPPLE)
 _ON = ("on", "onto", "in", "into", "upon")
 
 
@@ -73,6 +74,8 @@ def takes_posture(d: Discourse, f: Frame, s: list[str]) -> bool:
     first = row.how == "holds" and not any(_has_acted(d, a) for a in s)
     if row.posture == STANDS and any(_is_up(d, a) for a in s):
         return False  # nobody says how he had come down
+    if not first and any(happened(d, kind, a) for kind in _BLOWS for a in s):
+        return False  # how a blow leaves him only the engine knows
     for actor in s if not first else ():
         settle(d, actor, None)
     seat = None if first else _seat(d, f, s)
