@@ -31,6 +31,7 @@ _LATER = frozenset(
         Predicate.SINKS,
         Predicate.WEARS,
         Predicate.LOOKS,
+        Predicate.POSTURE,
     }
 )
 """Of what labels call unsayable: documents hold it since."""

@@ -430,7 +430,7 @@ def raised(mesh: Any, skeleton: Skeleton) -> Any:
     mesh.vertices = np.asarray(mesh.vertices) + skeleton.lift
     if skeleton.pose.lies:
         x, y, z = np.asarray(mesh.vertices).T
-        mesh.vertices = np.stack([z - _HALF, y, x + _BACK], axis=1)
+        mesh.vertices = np.stack([z - _HALF, -y, x + _BACK], axis=1)
     return mesh
 
 
