@@ -41,7 +41,7 @@ def _judged(height: float, told: str, when: str, lift: float = 0.0) -> tuple[boo
         found = assess(scene, program, out, Told(movers=frozenset({"man_1"})))
         assert [c.name for c in found.checks if not c.ok] == []
     (statement,) = verdict.statements
-    return statement.status == "kept", statement.reason
+    return statement.kept, statement.reason or ""
 
 
 @pytest.mark.parametrize(
