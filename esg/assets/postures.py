@@ -74,6 +74,12 @@ def at_first(doc: EsgDocument) -> dict[str, Held]:
     return out
 
 
+def changes_posture(doc: EsgDocument) -> set[str]:
+    """Who sits, lies down or gets up in the course of a scene."""
+    edges = doc.timeline_system.sequence_graph.edges if doc.timeline_system else ()
+    return {e.actor for e in edges if e.params.posture is not None}
+
+
 def taken(doc: EsgDocument) -> dict[str, tuple[Held, ...]]:
     """Every posture but standing that a node takes, by node."""
     doc = effective(doc)
