@@ -27,6 +27,7 @@ def _owned(doc: EsgDocument) -> str:
     ("prompt", "told", "changes"),
     [
         ("A dog sits quietly.", [("sits", "throughout")], []),
+        ("A ball rolls into a dog that lies on the grass.", [("lies", "throughout")], []),
         ("A man kneels beside a car.", [("kneels", "throughout")], []),
         ("The horse lies down.", [("lies", "end")], [("lies", None)]),
         (

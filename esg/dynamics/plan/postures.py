@@ -106,6 +106,8 @@ def change(
         middle = np.array(top.center_cm) / 100.0 + np.array(seat.origin_offset)
         at = np.array(seat.position) + quat_rotate(np.array(seat.quaternion), middle)
         heading = float(yaw_from_quat(seat.quaternion))
+        if found.row.posture == "lies" and top.half_extents_cm[1] > top.half_extents_cm[0]:
+            heading += 0.5 * math.pi  # along a sofa
         return ChangeBody(actor, start, found.name, _standing(at, heading, foot), heading)
     return ChangeBody(actor, start, found.name)
 

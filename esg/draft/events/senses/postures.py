@@ -71,7 +71,10 @@ def takes_posture(d: Discourse, f: Frame, s: list[str]) -> bool:
         return True
     if not all(_can(d, a, row) for a in s) or _rides(d, f):
         return False
-    first = row.how == "holds" and not any(_has_acted(d, a) for a in s)
+    aside = f.relative or f.reduced  # "hits a dog that lies on the grass"
+    told = {p.actor for p in d.moves.postures}
+    first = row.how == "holds" and not told & {*s}
+    first = first and (aside or not any(_has_acted(d, a) for a in s))
     if row.posture == STANDS and any(_is_up(d, a) for a in s):
         return False  # nobody says how he had come down
     if not first and any(happened(d, kind, a) for kind in _BLOWS for a in s):
