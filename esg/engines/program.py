@@ -609,7 +609,7 @@ def redirected(program: Program, names: Collection[str]) -> list[Primitive]:
             if not isinstance(p, BuoyUp):
                 p = replace(p, until_contact=tuple(dict.fromkeys(ends)))
         moved = p.body in there and not isinstance(p, DriveJoint)
-        out.append(replace(p, body=there[p.body]) if moved else p)  # type: ignore[call-arg]
+        out.append(replace(p, body=there[p.body]) if moved else p)
     return out
 
 

@@ -64,8 +64,16 @@ def postures() -> tuple[Posture, ...]:
     with open(TABLE, encoding="utf-8", newline="") as file:
         return tuple(
             Posture(
-                *(line[k] for k in ("plan", "posture", "on", "pose")),
-                *(float(line[k]) for k in ("length", "width", "height", "ahead", "least", "most")),
+                line["plan"],
+                line["posture"],
+                line["on"],
+                line["pose"],
+                float(line["length"]),
+                float(line["width"]),
+                float(line["height"]),
+                float(line["ahead"]),
+                float(line["least"]),
+                float(line["most"]),
                 line["source"],
             )
             for line in csv.DictReader(file)
