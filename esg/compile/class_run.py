@@ -30,10 +30,10 @@ from esg.compile.records import (
     record_pose,
     shape_of,
 )
+from esg.engines.breaking.stances import own_names, ride_along, stances
 from esg.engines.breaking.swap import brittle, settle
 from esg.engines.executor import Touch, play, touch_order
 from esg.engines.scene import Body, ContactLog, Rollout, Shape, SimScene
-from esg.engines.stances import own_names, ride_along, stances
 from esg.engines.worlds import ContactRecorder, Frames, Principal, Values, rest_states, world_values
 from esg.units import quat_rotate, quat_rotated
 

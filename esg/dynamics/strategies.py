@@ -77,20 +77,10 @@ def optimize(
     scene = _scene_for(doc, strategy, collision)
     still = (*first_postures(doc, scene), *liquids(doc, scene))
     if doc.timeline_system is None:
-        return _write(
-            given,
-            static_result(strategy, still),
-            seed,
-            strategy,
-        )
+        return _write(given, static_result(strategy, still), seed, strategy)
     plan = make_plan(doc, scene, seed=seed, look_ahead=strategy != "none")
     if not plan.variables:
-        return _write(
-            given,
-            static_result(strategy, still),
-            seed,
-            strategy,
-        )
+        return _write(given, static_result(strategy, still), seed, strategy)
     salt = entropy(doc)
 
     def run(

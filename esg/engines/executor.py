@@ -12,6 +12,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from esg.engines.breaking.stances import Changes, fill_in, own_names, stances
 from esg.engines.joints import Motor
 from esg.engines.program import (
     GUIDE_RATE,
@@ -24,7 +25,6 @@ from esg.engines.program import (
     path_point,
 )
 from esg.engines.scene import ContactLog, Floats
-from esg.engines.stances import Changes, fill_in, own_names, stances
 from esg.engines.traction import Traction, features
 from esg.engines.worlds import MAX_SPEED_MPS, ContactRecorder, Frames, Start, join_logs
 from esg.units import GRAVITY_MPS2

@@ -15,12 +15,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.base import SURROGATE
+from esg.engines.breaking.stances import fill_in, own_names, stances
 from esg.engines.breaking.swap import brittle, unpark
 from esg.engines.program import Action, Column, ProgramBatch
 from esg.engines.rest import starts_at_rest
 from esg.engines.scene import ContactLog, Rollout, SimScene, Variation
 from esg.engines.shapes import SceneShapes
-from esg.engines.stances import fill_in, own_names, stances
 from esg.engines.traction import features, has_tyres
 from esg.engines.worlds import MAX_SPEED_MPS, Frames, Start, join_logs, moving
 

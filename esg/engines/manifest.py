@@ -18,6 +18,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from esg.engines.breaking import breaking_problems
+from esg.engines.breaking.stances import stance_problems
 from esg.engines.joints import Joint, Motor, joint_problems
 from esg.engines.manifest_model import (
     BRAKING_CONVENTION,
@@ -55,7 +56,6 @@ from esg.engines.program import (
     program_to_json,
 )
 from esg.engines.scene import GROUND, Body, Region, Shape, SimScene, Wheel
-from esg.engines.stances import stance_problems
 from esg.outcomes import UserError
 
 

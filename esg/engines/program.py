@@ -57,8 +57,8 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   one it had, or none (`esg.engines.joints.Motor`).
 * A `ChangeBody` fires as `SetVelocity` does: `into`, which stands in for `body` in another posture,
   is there from then on instead of what was there of it before, with its velocities: where it lies
-  by the scene's poses of both, turning with it (`esg.engines.stances`); with a `position` it rests
-  there, as if `body` had come there. What the program asks of
+  by the scene's poses of both, turning with it (`esg.engines.breaking.stances`); with a
+  `position` it rests there, as if `body` had come there. What the program asks of
   `body` later it asks of the one that is there.
 * Brakes and tyres do not act in a step in which a hold or a guide sets the body's velocity, nor on
   what nothing carries: a body that lost more than g dt / 2 of its vertical velocity in the last

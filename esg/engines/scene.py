@@ -102,7 +102,7 @@ class Body:
         break_impulse: It breaks once it took more within `BREAK_WINDOW_S`
             (`esg.engines.joint_rules`) [N s]; None: never.
         fragments: Names of the bodies that it then is (`esg.engines.breaking`).
-        postures: Names of the bodies that it is in other postures (`esg.engines.stances`).
+        postures: Names of the bodies that it is in other postures (`esg.engines.breaking.stances`).
         drawn: Parts of its model as "NAME #rrggbb MATERIAL", of those of whom it is stated what
             they wear; nothing physical depends on it.
     """

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.breaking.stances import Stance, stances
 from esg.engines.breaking.swap import Brittle, brittle
 from esg.engines.joints import WORLD, Joint
 from esg.engines.scene import Floats, Shape, SimScene
-from esg.engines.stances import Stance, stances
 from esg.engines.worlds import moving
 from esg.units import quat_rotate
 

@@ -12,10 +12,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.breaking import breaking_problems, brittle, ride, rigid
+from esg.engines.breaking.stances import pose_in, stance_problems, stances
 from esg.engines.joints import joint_problems
 from esg.engines.program import KINDS, Action, ProgramBatch
 from esg.engines.scene import GROUND, Body, ContactLog, Floats, Rollout, Shape, SimScene, Variation
-from esg.engines.stances import pose_in, stance_problems, stances
 from esg.engines.starts import start_velocities
 
 MAX_SPEED_MPS = 500.0

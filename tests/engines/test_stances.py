@@ -7,6 +7,7 @@ import pytest
 
 from esg.engines import get_engine
 from esg.engines.breaking import hidden
+from esg.engines.breaking.stances import stance_problems
 from esg.engines.program import (
     AdjustProperties,
     ChangeBody,
@@ -16,7 +17,6 @@ from esg.engines.program import (
     redirected,
 )
 from esg.engines.scene import FRAGMENT, Body, Rollout, Shape, SimScene
-from esg.engines.stances import stance_problems
 
 HEIGHTS = {"dog": 0.6, "dog_lies": 0.24}
 INERTIA = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))

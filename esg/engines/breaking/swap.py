@@ -14,9 +14,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.breaking.stances import absent, stances
 from esg.engines.joints import Floats
 from esg.engines.scene import FRAGMENT, Body, Rollout, SimScene
-from esg.engines.stances import absent, stances
 from esg.units import quat_inverse, quat_multiply, quat_rotate
 
 PARTED_M = 1e-4

@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.breaking import brittle
+from esg.engines.breaking.stances import stances
 from esg.engines.jobs import Job, Played, finish, job_of
 from esg.engines.newton.builder import Drafts
 from esg.engines.newton.model import NewtonModel, Points
@@ -19,7 +20,6 @@ from esg.engines.newton.setup import ITERATIONS, cpu_threads, known_device
 from esg.engines.program import ProgramBatch
 from esg.engines.scene import Rollout, SimScene, Variation
 from esg.engines.shapes import SceneShapes
-from esg.engines.stances import stances
 from esg.engines.worlds import Start, moving
 
 Worlds = NDArray[np.int64]
