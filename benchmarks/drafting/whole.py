@@ -34,6 +34,7 @@ _LATER = frozenset(
         Predicate.LIT,
         Predicate.WEATHER,
         Predicate.SWAYS,
+        Predicate.POSTURE,
     }
 )
 """Of what labels call unsayable: documents hold it since."""

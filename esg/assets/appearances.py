@@ -21,6 +21,7 @@ from esg.assets.configuration import parametric_entry, stated_material
 from esg.assets.library.catalogue import Entry, normalize, parse_hex
 from esg.assets.looks import Color
 from esg.assets.materials import MATERIALS
+from esg.assets.postures import changes_posture
 from esg.graph.casting import effective
 from esg.graph.models import AssetRequirement, CoverageItem, EsgDocument, NodeEvent, Predicate
 from esg.lexicon.garments import read
@@ -270,11 +271,14 @@ def _poses(doc: EsgDocument) -> dict[str, str]:
     # A dog that catches a ball walks or runs, or it stands.
     done = {n: pose for n, pose in done.items() if n in people or pose in GAITS}
     found = ridden | going | done | _loaded(doc, people)
+    elsewhere = changes_posture(doc)  # drawn as another body while they sit
     regions, leaping = doc.spatial_relation_graph.semantic_regions, _leaping(doc)
     for name in sorted(people):
         region = regions.get(nodes[name].semantic_region or "")
         below = None if region is None else kinds.get(region.parent_object)
         posture = _postures().on.get(below or "")
+        if name in elsewhere:
+            continue
         if posture == "sit" and name in leaping:
             found[name] = done.get(name, "run")  # who jumps off a bench does not sit on it
         elif posture is not None:

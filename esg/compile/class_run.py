@@ -30,9 +30,10 @@ from esg.compile.records import (
     record_pose,
     shape_of,
 )
+from esg.engines.breaking.stances import own_names, ride_along, stances
 from esg.engines.breaking.swap import brittle, settle
 from esg.engines.executor import Touch, play, touch_order
-from esg.engines.scene import Body, Rollout, Shape, SimScene
+from esg.engines.scene import Body, ContactLog, Rollout, Shape, SimScene
 from esg.engines.worlds import ContactRecorder, Frames, Principal, Values, rest_states, world_values
 from esg.units import quat_rotate, quat_rotated
 
@@ -91,6 +92,7 @@ class ClassRun:
         self._pairs: dict[tuple[int, int], tuple[int, int] | None] = {}
         self._joint_of: dict[int, int] = {}
         self._gone: dict[int, tuple[float, Any]] = {}
+        self._came: list[tuple[float, int]] = []
         self._now = 0.0
         self._backend = _Backend()
         self._keep: list[Any] = []
@@ -214,6 +216,7 @@ class ClassRun:
         turn = frames.quaternion_to_unreal(rotation[0:4])
         at = frames.vector_from_unreal(location[0:3]) - quat_rotate(turn, self._offset[component])
         self._world.release(body, at, turn, np.zeros(3), np.zeros(3))
+        self._came.append((self._now, body))
 
     # Life of the class -----------------------------------------------------------------------
 
@@ -349,6 +352,7 @@ class ClassRun:
         valid = play(self._world, driver, grid, states, recorder, ground)
         self._check(0)
         self._fill_in(states, grid)
+        log = self._in_postures(states, grid, recorder.log())
         return Rollout(
             engine=engine,
             dt=grid.dt,
@@ -357,7 +361,7 @@ class ClassRun:
             quaternion=states[1],
             linear_velocity=states[2],
             angular_velocity=states[3],
-            contacts=recorder.log(),
+            contacts=log,
             valid=np.array([valid]),
             extra={"proof": "class", "log": list(self.log)},
         )
@@ -398,6 +402,23 @@ class ClassRun:
             if gone.any() and pose is not None:
                 states[0][0, gone.argmax(), b.whole], states[1][0, gone.argmax(), b.whole] = pose
             settle(b, states, gone[None])
+
+    def _in_postures(
+        self, states: tuple[Any, Any, Any, Any], grid: Frames, log: ContactLog
+    ) -> ContactLog:
+        """Writes where the postures are that are not there; the log names those who take them."""
+        own = {e["index"]: tuple(e.get("postures", ())) for e in self._components.values()}
+        if not any(own.values()):
+            return log
+        bodies = (replace(b, postures=own.get(i, ())) for i, b in enumerate(self.scene.bodies))
+        scene = self.scene.with_bodies(tuple(bodies))
+        for s in stances(scene):
+            there = np.zeros(len(grid.time), np.int64)
+            for when, body in self._came:
+                if body in s.bodies:
+                    there[(grid.time > when + 0.5 * grid.dt) | (when <= 0.0)] = s.bodies.index(body)
+            ride_along(s, 0, there, states)
+        return own_names(scene, log)
 
     def close(self) -> None:
         """Destroys the actor and unloads the library: batches must not grow with every class."""

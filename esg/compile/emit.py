@@ -76,6 +76,7 @@ def imports_json(what: ScenePlan) -> str:
                 "index": b.index,
                 "center_of_mass_cm": b.center_of_mass.tolist(),
                 **({"fragments": list(b.source.fragments)} if b.source.fragments else {}),
+                **({"postures": list(b.source.postures)} if b.source.postures else {}),
             }
             for b in what.bodies
         },

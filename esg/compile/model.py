@@ -7,7 +7,8 @@ text modules (header, source) format what they find here and compute nothing.
 from __future__ import annotations
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+import math
 
 import numpy as np
 from numpy.typing import NDArray
@@ -20,6 +21,7 @@ from esg.engines.program import (
     AdjustProperties,
     ApplyImpulse,
     BuoyUp,
+    ChangeBody,
     DriveJoint,
     GuideAlong,
     HoldSpin,
@@ -27,13 +29,14 @@ from esg.engines.program import (
     Program,
     SetVelocity,
     Vec,
+    redirected,
 )
 from esg.engines.scene import GROUND, Body, SimScene, Wheel
 from esg.engines.worlds import principal_axes
-from esg.units import quat_rotate
+from esg.units import quat_from_euler_deg, quat_rotate
 
 Floats = NDArray[np.float64]
-OfBody = SetVelocity | ApplyImpulse | AdjustProperties | Lasting
+OfBody = SetVelocity | ApplyImpulse | AdjustProperties | ChangeBody | Lasting
 """Primitives that act on a body."""
 
 UNLIMITED = 1.0e9
@@ -231,8 +234,9 @@ def plan(
     idents = names.unique_identifiers((*scene.names, *wheels, *joints))
     assets = mesh_assets(scene, f"/Game/ESG/{name.removeprefix(CLASS_PREFIX + '_')}")
     bodies = tuple(_body(i, body, idents, assets[i]) for i, body in enumerate(scene.bodies))
-    primitives = _primitives(program, idents, scene.joints)
-    events = _events(watch, idents)
+    primitives = _primitives(program, idents, scene)
+    own = {b.name: (b.name, *b.postures) for b in scene.bodies}
+    events = _events(tuple(_of_all_postures(e, own) for e in watch), idents)
     notified = {n for e in events for n in e.first}
     notified |= {p.body for p in primitives if p.until}
     notified |= {b.member for b in bodies if b.source.fragments}
@@ -301,13 +305,14 @@ def _known(idents: dict[str, str], name: str, what: str) -> str:
 
 
 def _primitives(
-    program: Program, idents: dict[str, str], joints: tuple[Joint, ...]
+    program: Program, idents: dict[str, str], scene: SimScene
 ) -> tuple[UnrealPrimitive, ...]:
+    joints, order = scene.joints, {name: k for k, name in enumerate(scene.names)}
     numbers = {j.name: k for k, j in enumerate(joints)}
     counts: dict[tuple[str, str], int] = {}
     members: set[str] = {i.lower() for i in idents.values()}
     out: list[UnrealPrimitive] = []
-    for p in program.primitives:
+    for p in redirected(program, order):
         if isinstance(p, DriveJoint):
             if p.joint not in numbers:
                 raise ValueError(f"{p.kind} names unknown joint {p.joint!r}")
@@ -317,11 +322,14 @@ def _primitives(
         else:
             target = _known(idents, p.body, p.kind)
             name, values = target.removesuffix(MESH), _values(p)
+            if isinstance(p, ChangeBody):
+                values += (("Into", str(order[p.into])), *_place(p, scene))
         stem = {
             "SetVelocity": "Launch",
             "ApplyImpulse": "Impulse",
             "AdjustProperties": "Change",
             "DriveJoint": "Motor",
+            "ChangeBody": "Posture",
             "HoldVelocity": "Drive",
             "GuideAlong": "Guide",
             "HoldSpin": "Spin",
@@ -338,6 +346,25 @@ def _primitives(
             until = tuple(_known(idents, n, f"hold of {p.body!r}") for n in p.until_contact)
         out.append(UnrealPrimitive(member, p.kind, target, values, until))
     return tuple(out)
+
+
+def _of_all_postures(event: WatchedEvent, own: dict[str, tuple[str, ...]]) -> WatchedEvent:
+    """A contact of bodies whatever their posture."""
+    a, b = (tuple(n for name in of for n in own.get(name, (name,))) for of in (event.a, event.b))
+    return replace(event, a=a, b=b)
+
+
+def _place(p: ChangeBody, scene: SimScene) -> tuple[tuple[str, str], ...]:
+    """Where the component of a body is that comes to a place; nothing where it stays."""
+    if p.position is None:
+        return ()
+    turn = quat_from_euler_deg(math.degrees(p.heading))
+    at = np.array(p.position) + quat_rotate(turn, np.array(scene.body(p.body).origin_offset))
+    return (
+        ("bPlaced", "true"),
+        ("Place", frames.vector_literal(frames.vector_to_unreal(at))),
+        ("Facing", frames.quaternion_literal(frames.quaternion_to_unreal(tuple(turn)))),
+    )
 
 
 def _drive(p: DriveJoint, joint: Joint) -> tuple[tuple[str, str], ...]:
@@ -362,6 +389,8 @@ def _values(p: OfBody) -> tuple[tuple[str, str], ...]:
             ("Time", frames.literal(p.time)),
             ("Impulse", _vector(p.impulse)),
         )
+    if isinstance(p, ChangeBody):
+        return (("Time", frames.literal(p.time)),)
     if isinstance(p, AdjustProperties):
         values = [("Time", frames.literal(p.time))]
         for flag, field, value in (

@@ -135,8 +135,12 @@ def document_program(doc: EsgDocument, scene: SimScene | None = None) -> Program
     """
     if doc.dynamics_result is None or not doc.dynamics_result.program:
         from esg.dynamics.plan.liquids import liquids
+        from esg.dynamics.plan.postures import first_postures
 
-        return Program(() if scene is None else liquids(doc, scene), STATIC_DURATION_S)
+        if scene is None:
+            return Program((), STATIC_DURATION_S)
+        primitives = (*first_postures(doc, scene), *liquids(doc, scene))
+        return Program(primitives, STATIC_DURATION_S)
     return program_from_json(doc.dynamics_result.program)
 
 

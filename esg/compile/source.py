@@ -130,6 +130,11 @@ def _bodies(plan: ScenePlan) -> str:
         for k, b in enumerate(plan.bodies)
         if b.source.fragments
     ]
+    lines += [
+        f"\tAddStance({k}, {{ {', '.join(str(number[n]) for n in b.source.postures)} }});"
+        for k, b in enumerate(plan.bodies)
+        if b.source.postures
+    ]
     return _function("CollectBodies()", lines)
 
 

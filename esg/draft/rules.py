@@ -17,6 +17,7 @@ from esg.draft.document.screening import contradictions, nothing_to_draw, screen
 from esg.draft.document.spacing import space
 from esg.draft.events.crossing import take_time
 from esg.draft.events.interpret import begin, interpret
+from esg.draft.events.senses.postures import get_up_first
 from esg.draft.grammar.clauses.builder import build_clauses
 from esg.draft.grammar.clauses.modality import mark_unreal
 from esg.draft.grammar.phrases.chunker import chunk
@@ -125,6 +126,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     contrast(scene)
     space(text, clauses.mentions, scene)
     _fit_what_is_climbed(discourse)
+    get_up_first(discourse)
     contradictions(scene)
     nothing_to_draw(scene)
     too_much(scene)

@@ -16,6 +16,7 @@ from esg.dynamics.gradient import descend
 from esg.dynamics.gradient.refine import COLLISIONS, Staged, staged_search
 from esg.dynamics.plan import Plan, build_scene, make_plan, ruled_out
 from esg.dynamics.plan.liquids import liquids
+from esg.dynamics.plan.postures import first_postures
 from esg.dynamics.search import REFERENCE_DT_S, Found, Panel
 from esg.dynamics.search.baselines import BASELINES, minimize
 from esg.dynamics.search.batched import search, with_pieces
@@ -23,6 +24,7 @@ from esg.dynamics.search.closedloop import close_loop
 from esg.dynamics.search.results import static_result, write_result
 from esg.engines.base import Engine
 from esg.engines.breaking import unbroken
+from esg.engines.program import Primitive
 from esg.engines.registry import get_engine
 from esg.engines.scene import SimScene
 from esg.graph.canonical import document_hash, entropy
@@ -75,10 +77,10 @@ def optimize(
     given, doc = doc, effective(doc)
     scene = _scene_for(doc, strategy, collision)
     if doc.timeline_system is None:
-        return _write(given, static_result(strategy, liquids(doc, scene)), seed, strategy)
+        return _write(given, static_result(strategy, _still(doc, scene)), seed, strategy)
     plan = make_plan(doc, scene, seed=seed, look_ahead=strategy != "none")
     if not plan.variables:
-        return _write(given, static_result(strategy, liquids(doc, scene)), seed, strategy)
+        return _write(given, static_result(strategy, _still(doc, scene)), seed, strategy)
     salt = entropy(doc)
 
     def run(
@@ -133,6 +135,11 @@ def _check(strategy: str, collision: str, rounds_closed: int) -> None:
         )
     if strategy not in (*STRATEGIES, *BASELINES):
         raise UserError(f"unknown strategy {strategy!r}; choose one of {', '.join(STRATEGIES)}")
+
+
+def _still(doc: EsgDocument, scene: SimScene) -> tuple[Primitive, ...]:
+    """What is done where nobody acts."""
+    return (*first_postures(doc, scene), *liquids(doc, scene))
 
 
 def _scene_for(doc: EsgDocument, strategy: str, collision: str) -> SimScene:

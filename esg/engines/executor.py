@@ -12,6 +12,7 @@ from typing import Any, Protocol
 
 import numpy as np
 
+from esg.engines.breaking.stances import Changes, fill_in, own_names, stances
 from esg.engines.joints import Motor
 from esg.engines.program import (
     GUIDE_RATE,
@@ -98,6 +99,7 @@ class Executor:
         rows: `esg.engines.traction.features` of the bodies; None if all move and none is
             round or has tyres.
         joints: Names of the scene's joints.
+        changes: Who changes his posture; None for nobody.
     """
 
     def __init__(
@@ -107,7 +109,9 @@ class Executor:
         gravity_z: float = -GRAVITY_MPS2,
         rows: Floats | None = None,
         joints: Sequence[str] = (),
+        changes: Changes | None = None,
     ) -> None:
+        self._changes = changes
         self._gravity_z = gravity_z
         self._traction = Traction(batch, world, rows, gravity_z)
         self._kind = [Action(k) for k in batch.kind]
@@ -159,6 +163,9 @@ class Executor:
                 self._done[k] = True
                 if self._kind[k] is Action.DRIVE:
                     world.set_motor(self._joint[k], _motor(row))
+                elif self._kind[k] is Action.CHANGE:
+                    if self._changes is not None:
+                        self._changes.change(body, row, world)
                 else:
                     _fire(self._kind[k], row, body, world)
                 if self._kind[k] is Action.ADJUST and not math.isnan(row[Column.BRAKING]):
@@ -194,12 +201,20 @@ def play_all(start: Start, world: Callable[[int], World], ground_contacts: bool)
         recorder = ContactRecorder(w, start.frames)
         rows = features(start.scene, float(start.values.friction_scale[w]))
         joints = [j.name for j in start.scene.joints]
-        program = Executor(start.batch, w, start.scene.gravity[2], rows, joints)
+        changes = Changes(start.scene) if stances(start.scene) else None
+        program = Executor(start.batch, w, start.scene.gravity[2], rows, joints, changes)
+        played = world(w)
+        if changes is not None:
+            changes.open(played)
         start.valid[w] = play(
-            world(w), program, start.frames, start.states, recorder, ground_contacts
+            played, program, start.frames, start.states, recorder, ground_contacts
         )
         logs.append(recorder.log())
-    return join_logs(logs)
+    log = join_logs(logs)
+    if stances(start.scene):
+        fill_in(start.scene, start.batch, start.frames.time, start.frames.dt, start.states)
+        log = own_names(start.scene, log)
+    return log
 
 
 def play(

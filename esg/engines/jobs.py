@@ -15,6 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.base import SURROGATE
+from esg.engines.breaking.stances import fill_in, own_names, stances
 from esg.engines.breaking.swap import brittle, unpark
 from esg.engines.program import Action, Column, ProgramBatch
 from esg.engines.rest import starts_at_rest
@@ -250,9 +251,10 @@ def refuse_what_it_lacks(scene: SimScene) -> None:
         raise ValueError(
             f"{scene.scene_id!r} has joints, which the surrogate cannot simulate; take another"
         )
-    if brittle(scene):
+    if brittle(scene) or stances(scene):
+        what = "break" if brittle(scene) else "change their posture"
         raise ValueError(
-            f"{scene.scene_id!r} has bodies that break, which the surrogate cannot simulate; take "
+            f"{scene.scene_id!r} has bodies that {what}, which the surrogate cannot simulate; take "
             "another"
         )
 
@@ -315,6 +317,11 @@ def _fill(start: Start, worlds: NDArray[np.int64], played: Played) -> ContactLog
         target[rows] = source
     if brittle(start.scene):
         _unpark(start, worlds)
+    if stances(start.scene):
+        grid = start.frames
+        own = np.asarray(worlds).tolist()
+        fill_in(start.scene, start.batch, grid.time, grid.dt, start.states, own)
+        log = own_names(start.scene, log)
     for target in start.states:
         for k in np.nonzero(end < n_frames)[0]:
             target[worlds[k], end[k] :] = target[worlds[k], end[k] - 1]

@@ -18,6 +18,7 @@ from typing import Any
 from pydantic import BaseModel, ValidationError
 
 from esg.engines.breaking import breaking_problems
+from esg.engines.breaking.stances import stance_problems
 from esg.engines.joints import Joint, Motor, joint_problems
 from esg.engines.manifest_model import (
     BRAKING_CONVENTION,
@@ -31,6 +32,7 @@ from esg.engines.manifest_model import (
     JOINTS_CONVENTION,
     MANIFEST_FORMAT,
     MANIFEST_VERSION,
+    POSTURES_CONVENTION,
     SPIN_CONVENTION,
     TYRES_CONVENTION,
     WHEELS_CONVENTION,
@@ -123,7 +125,9 @@ def manifest_to_json(
         data = ManifestModel.model_validate(data).model_dump(mode="json")
     except ValidationError as error:
         raise ValueError("; ".join(complaints(error))) from None
-    problems = dangling(data) + joint_problems(scene) + breaking_problems(scene)
+    problems = (
+        dangling(data) + joint_problems(scene) + breaking_problems(scene) + stance_problems(scene)
+    )
     if problems:
         raise ValueError("; ".join(problems))
     return data
@@ -145,6 +149,8 @@ def _special_conventions(scene: SimScene, program: Program) -> dict[str, str]:
         out["joints"] = JOINTS_CONVENTION
     if any(b.fragments for b in scene.bodies):
         out["breaking"] = BREAKING_CONVENTION
+    if any(b.postures for b in scene.bodies):
+        out["postures"] = POSTURES_CONVENTION
     for p in program.primitives:
         if isinstance(p, HoldVelocity) and p.climb is not None:
             out["climb"] = CLIMB_CONVENTION
@@ -193,7 +199,7 @@ def manifest_from_json(data: Any) -> Manifest:
         weather=model.weather,
         joints=tuple(_joint(j) for j in model.joints),
     )
-    if problems := joint_problems(scene) + breaking_problems(scene):
+    if problems := joint_problems(scene) + breaking_problems(scene) + stance_problems(scene):
         raise UserError("not a valid manifest:\n" + "\n".join(problems))
     primitives = []
     for p in model.program.primitives:

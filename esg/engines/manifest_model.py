@@ -156,6 +156,16 @@ BREAKING_CONVENTION = (
     "taken back"
 )
 """Stands under `breaking` of the conventions of a manifest with bodies that break."""
+POSTURES_CONVENTION = (
+    "the postures of a body are bodies of this list, of which one at a time is there, at first "
+    "the body itself; those that are not neither move nor touch; a ChangeBody fires once when "
+    "time <= t + dt/2, in list order: into is there from then on, where its pose of this list lies "
+    "in that of body, carried along with it, and with its velocities; with a position it rests "
+    "where it is if body is there and faces heading [rad]; what later primitives ask of body "
+    "is of the one that is there; recordings have body 0.4 mm above its place in the one that is "
+    "there, the others in it, and name it in contacts"
+)
+"""Stands under `postures` of the conventions of a manifest whose bodies change theirs."""
 
 Number = Annotated[float, Field(allow_inf_nan=False)]
 Positive = Annotated[float, Field(gt=0.0, allow_inf_nan=False)]
@@ -248,6 +258,9 @@ class BodyModel(_Model):
         None, description="It breaks where it takes more [N s]; absent: never"
     )
     fragments: tuple[Name, ...] = Field((), description="What it breaks into; absent: it does not")
+    postures: tuple[Name, ...] = Field(
+        (), description="Bodies that it is in other postures; absent: it has one"
+    )
     drawn: tuple[str, ...] = Field(
         (), description="Parts of its model, where it is stated what it wears; absent: it is not"
     )
@@ -259,7 +272,7 @@ class BodyModel(_Model):
         # Bodies without wheels and tyres, and those that do not break, read as they always did.
         data = handler(self)
         for name in ("tyre_friction", "tyre_drop", "tyre_foot", "wheels", "break_impulse",
-                     "fragments", "drawn", "shines", "sways"):  # fmt: skip
+                     "fragments", "postures", "drawn", "shines", "sways"):  # fmt: skip
             if not data[name]:
                 del data[name]
         return data
@@ -356,6 +369,17 @@ class DriveJointModel(_Model):
     limit: NonNegative | None = None
 
 
+class ChangeBodyModel(_Model):
+    """Lets another body stand in for one; without a position where that is."""
+
+    kind: Literal["ChangeBody"]
+    body: Name
+    time: Number
+    into: Name
+    position: Vec | None = None
+    heading: Number = 0.0
+
+
 class HoldVelocityModel(_Model):
     """Motion under own power; a null end is infinite."""
 
@@ -444,6 +468,7 @@ class ProgramModel(_Model):
             | ApplyImpulseModel
             | AdjustPropertiesModel
             | DriveJointModel
+            | ChangeBodyModel
             | HoldVelocityModel
             | GuideAlongModel
             | HoldSpinModel
@@ -527,6 +552,8 @@ def dangling(data: dict[str, Any]) -> list[str]:
         if p["kind"] == "DriveJoint":
             continue
         uses.append((f"/program/primitives/{i}/body", p["body"]))
+        if p["kind"] == "ChangeBody":
+            uses.append((f"/program/primitives/{i}/into", p["into"]))
         until = p.get("until_contact", ())
         uses += [(f"/program/primitives/{i}/until_contact/{k}", n) for k, n in enumerate(until)]
     for i, pair in enumerate(data["watch"]):

@@ -55,6 +55,11 @@ semantics. Before the physics step that leads from t to t + dt, in list order:
   the sign of w.f.
 * A `DriveJoint` fires as `SetVelocity` does: from then on the joint has that motor instead of the
   one it had, or none (`esg.engines.joints.Motor`).
+* A `ChangeBody` fires as `SetVelocity` does: `into`, which stands in for `body` in another posture,
+  is there from then on instead of what was there of it before, with its velocities: where it lies
+  by the scene's poses of both, turning with it (`esg.engines.breaking.stances`); with a
+  `position` it rests there, as if `body` had come there. What the program asks of
+  `body` later it asks of the one that is there.
 * Brakes and tyres do not act in a step in which a hold or a guide sets the body's velocity, nor on
   what nothing carries: a body that lost more than g dt / 2 of its vertical velocity in the last
   step, from after all this to before the primitives (in the first step everything is carried).
@@ -65,7 +70,7 @@ Damping is applied by every engine as v *= max(0, 1 - c dt) once per step.
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Iterable, Sequence
+from collections.abc import Collection, Iterable, Sequence
 from dataclasses import asdict, dataclass, fields, replace
 from enum import IntEnum
 from itertools import pairwise
@@ -150,6 +155,26 @@ class DriveJoint:
     def lets_go(self) -> bool:
         """Whether the joint has no motor from then on."""
         return self.speed is None and self.position is None
+
+
+@dataclass(frozen=True)
+class ChangeBody:
+    """Lets `into` be there instead of `body`, or `body` itself again, from `time` [s] on.
+
+    Args:
+        body: Name.
+        time: [s].
+        into: Name of the body that is there from then on.
+        position: Where `body` would be then [m]; None where it is.
+        heading: Which way it would face there [rad].
+    """
+
+    kind: ClassVar[str] = "ChangeBody"
+    body: str
+    time: float
+    into: str
+    position: Vec | None = None
+    heading: float = 0.0
 
 
 @dataclass(frozen=True)
@@ -405,12 +430,13 @@ Moving = HoldVelocity | GuideAlong | HoldSpin
 """What moves a body from its start until its end or a touch."""
 Lasting = Moving | BuoyUp
 """What goes on from its start until its end or a touch."""
-Primitive = SetVelocity | ApplyImpulse | AdjustProperties | DriveJoint | Lasting
+Primitive = SetVelocity | ApplyImpulse | AdjustProperties | DriveJoint | ChangeBody | Lasting
 KINDS: tuple[type[Any], ...] = (
     SetVelocity,
     ApplyImpulse,
     AdjustProperties,
     DriveJoint,
+    ChangeBody,
     HoldVelocity,
     GuideAlong,
     HoldSpin,
@@ -425,10 +451,11 @@ class Action(IntEnum):
     APPLY_IMPULSE = 1
     ADJUST = 2
     DRIVE = 3
-    HOLD = 4
-    GUIDE = 5
-    SPIN = 6
-    BUOY = 7
+    CHANGE = 4
+    HOLD = 5
+    GUIDE = 6
+    SPIN = 7
+    BUOY = 8
 
 
 class Column(IntEnum):
@@ -450,6 +477,10 @@ class Column(IntEnum):
     MOTOR_SPEED = 2
     MOTOR_POSITION = 3
     MOTOR_LIMIT = 4
+    # CHANGE: number of the body that is there from then on; a place of NaN is where it is.
+    INTO = 2
+    PLACE = 3
+    FACING = 6
     # HOLD: a climb of NaN keeps the vertical velocity, gains of NaN ask for no time.
     SPEED = 2
     HEADING = 3
@@ -554,6 +585,34 @@ def _union(programs: list[Program]) -> list[Primitive]:
     return union
 
 
+def redirected(program: Program, names: Collection[str]) -> list[Primitive]:
+    """The primitives of a program, each of the body that is there when it begins.
+
+    Args:
+        program: What it asks of a body that changes it asks of that body by its own name.
+        names: Bodies of the scene; a change into another one, which the surrogate does not know of,
+            is left out.
+    """
+    there: dict[str, str] = {}
+    changes = [p for p in program.primitives if isinstance(p, ChangeBody) and p.into in names]
+    out: list[Primitive] = []
+    for p in program.primitives:
+        if isinstance(p, ChangeBody):
+            if p.into in names and (p.into != p.body or p.body in there):
+                there[p.body] = p.into
+                out.append(p)
+            continue
+        if isinstance(p, Lasting) and changes:
+            ends = (
+                n for o in p.until_contact for n in (o, *(c.into for c in changes if c.body == o))
+            )
+            if not isinstance(p, BuoyUp):
+                p = replace(p, until_contact=tuple(dict.fromkeys(ends)))
+        moved = p.body in there and not isinstance(p, DriveJoint)
+        out.append(replace(p, body=there[p.body]) if moved else p)
+    return out
+
+
 def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBatch:
     """Stacks programs of one structure (kinds and bodies in the same order).
 
@@ -574,6 +633,8 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
     if not programs:
         raise ValueError("need at least one program")
     index = {n: i for i, n in enumerate(names)}
+    if any(isinstance(p, ChangeBody) for program in programs for p in program.primitives):
+        programs = [Program(tuple(redirected(p, names)), p.duration) for p in programs]
     union = _union(programs)
     signature = [_subject(p) for p in union]
     table = np.full((len(programs), len(signature), FIELDS), np.nan)
@@ -597,6 +658,8 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
                 what = key[1] or key[2]
                 raise ValueError(f"program {w} has no {key[0]} of {what!r} in position {k}")
             table[w, k] = _row(row)
+            if isinstance(row, ChangeBody):
+                table[w, k, Column.INTO] = index[row.into]
         assert not remaining
     kinds = [c.kind for c in KINDS]
     return ProgramBatch(
@@ -627,6 +690,8 @@ def _row(p: Primitive) -> NDArray[np.float64]:
         values = (p.linear_damping, p.angular_damping, p.friction, p.braking)
     elif isinstance(p, DriveJoint):
         values = (p.speed, p.position, p.limit)
+    elif isinstance(p, ChangeBody):
+        values = (nan, *((nan, nan, nan) if p.position is None else p.position), p.heading)
     elif isinstance(p, GuideAlong):
         knots = zip(p.times, p.points, p.velocities, strict=True)
         values = (p.turn_rate, float(len(p.times)), *(v for t, x, u in knots for v in (t, *x, *u)))

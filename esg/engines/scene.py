@@ -139,6 +139,7 @@ class Body:
         break_impulse: It breaks once it took more within `BREAK_WINDOW_S`
             (`esg.engines.joint_rules`) [N s]; None: never.
         fragments: Names of the bodies that it then is (`esg.engines.breaking`).
+        postures: Names of the bodies that it is in other postures (`esg.engines.breaking.stances`).
         drawn: Parts of its model as "NAME #rrggbb MATERIAL", of those of whom it is stated what
             they wear; nothing physical depends on it.
         shines: Its lights and flames, where it is stated that it is lit.
@@ -174,6 +175,7 @@ class Body:
     wheels: tuple[Wheel, ...] = ()
     break_impulse: float | None = None
     fragments: tuple[str, ...] = ()
+    postures: tuple[str, ...] = ()
     drawn: tuple[str, ...] = ()
     shines: tuple[Shine, ...] = ()
     sways: Sway | None = None

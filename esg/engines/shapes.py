@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.breaking.stances import Stance, stances
 from esg.engines.breaking.swap import Brittle, brittle
 from esg.engines.joints import WORLD, Joint
 from esg.engines.scene import Floats, Shape, SimScene
@@ -42,6 +43,7 @@ class SceneShapes:
         joints: Of the scene.
         ends: Body of each joint's parent, -1 for the world, and of its child.
         brittle: What breaks.
+        stances: Who changes his posture.
     """
 
     gravity: tuple[float, float, float]
@@ -64,6 +66,7 @@ class SceneShapes:
     joints: tuple[Joint, ...] = ()
     ends: tuple[tuple[int, int], ...] = ()
     brittle: tuple[Brittle, ...] = ()
+    stances: tuple[Stance, ...] = ()
 
     @staticmethod
     def of(scene: SimScene) -> SceneShapes:
@@ -110,6 +113,7 @@ class SceneShapes:
                 for j in scene.joints
             ),
             brittle=brittle(scene),
+            stances=stances(scene),
         )
 
     @property

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.breaking import breaking_problems, brittle, ride, rigid
+from esg.engines.breaking.stances import pose_in, stance_problems, stances
 from esg.engines.joints import joint_problems
 from esg.engines.program import KINDS, Action, ProgramBatch
 from esg.engines.scene import GROUND, Body, ContactLog, Floats, Rollout, Shape, SimScene, Variation
@@ -139,6 +140,12 @@ def world_values(scene: SimScene, variation: Variation | None, n_worlds: int) ->
         pose = position[:, b.whole], quaternion[:, b.whole]
         position[:, own], quaternion[:, own] = rigid(b, *pose, still, still)[:2]
         factor[:, own] = factor[:, [b.whole]]
+    for s in stances(scene):
+        # So are postures.
+        for k, body in enumerate(s.bodies[1:], 1):
+            pose = position[:, s.bodies[0]], quaternion[:, s.bodies[0]]
+            position[:, body], quaternion[:, body] = pose_in(s, k, *pose)
+            factor[:, body] = factor[:, s.bodies[0]]
     return Values(
         position=position,
         quaternion=quaternion,
@@ -191,7 +198,7 @@ def check(scene: SimScene, batch: ProgramBatch) -> None:
             wrong.append(f"body name {body.name!r} is reserved or used twice")
         seen.add(body.name)
         wrong += [*_inertia_problems(body), *_shape_problems(body)]
-    wrong += joint_problems(scene) + breaking_problems(scene)
+    wrong += joint_problems(scene) + breaking_problems(scene) + stance_problems(scene)
     motors = [j.name for j in scene.joints if j.kind in ("hinge", "slider")]
     wrong += [
         f"DriveJoint of {name!r}, which has no motor; hinges and sliders are {motors}"

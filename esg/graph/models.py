@@ -524,6 +524,8 @@ class MotionParams(Model):
     """Toward that ends in a Jump, Guide that climbs: how far the body rises [cm]"""
     climbs: Literal["up", "down", "onto", "over"] | None = None
     """Guide that ends at a Trigger: leads the body along the surface of its target"""
+    posture: Literal["stands", "sits", "lies", "kneels", "crouches", "bends"] | None = None
+    """Guide that ends at a Trigger: the posture that its actor takes, on its target if any"""
     opening: Quantity | None = None
     """Drive: the joint's position at its end, hinge [deg], slider [cm]"""
 
@@ -620,6 +622,8 @@ class Predicate(str, enum.Enum):
     LIT = "lit"
     WEATHER = "weather"
     SWAYS = "sways"
+    POSTURE = "posture"
+    """How somebody holds his body (`noun`: stands, sits, lies, kneels, crouches, bends)."""
     NOT_REPRESENTED = "not_represented"
     """Its words are understood as a statement that the document cannot hold (`note` says why)."""
 
@@ -720,7 +724,8 @@ class Statement(Model):
     noun: str | None = None
     """Of `absent` and `count`; of `filled_with`, what it is filled with; of `wears` and `looks`
     what is worn, and how the hair is; of `lit` which light and how ("headlights flashing", "lamp
-    turned off"), of `weather` which ("heavy rain"), of `sways` how strong the wind is."""
+    turned off"), of `weather` which ("heavy rain"), of `sways` how strong the wind is; of
+    `posture`, which."""
     when: str = "throughout"
     """start, end, throughout, the id of a point event, or two of these as "from..to"."""
     note: str = ""

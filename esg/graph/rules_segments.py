@@ -46,6 +46,7 @@ ONLY: dict[str, frozenset[EdgeEvent]] = {
     "release": frozenset({M.GUIDE}),
     "height_cm": frozenset({M.TOWARD, M.GUIDE}),
     "climbs": frozenset({M.GUIDE}),
+    "posture": frozenset({M.GUIDE}),
     "opening": frozenset({M.DRIVE}),
 }
 """Parameters that only some segments have; all others fit every driven segment."""

@@ -5,12 +5,19 @@ from __future__ import annotations
 from esg.graph.context import Context
 from esg.graph.models import Predicate, Statement
 from esg.graph.violations import listing, pointer
+from esg.lexicon.postures import postures
 
 _MOMENTS = ("start", "end", "throughout")
 _OF_EVENTS = (Predicate.SAME_TIME, Predicate.BEFORE)
 _OF_NOUNS = (Predicate.ABSENT, Predicate.COUNT, Predicate.WEATHER)
-_NAMING = (Predicate.FILLED_WITH, Predicate.WEARS, Predicate.LOOKS, Predicate.LIT)
-"""Said of an object by a noun: what it is filled with, what somebody wears."""
+_NAMING = (
+    Predicate.FILLED_WITH,
+    Predicate.WEARS,
+    Predicate.LOOKS,
+    Predicate.LIT,
+    Predicate.POSTURE,
+)
+"""Said of an object by a word: what it is filled with, what somebody wears, his posture."""
 _OF_NOTHING = (*_OF_NOUNS, Predicate.FILMED, Predicate.NOT_REPRESENTED)
 """Said of the scene as a whole, or of what else they name."""
 _WITH_TARGET = frozenset(
@@ -100,6 +107,15 @@ def _needs(ctx: Context, here: str, statement: Statement) -> None:
                 f"A statement of {says.value!r} says nothing without its {name}.",
                 f"Give its {name}, or leave the statement out.",
             )
+    known = dict.fromkeys(r.posture for r in postures())
+    if says is Predicate.POSTURE and statement.noun and statement.noun not in known:
+        ctx.add(
+            "STATEMENT_UNKNOWN",
+            f"{here}/noun",
+            statement.noun,
+            f"{statement.noun!r} is no posture.",
+            f"Use one of {listing(known)}.",
+        )
     if says in _OF_EVENTS and len(statement.object) != 2:
         ctx.add(
             "STATEMENT_INCOMPLETE",

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import Any
 
+from esg.assets.postures import with_room_to_lie
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument, Provenance
 from esg.layout.clock import Clock
@@ -82,7 +83,7 @@ def solve_batch(
             )
     if not docs:
         return []
-    played = [facing_as_one(effective(doc)) for doc in docs]
+    played = [facing_as_one(with_room_to_lie(effective(doc))) for doc in docs]
     if config.processes > 1 and len(docs) > 1:
         results = solve_in_processes(played, seeds, plans, config, clock)
     else:

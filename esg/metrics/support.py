@@ -27,12 +27,16 @@ Frames = NDArray[np.int64]
 
 
 def lowest_curve(replay: Replay, body: int) -> Floats:
-    """Height of a body's lowest point over time [m], shape [T]."""
+    """Height of a body's lowest point over time, in the posture it has then [m], shape [T]."""
     inverse = replay.quaternion[:, body] * np.array([-1.0, -1.0, -1.0, 1.0])
     down = quat_rotate(inverse, np.array([0.0, 0.0, 1.0]))
     cores = replay.cores[body] or (box_core(replay.scene.bodies[body]),)
     low = [(down @ c.points.T).min(axis=1) - c.radius for c in cores]
-    return np.min(low, axis=0) + replay.position[:, body, 2]
+    out = np.min(low, axis=0) + replay.position[:, body, 2]
+    for name in replay.scene.bodies[body].postures:
+        other = replay.scene.index(name)
+        out = np.where(replay.absent[:, other], out, lowest_curve(replay, other))
+    return out
 
 
 def contact_times(replay: Replay, a: int, b: int | None = None) -> Floats:

@@ -45,12 +45,14 @@ def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:
     """Meshes of all bodies in their frames [m] but those in whose place the ground is seen."""
     from esg.assets import build_mesh
     from esg.assets.appearances import appearances
+    from esg.assets.postures import config_of, taken
 
     hidden = ground_bodies(scene, doc)
     lifts = drawn_lifts(scene, {scene.bodies[i].name for i in hidden})
     doc = effective(doc)
     parts: list[Part] = []
     looks = appearances(doc)
+    postures = {h.name: h for own in taken(doc).values() for h in own}
     meshes: dict[Any, Any] = {}
 
     def mesh_of(name: str) -> Any:
@@ -64,7 +66,11 @@ def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:
     for index, body in enumerate(scene.bodies):
         first, turning = turning, turning + len(body.wheels)
         node = doc.spatial_relation_graph.nodes.get(body.name)
-        if body.category == FRAGMENT:
+        if body.name in postures:
+            h = postures[body.name]
+            mesh = build_mesh(config_of(doc, h.node), h.drawn(looks[h.node]))
+            parts += _fixed(index, body, mesh, np.array(body.origin_offset), {})
+        elif body.category == FRAGMENT:
             whole = whole_of_fragments(scene)[body.name]
             parts += _fragment(index, body, mesh_parts(mesh_of(whole.name), whole.color))
         if node is None:
@@ -74,21 +80,28 @@ def body_parts(scene: SimScene, doc: EsgDocument) -> list[Part]:
         mesh = mesh_of(body.name)
         wheels = {w.name: Turning(first + k, w.axle) for k, w in enumerate(body.wheels)}
         offset = body.origin_offset + np.array([0.0, 0.0, lifts.get(index, 0.0)])
-        parts += [
-            Part(
-                index,
-                p.vertices / CM_PER_M + offset,
-                p.faces,
-                p.color,
-                wheels.get(p.holder),
-                p.look,
-                p.normals,
-                p.uvs,
-                p.name,
-            )
-            for p in mesh_parts(mesh, body.color)
-        ]
+        parts += _fixed(index, body, mesh, offset, wheels)
     return parts
+
+
+def _fixed(
+    index: int, body: Body, mesh: Any, offset: NDArray[np.float64], wheels: dict[str, Turning]
+) -> list[Part]:
+    """The parts of a mesh on a body, its origin at `offset` [m]."""
+    return [
+        Part(
+            index,
+            p.vertices / CM_PER_M + offset,
+            p.faces,
+            p.color,
+            wheels.get(p.holder),
+            p.look,
+            p.normals,
+            p.uvs,
+            p.name,
+        )
+        for p in mesh_parts(mesh, body.color)
+    ]
 
 
 def ground_bodies(scene: SimScene, doc: EsgDocument) -> frozenset[int]:

@@ -37,6 +37,7 @@ from esg.assets.imports.imported import load_imported
 from esg.assets.library.catalogue import Entry, build_sketch
 from esg.assets.looks import Color, Look
 from esg.assets.materials import look_of
+from esg.assets.postures import config_of, taken
 from esg.assets.textures import has_grain
 from esg.graph.casting import effective
 from esg.graph.models import AssetConfiguration, EsgDocument, Vec3, Wheel
@@ -332,6 +333,10 @@ def _meshes(doc: EsgDocument) -> Iterator[MeshFile]:
         if config is not None and looks[name] != firsts[node.asset_id]:
             path = node_mesh_path(config.mesh_path, name)
             yield MeshFile(path, node.asset_id, glb_bytes(config, looks[name]))
+    for name, postures in taken(doc).items():
+        for h in postures:
+            own = glb_bytes(config_of(doc, name), h.drawn(looks[name]))
+            yield MeshFile(h.mesh, doc.spatial_relation_graph.nodes[name].asset_id, own)
 
 
 def _write(path: Path, data: bytes) -> None:

@@ -127,6 +127,7 @@ void AEsgScene::Collect()
 	Wheels.Reset();
 	Joints.Reset();
 	Brittles.Reset();
+	Stances.Reset();
 	Commands.Reset();
 	Events.Reset();
 	CollectBodies();
@@ -159,6 +160,17 @@ void AEsgScene::AddJoint(
 void AEsgScene::AddBrittle(int32 Whole, const TArray<int32>& Pieces)
 {
 	Brittles.Add(FBrittle{ Whole, Pieces });
+}
+
+void AEsgScene::AddStance(int32 Body, const TArray<int32>& Postures)
+{
+	FStance Stance;
+	Stance.Bodies.Add(Body);
+	for (const int32 Index : Postures)
+	{
+		Stance.Bodies.Add(Index);
+	}
+	Stances.Add(Stance);
 }
 
 void AEsgScene::AddCommand(UPrimitiveComponent* Body, const TArray<UPrimitiveComponent*>& EndsAtTouchOf)
@@ -231,6 +243,50 @@ void AEsgScene::RunAdjustProperties(
 	}
 	UE_LOG(
 		LogEsgScene, Display, TEXT("COMMAND AdjustProperties body=%s t=%.4f"), *Body->GetName(), SceneTime);
+}
+
+void AEsgScene::RunChangeBody(
+	UPrimitiveComponent* Body, const FEsgChangeBody& Command, FCommandState& State, double Due)
+{
+	if (State.bDone || Command.Time > Due)
+	{
+		return;
+	}
+	State.bDone = true;
+	for (FStance& Stance : Stances)
+	{
+		int32 Next = Stance.Bodies.Num() - 1;
+		while (Next >= 0 && Stance.Bodies[Next] != Command.Into)
+		{
+			--Next;
+		}
+		if (Bodies[Stance.Bodies[0]].Component != Body || Next < 0 || Next == Stance.Now)
+		{
+			continue;
+		}
+		FBodyRef& Before = Bodies[Stance.Bodies[Stance.Now]];
+		const FTransform Pose = Before.Component->GetComponentTransform();
+		FQuat Turn = Pose.GetRotation() * Stance.Turns[Stance.Now].Inverse();
+		FVector Place = Pose.GetLocation() - Turn.RotateVector(Stance.Places[Stance.Now]);
+		FVector Velocity = Before.Component->GetPhysicsLinearVelocity();
+		FVector Spin = Before.Component->GetPhysicsAngularVelocityInDegrees();
+		if (Command.bPlaced)
+		{
+			Place = Command.Place;
+			Turn = Command.Facing;
+			Velocity = FVector::ZeroVector;
+			Spin = FVector::ZeroVector;
+		}
+		PutAway(Before.Component, true);
+		FBodyRef& After = Bodies[Command.Into];
+		PutIn(After, Place + Turn.RotateVector(Stance.Places[Next]), Turn * Stance.Turns[Next]);
+		After.Component->SetPhysicsLinearVelocity(Velocity);
+		After.Component->SetPhysicsAngularVelocityInDegrees(Spin);
+		Stance.Now = Next;
+		UE_LOG(
+			LogEsgScene, Display, TEXT("COMMAND ChangeBody body=%s into=%s t=%.4f"), *Body->GetName(),
+			*After.Component->GetName(), SceneTime);
+	}
 }
 
 void AEsgScene::RunDriveJoint(
@@ -686,6 +742,10 @@ void AEsgScene::BeginPlay()
 	for (FBrittle& Brittle : Brittles)
 	{
 		ConfigureBrittle(Brittle);
+	}
+	for (FStance& Stance : Stances)
+	{
+		ConfigureStance(Stance);
 	}
 	UE_LOG(
 		LogEsgScene, Display, TEXT("SCENE_START bodies=%d commands=%d events=%d step=%.6f"), Bodies.Num(),
@@ -1293,6 +1353,32 @@ void AEsgScene::PutAway(UStaticMeshComponent* Body, bool bSimulated)
 	Body->SetCollisionEnabled(ECollisionEnabled::NoCollision);
 }
 
+void AEsgScene::PutIn(const FBodyRef& Body, const FVector& Place, const FQuat& Turn)
+{
+	Body.Component->SetWorldLocationAndRotation(Place, Turn, false, nullptr, ETeleportType::TeleportPhysics);
+	Body.Component->SetCollisionEnabled(ECollisionEnabled::QueryAndPhysics);
+	Body.Component->SetSimulatePhysics(true);
+	// Unreal makes the mass properties anew with the physics body.
+	ApplyMassProperties(Body.Component, *Body.Settings);
+	Body.Component->SetVisibility(true);
+}
+
+void AEsgScene::ConfigureStance(FStance& Stance)
+{
+	const FEsgBody& First = *Bodies[Stance.Bodies[0]].Settings;
+	const FQuat Back = First.Rotation.Inverse();
+	for (const int32 Index : Stance.Bodies)
+	{
+		const FBodyRef& Body = Bodies[Index];
+		Stance.Places.Add(Back.RotateVector(Body.Settings->Location - First.Location));
+		Stance.Turns.Add(Back * Body.Settings->Rotation);
+		if (Index != Stance.Bodies[0])
+		{
+			PutAway(Body.Component, true);
+		}
+	}
+}
+
 void AEsgScene::TakeBlow(const UPrimitiveComponent* Body, UPrimitiveComponent* Other, double Impulse)
 {
 	for (FBrittle& Brittle : Brittles)
@@ -1359,14 +1445,7 @@ void AEsgScene::Shatter(FBrittle& Brittle, double Share, double Step)
 	{
 		FBodyRef& Piece = Bodies[Brittle.Pieces[Index]];
 		const FVector Place = Pose.GetRotation().RotateVector(Brittle.Centers[Index]);
-		Piece.Component->SetWorldLocationAndRotation(
-			Pose.GetLocation() + Place, Pose.GetRotation() * Brittle.Turns[Index], false, nullptr,
-			ETeleportType::TeleportPhysics);
-		Piece.Component->SetCollisionEnabled(ECollisionEnabled::QueryAndPhysics);
-		Piece.Component->SetSimulatePhysics(true);
-		// Unreal makes the mass properties anew with the physics body.
-		ApplyMassProperties(Piece.Component, *Piece.Settings);
-		Piece.Component->SetVisibility(true);
+		PutIn(Piece, Pose.GetLocation() + Place, Pose.GetRotation() * Brittle.Turns[Index]);
 		Piece.Component->SetPhysicsLinearVelocity(Velocity + FVector::CrossProduct(Turning, Place - Center));
 		Piece.Component->SetPhysicsAngularVelocityInDegrees(Spin);
 	}

@@ -289,6 +289,32 @@ struct FEsgAdjustProperties
 	double Braking = 0.0;
 };
 
+/** Lets another body stand in for one, in another posture. */
+USTRUCT(BlueprintType)
+struct FEsgChangeBody
+{
+	GENERATED_BODY()
+
+	/** Since the scene started. */
+	UPROPERTY(EditAnywhere, Category = "ESG", meta = (Units = "s", ClampMin = "0", ClampMax = "3600"))
+	double Time = 0.0;
+
+	/** Number of the body that is there from then on. */
+	UPROPERTY(EditAnywhere, Category = "ESG")
+	int32 Into = 0;
+
+	/** Whether it comes to a place; else it is where the one before it was. */
+	UPROPERTY(EditAnywhere, Category = "ESG")
+	bool bPlaced = false;
+
+	/** Where the body's own component would be then. */
+	UPROPERTY(EditAnywhere, Category = "ESG")
+	FVector Place = FVector::ZeroVector;
+
+	UPROPERTY(EditAnywhere, Category = "ESG")
+	FQuat Facing = FQuat::Identity;
+};
+
 /** Drives a joint, or lets it go. */
 USTRUCT(BlueprintType)
 struct FEsgDriveJoint
@@ -621,6 +647,15 @@ protected:
 		bool bBroken = false;
 	};
 
+	/** A body and those that stand in for it, with where they lie in it. */
+	struct FStance
+	{
+		TArray<int32> Bodies{};
+		TArray<FVector> Places{};
+		TArray<FQuat> Turns{};
+		int32 Now = 0;
+	};
+
 	/** Progress of one command of the program. */
 	struct FCommandState
 	{
@@ -680,6 +715,8 @@ protected:
 		UPhysicsConstraintComponent* Return, UPrimitiveComponent* Child, UPrimitiveComponent* Parent);
 	/** The body with the number Whole breaks into those with the numbers Pieces. */
 	void AddBrittle(int32 Whole, const TArray<int32>& Pieces);
+	/** The body with the number Body is those with the numbers Postures in other postures. */
+	void AddStance(int32 Body, const TArray<int32>& Postures);
 	void AddCommand(
 		UPrimitiveComponent* Body = nullptr,
 		const TArray<UPrimitiveComponent*>& EndsAtTouchOf = TArray<UPrimitiveComponent*>());
@@ -692,6 +729,7 @@ protected:
 	void RunApplyImpulse(UPrimitiveComponent* Body, const FEsgApplyImpulse& Command, FCommandState& State, double Due);
 	void RunAdjustProperties(
 		UPrimitiveComponent* Body, const FEsgAdjustProperties& Command, FCommandState& State, double Due);
+	void RunChangeBody(UPrimitiveComponent* Body, const FEsgChangeBody& Command, FCommandState& State, double Due);
 	void RunDriveJoint(FJointRef& Joint, const FEsgDriveJoint& Command, FCommandState& State, double Due);
 	void RunHoldVelocity(UPrimitiveComponent* Body, const FEsgHoldVelocity& Command, FCommandState& State, double Due);
 	void RunGuideAlong(UPrimitiveComponent* Body, const FEsgGuideAlong& Command, FCommandState& State, double Due);
@@ -714,6 +752,7 @@ protected:
 	TArray<FTurningWheel> Wheels;
 	TArray<FJointRef> Joints;
 	TArray<FBrittle> Brittles;
+	TArray<FStance> Stances;
 	TArray<FCommandState> Commands;
 	TArray<FWatchedEvent> Events;
 	double SceneTime = 0.0;
@@ -736,6 +775,8 @@ private:
 	void ConfigureJoint(FJointRef& Joint);
 	void ConfigureReturn(FJointRef& Joint);
 	void ConfigureBrittle(FBrittle& Brittle);
+	void ConfigureStance(FStance& Stance);
+	void PutIn(const FBodyRef& Body, const FVector& Place, const FQuat& Turn);
 	void ApplyMassProperties(UStaticMeshComponent* Body, const FEsgBody& Settings);
 	UPhysicalMaterial* CreateMaterial(float Friction, float Restitution);
 	static FVector PathPoint(const FEsgGuideAlong& Command, double Elapsed);

@@ -82,6 +82,23 @@ class References:
 
 
 @dataclass(frozen=True)
+class Posing:
+    """A posture that is told of.
+
+    Args:
+        actor: Who holds himself so.
+        posture: How.
+        words: Where its words stand in the text; empty where it only follows from others.
+        node: The event with which it begins; None at the start.
+    """
+
+    actor: str
+    posture: str
+    words: tuple[int, int]
+    node: str | None
+
+
+@dataclass(frozen=True)
 class Climbing:
     """A climb that is told of.
 
@@ -131,6 +148,8 @@ class Moves:
     """What somebody has leapt onto, and is on."""
     climbs: list[Climbing] = field(default_factory=list[Climbing])
     """Who climbs what."""
+    postures: list[Posing] = field(default_factory=list[Posing])
+    """Who sits, lies, kneels or stands, and when."""
     outrun: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
     """Events of those who come first, and the same events of those who come later."""
     still: dict[str, int] = field(default_factory=dict[str, int])

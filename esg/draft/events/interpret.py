@@ -70,6 +70,7 @@ from esg.draft.events.motions import hold_back
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.breaking import gone_through, sense_of_breaking, who_breaks
 from esg.draft.events.senses.outcome import target_of_mates
+from esg.draft.events.senses.postures import takes_posture
 from esg.draft.events.senses.state import attachment, mass_of_load, stands_there
 from esg.draft.events.stated import CENTRE
 from esg.draft.events.table import read_as
@@ -318,16 +319,18 @@ def read_frame(d: Discourse, f: Frame) -> None:
         return
     sense = _sense_here(d, f, parts)
     handler = SENSES.get(sense)
-    if handler is None:
+    was = snapshot(d)
+    posed = takes_posture(d, f, parts.subject)
+    if handler is None and not posed:
         ignore(d, f, "no physical meaning")
         stands_there(d, f, parts.subject)
         hand_on(d, f)
         return
-    was = snapshot(d)
     _goes_round_in(d, f, parts.subject)
     if f.verb.lemma in _IN_PLACE:
         stands_there(d, f, parts.subject)  # "jumps next to a dog": there it starts
-    handler(d, f, parts.subject, parts.objects)
+    if handler is not None and not posed:
+        handler(d, f, parts.subject, parts.objects)
     gone_through(d, f)
     d.scene.clauses += by_its_participle(d, f, was, parts.subject)
     d.scene.clauses.append(follow(d, f, was, parts.subject, parts.objects))

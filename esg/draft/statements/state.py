@@ -15,6 +15,7 @@ from esg.draft.statements.book import Book, Told, span
 from esg.draft.statements.climbed import climbed, climbs_told
 from esg.draft.statements.held import carried, driver, posture, support, tow
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
+from esg.draft.statements.looks.postures import postures
 from esg.draft.statements.looks.shown import shown
 from esg.draft.statements.looks.worn import USED, worn
 from esg.draft.statements.manners import flown, gains, paced, rolled, slid
@@ -198,6 +199,7 @@ WRITTEN: tuple[Callable[[Told], None], ...] = (
     worn,
     _sides,
     shown,
+    postures,
     _clauses,
     _dropped,
     *BESIDE_MOTIONS,

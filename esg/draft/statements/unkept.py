@@ -24,6 +24,7 @@ from esg.draft.events.told import last_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.account import held
 from esg.draft.statements.climbed import climbs_told
+from esg.draft.statements.looks.postures import poses_told
 from esg.draft.statements.ways import comes_to_ground
 from esg.graph.models import EdgeEvent, NodeEvent, Predicate
 
@@ -81,7 +82,11 @@ def rows() -> tuple[_Row, ...]:
 def missing(d: Discourse, clause: Clause) -> str:
     """What a clause that was read says and the document does not hold; empty if it holds it."""
     f = clause.frame
-    if climbs_told(d, clause) or d.scene.used.get((f.verb.start, f.verb.end)) == COMES_OFF:
+    if (
+        poses_told(d, clause)
+        or climbs_told(d, clause)
+        or d.scene.used.get((f.verb.start, f.verb.end)) == COMES_OFF
+    ):
         return ""
     for row in rows():
         if row.names(f) and _applies(d, row.voice, clause):

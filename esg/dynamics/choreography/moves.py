@@ -12,7 +12,7 @@ from esg.dynamics.choreography.placing import comes_to_rest, gap_left, join
 from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, sliding_travel
-from esg.dynamics.story.paces import turns_at
+from esg.dynamics.story.paces import LASTS_S, turns_at
 from esg.dynamics.story.stagecraft import coasting_drag, prop, stays_on, top_surface
 from esg.dynamics.story.story import (
     CRUISES,
@@ -20,6 +20,7 @@ from esg.dynamics.story.story import (
     Phase,
     bounds,
     is_climb,
+    is_posture,
     rebounds,
     turn_of,
     turns_back,
@@ -58,6 +59,10 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
     arrived: list[float] = []
     for actor, phase in stage.incoming(node):
         track = stage.tracks[actor]
+        if is_posture(phase):
+            track.straight(0.0, LASTS_S, 0.0)
+            arrived.append(track.time)
+            continue
         if is_climb(phase):
             climbed(stage, node, actor, phase)
             arrived.append(track.time)

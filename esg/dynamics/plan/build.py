@@ -10,6 +10,7 @@ from esg.assets.drawn_parts import drawn_parts
 from esg.assets.shows import shines_of, sways_of, weather_of_scene
 from esg.dynamics.plan.fragments import with_fragments
 from esg.dynamics.plan.joints import joints_of
+from esg.dynamics.plan.postures import with_postures
 from esg.dynamics.plan.tyres import with_tyres
 from esg.engines.scene import Body, Region, Shape, SimScene, Wheel
 from esg.graph.casting import effective
@@ -76,7 +77,7 @@ def build_scene(doc: EsgDocument) -> SimScene:
         joints=joints_of(doc, bodies),
         weather=weather_of_scene(doc),
     )
-    return with_fragments(doc, with_tyres(doc, scene))
+    return with_postures(doc, with_fragments(doc, with_tyres(doc, scene)))
 
 
 def make_body(

@@ -14,7 +14,7 @@ from esg.dynamics.plan.aim import body_bounds, shape_bounds
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.plan.liquids import waterline
 from esg.dynamics.story.stagecraft import top_surface
-from esg.dynamics.story.story import Phase, bounds, is_climb
+from esg.dynamics.story.story import Phase, bounds, is_climb, is_posture
 from esg.engines.program import GuideAlong, Vec
 from esg.engines.scene import Body
 from esg.graph.models import EdgeEvent, NodeEvent, Predicate
@@ -255,7 +255,7 @@ def ways(cast: Cast) -> dict[str, Way]:
     for actor, phases in cast.story.phases.items():
         at = np.array(cast.scene.body(actor).position)
         for phase in phases:
-            if phase.edge.event is EdgeEvent.GUIDE and not is_climb(phase):
+            if phase.edge.event is EdgeEvent.GUIDE and not (is_climb(phase) or is_posture(phase)):
                 out[phase.edge.id] = way_of(cast, phase, at)
                 at = np.array(out[phase.edge.id].points[-1])
     return out

@@ -13,6 +13,7 @@ from esg.dynamics.choreography import choreography_of
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.plan.guides import times_of, ways
 from esg.dynamics.plan.liquids import liquids
+from esg.dynamics.plan.postures import first_postures
 from esg.dynamics.plan.programs import Composer, Values, supports
 from esg.dynamics.plan.variables import Declarations, Variable
 from esg.dynamics.story.story import Story
@@ -85,7 +86,7 @@ def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: b
     latest = _latest(cast, declared.variables)
     duration = min(MAX_DURATION_S, math.ceil(10.0 * (1.15 * latest + AFTERMATH_S)) / 10.0)
 
-    borne = liquids(doc, scene)
+    borne = (*first_postures(doc, scene), *liquids(doc, scene))
 
     def values(theta: NDArray[np.float64]) -> Values:
         out = dict(zip(declared.variables, map(float, theta), strict=True))

@@ -9,6 +9,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.assets.postures import seat_of
 from esg.dynamics.choreography.courses.climbs import pushes_off
 from esg.dynamics.choreography.flights import flown_to
 from esg.dynamics.choreography.handling import BETWEEN_JUMPS_S
@@ -29,10 +30,12 @@ from esg.dynamics.plan.drives import (
     reach_of,
 )
 from esg.dynamics.plan.guides import Way
+from esg.dynamics.plan.postures import FIRST_S, HALTED_S, HALTS_MPS2, change
 from esg.dynamics.plan.settling import STILL_MPS, comes_to_lie, rolls_out
 from esg.dynamics.story.driving import goal_of
 from esg.dynamics.story.kinematics import Ride, ballistic_velocity, wrap_angle
 from esg.dynamics.story.paces import (
+    LASTS_S,
     grip,
     on_foot,
     pace,
@@ -43,7 +46,15 @@ from esg.dynamics.story.paces import (
     usual_halt,
 )
 from esg.dynamics.story.stagecraft import coasting_drag, prop, stacked_with, support_of
-from esg.dynamics.story.story import UNDISTURBED, Phase, bounds, is_climb, turn_of, turns_back
+from esg.dynamics.story.story import (
+    UNDISTURBED,
+    Phase,
+    bounds,
+    is_climb,
+    is_posture,
+    turn_of,
+    turns_back,
+)
 from esg.engines.joints import start_position
 from esg.engines.program import (
     AdjustProperties,
@@ -96,6 +107,7 @@ class _Course:
         clock: When the next phase may begin [s].
         held: Whether it is still held then, by what guided it.
         opening: Position of its joint then [rad or m].
+        upon: What it sits or lies on that is no ground.
         out: The primitives so far.
     """
 
@@ -105,6 +117,7 @@ class _Course:
     clock: float = 0.0
     held: bool = False
     opening: float = 0.0
+    upon: str | None = None
     out: list[Primitive] = field(default_factory=list)
 
 
@@ -261,10 +274,15 @@ class Composer:
             duration: Of the scene [s].
         """
         course = _Course(actor, self.base_heading(actor) + v.get(f"{actor}/aim", 0.0))
+        course.upon = seat_of(self.doc, actor)
         for k, phase in enumerate(phases):
             start = max(course.clock, self.node_time(phase.start, v, course.clock))
             start = max(start, self._shaken.get(actor, 0.0) if k == 0 else 0.0)
             end = self.phase_end(phase, v, start, duration)
+            if k and is_posture(phases[k - 1]) and f"{phase.end.id}/time" in v:
+                # Who had to come to a halt first has as long for what comes then.
+                told = self.node_time(phase.start, v, start)
+                end = max(end, start + v[f"{phase.end.id}/time"] - told)
             if self.cast.coasts(phase):
                 continue
             # What it would have done after slowing down, had nothing come first, it does not do.
@@ -292,7 +310,9 @@ class Composer:
     def _act(self, course: _Course, leg: _Leg, later: tuple[Phase, ...]) -> None:
         """Adds what an actor does in one phase, by the kind of its edge."""
         phase, edge = leg.phase, leg.phase.edge
-        if is_climb(phase):
+        if is_posture(phase):
+            self._change_posture(course, leg)
+        elif is_climb(phase):
             self._climb_along(course, leg)
         elif edge.event is EdgeEvent.GUIDE:
             self._guide(course, leg)
@@ -370,6 +390,20 @@ class Composer:
         held_until = leg.duration + HELD_ON_S if leg.last and not release else end
         course.out.append(way.path(course.actor, begin, leg.start - begin, held_until))
         course.clock, course.held = end, not release
+
+    def _change_posture(self, course: _Course, leg: _Leg) -> None:
+        """It comes to a halt, and is in its other posture from then on."""
+        time = leg.start + (FIRST_S if leg.first else HALTED_S)
+        if not leg.first:
+            course.out = [_until(p, leg.start) for p in course.out]
+            course.out.append(AdjustProperties(course.actor, leg.start, braking=HALTS_MPS2))
+            course.out.append(AdjustProperties(course.actor, time, braking=0.0))
+        found = change(self.doc, self.scene, leg.phase, time, course.upon)
+        if found is not None:
+            course.out.append(found)
+            course.heading = found.heading if found.position is not None else course.heading
+        course.upon = leg.phase.edge.target
+        course.clock = leg.start + LASTS_S
 
     def _climb_along(self, course: _Course, leg: _Leg) -> None:
         """It goes along what it climbs, and is let go at the end, or holds on there."""

@@ -33,6 +33,7 @@ from esg.dynamics.story.story import (
     Phase,
     bounds,
     is_climb,
+    is_posture,
     middle,
 )
 from esg.dynamics.story.suspension import joint_of
@@ -178,7 +179,7 @@ class Declarations:
         nominal = self.nominal
         if self.cast.coasts(phase):
             return
-        if is_climb(phase):
+        if is_climb(phase) or is_posture(phase):
             self.declare_climb(phase)
         elif phase.end.event is NodeEvent.JUMP:
             self.declare_jump(phase)

@@ -22,6 +22,9 @@ from esg.metrics.plausibility.told import surface_of
 from esg.thresholds import BRAKING_DRY_G
 from esg.units import GRAVITY_MPS2
 
+LASTS_S = 1.1
+"""How long somebody does nothing else who sits or lies down, or gets up [s]."""
+
 TABLE = Path(__file__).parent / "paces.csv"
 EVERYDAY = 0.7
 """Share of its top speed that nothing exceeds without need."""

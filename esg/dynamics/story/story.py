@@ -274,6 +274,11 @@ def is_climb(phase: Phase) -> bool:
     return phase.edge.event is EdgeEvent.GUIDE and phase.edge.params.climbs is not None
 
 
+def is_posture(phase: Phase) -> bool:
+    """Whether in a phase its actor does nothing but change its posture."""
+    return phase.edge.event is EdgeEvent.GUIDE and phase.edge.params.posture is not None
+
+
 def climbed_before(story: Story, node: TimelineNode) -> TimelineNode | None:
     """The end of the climb from which an event's actor comes down; None if it has not climbed."""
     for phases in story.phases.values():

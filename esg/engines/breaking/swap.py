@@ -14,6 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.breaking.stances import absent, stances
 from esg.engines.joints import Floats
 from esg.engines.scene import FRAGMENT, Body, Rollout, SimScene
 from esg.units import quat_inverse, quat_multiply, quat_rotate
@@ -71,10 +72,10 @@ def whole_of_fragments(scene: SimScene) -> dict[str, Body]:
 
 
 def unbroken(scene: SimScene) -> SimScene:
-    """The scene without fragments: what would break stays whole."""
-    if not brittle(scene):
+    """The scene without fragments and postures: what breaks stays whole, who lies down stands."""
+    if not brittle(scene) and not stances(scene):
         return scene
-    whole = (replace(b, fragments=()) for b in scene.bodies if b.category != FRAGMENT)
+    whole = (replace(b, fragments=(), postures=()) for b in scene.bodies if b.category != FRAGMENT)
     return scene.with_bodies(tuple(whole))
 
 
@@ -105,7 +106,7 @@ def hidden(scene: SimScene, position: Any, quaternion: Any) -> NDArray[np.bool_]
     Returns:
         Shape [..., T, B].
     """
-    out = np.zeros(np.shape(position)[:-1], np.bool_)
+    out = absent(scene, position, quaternion)
     for b in brittle(scene):
         broken = broken_frames(b, position, quaternion)
         out[..., b.whole] = broken
@@ -115,7 +116,7 @@ def hidden(scene: SimScene, position: Any, quaternion: Any) -> NDArray[np.bool_]
 
 def shown(scene: SimScene, rollout: Rollout) -> Rollout:
     """A recording for drawing: what is not there lies below the ground."""
-    if not brittle(scene):
+    if not brittle(scene) and not stances(scene):
         return rollout
     position = rollout.position.copy()
     position[..., 2] -= HIDDEN_M * hidden(scene, rollout.position, rollout.quaternion)

@@ -278,3 +278,51 @@ def park_wholes(
     if i >= 0 and state[n] != WHOLE:
         _place(i, wp.transform(parked[n], wp.quat_identity()), first_q, body_q, joint_q)
         _move(i, wp.vec3(), wp.vec3(), first_qd, body_qd, joint_qd)
+
+
+@wp.kernel(enable_backward=False)
+def change_bodies(
+    clock: wp.array(dtype=int),
+    grid: wp.array(dtype=wp.float64),
+    time: wp.array2d(dtype=float),
+    into: wp.array2d(dtype=int),
+    placed: wp.array2d(dtype=int),
+    place: wp.array2d(dtype=wp.transform),
+    now: wp.array(dtype=int),
+    member: wp.array2d(dtype=int),
+    pose: wp.array2d(dtype=wp.transform),
+    height: wp.array2d(dtype=float),
+    first_q: wp.array(dtype=int),
+    first_qd: wp.array(dtype=int),
+    body_q: wp.array(dtype=wp.transform),
+    body_qd: wp.array(dtype=wp.spatial_vector),
+    joint_q: wp.array(dtype=float),
+    joint_qd: wp.array(dtype=float),
+):
+    """One thread per body that changes its posture: lets the one that is due be there."""
+    n = wp.tid()
+    due = float((wp.float64(clock[0]) + wp.float64(0.5)) * grid[0])
+    want = int(0)  # noqa: UP018, RUF046  # a variable to Warp
+    last = int(0)  # noqa: UP018, RUF046  # a variable to Warp
+    for k in range(time.shape[1]):
+        if time[n, k] <= due:
+            want = into[n, k]
+            last = k
+    if want != now[n]:
+        i = member[n, now[n]]
+        frame = body_q[i] * wp.transform_inverse(pose[n, now[n]])
+        v = wp.spatial_top(body_qd[i])
+        w = wp.spatial_bottom(body_qd[i])
+        if placed[n, last] != 0:
+            frame = place[n, last]
+            v = wp.vec3()
+            w = wp.vec3()
+        at = frame * pose[n, want]
+        _place(member[n, want], at, first_q, body_q, joint_q)
+        _move(member[n, want], v, w, first_qd, body_qd, joint_qd)
+        now[n] = want
+    for k in range(member.shape[1]):
+        if member[n, k] >= 0 and k != want:
+            away = wp.transform(wp.vec3(0.0, 0.0, height[n, k]), wp.quat_identity())
+            _place(member[n, k], away, first_q, body_q, joint_q)
+            _move(member[n, k], wp.vec3(), wp.vec3(), first_qd, body_qd, joint_qd)

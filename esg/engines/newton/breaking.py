@@ -29,19 +29,23 @@ _APART_M = 1.0
 
 
 def tower(s: SceneShapes) -> dict[int, float]:
-    """How high each body that breaks and each fragment of a scene is parked [m]."""
+    """How high each body that breaks or changes and each fragment of a scene is parked [m]."""
     step = 4.0 * float(s.half.max(initial=0.0)) + _APART_M
     bodies = [i for b in s.brittle for i in (b.whole, *b.pieces)]
+    bodies += [i for b in s.stances for i in b.bodies]
     return {body: PARKED_M + step * n for n, body in enumerate(bodies)}
 
 
 def parked(job: Job, s: SceneShapes) -> Job:
-    """A job whose fragments are parked from the start."""
+    """A job whose fragments and later postures are parked from the start."""
     heights = tower(s)
     position = job.position.copy()
     for b in s.brittle:
         for piece in b.pieces:
             position[:, piece] = (0.0, 0.0, heights[piece])
+    for stance in s.stances:
+        for body in stance.bodies[1:]:
+            position[:, body] = (0.0, 0.0, heights[body])
     return replace(job, position=position)
 
 

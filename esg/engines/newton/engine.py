@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from esg.engines.base import VERIFY_DT_S
 from esg.engines.breaking import brittle
+from esg.engines.breaking.stances import stances
 from esg.engines.jobs import Job, Played, finish, job_of
 from esg.engines.newton.builder import Drafts
 from esg.engines.newton.model import NewtonModel, Points
@@ -160,9 +161,10 @@ def structure_key(scene: SimScene) -> tuple[object, ...]:
     bodies = tuple((b.static, b.wheeled, b.shapes) for b in scene.bodies)
     joints = (scene.joints, scene.names) if scene.joints else ()
     breaks = tuple(
-        (b.name, b.break_impulse, b.fragments, b.position, b.quaternion) for b in scene.bodies
+        (b.name, b.break_impulse, (b.fragments, b.postures), b.position, b.quaternion)
+        for b in scene.bodies
     )
-    return bodies, tuple(scene.gravity), joints, breaks if brittle(scene) else ()
+    return bodies, tuple(scene.gravity), joints, breaks if brittle(scene) or stances(scene) else ()
 
 
 def _model(scene: SimScene, n_worlds: int, device: str, part: int, growth: int) -> NewtonModel:

@@ -22,6 +22,7 @@ from esg.engines.newton.jointed import Jointed
 from esg.engines.newton.places import Places
 from esg.engines.newton.setup import FIXED_POINT
 from esg.engines.newton.sizes import rounded, rung
+from esg.engines.newton.swaps import Swaps
 from esg.engines.newton.trees import AXES, plan_trees
 from esg.engines.newton.worlds import AxisRows, NewtonWorlds, Singles
 from esg.engines.program import FIELDS, Action, Column
@@ -97,6 +98,8 @@ class NewtonModel(NewtonWorlds):
             if any(s.brittle for s in shapes):
                 own = self.dynamic.numpy()
                 self.shatter = Shatter(self.model, shapes, self.scene_of, own)
+            if any(s.stances for s in shapes):
+                self.swaps = Swaps(self.model, shapes, self.scene_of, self.dynamic.numpy())
 
     def _join(self) -> Jointed | None:
         """The joints of all scenes."""
@@ -227,7 +230,7 @@ class NewtonModel(NewtonWorlds):
 
     def _load(self, jobs: list[Job], frames: int, every: int) -> None:
         wp = self.wp
-        if self.shatter is not None:
+        if self.shatter is not None or self.swaps is not None:
             jobs = [parked(j, s) for j, s in zip(jobs, self.shapes, strict=True)]
         move = [np.nonzero(s.dynamic)[0] for s in self.shapes]
         pairs = list(zip(jobs, move, strict=True))
@@ -253,6 +256,8 @@ class NewtonModel(NewtonWorlds):
             self.shatter.load(
                 [(j.position.astype(float), j.quaternion.astype(float)) for j in jobs]
             )
+        if self.swaps is not None:
+            self.swaps.load(jobs)
         self._load_batches(jobs)
         self._choose_pairs(jobs)
         if frames > self.frames:

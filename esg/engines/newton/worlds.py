@@ -26,6 +26,7 @@ from esg.engines.traction import FEATURES
 if TYPE_CHECKING:
     from esg.engines.newton.breaking import Shatter
     from esg.engines.newton.jointed import Jointed
+    from esg.engines.newton.swaps import Swaps
 
 Ints = NDArray[np.int32]
 Singles = NDArray[np.float32]
@@ -61,6 +62,7 @@ class NewtonWorlds:
     out_qd: Any
     jointed: Jointed | None
     shatter: Shatter | None
+    swaps: Swaps | None
 
     def __init__(self, device: str, n_worlds: int, n_bodies: int) -> None:
         self.wp = quiet_warp()
@@ -73,7 +75,7 @@ class NewtonWorlds:
         self._graphs: dict[object, Any] = {}
         self._primitives = 0
         self.dt, self.has_friction_change = 0.0, False
-        self.jointed, self.shatter = None, None
+        self.jointed, self.shatter, self.swaps = None, None, None
 
     def _finalize(
         self,
@@ -337,9 +339,10 @@ class NewtonWorlds:
         self.solver.notify_model_changed(newton.ModelFlags.SHAPE_PROPERTIES)
 
     def _joint_states(self) -> list[Any]:
-        joints, shatter = self.jointed, self.shatter
+        joints, shatter, swaps = self.jointed, self.shatter, self.swaps
         own = [] if joints is None else joints.states()
-        return own if shatter is None else [*own, *shatter.states()]
+        own = own if shatter is None else [*own, *shatter.states()]
+        return own if swaps is None else [*own, swaps.now]
 
     def _step(self) -> None:
         import newton
@@ -350,6 +353,8 @@ class NewtonWorlds:
         s, joints = self.state, self.jointed
         if joints is not None:
             joints.begin(s)
+        if self.swaps is not None:
+            self.swaps.begin(self, s)
         wp.launch(
             kernels.run_programs,
             dim=self.n_worlds,

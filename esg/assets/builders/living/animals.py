@@ -7,6 +7,8 @@ legs are held (`GAITS`); what collides stands.
 
 from __future__ import annotations
 
+from collections.abc import Callable
+from dataclasses import replace
 import math
 from typing import Any
 
@@ -84,8 +86,11 @@ def _legs(s: Sketch, b: Beast, c: Color) -> None:
                 ]
                 if name in gait:
                     path = _swung(path, gait[name], path[-1][2])
+                if s.appearance.pose in RESTING and (row == "rear" or s.appearance.pose == "lie"):
+                    hip = z - _drop(b) if s.appearance.pose == "lie" else 0.9 * b.trunk[2]
+                    path = _folded(path, foot, row, hip)
             toe, lifted = path[-1][0] + 0.2 * foot, path[-1][2] - 1.6 * foot
-            if "sprawl" in b.marks or name not in gait:
+            if "sprawl" in b.marks or (name not in gait and s.appearance.pose not in RESTING):
                 toe, lifted = x, 0.0
             s.add(
                 lambda p=path, r=radii: _curved(p, r, 12, 12, 0.8),
@@ -116,6 +121,87 @@ def _legs(s: Sketch, b: Beast, c: Color) -> None:
                     of=_coat(b),
                     name=f"paw_{name}",
                 )
+
+
+RESTING = frozenset({"lie", "sit"})
+"""Poses in which the hind legs are folded under the trunk; who sits stands on the fore legs."""
+_SITS_DEG = 32.0
+"""How far the trunk of who sits is raised."""
+
+
+def _folded(
+    path: list[tuple[float, float, float]], foot: float, row: str, hip: float
+) -> list[tuple[float, float, float]]:
+    """A leg folded beside the trunk, its foot ahead on the ground.
+
+    Args:
+        path: Of the leg that stands [cm].
+        foot: Its radius there [cm].
+        row: rear or front.
+        hip: Height of the trunk's axis above it, at rest [cm].
+    """
+    (x, y, top), out, low = path[0], path[2][1], path[-1][2]
+    long = top - low
+    back = -0.1 if row == "front" else 0.26
+    return [
+        (x, y, hip),
+        (x + 0.6 * back * long, 1.15 * out, 0.62 * hip),
+        (x + back * long, 1.3 * out, low + 0.3 * hip),
+        (x + 0.06 * long, 1.3 * out, low),
+        (x + (0.4 if row == "front" else 0.3) * long, 1.25 * out, low),
+    ]
+
+
+def _drop(b: Beast) -> float:
+    """How much lower the trunk of who lies is [cm]."""
+    belly = min(b.trunk[0] - 0.86 * b.trunk[2], b.trunk[1] - 0.86 * b.trunk[3])
+    return belly - 0.3 * b.legs[4]
+
+
+def _rests(s: Sketch, b: Beast) -> None:
+    """Lowers what is drawn of a beast that lies, or that sits with its trunk raised."""
+    rear, front = b.legs[:2]
+    if s.appearance.pose == "lie":
+        _moved(s, lambda v, name: v - [0.0, 0.0, 0.0 if _is_low(name, "") else _drop(b)])
+        return
+    angle, about = math.radians(_SITS_DEG), (rear, 0.0, b.trunk[0])
+    cos, sin = math.cos(angle), math.sin(angle)
+    sunk = b.trunk[0] - 1.0 * b.trunk[2]
+    shoulder = cos * (front - rear) - sin * (b.trunk[1] - b.trunk[0]) + rear
+
+    def raised(v: Any, name: str) -> Any:
+        if _is_low(name, "rear"):
+            return v
+        if _is_low(name, "front"):
+            height = sin * (front - rear) + b.trunk[1] - sunk
+            return v * [1.0, 1.0, height / b.trunk[1]] + [shoulder - front, 0.0, 0.0]
+        x, z = v[:, 0] - about[0], v[:, 2] - about[2]
+        v = v.copy()
+        v[:, 0], v[:, 2] = about[0] + cos * x - sin * z, about[2] + sin * x + cos * z - sunk
+        return v
+
+    _moved(s, raised)
+
+
+def _is_low(name: str, row: str) -> bool:
+    return name.startswith((f"leg_{row}", f"paw_{row}", f"hoof_{row}"))
+
+
+def _moved(s: Sketch, move: Callable[[Any, str], Any]) -> None:
+    """Moves the corners of all parts, by their names."""
+    import numpy as np
+
+    def led(make: Callable[[], Any], name: str) -> Callable[[], Any]:
+        def mesh() -> Any:
+            out = make()
+            at = np.array(move(np.asarray(out.vertices), name))
+            at[:, 2] = np.maximum(at[:, 2], 0.0)  # what hangs lies on the ground
+            out.vertices = at
+            return out
+
+        return mesh
+
+    s.parts[:] = [replace(p, mesh=led(p.mesh, p.name)) for p in s.parts]
 
 
 def _coat(b: Beast) -> str:
@@ -362,5 +448,7 @@ def quadruped(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "do
             draw(s, b, c)
     clothe(s, b)
     adorn(s, anchor(b))
+    if s.appearance.pose in RESTING:
+        _rests(s, b)
     _proxies(s, b)
     shift(s, b.move)

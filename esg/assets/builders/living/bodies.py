@@ -421,9 +421,16 @@ def posed(mesh: Any, move: Any) -> Any:
     return trimesh.Trimesh(move(np.asarray(mesh.vertices, float)), mesh.faces, process=False)
 
 
+_HALF, _BACK = 86.0, 10.9
+"""Of somebody who lies on his back [cm]: half his length, and his middle above the ground."""
+
+
 def raised(mesh: Any, skeleton: Skeleton) -> Any:
     """A mesh on the ground, or on the seat, that its body is on."""
     mesh.vertices = np.asarray(mesh.vertices) + skeleton.lift
+    if skeleton.pose.lies:
+        x, y, z = np.asarray(mesh.vertices).T
+        mesh.vertices = np.stack([z - _HALF, -y, x + _BACK], axis=1)
     return mesh
 
 

@@ -46,6 +46,7 @@ class Pose:
         nod: Of the head against the trunk, forwards [deg].
         grip: Whether hands are closed.
         seated: Whether it is the seat that z = 0 is, not the ground.
+        lies: Whether all of it lies on its back, head ahead.
     """
 
     arms: tuple[Limb, Limb]
@@ -55,6 +56,7 @@ class Pose:
     nod: float = 0.0
     grip: bool = False
     seated: bool = False
+    lies: bool = False
 
 
 def _both(limb: Limb) -> tuple[Limb, Limb]:
@@ -104,6 +106,11 @@ POSES: dict[str, Pose] = {
         grip=True,
     ),
     "sit": Pose(_both(Limb(28, 8, 52, 10)), _both(Limb(86, 5, 84, 0)), 2, seated=True),
+    "floor": Pose(_both(Limb(6, 12, 20, 6)), _both(Limb(128, 7, 94, 6)), 8, nod=-4),
+    "lie": Pose(_both(Limb(4, 12, 8, 4)), _both(Limb(0, 3, 2, 40)), lies=True),
+    "kneel": Pose(_both(Limb(16, 8, 30, 10)), _both(Limb(2, 4, 92, 150)), 2, nod=6),
+    "crouch": Pose(_both(Limb(66, 12, 40, 16)), _both(Limb(112, 10, 128, 14)), 34, nod=-20),
+    "bend": Pose(_both(Limb(78, 6, 10, 4)), _both(Limb(10, 2, 18, 0)), 68, nod=-8),
     "ride": Pose(
         _both(Limb(62, 4, 16, 2)),
         (Limb(84, 2, 86, 4), Limb(42, 2, 46, 12)),
@@ -224,6 +231,8 @@ def skeleton(pose: Pose, head_size: float = 1.0) -> Skeleton:
     for leg, pitch in zip(legs, feet, strict=True):
         sole = np.array([[-8.9, 0, -9.2], [20.0, 0, -9.2], [8.0, 0, -9.2]])
         soles.append(turned_about(sole, np.zeros(3), pitch) + leg[2])
+        # Who sits or kneels on the ground has his seat or his knees there.
+        soles.append(np.array([leg[1] - [0, 0, 7.0], leg[0] - [0, 0, 11.0]]))
     under = np.concatenate(soles)
     lift = np.array([-0.5 * float(under[:, 0].min() + under[:, 0].max()), 0.0, -under[:, 2].min()])
     if pose.seated:
