@@ -380,6 +380,9 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "untied": lambda d, c: not _tied(d, c.frame),
     "unsent": _unsent,
     "unspun": _unspun,
+    "grounded": lambda d, c: c.frame.object is not None and all(
+        structural(d, i) for i in c.frame.object.entities
+    ),
     "through": _not_through,
     "living": lambda d, c: (
         bool(c.movers) and all(kind_of(d, i) in LIMBED for i in c.movers) and not _met(d, c)
