@@ -64,6 +64,7 @@ _BRANCHES = ("at", "into", "onto")
 """Prepositions of where a way turns off: "goes left at the lights"; else it is the way it comes."""
 _AT_A_TARGET = lex.word_set("goes at a target")
 
+_FOLLOWS = frozenset({"follow", "trail"})
 _ANYHOW = lex.word_set("goes anyhow")
 
 
@@ -202,6 +203,7 @@ def read_follow(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "follows it at a distance of 15 m": behind it, which moves, too."""
     s, o = doer_and_done(f, s, o)
     motion(d, f, s, None)
+    o = o or _ahead(d, f, s)
     gap, at = quantity_of(d, f, "length"), f.phrase("at")
     same = at is not None and at.mention is not None and "same" in at.mention.adjectives
     for actor in s if o else []:
@@ -216,6 +218,18 @@ def read_follow(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             if track is None or (track.motion is not None and same):
                 start_motion(d, f, [other])
             _keep_pace(d, actor, other)
+
+
+def _ahead(d: Discourse, f: Frame, s: list[str]) -> list[str]:
+    """ "A hen crosses a road, chicks following": whom the clause before is about."""
+    alive = all(kind_of(d, i) in SELF_POWERED for i in s)
+    if f.verb.passive or f.verb.lemma not in _FOLLOWS or not alive:
+        return []
+    if f.phrases:
+        return things(f.phrase("behind"))[:1]
+    earlier = [c for c in d.scene.clauses if c.frame.verb.start < f.verb.start]
+    movers = [i for c in earlier[-1:] for i in c.movers if movable(d, i)]
+    return movers[:1] if not {*movers} & {*s} else []
 
 
 def _keep_pace(d: Discourse, actor: str, other: str) -> None:
