@@ -19,7 +19,7 @@ from esg.draft.discourse.scene import LIVING, Scene
 _ANY_SIZE = frozenset({"ball", "box", "block"})
 """Kinds of things that come in any size."""
 _LIES_IN = 1.5
-"""Width of a box or basket over the diagonal of whom it holds, at least."""
+"""Width of a box over the diagonal of whom it holds, at least."""
 _FREE = 0.6
 """Share of a vessel's width that what lies in it or under it takes up at most."""
 _FULL = 0.8

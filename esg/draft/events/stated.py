@@ -27,6 +27,7 @@ NAMED_BY = lex.word_set("sports that name things")
 _WAYS = ("backward", "up", "down")
 """Directions that a participle before a noun can state: "approaching" has an aim to find."""
 _LEAPS = lex.word_set("leaps up and down")
+_THEN = re.compile(r"\b(?:then|finally|afterwards|later)\s+$", re.IGNORECASE)
 _AND_DOWN = re.compile(r"\s+and\s+down\b", re.IGNORECASE)
 """After "up": to and fro, and no course."""
 _SIDES = ("leftwards", "rightwards")
@@ -151,6 +152,16 @@ def place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:
         found = _OTHER_WAY.finditer(text, f.verb.start, f.verb.end + _REACH)
         places = [m.span() for m in found]
     return min(places, key=lambda at: abs(at[0] - f.verb.end), default=None)
+
+
+def comes_later(p: Phrase, f: Frame, text: str) -> bool:
+    """ "Drives on a road and then on a highway": the second of two places of one clause."""
+    if p.mention is None:
+        return False
+    start = start_of(p, text)
+    earlier = any(q is not p and 0 <= start_of(q, text) < start for q in f.phrases if q.mention)
+    said = text[f.verb.end : max(start, 0)]
+    return earlier and _THEN.search(said) is not None
 
 
 def start_of(p: Phrase, text: str) -> int:

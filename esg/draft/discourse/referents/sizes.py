@@ -118,6 +118,6 @@ def mass_of(e: Entity, size: tuple[float, float, float]) -> float:
 
 
 def grows(vessel: Entity) -> bool:
-    """Whether a vessel is as wide as whom it holds asks for: a box, a basket of no told size."""
-    free = vessel.noun.kind == "box" or vessel.noun.name == "basket"
-    return free and "container" in vessel.noun.traits and not vessel.dimensions_prescribed
+    """Whether a vessel is as wide as whom it holds asks for: a box of no told size."""
+    box = vessel.noun.kind == "box" and "container" in vessel.noun.traits
+    return box and not vessel.dimensions_prescribed
