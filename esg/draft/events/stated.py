@@ -112,6 +112,8 @@ def _by_phrase(text: str, f: Frame, p: Phrase, m: Mention) -> tuple[Row, ...]:
     """The rows of a phrase: of a side, of where it comes from, of a thing, of a goal."""
     if m.attribute and p.prep in ("to", "toward", "towards"):
         return _by_word().get(("side", m.head), ())
+    if p.prep == "in" and (found := course_of(p)):
+        return found
     if m.attribute and p.prep == "from":
         return _by_word().get(("from", m.head), ())
     agent = p.prep == "by" and (f.verb.passive or f.reduced)
@@ -120,6 +122,12 @@ def _by_phrase(text: str, f: Frame, p: Phrase, m: Mention) -> tuple[Row, ...]:
     away = p.prep == "from" and text[: start_of(p, text)].rstrip().endswith("away")
     found = _by_word().get(("phrase", "away from" if away else p.prep), ())
     return found + _by_word().get(("goal", p.prep), ())
+
+
+def course_of(p: Phrase) -> tuple[Row, ...]:
+    """The rows of the shape that a phrase gives a way: "in circles"."""
+    named = p.mention is not None and p.prep == "in"
+    return _by_word().get(("course", p.mention.head), ()) if named and p.mention else ()
 
 
 def exactly(text: str, end: int) -> bool:

@@ -338,12 +338,15 @@ def _through(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept
 
 
 def _around(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
-    """Around: it sees the target turn by much, on a course that bends."""
+    """Around: it sees the target turn by much, on a course that bends; about the ground it bends."""
     best = Kept(False, reason=f"does not move around {q.goal}")
     velocity = replay.velocity[q.window.frames, body, :2]
     fast = np.hypot(velocity[:, 0], velocity[:, 1]) > STILL_M
     course = np.unwrap(np.arctan2(velocity[fast, 1], velocity[fast, 0]))
     bend = float(np.degrees(np.ptp(course))) if len(course) else 0.0
+    if q.target.ground:
+        reason = f"its course bends by {bend:.0f} degrees; limit {AROUND_DEG:.0f}"
+        return Kept.when(bend >= AROUND_DEG, reason, bend_deg=bend)
     for other in (j for j in q.target.bodies if j != body):
         offset = path - replay.position[q.window.frames, other]
         bearing = np.unwrap(np.arctan2(offset[:, 1], offset[:, 0]))

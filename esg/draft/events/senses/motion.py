@@ -17,7 +17,7 @@ from esg.draft.discourse.core import (
 from esg.draft.discourse.places import holds, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import is_toy
-from esg.draft.discourse.scene import LIMBED, LIVING, SELF_POWERED, STRUCK, Relation
+from esg.draft.discourse.scene import GROUND, LIMBED, LIVING, SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
 from esg.draft.events.courses import climbs, goes_steeply
 from esg.draft.events.ends import bounces_over
@@ -30,6 +30,7 @@ from esg.draft.events.senses.handling import bounces_on_ground
 from esg.draft.events.senses.launch import aim_at, launch_by, motion_of_things, stand_by
 from esg.draft.events.senses.steer import leave_again, turn
 from esg.draft.events.senses.topple import read_knock
+from esg.draft.events.stated import course_of
 from esg.draft.events.table import sense
 from esg.draft.events.timing import (
     enter,
@@ -118,11 +119,19 @@ def _goes_away_again(d: Discourse, f: Frame, actors: list[str]) -> None:
 
 
 def _gone_around(d: Discourse, f: Frame, actors: list[str], o: list[str]) -> bool:
-    """ "Runs around a tree", "circles a tower": what stands in the middle of its way."""
+    """ "Runs around a tree", "circles a tower", "around the yard", "in circles": on a round way."""
+    here = things(f.phrase("around", "round")) == [GROUND] or in_circles(f)
+    if here and not f.unreal and not f.verb.negated and not f.verb.passive:
+        return True
     middle = o if f.verb.lemma == "orbit" else things(f.phrase("around", "round"))
     middle = [i for i in middle if i not in actors and not structural(d, i)]
     moving = any(moves(d, i) for i in middle) or f.phrase("corner") is not None
     return bool(middle) and not moving and not f.unreal and not f.verb.negated
+
+
+def in_circles(f: Frame) -> bool:
+    """ "Runs in circles": round no thing."""
+    return any(course_of(p) for p in f.phrases)
 
 
 def _all_fly(d: Discourse, actors: list[str]) -> bool:
