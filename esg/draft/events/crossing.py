@@ -45,6 +45,11 @@ def take_time(
             if walks and isinstance(speed, tuple) and e.params.elevation_deg is None:
                 pace = min(0.9 * speed[1], BRISK_CM_S)
                 windows[e.to] = (round(PART * width / pace, 2), round(most * width / pace, 2))
+    ends_of = {e.actor: e.to for e in graph.edges}
+    for r in scene.relations:  # who follows goes as long
+        led = windows.get(ends_of.get(r.target, ""))
+        if led is not None and r.kind == "behind" and r.source in ends_of:
+            windows.setdefault(ends_of[r.source], led)
     edges = tuple(
         e.model_copy(update={"params": e.params.model_copy(update={"duration": windows[e.to]})})
         if e.to in windows and ends[e.to].event is NodeEvent.TRIGGER

@@ -380,8 +380,8 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "untied": lambda d, c: not _tied(d, c.frame),
     "unsent": _unsent,
     "unspun": _unspun,
-    "grounded": lambda d, c: c.frame.object is not None and all(
-        structural(d, i) for i in c.frame.object.entities
+    "grounded": lambda d, c: (
+        c.frame.object is not None and all(structural(d, i) for i in c.frame.object.entities)
     ),
     "through": _not_through,
     "living": lambda d, c: (

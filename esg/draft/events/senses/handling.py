@@ -86,7 +86,8 @@ def read_pick(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         read_as(d, "carry", f, s, o)
         return
     _from_where(d, f, taken)
-    place(d, [a for a in agents if kind_of(d, a) != "building"], taken[:1], "near")
+    by = [d.scene.inside_of.get(i, i) for i in taken[:1]]  # before the oven that it is taken out of
+    place(d, [a for a in agents if kind_of(d, a) != "building"], by, "near")
     goal = _goal(d, f, taken)
     for body in taken:
         if at_rest(d, body):
