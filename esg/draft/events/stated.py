@@ -164,7 +164,7 @@ def place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:
 
 def comes_later(p: Phrase, f: Frame, text: str) -> bool:
     """ "Drives on a road and then on a highway": the second of two places of one clause."""
-    if p.mention is None:
+    if p.mention is None or p.prep == "by":
         return False
     start = start_of(p, text)
     earlier = any(q is not p and 0 <= start_of(q, text) < start for q in f.phrases if q.mention)

@@ -50,7 +50,7 @@ _CONTENTS = re.compile(
     re.IGNORECASE,
 )
 _LOADED = lex.word_set("loaded (unseen)")
-_LOAD = re.compile(r"\b(?:full\s+)?of\s+(?:\w+\s+)?\w+$", re.IGNORECASE)
+_LOAD = re.compile(r"\b(?P<what>\w+)\s+(?:full\s+)?of\s+(?:\w+\s+)?\w+$", re.IGNORECASE)
 LOADS = "what is on it or in it is not shown"
 _EDGES = frozenset({"out of view", "into view", "frontwards", "rearwards"})
 """Adverbs of motions: no camera is meant."""
@@ -106,10 +106,10 @@ def _unseen_loads(d: Discourse, lies: list[tuple[int, int]]) -> Iterator[tuple[i
         if not told or any(m.start <= at < m.end for at in filled):
             continue
         found = _LOAD.search(d.text, m.start, m.end)
-        if found is None or m.text.lower().removeprefix("a ") in lex.nouns():
+        if found is None or found["what"].lower() != m.head.split()[-1] or m.text.lower().removeprefix("a ") in lex.nouns():
             continue  # "a pan of scales" is a kind of its own
         if not any(a <= found.start() < b for a, b in lies):
-            yield found.start(), m.end, LOADS
+            yield found.end("what") + 1, m.end, LOADS
 
 
 def _unseen_of_tables(

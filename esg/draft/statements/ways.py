@@ -173,7 +173,8 @@ def _by_others(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
 
 def _bends(d: Discourse, mover: str) -> bool:
     """Whether something goes round and round."""
-    turned = (n for n in d.timeline.nodes if n.participants == (mover,))
+    going = d.scene.supported_by.get(mover, mover)
+    turned = (n for n in d.timeline.nodes if n.participants in ((mover,), (going,)))
     return any(float(n.extra.get("turn_degrees", 0.0) or 0.0) >= _ROUND_DEG for n in turned)
 
 

@@ -103,6 +103,8 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if f.verb.lemma in _AT_A_TARGET:
         aim_at(d, f, actors, next(iter(target_of(d, f, actors)), None))
     if kind in SELF_POWERED and _gone_around(d, f, actors, o):
+        mounts = [d.scene.supported_by.get(a, a) for a in actors]  # "rides around on a bike"
+        actors = mounts if all(i in d.timeline.tracks for i in mounts) else actors
         turn(d, f, actors, "left", _ROUND_DEG, _ROUND_RATES)
 
 
