@@ -35,8 +35,9 @@ CLEARANCE_M, SLACK_M = 0.01, 0.004
 HAND_MPS, CRANE_MPS, HEAVY_KG = 0.7, 0.4, 50.0
 """Mean speed of what is carried: light and heavy things."""
 SHORTEST_LEG_S = 0.5
-LONGEST_WAY_S = 6.0
-"""What has farther to go is moved faster."""
+LONGEST_WAY_S, TAKEN_OUT_S = 6.0, 1.0
+"""What has farther to go is moved faster; so is what is taken out of a deep vessel, all of whose
+way is in the scene."""
 GAPS_M = (0.06, 0.1, 0.16, 0.25, 0.4, 0.6)
 """What is set down beside something is so far away from it, the first that is free."""
 _SIDES = {
@@ -96,7 +97,8 @@ def way_of(cast: Cast, phase: Phase, at: Floats) -> Way:
     size, lift = high - low, _lift(phase, high[2] - low[2])
     stands = cast.story.phases[phase.edge.actor][0] is phase
     if phase.end.event is NodeEvent.PICKED_UP:
-        return _timed(body, _off(cast, body, at, lift))
+        way = _timed(body, _off(cast, body, at, lift))
+        return way.lasting(min(way.times[-1], TAKEN_OUT_S))
     goal = _goal(cast, phase, body)
     if goal is None or (phase.end.event is NodeEvent.TRIGGER and stands):
         return Way((_vec(at), _vec(at)), (0.0, SHORTEST_LEG_S))
