@@ -424,6 +424,7 @@ def dropped(d: Discourse, f: Frame) -> str:
     if why is None or span in d.scene.used or f.unreal or f.times or why in _NOT_TOLD:
         return ""
     pictured = f.verb.lemma in _PICTURED and f.object is not None  # "refuses the jump"
+    pictured |= f.verb.lemma == "look" and f.phrase("for") is not None  # "looking for his keys"
     pictured |= f.verb.lemma == "fail" and not d.text[f.verb.end :].startswith(" to ")
     if (
         f.verb.negated

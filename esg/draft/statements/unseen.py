@@ -106,7 +106,11 @@ def _unseen_loads(d: Discourse, lies: list[tuple[int, int]]) -> Iterator[tuple[i
         if not told or any(m.start <= at < m.end for at in filled):
             continue
         found = _LOAD.search(d.text, m.start, m.end)
-        if found is None or found["what"].lower() != m.head.split()[-1] or m.text.lower().removeprefix("a ") in lex.nouns():
+        if (
+            found is None
+            or found["what"].lower() != m.head.split()[-1]
+            or m.text.lower().removeprefix("a ") in lex.nouns()
+        ):
             continue  # "a pan of scales" is a kind of its own
         if not any(a <= found.start() < b for a, b in lies):
             yield found.end("what") + 1, m.end, LOADS

@@ -338,7 +338,7 @@ def _through(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept
 
 
 def _around(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
-    """Around: it sees the target turn by much, on a course that bends; about the ground it bends."""
+    """Around: it sees the target turn by much, on a course that bends; of the ground: it bends."""
     best = Kept(False, reason=f"does not move around {q.goal}")
     velocity = replay.velocity[q.window.frames, body, :2]
     fast = np.hypot(velocity[:, 0], velocity[:, 1]) > STILL_M
