@@ -155,9 +155,9 @@ def _by_others(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
         if clause.frame.verb.sense in _DOWN:
             return  # "falls through the floor"
         direction = "across"  # "through a meadow", "through the park": it has no other side
-    if structural(d, targets[0]) and direction not in _ON_THE_WAY:
-        if targets != [GROUND] or direction != "around" or not _bends(d, mover):
-            return  # "around the yard": its course bends
+    rounds = direction == "around" and targets == [GROUND] and _bends(d, mover)
+    if structural(d, targets[0]) and direction not in _ON_THE_WAY and not rounds:
+        return  # "around the yard": its course bends
     if direction in _ABOUT and d.scene.supported_by.get(mover) in targets:
         return
     if direction == "between" and len(targets) == 1:
