@@ -173,9 +173,9 @@ def _by_others(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
 
 def _bends(d: Discourse, mover: str) -> bool:
     """Whether something goes round and round."""
-    going = d.scene.supported_by.get(mover, mover)
-    turned = (n for n in d.timeline.nodes if n.participants in ((mover,), (going,)))
-    return any(float(n.extra.get("turn_degrees", 0.0) or 0.0) >= _ROUND_DEG for n in turned)
+    going = (mover, d.scene.supported_by.get(mover, mover))
+    turned = (e.params.turn_degrees for e in d.timeline.edges if e.actor in going)
+    return any(isinstance(x, int | float) and x >= _ROUND_DEG for x in turned)
 
 
 def _in_circles(book: Book, s: Said, mover: str) -> None:

@@ -122,13 +122,19 @@ def _goes_away_again(d: Discourse, f: Frame, actors: list[str]) -> None:
 
 def _gone_around(d: Discourse, f: Frame, actors: list[str], o: list[str]) -> bool:
     """ "Runs around a tree", "circles a tower", "around the yard", "in circles": on a round way."""
-    here = things(f.phrase("around", "round")) == [GROUND] or in_circles(f)
-    if here and not f.unreal and not f.verb.negated and not f.verb.passive:
+    if _about_nothing(f) and not f.unreal and not f.verb.negated and not f.verb.passive:
         return True
     middle = o if f.verb.lemma == "orbit" else things(f.phrase("around", "round"))
     middle = [i for i in middle if i not in actors and not structural(d, i)]
     moving = any(moves(d, i) for i in middle) or f.phrase("corner") is not None
     return bool(middle) and not moving and not f.unreal and not f.verb.negated
+
+
+def _about_nothing(f: Frame) -> bool:
+    """Whether a round way is about no thing: "around the yard", "in circles"."""
+    return things(f.phrase("around", "round")) == [GROUND] or (
+        in_circles(f) and not things(f.phrase("around", "round"))
+    )
 
 
 def in_circles(f: Frame) -> bool:
