@@ -77,16 +77,7 @@ def compare(doc: EsgDocument, row: dict[str, Any]) -> Told:
     for event in row["events"]:
         accounted = _entailed(doc, event, free)
         free = [n for n in free if n not in accounted]
-    free = [n for n in free if not _goes_round(doc, row, n)]
     return Told(found, tuple(missing), drafted, tuple(free))
-
-
-def _goes_round(doc: EsgDocument, row: dict[str, Any], node: TimelineNode) -> bool:
-    """Whether a turn is that of what is labelled to go around, and said to in the draft."""
-    round_ways = (s for s in row.get("statements", ()) if s.get("direction") == "around")
-    who = {name for s in round_ways for name in bind(doc, s["object"])}
-    told = {i for s in doc.statements or () if s.direction == "around" for i in s.object}
-    return node.event.value == "HeadingReached" and bool(who & {*node.participants} & told)
 
 
 def _is(node: TimelineNode, kind: str) -> bool:

@@ -53,6 +53,8 @@ _LEFT_THEN_RIGHT = re.compile(
 )
 _ROUND_DEG, _ROUND_RATES = 300.0, (10.0, 90.0)
 """How far somebody goes around something [degrees] and how fast that turns [degrees/s]."""
+_ABOUT_S, _ABOUT_RATES = 7.5, (40.0, 45.0)
+"""How long somebody goes round a yard, and how fast that turns [degrees/s]: one round or so."""
 _DRIVES = lex.word_set("vehicle verbs")
 _HALF_DEG = 180.0
 _BACK = frozenset({"away", "back", "off"})
@@ -105,6 +107,9 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if kind in SELF_POWERED and _gone_around(d, f, actors, o):
         mounts = [d.scene.supported_by.get(a, a) for a in actors]  # "rides around on a bike"
         actors = mounts if all(i in d.timeline.tracks for i in mounts) else actors
+        if _about_nothing(f):
+            turn(d, f, actors, "left", _ROUND_DEG, _ABOUT_RATES, lasts=_ABOUT_S)
+            return
         turn(d, f, actors, "left", _ROUND_DEG, _ROUND_RATES)
 
 
