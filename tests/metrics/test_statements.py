@@ -293,7 +293,7 @@ CASES = [
     case("moves", lambda: World(2.0).add(body("tree_1")).add(body("car_1"), **circle(0.8)),
          lambda: World(2.0).add(body("tree_1")).add(body("car_1"), x=line(-4, 4), y=1.0),
          "its course bending by 0", direction="around", object="car", target="tree"),
-    case("moves", lambda: World(2.0).add(body("car_1"), **circle(0.8)),
+    case("moves", lambda: World(2.0).add(body("car_1"), **circle(1.0)),
          lambda: World(2.0).add(body("car_1"), x=line(-4, 4)), "its course bends by 0 degrees",
          direction="around", object="car", target="ground"),
     case("moves", lambda: two_posts().add(body("car_1"), x=line(0, 2)),

@@ -53,7 +53,7 @@ _LEFT_THEN_RIGHT = re.compile(
 )
 _ROUND_DEG, _ROUND_RATES = 300.0, (10.0, 90.0)
 """How far somebody goes around something [degrees] and how fast that turns [degrees/s]."""
-_ABOUT_S, _ABOUT_RATES = 7.5, (40.0, 45.0)
+_ABOUT_S, _ABOUT_RATES = 8.0, (46.0, 50.0)
 """How long somebody goes round a yard, and how fast that turns [degrees/s]: one round or so."""
 _DRIVES = lex.word_set("vehicle verbs")
 _HALF_DEG = 180.0
@@ -67,6 +67,7 @@ _BRANCHES = ("at", "into", "onto")
 """Prepositions of where a way turns off: "goes left at the lights"; else it is the way it comes."""
 _AT_A_TARGET = lex.word_set("goes at a target")
 
+_RUNS = lex.word_set("gaits, fast")
 _FOLLOWS = frozenset({"follow", "trail"})
 _ANYHOW = lex.word_set("goes anyhow")
 
@@ -108,7 +109,7 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         mounts = [d.scene.supported_by.get(a, a) for a in actors]  # "rides around on a bike"
         actors = mounts if all(i in d.timeline.tracks for i in mounts) else actors
         if _about_nothing(f):
-            turn(d, f, actors, "left", _ROUND_DEG, _ABOUT_RATES, lasts=_ABOUT_S)
+            turn(d, f, actors, "left", 360.0, _ABOUT_RATES, lasts=_ABOUT_S)
             return
         turn(d, f, actors, "left", _ROUND_DEG, _ROUND_RATES)
 
@@ -137,9 +138,10 @@ def _gone_around(d: Discourse, f: Frame, actors: list[str], o: list[str]) -> boo
 
 def _about_nothing(f: Frame) -> bool:
     """Whether a round way is about no thing: "around the yard", "in circles"."""
-    return things(f.phrase("around", "round")) == [GROUND] or (
-        in_circles(f) and not things(f.phrase("around", "round"))
-    )
+    about = things(f.phrase("around", "round"))
+    if about == [GROUND]:
+        return f.verb.lemma in _RUNS  # who walks around the park strolls about in it
+    return in_circles(f) and not about
 
 
 def in_circles(f: Frame) -> bool:
