@@ -161,6 +161,9 @@ bodies do not move, reach as far."""
 AROUND_DEG, BEND_DEG = 120.0, 40.0
 """What moves around something sees it turn by so much while its course bends by so much: a straight
 way past sees up to 180 degrees and bends by none."""
+ROUND_DEG = 300.0
+"""What runs in circles, or around the yard that it is in, has a course that bends by so much: a
+round but for what a course that does not close leaves open."""
 
 # -- further events: the second edition of the suite format --
 

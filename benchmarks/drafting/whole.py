@@ -122,7 +122,10 @@ def judge(
     statements: tuple[tuple[str, bool], ...] = tuple((s["says"], False) for s in row["statements"])
     if doc and told:
         found += _drawn(doc, row) + _events(doc, row, told)
-        statements = tuple((s["says"], holds(doc, s, told.found)) for s in row["statements"])
+        statements = tuple(
+            (s["says"], holds(doc, s, told.found) or _on_somebody(doc, s))
+            for s in row["statements"]
+        )
     found += [
         Fault("statement", str(label))
         for label, (_, held) in zip(row["statements"], statements, strict=True)
@@ -164,6 +167,17 @@ def _held(words: str, held: set[str]) -> bool:
     return bool(content) and content <= held
 
 
+def _on_somebody(doc: EsgDocument, label: dict[str, Any]) -> bool:
+    """Whether a label of what is attached to somebody is about what he wears."""
+    return label["says"] == "attached_to" and _worn(doc, str(label.get("object", "")))
+
+
+def _worn(doc: EsgDocument, phrase: str) -> bool:
+    """Whether somebody wears a thing: labels from before that are of an object of its own."""
+    worn = {s.text for s in doc.statements or () if s.predicate is Predicate.WEARS}
+    return bool(_content(phrase)) and any(_content(phrase) <= _content(text) for text in worn)
+
+
 def _content(words: str) -> set[str]:
     """Content words of a phrase."""
     return set(words_of(words)) - _FUNCTION
@@ -197,11 +211,12 @@ def _events(doc: EsgDocument, row: dict[str, Any], told: Told) -> list[Fault]:
 def _drawn(doc: EsgDocument, row: dict[str, Any]) -> list[Fault]:
     """Labelled objects that are not there or there twice, and things that nothing asks for."""
     nodes = doc.spatial_relation_graph.nodes
-    candidates = [bind(doc, item["phrase"]) for item in row["objects"]]
-    taken = _assigned(doc, row["objects"], candidates)
+    objects = [item for item in row["objects"] if not _worn(doc, item["phrase"])]
+    candidates = [bind(doc, item["phrase"]) for item in objects]
+    taken = _assigned(doc, objects, candidates)
     out = [
         Fault("object", f"{item} is there {sum(k == n for k, _ in taken)} times")
-        for n, item in enumerate(row["objects"])
+        for n, item in enumerate(objects)
         if sum(k == n for k, _ in taken) < item.get("count", 1)
     ]
     used = {name for _, name in taken}
@@ -213,7 +228,7 @@ def _drawn(doc: EsgDocument, row: dict[str, Any]) -> list[Fault]:
         what = f'{name} "{node.label}"'
         askers = [
             item
-            for item, ids in zip(row["objects"], candidates, strict=True)
+            for item, ids in zip(objects, candidates, strict=True)
             if name in ids and name not in used
         ]
         if head_of(doc, name) in absent and name not in implied:

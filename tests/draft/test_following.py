@@ -99,3 +99,22 @@ def test_what_is_aimed_at_is_hit_before_it_falls() -> None:
     assert doc.timeline_system is not None
     told = [n.event for n in doc.timeline_system.sequence_graph.nodes]
     assert told.index(NodeEvent.COLLISION) < told.index(NodeEvent.FALL)
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A hen crosses the road with chicks following.",
+        "A tractor rolls along a track, two dogs trailing behind.",
+        "A truck drives down the street, a car following close behind.",
+    ],
+)
+def test_who_follows_goes_behind_whom_the_clause_before_is_about(prompt: str) -> None:
+    doc = draft(prompt)
+    assert doc.timeline_system is not None
+    ahead = doc.timeline_system.sequence_graph.edges[0].actor
+    assert ahead == next(iter(n for n in doc.spatial_relation_graph.nodes if n != "ground_1"))
+    pairs = doc.spatial_relation_graph.edges.binary_relations
+    behind = {r.from_ for r in pairs if r.relation_type.value == "behind" and r.to == ahead}
+    assert behind
+    assert behind <= {e.actor for e in doc.timeline_system.sequence_graph.edges}

@@ -45,6 +45,10 @@ def stands_on(prompt: str, thing: str) -> str:
             "A boy jumps off a high wall into a lake.",
             ["Jump boy_1", "Fall boy_1", "EnterRegion boy_1"],
         ),
+        ("A dog is standing on a bench, then it jumps down.", ["Jump dog_1", "Fall dog_1"]),
+        ("A cat on a shelf leaps down onto the floor.", ["Jump cat_1", "Fall cat_1"]),
+        ("A man jumps out of a dumpster.", ["Jump man_1"]),
+        ("A kid hops out of a box.", ["Jump kid_1"]),
         ("A kid jumps on a bed three times.", ["Jump kid_1"]),
         ("A boy jumps on a trampoline.", ["Jump boy_1"]),
     ],
@@ -78,6 +82,7 @@ def test_where_it_ends_is_stated(prompt, words):
         ("A squirrel jumps onto a bench and knocks over a bottle.", "bottle_1", "bench_1"),
         ("A kid jumps on a bed three times.", "kid_1", "bed_1"),
         ("A man jumps off a platform and lands on a mat.", "man_1", "platform_1"),
+        ("A man jumps out of a dumpster.", "man_1", "dumpster_1"),
     ],
 )
 def test_what_is_met_up_there_stands_there(prompt, thing, on):
@@ -90,6 +95,7 @@ def test_what_is_met_up_there_stands_there(prompt, thing, on):
         "A dog jumps onto a sofa and then jumps off it.",
         "A rabbit hops onto a stump and then hops off.",
         "A dolphin leaps out of the water.",
+        "A raccoon jumps out of a trash can.",
     ],
 )
 def test_other_leaps_are_owned_up_to(prompt):

@@ -125,6 +125,7 @@ SPEEDS: dict[str, Quantity] = {
     "watercraft": (50.0, 500.0), "flyer": (200.0, 1500.0), "roll": (100.0, 1000.0),
     "slide": (100.0, 800.0), "throw": (300.0, 2000.0), "drop": 0.0, "fly": (300.0, 2000.0),
     "billiard": (50.0, 600.0), "projectile": (500.0, 4000.0), "floater": (50.0, 190.0),
+    "press": (15.0, 60.0),
 }  # fmt: skip
 
 """Plausible speeds [cm/s] where the prompt gives none; sources in docs/drafting.md."""

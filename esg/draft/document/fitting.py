@@ -9,14 +9,17 @@ its kind.
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
+import math
 import re
 
 from esg.draft.discourse.referents.entities import Entity
-from esg.draft.discourse.referents.sizes import dimensions_of
+from esg.draft.discourse.referents.sizes import dimensions_of, grows
 from esg.draft.discourse.scene import LIVING, Scene
 
 _ANY_SIZE = frozenset({"ball", "box", "block"})
 """Kinds of things that come in any size."""
+_LIES_IN = 1.5
+"""Width of a box over the diagonal of whom it holds, at least."""
 _FREE = 0.6
 """Share of a vessel's width that what lies in it or under it takes up at most."""
 _FULL = 0.8
@@ -44,6 +47,11 @@ def fit(scene: Scene, leapt_on: Mapping[str, str], climbed: Mapping[str, str]) -
     _fit_rocks(scene, leapt_on)
     _fit_trees(scene, climbed)
     for body, vessel, covered in _held(scene):
+        if body.noun.kind in LIVING and not covered and grows(vessel):
+            room = dimensions_of(vessel)
+            need = _LIES_IN * math.hypot(*dimensions_of(body)[:2])
+            wide = [max(x, need) for x in room[:2]]
+            vessel.dimensions_cm = [*wide, room[2]]
         free = body.noun.kind in _ANY_SIZE and not body.dimensions_prescribed
         stacked = body.noun.name == vessel.noun.name  # crates of a stack
         lid = covered and vessel.noun.kind in _ANY_SIZE

@@ -188,7 +188,7 @@ def _to_the_edge(d: Discourse, actor: str, way: Way) -> None:
 def _past(d: Discourse, actor: str, way: Way) -> None:
     if touches_later(d, way.f, way.others[0]):
         mark_used(d, way.f, "on the way to the contact")
-    else:
+    elif not structural(d, way.others[0]):
         add_event(d, NodeEvent.MISS, (actor, way.others[0]), way.f, way.time)
 
 

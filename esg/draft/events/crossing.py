@@ -47,6 +47,11 @@ def take_time(
                 pace = 0.9 * speed[1]
                 pace = min(pace, BRISK_CM_S) if kind in LIVING else pace
                 windows[e.to] = (round(PART * width / pace, 2), round(most * width / pace, 2))
+    ends_of = {e.actor: e.to for e in graph.edges}
+    for r in scene.relations:  # who follows goes as long
+        led = windows.get(ends_of.get(r.target, ""))
+        if led is not None and r.kind == "behind" and r.source in ends_of:
+            windows.setdefault(ends_of[r.source], led)
     edges = tuple(
         e.model_copy(update={"params": e.params.model_copy(update={"duration": windows[e.to]})})
         if e.to in windows and ends[e.to].event is NodeEvent.TRIGGER

@@ -55,6 +55,10 @@ _IN_THE_AIR = lex.word_set("in the air")
 _WINGED = lex.word_set("winged")
 
 
+PRESSES = "press"
+"""The verb of what is led on by a hand, slowly: a nail into a sponge."""
+
+
 def speed_of(d: Discourse, f: Frame, actors: list[str], mode: str) -> tuple[Quantity | None, bool]:
     """The speed that a motion starts with [cm/s], and whether the prompt states it."""
     found = quantity_of(d, f, "speed")
@@ -62,6 +66,8 @@ def speed_of(d: Discourse, f: Frame, actors: list[str], mode: str) -> tuple[Quan
     told += [found[1]] if found is not None else []
     told += [d.moves.stated[x] for x in actors if x in d.moves.stated]
     if not told:
+        if f.verb.lemma == PRESSES:
+            return SPEEDS["press"], False
         kind = kind_of(d, actors[0]) if actors else "ball"
         wings = bool(actors) and flies_itself(d, actors[0]) and f.verb.lemma not in gaits()
         afoot = kind in LIVING and not (wings or d.moves.flying & {*actors})
@@ -272,6 +278,7 @@ def start_motion(
             let_go(d, f, [actor])
             continue
         chosen = mode or natural(d, actor)
+        chosen = "own" if f.verb.lemma == PRESSES else chosen
         chosen = "roll" if chosen == "slide" and called_rolling(d, actor) else chosen
         if f.verb.lemma in _IN_THE_AIR and flies_itself(d, actor):
             d.moves.flying.add(actor)

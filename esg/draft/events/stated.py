@@ -27,6 +27,7 @@ NAMED_BY = lex.word_set("sports that name things")
 _WAYS = ("backward", "up", "down")
 """Directions that a participle before a noun can state: "approaching" has an aim to find."""
 _LEAPS = lex.word_set("leaps up and down")
+_THEN = re.compile(r"\b(?:then|finally|afterwards|later)\s+$", re.IGNORECASE)
 _AND_DOWN = re.compile(r"\s+and\s+down\b", re.IGNORECASE)
 """After "up": to and fro, and no course."""
 _SIDES = ("leftwards", "rightwards")
@@ -111,6 +112,8 @@ def _by_phrase(text: str, f: Frame, p: Phrase, m: Mention) -> tuple[Row, ...]:
     """The rows of a phrase: of a side, of where it comes from, of a thing, of a goal."""
     if m.attribute and p.prep in ("to", "toward", "towards"):
         return _by_word().get(("side", m.head), ())
+    if p.prep == "in" and (found := course_of(p)):
+        return found
     if m.attribute and p.prep == "from":
         return _by_word().get(("from", m.head), ())
     agent = p.prep == "by" and (f.verb.passive or f.reduced)
@@ -119,6 +122,12 @@ def _by_phrase(text: str, f: Frame, p: Phrase, m: Mention) -> tuple[Row, ...]:
     away = p.prep == "from" and text[: start_of(p, text)].rstrip().endswith("away")
     found = _by_word().get(("phrase", "away from" if away else p.prep), ())
     return found + _by_word().get(("goal", p.prep), ())
+
+
+def course_of(p: Phrase) -> tuple[Row, ...]:
+    """The rows of the shape that a phrase gives a way: "in circles"."""
+    named = p.mention is not None and p.prep == "in"
+    return _by_word().get(("course", p.mention.head), ()) if named and p.mention else ()
 
 
 def exactly(text: str, end: int) -> bool:
@@ -154,6 +163,16 @@ def place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:
 
 
 CENTRE = "in the middle of"
+
+
+def comes_later(p: Phrase, f: Frame, text: str) -> bool:
+    """ "Drives on a road and then on a highway": the second of two places of one clause."""
+    if p.mention is None or p.prep == "by":
+        return False
+    start = start_of(p, text)
+    earlier = any(q is not p and 0 <= start_of(q, text) < start for q in f.phrases if q.mention)
+    said = text[f.verb.end : max(start, 0)]
+    return earlier and _THEN.search(said) is not None
 
 
 def start_of(p: Phrase, text: str) -> int:

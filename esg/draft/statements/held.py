@@ -6,7 +6,7 @@ from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.referents.entities import is_toy
 from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED
-from esg.draft.events.stated import start_of
+from esg.draft.events.stated import comes_later, start_of
 from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Phrase
 from esg.draft.statements.book import Book, ids, span
@@ -111,6 +111,8 @@ def support(book: Book, clause: Clause, p: Phrase) -> None:
     if p.mention is None or p.prep not in ("on", "along", "across", "atop"):
         return
     sense = clause.frame.verb.sense
+    if comes_later(p, clause.frame, d.text):
+        return
     if sense not in _LASTING and (sense != "launch" or p.prep not in _LENGTHWISE):
         return
     for mover in clause.movers:

@@ -25,7 +25,8 @@ def period(d: Discourse, clause: Clause, mover: str) -> str:
     kinds = {n.id: n.event for n in d.timeline.nodes}
     begin = "start" if since == START else since
     end = edge.to if edge is not None else "end"
-    if kinds.get(end) is NodeEvent.JUMP:  # it is told when it takes off
+    # A leap is told when it takes off, a lift when it has left what carries it.
+    if kinds.get(end) in (NodeEvent.JUMP, NodeEvent.PICKED_UP):
         lands = segment_from(d, mover, end)
         end = lands.to if lands is not None else "end"
     turns = any(e.event is EdgeEvent.TURN for e in segments(d, mover))

@@ -22,7 +22,7 @@ from esg.draft.discourse.windows import Draft
 from esg.draft.events.courses import measurable
 from esg.draft.events.ends import EDGES
 from esg.draft.events.roles import is_tool
-from esg.draft.events.stated import start_of
+from esg.draft.events.stated import comes_later, start_of
 from esg.draft.events.told import happened, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.account import (
@@ -90,6 +90,7 @@ _FLAT = frozenset({"support", "structural"})
 _ENTERED = frozenset({"building", "structure"})
 _ENDS = frozenset({"ends_on", "ends_in", "ends_near", "above", "under"})
 _HITS = lex.word_set("hits (phrases)")
+ONE_WAY = "its way does not change there: it is on it from the start, or never"
 IDLE = "nobody has it in hand: it takes no part"
 _TO_PIECES = lex.word_set("to pieces")
 _FEET = frozenset({"bottom", "foot"})
@@ -190,6 +191,9 @@ def phrases(a: Account) -> Iterator[Gap]:
         about -= others
         if _off_a_side(a, about, p):
             yield Gap(max(start_of(p, a.d.text), 0), m.end, "nothing sees to the side")
+        elif f is not None and comes_later(p, f, a.d.text) and not _met(a, others):
+            start = a.d.text.lower().rfind("then", 0, start_of(p, a.d.text))
+            yield Gap(start, m.end, ONE_WAY, tuple(sorted(about))[:1])
         elif about and not (
             _answered(a, about, others, p, f) if others else _no_place(a, about, p)
         ):
@@ -197,6 +201,12 @@ def phrases(a: Account) -> Iterator[Gap]:
             back = p.prep in _BACK_TO and a.d.text[:start].lower().endswith(" back ")
             missing = f'nothing in the scene stands for "{p.prep}"'
             yield Gap(start - 5 * back, m.end, missing, tuple(sorted(about))[:1])
+
+
+def _met(a: Account, others: set[str]) -> bool:
+    """Whether an event is about some of these, or where one ends."""
+    regions = {str(n.extra.get("region", "")).split("/")[0] for n in a.d.timeline.nodes}
+    return bool(others & (regions | {i for n in a.d.timeline.nodes for i in n.participants}))
 
 
 def _needs_no_answer(a: Account, p: Phrase, m: Mention, f: Frame | None) -> bool:

@@ -75,8 +75,10 @@ def _dropped(told: Told) -> None:
         why = "" if span(f) in said else dropped(d, f)
         if why and (span(f) not in read or not _moves(d, f)):
             _unkept(book, f, why)
+    rounds = [(s.start, s.end) for s in book.items if s.direction == "around"]  # "in circles"
     for start, end, why in unseen(d, told.frames, told.elements):
-        book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
+        if not any(a <= start and end <= b for a, b in rounds):
+            book.add(Predicate.NOT_REPRESENTED, start, end, note=why)
 
 
 def _in_order(t: Told) -> None:

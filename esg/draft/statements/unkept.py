@@ -377,6 +377,9 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "untied": lambda d, c: not _tied(d, c.frame),
     "unsent": _unsent,
     "unspun": _unspun,
+    "grounded": lambda d, c: (
+        c.frame.object is not None and all(structural(d, i) for i in c.frame.object.entities)
+    ),
     "through": _not_through,
     "living": lambda d, c: (
         bool(c.movers) and all(kind_of(d, i) in LIMBED for i in c.movers) and not _met(d, c)
@@ -418,6 +421,7 @@ def dropped(d: Discourse, f: Frame) -> str:
     if why is None or span in d.scene.used or f.unreal or f.times or why in _NOT_TOLD:
         return ""
     pictured = f.verb.lemma in _PICTURED and f.object is not None  # "refuses the jump"
+    pictured |= f.verb.lemma == "look" and f.phrase("for") is not None  # "looking for his keys"
     pictured |= f.verb.lemma == "fail" and not d.text[f.verb.end :].startswith(" to ")
     if (
         f.verb.negated

@@ -49,6 +49,9 @@ _CONTENTS = re.compile(
     rf"\b(?:of|with)\s+(?:\w+\s+)?(?:{'|'.join(map(re.escape, sorted(_KINDS[0][0])))})\b",
     re.IGNORECASE,
 )
+_LOADED = lex.word_set("loaded (unseen)")
+_LOAD = re.compile(r"\b(?P<what>\w+)\s+(?:full\s+)?of\s+(?:\w+\s+)?\w+$", re.IGNORECASE)
+LOADS = "what is on it or in it is not shown"
 _EDGES = frozenset({"out of view", "into view", "frontwards", "rearwards"})
 """Adverbs of motions: no camera is meant."""
 _MOODS = lex.word_set("unseen attributes")
@@ -87,11 +90,30 @@ def unseen(
             continue  # "a stack of oil drums"
         if any(start < found.start() < end for start, end in drawn):
             yield found.start(), found.end(), FLUIDS  # "a bowl of water"
+    yield from _unseen_loads(d, lies)
     for m in d.mentions:
         if m.head == "camera" and m.attribute and m.text.lower() == "it":
             yield m.start, m.end, _KINDS[1][1]  # "toward the camera ... away from it"
     known = [*(start for start, _, _ in told), *(end - 1 for _, end in lies)]
     yield from _unseen_of_nouns(d, setting, drawn, known)
+
+
+def _unseen_loads(d: Discourse, lies: list[tuple[int, int]]) -> Iterator[tuple[int, int, str]]:
+    """ "A truck of hay", "a cart of coal": what only the name of a thing says is on or in it."""
+    filled = [at.vessel for at in d.scene.fillings.fillings]
+    for m in d.mentions:
+        told = m.noun is not None and m.noun.kind in _LOADED and bool(m.entities)
+        if not told or any(m.start <= at < m.end for at in filled):
+            continue
+        found = _LOAD.search(d.text, m.start, m.end)
+        if (
+            found is None
+            or found["what"].lower() != m.head.split()[-1]
+            or m.text.lower().removeprefix("a ") in lex.nouns()
+        ):
+            continue  # "a pan of scales" is a kind of its own
+        if not any(a <= found.start() < b for a, b in lies):
+            yield found.end("what") + 1, m.end, LOADS
 
 
 def _unseen_of_tables(

@@ -36,12 +36,17 @@ _SENT = ("over", "across", "through", "past")
 """What leads on from a hit: "hits a ball over the net"."""
 _SHEDS = frozenset({"incline", "round", "goal"})
 """Traits of what nothing stays on that comes down from above."""
+_ROUND_DEG = 180.0
+"""A turn by more is a round way."""
 _STRAIGHT_DOWN = "it falls straight down"
 _TARGETED = frozenset({"toward", "away_from", "along", "past", "across", "through", "around"})
 
 
 def moved(book: Book, clause: Clause, s: Said, mover: str) -> None:
     """Which way something moves: by an adverb, a phrase, or the verb itself ("crosses")."""
+    if s.row.part == "course":
+        _in_circles(book, s, mover)
+        return
     if s.row.part == "adverb" and s.row.direction in _TARGETED:
         _back(book, clause, s, mover)
         return
@@ -149,8 +154,9 @@ def _by_others(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
         if clause.frame.verb.sense in _DOWN:
             return  # "falls through the floor"
         direction = "across"  # "through a meadow", "through the park": it has no other side
-    if structural(d, targets[0]) and direction not in _ON_THE_WAY:
-        return
+    rounds = direction == "around" and targets == [GROUND] and _bends(d, mover)
+    if structural(d, targets[0]) and direction not in _ON_THE_WAY and not rounds:
+        return  # "around the yard": its course bends
     if direction in _ABOUT and d.scene.supported_by.get(mover) in targets:
         return
     if not targets:
@@ -160,6 +166,20 @@ def _by_others(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
     book.add(Predicate.MOVES, s.start, s.end, object=(mover,), target=some, direction=direction,
              when=where)  # fmt: skip
     _lengthwise(book, s, mover, some, direction, where)
+
+
+def _bends(d: Discourse, mover: str) -> bool:
+    """Whether something goes round and round."""
+    going = (mover, d.scene.supported_by.get(mover, mover))
+    turned = (e.params.turn_degrees for e in d.timeline.edges if e.actor in going)
+    return any(isinstance(x, int | float) and x >= _ROUND_DEG for x in turned)
+
+
+def _in_circles(book: Book, s: Said, mover: str) -> None:
+    """ "Runs in circles": on a round way, about no thing."""
+    if _bends(book.d, mover):
+        book.add(s.row.states, s.start, s.end, object=(mover,), target=(GROUND,),
+                 direction="around", when="throughout")  # fmt: skip
 
 
 def _lengthwise(

@@ -10,7 +10,7 @@ from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, frame_mapping
 from esg.dynamics.story.stagecraft import Prop, support_of, top_surface
 from esg.dynamics.story.story import Phase
-from esg.graph.models import EdgeEvent, NodeEvent, TimelineNode
+from esg.graph.models import EdgeEvent, NodeEvent, RegionType, TimelineNode
 from esg.units import GRAVITY_MPS2
 
 CROUCHES_S = 0.3
@@ -94,8 +94,9 @@ def leap_to(
     """
     body, track = stage.prop(actor), stage.tracks[actor]
     anchored = stage.anchor is not None and support_of(stage.doc, actor) == stage.anchor
-    low = surface_height(stage) if anchored else 0.0
-    run = _run(stage, body) if anchored else None
+    walls = _walls(stage, actor) if anchored else None
+    low = surface_height(stage) if anchored and walls is None else 0.0
+    run = _run(stage, body) if anchored and walls is None else None
     deck = _deck(stage, goal.on)
     depth = body.half_length
     if deck is not None and deck.half_depth < body.half_length < deck.half_width:
@@ -106,6 +107,7 @@ def leap_to(
     rise = max(rise_m, top - low + max(0.25 * body.height, 0.15)) if deck is not None else rise_m
     steep = deck is not None and deck.half_depth < body.half_length
     rise += STEEPER_M if steep else 0.0
+    rise = rise if walls is None else max(rise, walls.height + max(0.25 * body.height, 0.15))
     up = math.sqrt(2.0 * GRAVITY_MPS2 * rise)
     rising = up / GRAVITY_MPS2
     aloft = rising + math.sqrt(2.0 * (low + rise - top) / GRAVITY_MPS2)
@@ -114,6 +116,10 @@ def leap_to(
         way = max(way, landing_speed(stage, actor, node, low + rise) * aloft)
     else:
         near, way = _way(body, depth, deck, run, top - low, up, aloft)
+    if walls is not None:
+        # Its back has passed the wall when it comes down behind it.
+        over = rising + math.sqrt(2.0 * (rise - walls.height) / GRAVITY_MPS2)
+        way = (walls.half_length + body.half_length + CLEAR_OF_EDGE_M) * aloft / over
     if run is not None and top < low:
         # Its back has passed the edge when it comes down past it.
         needed = (run + body.half_length + CLEAR_OF_EDGE_M) * aloft / (2.0 * rising)
@@ -131,7 +137,7 @@ def leap_to(
         stage.time[goal.met.id] = begin + aloft
     _put(stage, actor, goal.on, deck, near, body.half_length + body.half_width - depth)
     if anchored:
-        stage.edge_run = run
+        stage.edge_run = run if walls is None else walls.half_length
         stage.airborne[actor] = Flight(speed, low + rise)
     if deck is None:
         track.straight(speed * rising, rising, speed)
@@ -144,6 +150,14 @@ def _run(stage: Stage, body: Prop) -> float:
     assert stage.anchor is not None
     half_depth = top_surface(stage.doc, stage.anchor).half_extents_cm[0] / 100.0
     return min(0.6 * body.half_length + 0.05, half_depth)
+
+
+def _walls(stage: Stage, actor: str) -> Prop | None:
+    """The vessel that an actor is in at the start; None for who stands on something."""
+    graph = stage.doc.spatial_relation_graph
+    region = graph.semantic_regions.get(graph.nodes[stage.member(actor)].semantic_region or "")
+    inside = region is not None and region.region_type is RegionType.STORAGE
+    return stage.prop(region.parent_object) if region is not None and inside else None
 
 
 def crouch(stage: Stage, actor: str, phase: Phase) -> None:

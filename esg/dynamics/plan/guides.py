@@ -17,7 +17,7 @@ from esg.dynamics.story.stagecraft import top_surface
 from esg.dynamics.story.story import Phase, bounds, is_climb, is_posture
 from esg.engines.program import GuideAlong, Vec
 from esg.engines.scene import Body
-from esg.graph.models import EdgeEvent, NodeEvent, Predicate
+from esg.graph.models import EdgeEvent, NodeEvent, Predicate, RegionType
 from esg.units import quat_rotate
 
 Floats = NDArray[np.float64]
@@ -30,11 +30,14 @@ SET_DOWN_M = 0.004
 """What is set down is let go so far above its goal."""
 BESIDE_M = 0.05
 """Room on every side of what is carried past or set down beside something."""
+CLEARANCE_M, SLACK_M = 0.01, 0.004
+"""Under what is drawn out of a side; what two boxes may overlap by and not meet."""
 HAND_MPS, CRANE_MPS, HEAVY_KG = 0.7, 0.4, 50.0
 """Mean speed of what is carried: light and heavy things."""
 SHORTEST_LEG_S = 0.5
-LONGEST_WAY_S = 6.0
-"""What has farther to go is moved faster."""
+LONGEST_WAY_S, TAKEN_OUT_S = 6.0, 1.0
+"""What has farther to go is moved faster; so is what is taken out of a deep vessel, all of whose
+way is in the scene."""
 GAPS_M = (0.06, 0.1, 0.16, 0.25, 0.4, 0.6)
 """What is set down beside something is so far away from it, the first that is free."""
 _SIDES = {
@@ -94,7 +97,8 @@ def way_of(cast: Cast, phase: Phase, at: Floats) -> Way:
     size, lift = high - low, _lift(phase, high[2] - low[2])
     stands = cast.story.phases[phase.edge.actor][0] is phase
     if phase.end.event is NodeEvent.PICKED_UP:
-        return _timed(body, [at, at + np.array([0.0, 0.0, lift])])
+        way = _timed(body, _off(cast, body, at, lift))
+        return way.lasting(min(way.times[-1], TAKEN_OUT_S))
     goal = _goal(cast, phase, body)
     if goal is None or (phase.end.event is NodeEvent.TRIGGER and stands):
         return Way((_vec(at), _vec(at)), (0.0, SHORTEST_LEG_S))
@@ -104,6 +108,38 @@ def way_of(cast: Cast, phase: Phase, at: Floats) -> Way:
     height = max(clear, over if math.isfinite(over) else clear)
     corners = [at, np.array([*at[:2], height]), np.array([*goal[:2], height]), goal]
     return _timed(body, corners)
+
+
+def _off(cast: Cast, body: Body, at: Floats, lift: float) -> list[Floats]:
+    """From where a body is to where it is held: up, out of a vessel's mouth or open side first."""
+    node = cast.doc.spatial_relation_graph.nodes[body.name]
+    region = cast.doc.spatial_relation_graph.semantic_regions.get(node.semantic_region or "")
+    up = np.array([0.0, 0.0, 1.0])
+    if region is None or region.region_type is not RegionType.STORAGE:
+        return [at, at + lift * up]
+    vessel = cast.scene.body(region.parent_object)
+    walls = [shape_bounds(vessel, shape) for shape in vessel.shapes]
+    low, high = body_bounds(body)
+    low, high = low + at - np.array(body.position), high + at - np.array(body.position)
+    over = [w for w in walls if w[0][2] > high[2] - SLACK_M and _meets(w, low, high, flat=True)]
+    if not over:
+        rim = max((float(w[1][2]) for w in walls), default=0.0)
+        return [at, at + max(lift, rim - float(low[2]) + BESIDE_M) * up]
+    turn, reach = np.array(vessel.quaternion), float(np.linalg.norm(vessel.half_extents[:2]))
+    for side in ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, -1.0, 0.0), (-1.0, 0.0, 0.0)):
+        out = quat_rotate(turn, np.array(side)) * (reach + float(max(high[:2] - low[:2])))
+        ends = np.minimum(low, low + out), np.maximum(high, high + out)
+        raised = CLEARANCE_M * up
+        if not any(_meets(w, ends[0] + raised, ends[1] + raised) for w in walls):
+            return [at, at + raised, at + raised + out, at + out + lift * up]
+    return [at, at + lift * up]
+
+
+def _meets(box: tuple[Floats, Floats], low: Floats, high: Floats, *, flat: bool = False) -> bool:
+    """Whether a box overlaps another one by more than a little; flat: seen from above."""
+    axes = 2 if flat else 3
+    gap = np.minimum(box[1], high)[:axes] - np.maximum(box[0], low)[:axes]
+    return bool((gap > SLACK_M).all())
 
 
 def _lift(phase: Phase, height: float) -> float:

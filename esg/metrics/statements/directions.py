@@ -25,6 +25,7 @@ from esg.thresholds import (
     MOST,
     PASS_M,
     PASS_SIZES,
+    ROUND_DEG,
     SLOPE_GRADE,
     SLOPE_SHARE,
     STILL_M,
@@ -338,12 +339,15 @@ def _through(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept
 
 
 def _around(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
-    """Around: it sees the target turn by much, on a course that bends."""
+    """Around: it sees the target turn by much, on a course that bends; of the ground: it bends."""
     best = Kept(False, reason=f"does not move around {q.goal}")
     velocity = replay.velocity[q.window.frames, body, :2]
     fast = np.hypot(velocity[:, 0], velocity[:, 1]) > STILL_M
     course = np.unwrap(np.arctan2(velocity[fast, 1], velocity[fast, 0]))
     bend = float(np.degrees(np.ptp(course))) if len(course) else 0.0
+    if q.target.ground or any(_within(replay, j, path) for j in q.target.bodies):
+        reason = f"its course bends by {bend:.0f} degrees; limit {ROUND_DEG:.0f}"
+        return Kept.when(bend >= ROUND_DEG, reason, bend_deg=bend)
     for other in (j for j in q.target.bodies if j != body):
         offset = path - replay.position[q.window.frames, other]
         bearing = np.unwrap(np.arctan2(offset[:, 1], offset[:, 0]))
@@ -356,6 +360,13 @@ def _around(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
         found = Kept.when(kept, reason, sweep_deg=sweep, bend_deg=bend)
         best = best if best.kept else found
     return best
+
+
+def _within(replay: Replay, body: int, path: Floats) -> bool:
+    """Whether a way lies on something flat from end to end: the ground, a yard."""
+    half, at = replay.scene.bodies[body].half_extents, replay.position[0, body]
+    flat = not replay.scene.bodies[body].collides
+    return flat and bool((np.abs(path[:, :2] - at[:2]) <= np.array(half[:2])).all())
 
 
 def _between(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:

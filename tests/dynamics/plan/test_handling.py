@@ -24,6 +24,7 @@ from esg.graph.models import (
     EsgDocument,
     NamedRegion,
     Pose,
+    SemanticRegion,
     Statement,
     TimelineEdge,
     TimelineNode,
@@ -355,6 +356,62 @@ def test_what_is_lowered_into_a_bin_touches_neither_rim_nor_wall_on_its_way():
     block, bin_ = way(rollout, plan, "block_1"), way(rollout, plan, "bin_1")
     np.testing.assert_allclose(block[-1], (*bin_[-1, :2], 0.12), atol=0.02)
     np.testing.assert_allclose(bin_[-1], bin_[0], atol=0.005)
+
+
+def taken_from(roofed: bool) -> EsgDocument:
+    """A block in the bin is picked up; roofed: the bin lies on its side, its mouth in front."""
+    doc = lowered_into_bin()
+    graph, timeline = doc.spatial_relation_graph, doc.timeline_system
+    assert timeline is not None
+    held = SemanticRegion.model_validate(
+        {"parent_object": "bin_1", "region_type": "STORAGE", "region_description": "inside"}
+    )
+    nodes = dict(graph.nodes)
+    nodes["block_1"] = nodes["block_1"].model_copy(update={"semantic_region": "bin_1_inside"})
+    graph = graph.model_copy(
+        update={
+            "nodes": nodes,
+            "semantic_regions": {**graph.semantic_regions, "bin_1_inside": held},
+        }
+    )
+    told = timeline.sequence_graph.model_copy(
+        update={
+            "nodes": (START, N(id="in", event="PickedUp", participants=("block_1",))),
+            "edges": (edge("lower", "start", "in", "Guide", "block_1"),),
+        }
+    )
+    timeline = timeline.model_copy(update={"sequence_graph": told})
+    configs = dict(doc.asset_configurations)
+    if roofed:
+        key = graph.nodes["bin_1"].asset_id
+        bin_ = configs[key]
+        long, *_ = bin_.proxies
+        roof = long.model_copy(update={"position_cm": (0, 0, 49), "size_cm": (25, 25, 1)})
+        kept = [p for p in bin_.proxies if p.position_cm[0] < 20]
+        configs[key] = bin_.model_copy(update={"proxies": (*kept, roof)})
+    doc = doc.model_copy(
+        update={
+            "spatial_relation_graph": graph,
+            "timeline_system": timeline,
+            "asset_configurations": configs,
+        }
+    )
+    return at(doc, block_1=(120, 0, 2), bin_1=(120, 0, 0))
+
+
+@pytest.mark.parametrize("roofed", [False, True])
+def test_what_is_taken_out_of_a_vessel_leaves_by_its_mouth_or_its_open_side(roofed: bool) -> None:
+    doc = taken_from(roofed)
+    scene = build_scene(doc)
+    plan = make_plan(doc, scene)
+    guided = next(p for p in plan.compile(plan.initial()).primitives if isinstance(p, GuideAlong))
+    moved = np.array(guided.points[-1]) - np.array(scene.body("block_1").position)
+    if roofed:
+        assert moved[0] > 0.35
+        assert abs(moved[1]) < 1e-6
+    else:
+        assert moved[2] > 0.48
+        np.testing.assert_allclose(moved[:2], 0.0, atol=1e-6)
 
 
 def test_what_is_held_stays_until_it_is_released():

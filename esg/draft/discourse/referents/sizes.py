@@ -115,3 +115,9 @@ def mass_of(e: Entity, size: tuple[float, float, float]) -> float:
     volume = size[0] * size[1] * size[2] * 1e-6
     mass = min(max(mass * e.mass_factor, volume * 1.5), volume * 20_000.0)
     return round(min(max(mass, 0.0011), 99_000.0), 5)
+
+
+def grows(vessel: Entity) -> bool:
+    """Whether a vessel is as wide as whom it holds asks for: a box of no told size."""
+    box = vessel.noun.kind == "box" and "container" in vessel.noun.traits
+    return box and not vessel.dimensions_prescribed

@@ -11,6 +11,7 @@ from esg.draft.discourse.jointed import CRANES
 from esg.draft.discourse.places import carries, elevated, holds, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import Entity, head_of
+from esg.draft.discourse.referents.sizes import dimensions_of, grows
 from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED, SPEEDS
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, add_hit
@@ -32,6 +33,8 @@ _PUT_BY = ("left of", "right of", "in front of", "behind", "next to", "beside", 
 """What somebody puts something to the left of stands there, on what carries it."""
 _ELSEWHERE = frozenset({"in", "off", "on", "out", "down", "aboard", "aside", "away"})
 """Adverbs that lead a leap somewhere else than back to the ground it left."""
+_OFF = frozenset({"down", "off"})
+"""Adverbs of a leap from what carries who leaps."""
 _HOPPED_ON = lex.word_set("hopped on")
 _ONTO = re.compile(r"\b(?:on ?to|upon)\b", re.IGNORECASE)
 _OFTEN = re.compile(
@@ -82,7 +85,8 @@ def read_pick(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         read_as(d, "carry", f, s, o)
         return
     _from_where(d, f, taken)
-    place(d, [a for a in agents if kind_of(d, a) != "building"], taken[:1], "near")
+    by = [d.scene.inside_of.get(i, i) for i in taken[:1]]  # before the oven that it is taken out of
+    place(d, [a for a in agents if kind_of(d, a) != "building"], by, "near")
     goal = _goal(d, f, taken)
     for body in taken:
         if at_rest(d, body):
@@ -240,13 +244,18 @@ def _jumps_away(d: Discourse, f: Frame, leaps: list[str]) -> bool:
     """ "Jumps onto the table", "off a box", "from the chair to the shelf"; False for other ways."""
     said = {p.prep: things(p)[0] for p in f.phrases if things(p)}
     bottoms = [said[k] for k in ("off", "from") if k in said]
-    bottoms = [i for i in bottoms if elevated(d, i) or carries(d, i, leaps[0])]
+    lands = [i for k, i in said.items() if k in ("onto", "to", "on") and structural(d, i)]
+    if not bottoms and (lands or _OFF & {*f.adverbs, f.verb.extra.get("particle", "")}):
+        bottoms = [d.scene.supported_by.get(leaps[0], "")]  # "is on a bench, then it jumps down"
+    bottoms = [i for i in bottoms if i and (elevated(d, i) or carries(d, i, leaps[0]))]
     tops = [said[k] for k in lex.ONTO if k in said and _jumped_onto(d, said[k])]
     upward = f.phrase("to")
     to_top = upward is not None and upward.mention is not None and upward.mention.part == "top"
     tops += [i for k, i in said.items() if k == "to" and (bottoms or to_top)]
     pools = [i for k, i in said.items() if k in _PUT_IN and bottoms and enterable(d, i)]
     others = said.keys() - {*lex.ONTO, *_PUT_IN, "to", "off", "from"}
+    if "out of" in said and not tops and not bottoms and _fits(d, leaps, said["out of"]):
+        bottoms, others = [said["out of"]], others - {"out of"}
     if others & {"out of", "at", "down", "through"} or not (tops or bottoms):
         return False
     if said.keys() & {*_PUT_IN} and not pools:
@@ -254,7 +263,7 @@ def _jumps_away(d: Discourse, f: Frame, leaps: list[str]) -> bool:
     if not all(_can_leap(d, a, bottoms) for a in leaps):
         return False
     for actor in leaps:
-        place(d, [actor], bottoms[:1], "on")
+        place(d, [actor], bottoms[:1], "in" if "out of" in said else "on")
         _soon(d, [_leap(d, f, actor, [])])
         track = d.timeline.track(actor)
         track.motion = Motion("coast")
@@ -262,7 +271,7 @@ def _jumps_away(d: Discourse, f: Frame, leaps: list[str]) -> bool:
             _soon(d, add_hit(d, f, [actor], tops[:1], None))
             track.motion, d.moves.upon[actor] = None, tops[0]
         else:
-            _comes_down(d, f, actor, bottoms[0], pools)
+            _comes_down(d, f, actor, "" if "out of" in said else bottoms[0], pools)
     mark_used(d, f, "jump")
     return True
 
@@ -274,9 +283,21 @@ def _can_leap(d: Discourse, actor: str, bottoms: list[str]) -> bool:
     return actor not in d.moves.upon and (not bottoms or at_rest(d, actor))
 
 
+def _fits(d: Discourse, leaps: list[str], host: str) -> bool:
+    """Whether who leaps out of something has room in it to leap from."""
+    if not holds(d, host) or len(leaps) > 1 or structural(d, host):
+        return False
+    mine, other = (dimensions_of(entity_of(d, i)) for i in (leaps[0], host))
+    wide = grows(entity_of(d, host)) or min(other[:2]) >= _ROOM * max(mine[:2])
+    return wide and other[2] <= max(_OVER * mine[2], _HIGH_CM)
+
+
 def _comes_down(d: Discourse, f: Frame, actor: str, host: str, pools: list[str]) -> None:
-    """ "Jumps off a box", "from a pier into the water": a fall, if it is high, or a landing."""
-    if _is_far_down(d, actor, host):
+    """ "Jumps off a box", "from a pier into the water": a fall, if it is high, or a landing.
+
+    No host: who leaps out of a thing comes down as low as he was.
+    """
+    if host and _is_far_down(d, actor, host):
         _soon(d, [add_event(d, NodeEvent.FALL, (actor,), f, None)])
     elif not pools:
         _soon(d, [d.timeline.trigger(actor, f"{actor} comes down")])
@@ -303,6 +324,9 @@ def _jumped_onto(d: Discourse, i: str) -> bool:
     return still and not structural(d, i) and kind_of(d, i) not in (*LIMBED, "water", "region")
 
 
+_ROOM, _OVER, _HIGH_CM = 1.3, 1.2, 65.0
+"""Of what somebody leaps out of: its narrower side over his longer one, at least; its height over
+his, at most, or how high it may be for all."""
 FALLS_SHARE = 0.6
 """Height of what somebody jumps off over its own from which on it is a fall."""
 LEAP_S = 0.5

@@ -112,7 +112,7 @@ def read_pass(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         add_event(d, NodeEvent.MISS, (s[0], s[1]), f, time_of(d, f), stem="passes")
         return
     start_motion(d, f, s)
-    o = [x for x in o or _passed_by(d, f, s) if x != s[0]]
+    o = [x for x in o or _passed_by(d, f, s) if x != s[0] and not structural(d, x)]
     for other in each_passed(f, o):
         if other == o[0] and d.moves.aim.get(other) != s[0]:  # not who comes toward it
             place(d, s, [other], "behind")

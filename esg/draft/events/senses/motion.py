@@ -17,7 +17,7 @@ from esg.draft.discourse.core import (
 from esg.draft.discourse.places import holds, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import is_toy
-from esg.draft.discourse.scene import LIMBED, LIVING, SELF_POWERED, STRUCK, Relation
+from esg.draft.discourse.scene import GROUND, LIMBED, LIVING, SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
 from esg.draft.events.courses import climbs, goes_steeply
 from esg.draft.events.ends import bounces_over
@@ -30,6 +30,7 @@ from esg.draft.events.senses.handling import bounces_on_ground
 from esg.draft.events.senses.launch import aim_at, launch_by, motion_of_things, stand_by
 from esg.draft.events.senses.steer import leave_again, turn
 from esg.draft.events.senses.topple import read_knock
+from esg.draft.events.stated import course_of
 from esg.draft.events.table import sense
 from esg.draft.events.timing import (
     enter,
@@ -52,6 +53,8 @@ _LEFT_THEN_RIGHT = re.compile(
 )
 _ROUND_DEG, _ROUND_RATES = 300.0, (10.0, 90.0)
 """How far somebody goes around something [degrees] and how fast that turns [degrees/s]."""
+_ABOUT_S, _ABOUT_RATES = 8.0, (46.0, 50.0)
+"""How long somebody goes round a yard, and how fast that turns [degrees/s]: one round or so."""
 _DRIVES = lex.word_set("vehicle verbs")
 _HALF_DEG = 180.0
 _BACK = frozenset({"away", "back", "off"})
@@ -64,6 +67,8 @@ _BRANCHES = ("at", "into", "onto")
 """Prepositions of where a way turns off: "goes left at the lights"; else it is the way it comes."""
 _AT_A_TARGET = lex.word_set("goes at a target")
 
+_RUNS = lex.word_set("gaits, fast")
+_FOLLOWS = frozenset({"follow", "trail"})
 _ANYHOW = lex.word_set("goes anyhow")
 
 
@@ -102,6 +107,11 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if f.verb.lemma in _AT_A_TARGET:
         aim_at(d, f, actors, next(iter(target_of(d, f, actors)), None))
     if kind in SELF_POWERED and _gone_around(d, f, actors, o):
+        mounts = [d.scene.supported_by.get(a, a) for a in actors]  # "rides around on a bike"
+        actors = mounts if all(i in d.timeline.tracks for i in mounts) else actors
+        if _about_nothing(f):
+            turn(d, f, actors, "left", 360.0, _ABOUT_RATES, lasts=_ABOUT_S)
+            return
         turn(d, f, actors, "left", _ROUND_DEG, _ROUND_RATES)
 
 
@@ -118,11 +128,26 @@ def _goes_away_again(d: Discourse, f: Frame, actors: list[str]) -> None:
 
 
 def _gone_around(d: Discourse, f: Frame, actors: list[str], o: list[str]) -> bool:
-    """ "Runs around a tree", "circles a tower": what stands in the middle of its way."""
+    """ "Runs around a tree", "circles a tower", "around the yard", "in circles": on a round way."""
+    if _about_nothing(f) and not f.unreal and not f.verb.negated and not f.verb.passive:
+        return True
     middle = o if f.verb.lemma == "orbit" else things(f.phrase("around", "round"))
     middle = [i for i in middle if i not in actors and not structural(d, i)]
     moving = any(moves(d, i) for i in middle) or f.phrase("corner") is not None
     return bool(middle) and not moving and not f.unreal and not f.verb.negated
+
+
+def _about_nothing(f: Frame) -> bool:
+    """Whether a round way is about no thing: "around the yard", "in circles"."""
+    about = things(f.phrase("around", "round"))
+    if about == [GROUND]:
+        return f.verb.lemma in _RUNS  # who walks around the park strolls about in it
+    return in_circles(f) and not about
+
+
+def in_circles(f: Frame) -> bool:
+    """ "Runs in circles": round no thing."""
+    return any(course_of(p) for p in f.phrases)
 
 
 def _all_fly(d: Discourse, actors: list[str]) -> bool:
@@ -203,6 +228,7 @@ def read_follow(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "follows it at a distance of 15 m": behind it, which moves, too."""
     s, o = doer_and_done(f, s, o)
     motion(d, f, s, None)
+    o = o or _ahead(d, f, s)
     gap, at = quantity_of(d, f, "length"), f.phrase("at")
     same = at is not None and at.mention is not None and "same" in at.mention.adjectives
     for actor in s if o else []:
@@ -217,6 +243,18 @@ def read_follow(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             if track is None or (track.motion is not None and same):
                 start_motion(d, f, [other])
             _keep_pace(d, actor, other)
+
+
+def _ahead(d: Discourse, f: Frame, s: list[str]) -> list[str]:
+    """ "A hen crosses a road, chicks following": whom the clause before is about."""
+    alive = all(kind_of(d, i) in SELF_POWERED for i in s)
+    if f.verb.passive or f.verb.lemma not in _FOLLOWS or not alive:
+        return []
+    if f.phrases:
+        return things(f.phrase("behind"))[:1]
+    earlier = [c for c in d.scene.clauses if c.frame.verb.start < f.verb.start]
+    movers = [i for c in earlier[-1:] for i in c.movers if movable(d, i)]
+    return movers[:1] if not {*movers} & {*s} else []
 
 
 def _keep_pace(d: Discourse, actor: str, other: str) -> None:

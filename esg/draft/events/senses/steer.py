@@ -100,8 +100,13 @@ def turn(
     direction: str,
     degrees: float,
     rates: tuple[float, float] | None = None,
+    *,
+    lasts: float | None = None,
 ) -> None:
-    """Each actor turns from when the clause says on, or until then; rates in degrees/s."""
+    """Each actor turns from when the clause says on, or until then; rates in degrees/s.
+
+    With `lasts` [s] it goes round so long, and no heading is told of that it reaches.
+    """
     for actor in [a for a in actors if movable(d, a)]:
         track = d.timeline.track(actor)
         done_to = f.object is not None and actor in f.object.entities
@@ -122,6 +127,10 @@ def turn(
         params = {**told, "turn_rate_deg_s": rates or _rates(degrees, lasting)}
         swing = Motion("turn", now.speed, now.prescribed, None, params)
         d.timeline.move(actor, swing, direction_of(d, actor, "own"))
+        if lasts is not None:
+            end = d.timeline.trigger(actor, f"{actor} has gone round")
+            constrain(d.timeline.node(end), "time_since", lasts, actor, since=begin)
+            continue
         end = add_event(d, NodeEvent.HEADING_REACHED, (actor,), f, ends, **told)
         ended = d.timeline.node(end)
         if rates is not None and ended is not None:

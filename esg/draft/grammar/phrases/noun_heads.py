@@ -300,6 +300,7 @@ def _stands(c: Chunks, j: int, m: Mention, plural: bool) -> int:
         return j  # "crosses the road in front of it": there is no other road
     low, the = low_at(c, j), m.determiner == "the"
     new = m.determiner in ("a", "an") and low == "behind"  # "a couch behind him": a place
+    new = new or (low == "following" and not the and not m.possessor)  # "two dogs following it"
     if low in ("behind", "following") and low_at(c, j + 1) in _THEM and not new:
         m.adjectives.append("rear")
         j += 2
