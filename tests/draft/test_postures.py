@@ -69,6 +69,24 @@ def test_postures_are_stated_and_changes_are_segments(
 
 
 @pytest.mark.parametrize(
+    "prompt",
+    [
+        "A man gets up from a chair.",
+        "A boy gets up from the chair and runs away.",
+        "An old woman rises to her feet from a chair.",
+    ],
+)
+def test_who_gets_up_from_a_seat_was_on_it(prompt: str) -> None:
+    doc = draft(prompt)
+    graph = doc.spatial_relation_graph
+    regions = (graph.semantic_regions.get(n.semantic_region or "") for n in graph.nodes.values())
+    assert "chair_1" in {r.parent_object for r in regions if r is not None}
+    assert _told(doc)[0] == ("sits", "start")
+    assert not _owned(doc)
+    assert "up" not in {s.direction for s in doc.statements or ()}
+
+
+@pytest.mark.parametrize(
     ("prompt", "words"),
     [
         ("The cat curls up on the sofa.", "curls"),

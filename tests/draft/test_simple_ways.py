@@ -138,9 +138,10 @@ def test_birds_that_walk_go_at_a_walk() -> None:
     assert isinstance(edge.params.speed, tuple) and edge.params.speed[1] < 150.0
 
 
-def test_a_boat_has_the_time_to_cross_its_lake() -> None:
-    """Let what crosses water go over more than half of it at its own speed."""
-    doc = draft("A boat crosses a lake.")
+@pytest.mark.parametrize("prompt", ["A boat crosses a lake.", "A toy boat crosses a pond."])
+def test_what_crosses_water_goes_over_more_than_half_of_it_and_stays_on_it(prompt: str) -> None:
+    """Let it be at rest before the far bank, at a speed of its own."""
+    doc = draft(prompt)
     assert doc.timeline_system is not None
     (edge,) = doc.timeline_system.sequence_graph.edges
     (wide,) = (
@@ -149,7 +150,8 @@ def test_a_boat_has_the_time_to_cross_its_lake() -> None:
         if k.startswith("pool") and r.expected_dimensions_cm
     )
     assert isinstance(edge.params.speed, tuple) and isinstance(edge.params.duration, tuple)
-    assert edge.params.duration[0] * edge.params.speed[1] > 0.5 * wide
+    assert 0.5 * wide < edge.params.duration[0] * edge.params.speed[1]
+    assert edge.params.duration[1] * edge.params.speed[1] < 0.75 * wide
 
 
 @pytest.mark.parametrize(

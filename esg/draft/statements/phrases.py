@@ -39,6 +39,7 @@ from esg.draft.statements.account import (
 from esg.draft.statements.arranged import FILES, in_line
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Predicate, Statement, TimelineEdge
+from esg.lexicon.postures import STANDS
 
 _WAYS = frozenset(
     {"on", "in", "at", "along", "across", "over", "through", "down", "up", "onto", "to"}
@@ -538,9 +539,9 @@ def _aloft(a: Account, about: set[str]) -> bool:
 
 
 def _rises(a: Account, about: set[str]) -> bool:
-    """ "A drone rises from the ground", "picks it up from the lawn": where it is before."""
+    """ "A drone rises from the ground", "gets up from the floor": where it is before."""
     return _takes_part(a, NodeEvent.PICKED_UP, about) or any(
-        s.direction == "up" and about & {*s.object} for s in a.kept
+        about & {*s.object} and (s.direction == "up" or s.noun == STANDS) for s in a.kept
     )
 
 

@@ -16,6 +16,7 @@ from esg.draft.events.stated import start_of
 from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Phrase
 from esg.draft.statements.book import Book, ids, span
+from esg.draft.statements.looks.postures import poses_told
 from esg.draft.statements.periods import STRAIGHT_DOWN_DEG, hurled, is_told, period, segments
 from esg.graph.models import NodeEvent, Predicate
 
@@ -54,6 +55,8 @@ def moved(book: Book, clause: Clause, s: Said, mover: str) -> None:
         _direction(book, clause, s, mover, period(book.d, clause, mover))
         return
     d, acted_on = book.d, ids(clause.frame.object)
+    if poses_told(d, clause):
+        return  # "rises to her feet" leads nowhere
     targeted = s.row.direction in _TARGETED
     if targeted and mover in acted_on:
         return  # "chases two cats": neither chases the other

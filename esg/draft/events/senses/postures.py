@@ -9,6 +9,7 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, mark_used, structural
+from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse, Posing
 from esg.draft.discourse.referents.registry import unique
 from esg.draft.discourse.scene import LIVING, SELF_POWERED
@@ -79,6 +80,8 @@ def takes_posture(d: Discourse, f: Frame, s: list[str]) -> bool:
         return False  # nobody says how he had come down
     if not first and any(happened(d, kind, a) for kind in _BLOWS for a in s):
         return False  # how a blow leaves him only the engine knows
+    if row.posture == STANDS:
+        _was_on(d, f, s)
     for actor in s if not first else ():
         settle(d, actor, None)
     seat = None if first else _seat(d, f, s)
@@ -139,6 +142,16 @@ def _is_up(d: Discourse, actor: str) -> bool:
     """Whether somebody stands, or what has befallen him leaves open whether he does."""
     told = [p.posture for p in d.moves.postures if p.actor == actor]
     return told[-1] == STANDS if told else last_of(d, actor) is not None
+
+
+def _was_on(d: Discourse, f: Frame, s: list[str]) -> None:
+    """ "Gets up from a chair": that is where he was."""
+    here = [a for a in s if a not in d.scene.supported_by and not _has_acted(d, a)]
+    for p in f.phrases:
+        seats = [i for i in things(p) if p.prep in ("from", "off", "out of") and _is_seat(d, i)]
+        if seats and here and p.mention is not None:
+            place(d, here, seats[:1], "on", p.mention.part)
+            d.scene.used[(start_of(p, d.text), p.mention.end)] = USED
 
 
 def _rides(d: Discourse, f: Frame) -> bool:
