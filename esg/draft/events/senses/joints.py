@@ -118,7 +118,7 @@ def read_tip(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """ "A pendulum swings into a box", "the lamp sways": what hangs is let go, or was hit."""
     doers, hung = doer_and_done(f, s, o) if o or f.verb.passive else ([], s)
-    hung = hanging(d, hung)
+    hung = hanging(d, hung) or ([] if o else hanging(d, _sat_on(d, f, s)))
     if not hung:
         opens = bool(openable(d, o or s))
         if opens:
@@ -156,6 +156,17 @@ def read_swing(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
                 spans = [(often.start() + w.start(), often.start() + w.end()) for w in words]
                 d.scene.used |= dict.fromkeys([often.span(), *spans], node)
     mark_used(d, f, note)
+
+
+def _sat_on(d: Discourse, f: Frame, s: list[str]) -> list[str]:
+    """ "A boy swings on a swing", "a girl sits on a swing and swings": what carries who swings."""
+    told = hanging(d, things_of(f.phrase("on", "in")))
+    seats = told if len(told) == len(s) else told[:1] * len(s)
+    for who, seat in zip(s, seats, strict=False):
+        if who not in d.scene.supported_by:
+            place(d, [who], [seat], "on")
+    on = [d.scene.supported_by[i] for i in s if i in d.scene.supported_by]
+    return [*dict.fromkeys(on)]
 
 
 @sense("let_go")
