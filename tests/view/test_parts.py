@@ -49,6 +49,8 @@ def test_decals_lie_within_millimetres_of_the_ground(monkeypatch: pytest.MonkeyP
         asset_configurations={b.name: b.name for b in bodies},
         casting=None,
         dressing=None,
+        statements=None,
+        timeline_system=None,
     )
     drawn = module.body_parts(SimpleNamespace(bodies=bodies), doc)  # type: ignore[arg-type]
     tops = {bodies[p.body].name: float(p.vertices[:, 2].max()) for p in drawn}

@@ -127,6 +127,8 @@ def test_parts_of_a_scene_know_their_wheels(monkeypatch: pytest.MonkeyPatch) -> 
         asset_configurations={"car": config},
         casting=None,
         dressing=None,
+        statements=None,
+        timeline_system=None,
     )
     rollout = SimpleNamespace(position=np.zeros((1, 2, 2, 3)))
     scene = SimpleNamespace(bodies=bodies, weather=())

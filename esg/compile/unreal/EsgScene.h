@@ -307,7 +307,7 @@ struct FEsgChangeBody
 	UPROPERTY(EditAnywhere, Category = "ESG")
 	bool bPlaced = false;
 
-	/** Where the body's own component would be then. */
+	/** Where the body's own component would be then [cm]. */
 	UPROPERTY(EditAnywhere, Category = "ESG")
 	FVector Place = FVector::ZeroVector;
 

@@ -112,17 +112,21 @@ def test_liveries_are_closed_and_add_to_the_car(livery: str) -> None:
 
 @pytest.mark.parametrize("pose", sorted(POSES))
 def test_posed_people_are_closed_and_stand_or_sit_on_their_origin(pose: str) -> None:
-    low = np.inf
+    low, soles = np.inf, np.inf
     for name in ("person", "king"):
         for part in drawn(name, Appearance(pose=pose)).parts:
             mesh = part.mesh()
             assert mesh.is_watertight and mesh.volume > 0, part.name
-            if part.name.startswith("sole"):
+            if name == "person":  # a king's cloak lies on the ground behind him
                 low = min(low, float(mesh.bounds[0][2]))
+            if part.name.startswith("sole"):
+                soles = min(soles, float(mesh.bounds[0][2]))
     if POSES[pose].seated:
-        assert -85 < low < -5
+        assert -85 < soles < -5
+    elif pose == "kneel":  # on the knees, whose cloth gives way
+        assert low == pytest.approx(0.0, abs=1.5) and soles > 0.6
     else:
-        assert low == pytest.approx(0.0, abs=0.6)
+        assert soles == pytest.approx(0.0, abs=0.6)
 
 
 @pytest.mark.parametrize("pose", sorted(POSES))

@@ -15,6 +15,7 @@ from esg.draft.discourse.referents.registry import unique
 from esg.draft.discourse.scene import LIVING, SELF_POWERED
 from esg.draft.discourse.tracks import Motion
 from esg.draft.discourse.windows import Draft
+from esg.draft.events.hanging import hanging
 from esg.draft.events.senses.state import stands_there
 from esg.draft.events.stated import start_of
 from esg.draft.events.timing import settle
@@ -155,9 +156,9 @@ def _was_on(d: Discourse, f: Frame, s: list[str]) -> None:
 
 
 def _rides(d: Discourse, f: Frame) -> bool:
-    """Whether a clause has somebody sit or lie on what may carry him off: a horse, a cart."""
+    """Whether a clause has somebody sit or lie on what may carry him off: a horse, a swing."""
     on = {i for p in f.phrases if p.prep in (*_ON, "inside", "atop", "astride") for i in things(p)}
-    return any(
+    return bool(hanging(d, list(on))) or any(
         kind_of(d, i) in (*SELF_POWERED, *LIVING, "toy") or "wheeled" in traits_of(d, i) for i in on
     )
 
