@@ -229,7 +229,8 @@ def _embedded(
         earlier.add(way)
     embed(list(wanted)[:1])  # the model is loaded once
     with ThreadPoolExecutor(usable_cores()) as threads:
-        return dict(zip(wanted, threads.map(lambda text: embed([text])[0], wanted), strict=True))
+        found = threads.map(embed, [[text] for text in wanted])
+        return {text: vectors[0] for text, vectors in zip(wanted, found, strict=True)}
 
 
 def _nearest(
