@@ -230,3 +230,21 @@ def test_a_lamp_hangs_from_the_beam_that_is_named_and_not_from_gallows(prompt: s
     doc = draft(prompt)
     assert {j.parent for j in joints(doc).values()} == {post}
     assert "gallows_1" not in str(doc.spatial_relation_graph.nodes)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "swings"),
+    [
+        ("A boy swings on a swing.", {"swing_1"}),
+        ("A boy sits on a swing and swings back and forth.", {"swing_1"}),
+        ("A little girl on a swing swings gently.", {"swing_1"}),
+        ("A monkey swings on a tire swing.", {"swing_1"}),
+        ("Two children swing on two swings.", {"swing_1", "swing_2"}),
+    ],
+)
+def test_who_swings_on_a_swing_sits_on_it_and_it_swings(prompt: str, swings: set[str]):
+    doc = draft(prompt)
+    assert sorted(told(doc)) == sorted(("Swing", swing) for swing in swings)
+    graph = doc.spatial_relation_graph
+    regions = (graph.semantic_regions.get(n.semantic_region or "") for n in graph.nodes.values())
+    assert swings <= {r.parent_object for r in regions if r is not None}
