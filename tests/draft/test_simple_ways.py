@@ -183,3 +183,17 @@ def test_what_floats_on_water_lies_on_it(prompt: str, afloat: int) -> None:
 def test_toys_are_on_no_street(prompt: str, where: str) -> None:
     """Take no street or lake from what is a toy."""
     assert draft(prompt).scene_definition.scene_parameters.environment == where
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A ball rolls past a candle on a table.",
+        "A marble rolls past a cup on a desk.",
+        "A puck slides past a glass on a bar counter.",
+    ],
+)
+def test_who_is_past_a_thing_on_a_table_is_on_it_still(prompt: str) -> None:
+    """It would roll off and fall, which nothing tells."""
+    said = [s for s in draft(prompt).statements or () if s.predicate is Predicate.SUPPORTED_BY]
+    assert [s.when for s in said] == ["throughout"]

@@ -125,7 +125,9 @@ def support(book: Book, clause: Clause, p: Phrase) -> None:
                      target=(road,), when="start")  # fmt: skip
         if host is None or host not in p.mention.entities or structural(d, host):
             continue
-        leaves = any(mover in n.participants and n.event.value in ("Fall", "EnterRegion")
-                     for n in d.timeline.nodes)  # fmt: skip
+        met = [n.event.value for n in d.timeline.nodes if mover in n.participants]
+        when = "start" if {*met} & {"Fall", "EnterRegion"} else period(d, clause, mover)
+        if met[-1:] == ["Miss"] and when != "start":
+            when = "throughout"  # who is past a thing on a table is on it still
         book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
-                 target=(host,), when="start" if leaves else period(d, clause, mover))  # fmt: skip
+                 target=(host,), when=when)  # fmt: skip
