@@ -77,9 +77,9 @@ def read_fields(prim):
     fields = {"until_contact": []}
     for item in prim.GetAuthoredPropertiesInNamespace("esg"):
         field = item.GetBaseName()
-        if field in ("body", "until_contact"):
+        if field in ("body", "into", "until_contact"):
             named = [name_of(prim.GetStage().GetPrimAtPath(t)) for t in item.GetTargets()]
-            fields[field] = named[0] if field == "body" else named
+            fields[field] = named if field == "until_contact" else named[0]
         else:
             fields[field] = plain(item.Get())
     return fields

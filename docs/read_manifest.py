@@ -1,5 +1,6 @@
 """Executes the program of a manifest.json, with nothing of this project, on any engine's bodies.
-A body has what Rapier's have; play_manifest.py beside this file plays whole scenes with it."""
+A body has what Rapier's have; play_manifest.py beside this file plays whole scenes with it.
+Postures do not change here (ChangeBody is passed over): who sits down stands."""
 
 import math
 

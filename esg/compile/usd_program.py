@@ -8,11 +8,11 @@ from typing import Any
 from esg.engines.program import Program, program_to_json
 
 PROGRAM_PATH = "/World/Program"
-BODIES = {"body", "until_contact"}
+BODIES = {"body", "into", "until_contact"}
 """Fields that name bodies; relationships in USD."""
 JOINT = "joint"
 """The field that names a joint; a relationship, too."""
-_VECTORS = {"linear", "angular", "impulse", "axis", "center", "basin", "extents"}
+_VECTORS = {"linear", "angular", "impulse", "axis", "center", "basin", "extents", "position"}
 _PATHS = {"points", "velocities"}
 
 

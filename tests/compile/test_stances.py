@@ -51,3 +51,27 @@ def test_a_manifest_keeps_postures() -> None:
     again = manifest_from_json(data)
     assert again.scene == scene and again.program == program
     assert "postures" in data["conventions"]
+
+
+def test_the_change_is_in_the_usd_file(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    from pxr import Usd
+    from usd import player, usd_of
+
+    scene, program = _scene()
+    stage = Usd.Stage.Open(str(usd_of(tmp_path, scene, program)))
+    read = player(monkeypatch).read_scene(stage)["program"]["primitives"]
+    assert [p["into"] for p in read if p["kind"] == "ChangeBody"] == ["lying", "dog", "lying"]
+    changes = [
+        (
+            [str(t) for t in prim.GetRelationship("esg:into").GetTargets()],
+            prim.GetAttribute("esg:time").Get(),
+            prim.GetAttribute("esg:position").Get() if prim.HasAttribute("esg:position") else None,
+        )
+        for prim in stage.GetPrimAtPath("/World/Program").GetChildren()
+        if prim.GetAttribute("esg:kind").Get() == "ChangeBody"
+    ]
+    assert changes == [
+        (["/World/Lying"], 0.8, None),
+        (["/World/Dog"], 1.4, None),
+        (["/World/Lying"], 1.8, (3.0, 0.0, 0.7)),
+    ]
