@@ -9,10 +9,10 @@ from esg.assets.colors import find_color
 from esg.assets.configuration import parametric_entry
 from esg.assets.geometry.sketch import Part as SketchPart
 from esg.assets.library.catalogue import build_sketch
-from esg.engines.scene import Shine, Sway
+from esg.engines.scene import Shine
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument, Predicate, Statement
-from esg.lexicon.shown import LIVELY, read_lit, swaying
+from esg.lexicon.shown import LIVELY, Sway, read_lit, swaying
 
 FLAME = "flame"
 """Name of the part that flames are."""
@@ -97,8 +97,7 @@ def sways_of(doc: EsgDocument) -> dict[str, Sway]:
             row = next((swaying()[c] for c in called if c in swaying()), None)
             if row is not None:
                 much = LIVELY.get(s.noun or "", 1.0)
-                how = "waves" if row.how == "waves" else "bends"
-                out[name] = Sway(how, row.parts, row.degrees * much, row.period_s)
+                out[name] = replace(row, degrees=row.degrees * much)
     return out
 
 

@@ -55,7 +55,8 @@ from esg.engines.program import (
     program_from_json,
     program_to_json,
 )
-from esg.engines.scene import GROUND, Body, Region, Shape, Shine, SimScene, Sway, Wheel
+from esg.engines.scene import GROUND, Body, Region, Shape, Shine, SimScene, Wheel
+from esg.lexicon.shown import Sway
 from esg.outcomes import UserError
 
 

@@ -13,12 +13,13 @@ halt like a box (docs/engines.md).
 from __future__ import annotations
 
 from dataclasses import dataclass, field, replace
-from typing import Literal
+from typing import Any, Literal
 
 import numpy as np
 from numpy.typing import NDArray
 
 from esg.engines.joints import Joint
+from esg.lexicon.shown import Sway
 
 ShapeKind = Literal["sphere", "box", "capsule", "cylinder", "convex"]
 Floats = NDArray[np.float64]
@@ -82,23 +83,6 @@ class Shine:
     after: bool = True
     event: str = ""
     period_s: float = 0.0
-
-
-@dataclass(frozen=True)
-class Sway:
-    """How parts of a body's model sway in the wind; no engine knows of it (`esg.engines.wheels`).
-
-    Args:
-        how: "bends" about its foot, or "waves" along its length.
-        parts: How the names of the parts begin that do; all if empty.
-        degrees: Largest angle.
-        period_s: Of one sway [s].
-    """
-
-    how: Literal["bends", "waves"]
-    parts: tuple[str, ...]
-    degrees: float
-    period_s: float
 
 
 @dataclass(frozen=True)
@@ -183,6 +167,25 @@ class Body:
     @property
     def collides(self) -> bool:
         return bool(self.shapes)
+
+
+def stand_in(body: Body, **own: Any) -> Body:
+    """What is there instead of a body, as a fragment or a posture of it: no phrase means it.
+
+    Args:
+        body: The body.
+        **own: What it has otherwise.
+    """
+    return replace(
+        body,
+        category=FRAGMENT,
+        label="",
+        description="",
+        group="",
+        mentioned=False,
+        active=False,
+        **own,
+    )
 
 
 @dataclass(frozen=True)

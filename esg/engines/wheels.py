@@ -14,7 +14,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.scene import Body, Rollout, Shine, SimScene, Sway
+from esg.engines.scene import Body, Rollout, Shine, SimScene
+from esg.lexicon.shown import Sway
 from esg.units import quat_rotate
 
 Floats = NDArray[np.float64]

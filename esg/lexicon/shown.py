@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from functools import cache
 from pathlib import Path
 import re
+from typing import Literal
 
 Rgb = tuple[float, float, float]
 
@@ -66,17 +67,17 @@ class Weather:
 
 
 @dataclass(frozen=True)
-class Swaying:
-    """A row of `swaying.csv`.
+class Sway:
+    """How parts of a body's model sway in the wind; a row of `swaying.csv`.
 
     Args:
         how: "bends" about its foot, or "waves" along its length.
         parts: How the names of the parts begin that do; all if empty.
         degrees: Largest angle.
-        period_s: Of one sway.
+        period_s: Of one sway [s].
     """
 
-    how: str
+    how: Literal["bends", "waves"]
     parts: tuple[str, ...]
     degrees: float
     period_s: float
@@ -118,11 +119,14 @@ def weathers() -> dict[str, Weather]:
 
 
 @cache
-def swaying() -> dict[str, Swaying]:
+def swaying() -> dict[str, Sway]:
     """Rows of `swaying.csv` by the kinds that they are of."""
     return {
-        name: Swaying(
-            r["how"], _list(r["parts"]), float(r["degrees"]), float(r["period_s"])
+        name: Sway(
+            "waves" if r["how"] == "waves" else "bends",
+            _list(r["parts"]),
+            float(r["degrees"]),
+            float(r["period_s"]),
         )
         for r in _rows("swaying")
         for name in _list(r["names"])

@@ -9,8 +9,9 @@ import numpy as np
 import pytest
 
 from esg.engines.program import HoldVelocity
-from esg.engines.scene import Region, Shape, Shine, Sway
+from esg.engines.scene import Region, Shape, Shine
 from esg.graph.models import Predicate
+from esg.lexicon.shown import Sway
 from esg.metrics import SuiteEvent, SuiteScene, SuiteStatement
 from esg.metrics.judging import failed_verdict
 from esg.units import quat_rotate

@@ -8,10 +8,10 @@ import math
 import numpy as np
 import pytest
 
-from esg.engines.scene import Body, ContactLog, Rollout, Shape, Shine, SimScene, Sway
+from esg.engines.scene import Body, ContactLog, Rollout, Shape, Shine, SimScene
 from esg.engines.wheels import TURN_S, shining
 from esg.graph.models import EsgDocument
-from esg.lexicon.shown import weather_of
+from esg.lexicon.shown import Sway, weather_of
 from esg.view.pieces import Act, Movers, Part, clocked
 from esg.view.seeing.shows import there, with_shows
 

@@ -11,7 +11,7 @@ from esg.assets.postures import Held, at_first, held, taken
 from esg.dynamics.story.stagecraft import top_surface
 from esg.dynamics.story.story import Phase
 from esg.engines.program import ChangeBody, Vec
-from esg.engines.scene import FRAGMENT, Body, Shape, SimScene
+from esg.engines.scene import Body, Shape, SimScene, stand_in
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument
 from esg.lexicon.postures import STANDS
@@ -56,7 +56,7 @@ def _in_posture(body: Body, h: Held) -> Body:
     at = np.array(body.position) + quat_rotate(np.array(body.quaternion), middle)
     share = body.mass / 3.0
     moments = (share * (b * b + c * c), share * (a * a + c * c), share * (a * a + b * b))
-    return replace(
+    return stand_in(
         body,
         name=h.name,
         shapes=(Shape("box", half),),
@@ -65,12 +65,6 @@ def _in_posture(body: Body, h: Held) -> Body:
         origin_offset=(-ahead, 0.0, -c),
         half_extents=half,
         mesh=h.mesh,
-        category=FRAGMENT,
-        label="",
-        description="",
-        group="",
-        mentioned=False,
-        active=False,
         drawn=(),
     )
 

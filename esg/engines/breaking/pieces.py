@@ -16,7 +16,7 @@ import numpy as np
 from esg.engines.breaking.corners import corners
 from esg.engines.breaking.problems import inertia_of
 from esg.engines.joints import Floats
-from esg.engines.scene import FRAGMENT, Body, Shape
+from esg.engines.scene import Body, Shape, stand_in
 from esg.units import quat_rotate
 
 SAMPLES = 4000
@@ -216,7 +216,7 @@ def _piece(
     half = np.abs(points).max(axis=0)
     turned = quat_rotate(np.asarray(body.quaternion, float), centre)
     x, y, z = (np.asarray(body.position) + turned).tolist()
-    return replace(
+    return stand_in(
         body,
         name=f"{body.name}_piece_{number + 1}",
         static=False,
@@ -232,12 +232,6 @@ def _piece(
         origin_offset=(0.0, 0.0, 0.0),
         half_extents=(float(half[0]), float(half[1]), float(half[2])),
         mesh="",
-        category=FRAGMENT,
-        label="",
-        description="",
-        group="",
-        mentioned=False,
-        active=False,
         wheels=(),
         break_impulse=None,
         fragments=(),

@@ -12,9 +12,9 @@ from numpy.typing import NDArray
 
 from esg.assets.looks import Look
 from esg.assets.shows import FLAME, named, sketched
-from esg.engines.scene import Body, Rollout, Shine, SimScene, Sway
+from esg.engines.scene import Body, Rollout, Shine, SimScene
 from esg.engines.wheels import STEADY, phase_of, shining
-from esg.lexicon.shown import Weather, weather_of
+from esg.lexicon.shown import Sway, Weather, weather_of
 from esg.units import CM_PER_M
 from esg.view.pieces import Act, Part
 
