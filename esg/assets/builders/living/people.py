@@ -321,7 +321,7 @@ def _in_hem(pose: Pose, marks: frozenset[str]) -> Pose:
     """The pose with steps as short as what is worn allows."""
     share = 0.3 if "robe" in marks else 0.5 if marks & {"skirt", "coat"} else 1.0
     stride = max(abs(leg.swing) for leg in pose.legs)
-    if share == 1.0 or pose.seated or stride < _STRIDE:
+    if share == 1.0 or pose.gathers or stride < _STRIDE:
         return pose
     left, right = (
         replace(leg, swing=share * leg.swing, bend=share * leg.bend) for leg in pose.legs
@@ -348,7 +348,7 @@ def draw_person(
     marks, c = frozenset(o.marks), o.color
     d = replace(d, hair=o.hair or d.hair)
     body = _Drawer(s, skeleton(_in_hem(POSES[pose], marks | o.hems), head_size), size)
-    seated = body.skeleton.pose.seated
+    seated = body.skeleton.pose.gathers
     _legs(body, marks, d, c, o)
     top = o.top or (Piece("chest", d.skin, "skin") if "bare" in marks else Piece("shirt", c))
     lower = o.legs.color if o.legs else d.legs or c

@@ -58,6 +58,15 @@ class Pose:
     seated: bool = False
     lies: bool = False
 
+    @property
+    def gathers(self) -> bool:
+        """Whether what hangs is drawn up over the thighs: of who sits, on a seat or the ground."""
+        return self.seated or min(leg.swing for leg in self.legs) > _THIGHS_UP
+
+
+_THIGHS_UP = 60.0
+"""Swing of both legs [deg] of who squats or sits on the ground."""
+
 
 def _both(limb: Limb) -> tuple[Limb, Limb]:
     return (limb, limb)
