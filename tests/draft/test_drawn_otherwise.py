@@ -19,6 +19,7 @@ def stand_ins(doc: EsgDocument) -> dict[str, str]:
         ("A ball hits a pulley.", {"a pulley": "tire"}),
         ("A sloth rolls down a hill.", {"A sloth": "monkey"}),
         ("The blorft slides into a wall.", {"The blorft": "plain box"}),
+        ("A bigfoot walks past a tree.", {"A bigfoot": "plain box"}),
         ("A checker slides off the board.", {"A checker": "worker"}),
         ("An elbow tips the first domino.", {"An elbow": "arm"}),
         ("A piece of styrofoam lies on a table.", {"A piece of styrofoam": "plain box"}),

@@ -799,5 +799,10 @@ def _guess_kind(d: Discourse, node: str, lemma: str) -> None:
     if model is not None:
         like = lex.nouns()[model]
         entity.noun = replace(
-            like, name=entity.head, description=f"{entity.head}, like a {model}", synonyms=()
+            like,
+            name=entity.head,
+            description=f"{entity.head}, like a {model}",
+            synonyms=(),
+            # Somebody is drawn as a person, and a vehicle as a car; no animal looks like another.
+            stand_in=entity.noun.stand_in if model == "dog" else "",
         )
