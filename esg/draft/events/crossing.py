@@ -2,11 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass
 
+from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import LIVING, Scene
-from esg.graph.models import NodeEvent, Predicate, Statement, TimelineSystem
+from esg.graph.models import (
+    MotionParams,
+    NodeEvent,
+    Predicate,
+    SequenceGraph,
+    Statement,
+    TimelineSystem,
+)
 
 PART, ALL, ALONG = 0.6, 1.2, 0.85
 """Shares of the width that are gone at least and at most: half is crossing; of a bridge, whose
@@ -31,11 +40,43 @@ def take_time(
     """
     if timeline is None:
         return None
-    graph, windows = timeline.sequence_graph, dict[str, tuple[float, float]]()
-    paces: dict[str, tuple[float, float]] = {}
-    ends = {n.id: n for n in graph.nodes}
-    things = scene.world.entities
-    statements = tuple(statements)
+    graph = timeline.sequence_graph
+    open_ended = {n.id for n in graph.nodes if n.event is NodeEvent.TRIGGER}
+    told = {k: v for k, v in _times(graph, tuple(statements), scene).items() if k in open_ended}
+    edges = tuple(
+        e.model_copy(update={"params": e.params.model_copy(update=_params(told[e.to]))})
+        if e.to in told
+        else e
+        for e in graph.edges
+    )
+    nodes = tuple(
+        n.model_copy(update={"window": told[n.id].window})
+        if n.id in told and not n.time_is_prescribed
+        else n
+        for n in graph.nodes
+    )
+    graph = graph.model_copy(update={"nodes": nodes, "edges": edges})
+    return timeline.model_copy(update={"sequence_graph": graph})
+
+
+@dataclass(frozen=True)
+class _Crossing:
+    """How long a way across takes [s], and how fast it goes where that is slower than usual."""
+
+    window: tuple[float, float]
+    speed_cm_s: tuple[float, float] | None = None
+
+
+def _params(crossing: _Crossing) -> dict[str, tuple[float, float]]:
+    slower = {} if crossing.speed_cm_s is None else {"speed": crossing.speed_cm_s}
+    return {"duration": crossing.window, **slower}
+
+
+def _times(
+    graph: SequenceGraph, statements: Sequence[Statement], scene: Scene
+) -> dict[str, _Crossing]:
+    """Of each way across something flat, by the event that ends it."""
+    things, out = scene.world.entities, dict[str, _Crossing]()
     lengthwise = {(s.object, s.target) for s in statements if s.direction == "along"}
     for s in statements:
         across = s.predicate is Predicate.MOVES and s.direction == "across"
@@ -43,45 +84,30 @@ def take_time(
         if not across or not flat:
             continue
         along = (s.object, s.target) in lengthwise
-        width = (max if along else min)(dimensions_of(flat[0])[:2])
-        wet = flat[0].noun.kind == "water" and not along
-        least, most = AFLOAT if wet else (PART, ALONG if along else ALL)
         for e in graph.edges:
-            speed = e.params.speed
             kind = things[e.actor].noun.kind if e.actor in s.object else ""
-            slow = kind in LIVING or kind == "watercraft"
-            if slow and isinstance(speed, tuple) and e.params.elevation_deg is None:
-                pace = 0.9 * speed[1]
-                pace = min(pace, BRISK_CM_S) if kind in LIVING else pace
-                if wet:
-                    pace = min(pace, most * width / LEAST_S)
-                    paces[e.to] = (round(0.7 * pace, 1), round(pace, 1))
-                windows[e.to] = (round(least * width / pace, 2), round(most * width / pace, 2))
+            if kind in LIVING or kind == "watercraft":
+                crossing = _crossing(e.params, kind, flat[0], along=along)
+                out |= {} if crossing is None else {e.to: crossing}
     ends_of = {e.actor: e.to for e in graph.edges}
     for r in scene.relations:  # who follows goes as long
-        led = windows.get(ends_of.get(r.target, ""))
+        led = out.get(ends_of.get(r.target, ""))
         if led is not None and r.kind == "behind" and r.source in ends_of:
-            windows.setdefault(ends_of[r.source], led)
-    edges = tuple(
-        e.model_copy(
-            update={
-                "params": e.params.model_copy(
-                    update={
-                        "duration": windows[e.to],
-                        "speed": paces.get(e.to, e.params.speed),
-                    }
-                )
-            }
-        )
-        if e.to in windows and ends[e.to].event is NodeEvent.TRIGGER
-        else e
-        for e in graph.edges
+            out.setdefault(ends_of[r.source], _Crossing(led.window))
+    return out
+
+
+def _crossing(params: MotionParams, kind: str, flat: Entity, *, along: bool) -> _Crossing | None:
+    """How long a motion takes across something; None where its speed is told, or it flies."""
+    if not isinstance(params.speed, tuple) or params.elevation_deg is not None:
+        return None
+    width = (max if along else min)(dimensions_of(flat)[:2])
+    wet = flat.noun.kind == "water" and not along
+    least, most = AFLOAT if wet else (PART, ALONG if along else ALL)
+    pace = 0.9 * params.speed[1]
+    pace = min(pace, BRISK_CM_S) if kind in LIVING else pace
+    pace = min(pace, most * width / LEAST_S) if wet else pace
+    return _Crossing(
+        (round(least * width / pace, 2), round(most * width / pace, 2)),
+        (round(0.7 * pace, 1), round(pace, 1)) if wet else None,
     )
-    nodes = tuple(
-        n.model_copy(update={"window": windows[n.id]})
-        if n.id in windows and n.event is NodeEvent.TRIGGER and not n.time_is_prescribed
-        else n
-        for n in graph.nodes
-    )
-    graph = graph.model_copy(update={"nodes": nodes, "edges": edges})
-    return timeline.model_copy(update={"sequence_graph": graph})

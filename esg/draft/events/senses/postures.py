@@ -66,21 +66,14 @@ def takes_posture(d: Discourse, f: Frame, s: list[str]) -> bool:
         return False
     row, end = found
     if f.subject is not None and f.subject.pronoun:  # "a person sits on a chair. They stand up"
-        s = [a for a in s if kind_of(d, a) in ("person", "animal")] or s
-    if not row.posture and all(kind_of(d, a) in ("person", "animal") for a in s):
+        s = [a for a in s if _is_being(d, a)] or s
+    if not row.posture and all(_is_being(d, a) for a in s):
         ignore(d, f, UNPOSED)
         stands_there(d, f, s)
         return True
-    if not all(_can(d, a, row) for a in s) or _rides(d, f):
+    first = _holds_at_first(d, f, s, row)
+    if not _may(d, f, s, row, first=first):
         return False
-    aside = f.relative or f.reduced  # "hits a dog that lies on the grass"
-    told = {p.actor for p in d.moves.postures}
-    first = row.how == "holds" and not told & {*s}
-    first = first and (aside or not any(_has_acted(d, a) for a in s))
-    if row.posture == STANDS and any(_is_up(d, a) for a in s):
-        return False  # nobody says how he had come down
-    if not first and any(happened(d, kind, a) for kind in _BLOWS for a in s):
-        return False  # how a blow leaves him only the engine knows
     if row.posture == STANDS:
         _was_on(d, f, s)
     for actor in s if not first else ():
@@ -93,6 +86,33 @@ def takes_posture(d: Discourse, f: Frame, s: list[str]) -> bool:
             d.moves.postures.append(Posing(actor, row.posture, (f.verb.start, end), None))
         else:
             _change(d, f, actor, row, end, seat)
+    _use(d, f, end, first=first)
+    return not first
+
+
+def _is_being(d: Discourse, actor: str) -> bool:
+    return kind_of(d, actor) in LIVING
+
+
+def _holds_at_first(d: Discourse, f: Frame, s: list[str], row: _Row) -> bool:
+    """Whether a posture is told of who has done nothing yet, or aside: "hits a dog that lies"."""
+    if row.how != "holds" or {p.actor for p in d.moves.postures} & {*s}:
+        return False
+    return f.relative or f.reduced or not any(_has_acted(d, a) for a in s)
+
+
+def _may(d: Discourse, f: Frame, s: list[str], row: _Row, *, first: bool) -> bool:
+    """Whether all of them can hold themselves so there, as far as what went before tells."""
+    if not all(_can(d, a, row) for a in s) or _rides(d, f):
+        return False
+    if row.posture == STANDS and any(_is_up(d, a) for a in s):
+        return False  # nobody says how he had come down
+    # How a blow leaves him only the engine knows.
+    return first or not any(happened(d, kind, a) for kind in _BLOWS for a in s)
+
+
+def _use(d: Discourse, f: Frame, end: int, *, first: bool) -> None:
+    """Notes that the words of a posture are held."""
     mark_used(d, f, USED)
     for p in f.phrases:
         floor = p.prep in ("from", "off") and any(structural(d, i) for i in things(p))
@@ -100,7 +120,6 @@ def takes_posture(d: Discourse, f: Frame, s: list[str]) -> bool:
             d.scene.used[(start_of(p, d.text), p.mention.end)] = USED
     if end > f.verb.end:
         d.scene.used[(f.verb.end, end)] = USED
-    return not first
 
 
 def _row(d: Discourse, f: Frame) -> tuple[_Row, int] | None:
@@ -122,7 +141,7 @@ def _row(d: Discourse, f: Frame) -> tuple[_Row, int] | None:
 
 def _can(d: Discourse, actor: str, row: _Row) -> bool:
     """Whether a body has such a posture, and nobody carries it about."""
-    if actor not in d.world.entities or kind_of(d, actor) not in ("person", "animal"):
+    if actor not in d.world.entities or not _is_being(d, actor):
         return False
     entity = entity_of(d, actor)
     plan = plan_of(entity.head, person=kind_of(d, actor) == "person")
