@@ -12,8 +12,8 @@ BODIES = {"body", "into", "until_contact"}
 """Fields that name bodies; relationships in USD."""
 JOINT = "joint"
 """The field that names a joint; a relationship, too."""
-_VECTORS = {"linear", "angular", "impulse", "axis", "center", "basin", "extents", "position"}
-_PATHS = {"points", "velocities"}
+_SERIES = "times"
+"""The field that is a series of numbers; all other lists of numbers are vectors."""
 
 
 def write_program(
@@ -56,10 +56,10 @@ def _typed(field: str, value: Any) -> tuple[Any, Any]:
     types = Sdf.ValueTypeNames
     if field == "kind":
         return types.Token, value
-    if field in _VECTORS:
-        return types.Double3, tuple(map(float, value))
-    if field in _PATHS:
-        return types.Double3Array, [tuple(map(float, v)) for v in value]
-    if field == "times":
+    if not isinstance(value, (list, tuple)):
+        return types.Double, float(value)
+    if field == _SERIES:
         return types.DoubleArray, list(map(float, value))
-    return types.Double, float(value)
+    if value and isinstance(value[0], (list, tuple)):
+        return types.Double3Array, [tuple(map(float, v)) for v in value]
+    return types.Double3, tuple(map(float, value))
