@@ -19,9 +19,9 @@ from esg.outcomes import UserError
 from flows import artifacts
 from flows.naming import current_name, run_tags
 from tasks.context import current
-from tasks.dataset import dataset_batch, draft_ahead
+from tasks.dataset import begun_ahead, dataset_batch
 
-__all__ = ["dataset", "draft_ahead", "lost_machine", "with_runner"]
+__all__ = ["begun_ahead", "dataset", "lost_machine", "with_runner"]
 
 LOST = frozenset(
     {"KilledWorker", "WorkerCrashedError", "NodeDiedError", "ObjectLostError", "CrashedRun"}

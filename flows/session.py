@@ -13,9 +13,9 @@ from typing import Any, TypeVar
 
 from esg.api.warming import load_usd, warm_up
 from esg.limits import stage_limits
-from esg.machine.forked import begin, context
+from esg.machine.forked import RENEWED_AFTER, begin, context
 from esg.settings import check_limits
-from esg.workers import WorkerPool, asked_bound
+from esg.workers import RECYCLE_AFTER, WorkerPool, asked_bound
 from flows.embedded import prefect_api
 from flows.naming import run_tags
 from tasks.context import Watcher, run_context
@@ -51,9 +51,10 @@ def session(
     if forks:
         begin(forked)
     niceness, how = BEHIND_SEARCHES if searchers else 0, context if forks else None
+    renewed = RENEWED_AFTER if forks else RECYCLE_AFTER
     with (
         prefect_api() as api,
-        WorkerPool(processes, niceness=niceness, context=how) as pool,
+        WorkerPool(processes, renewed, niceness=niceness, context=how) as pool,
         # Their memory is the device's and what they share with processes that plan beside them.
         WorkerPool(searchers, max_memory_bytes=sys.maxsize, bound_bytes=asked_bound()) as apart,
         stopping(pool, apart),

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Generator
+from concurrent.futures import Future
 import contextlib
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cache
 from pathlib import Path
 import threading
-from typing import TypeVar
+from typing import Any, TypeVar
 
 from esg.pipeline import SceneState
 from esg.workers import WorkerPool
@@ -59,12 +60,15 @@ class RunContext:
         watch: Called after every stage of every scene (esg.progress tells more).
         store: Artifact store of the run; None is the usual one.
         searchers: Processes that only search; None: searches are done where all else is.
+        begun: What will come of batches that were begun before their tasks, by the folder of the
+            dataset and number; whoever takes one up takes it out.
     """
 
     pool: WorkerPool
     watch: Watcher = _ignore
     store: Path | None = None
     searchers: Searchers | None = None
+    begun: dict[tuple[Path, int], Future[Any]] = field(default_factory=dict)
 
 
 _ALONE = RunContext(WorkerPool(0))

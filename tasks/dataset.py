@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
-from concurrent.futures import ThreadPoolExecutor
+from collections.abc import Callable, Generator, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor
 import contextlib
 from functools import partial
 from itertools import chain
@@ -54,6 +54,8 @@ def dataset_batch(job: BatchJob) -> Any:
     Returns:
         A `BatchResult`, in a state called `Cached` if the batch was done before.
     """
+    if (begun := current().begun.pop((job.out, job.number), None)) is not None:
+        return begun.result()
     done = read_mark(job.out, job.number)
     if done is not None:
         return Completed(name="Cached", message="done before", data=done)
@@ -111,28 +113,42 @@ def _in_shares(job: BatchJob, pool: WorkerPool, searchers: Searchers) -> BatchRe
     return pool.run(close_batch, job, results)
 
 
-def draft_ahead(jobs: Sequence[BatchJob]) -> None:
-    """Lets workers draft the batches that are searched first; the batches then find it done.
+@contextlib.contextmanager
+def begun_ahead(jobs: Sequence[BatchJob]) -> Generator[None]:
+    """Begins the first batches; the tasks that make them, in the body, take up what has begun.
 
-    A flow begins once its scheduler answers, which takes longer than workers need to be there, and
-    without a draft the device has nothing to do.
+    A flow begins once its scheduler answers, which takes longer than workers need to be there:
+    until then cores, and a device, would have nothing to do.
 
     Args:
         jobs: Batches that the flow is about to make, in order.
     """
-    pool, searchers = current().pool, current().searchers
-    if searchers is None:
-        return
+    here = current()
+    count = here.pool.processes if here.searchers is None else here.searchers.in_hand
+    for job in jobs[:count] if here.pool.processes else ():
+        if read_mark(job.out, job.number) is None:
+            here.begun[job.out, job.number] = _in_thread(job)
+    try:
+        yield
+    except BaseException:
+        if here.begun:  # nobody will take them up
+            here.pool.stop()
+            if here.searchers is not None:
+                here.searchers.pool.stop()
+        raise
 
-    def begin(share: BatchJob) -> None:
-        # Whatever is wrong with a share is told when its batch comes to it.
-        with contextlib.suppress(Exception, KeyboardInterrupt):
-            pool.run(draft_share, share, rank=(DRAFTS, share.number))
 
-    for job in jobs[: searchers.pool.processes]:
-        if job.searches_together and job.source is None and read_mark(job.out, job.number) is None:
-            for share in job.shares():
-                threading.Thread(target=begin, args=(share,), daemon=True).start()
+def _in_thread(job: BatchJob) -> Future[BatchResult]:
+    future: Future[BatchResult] = Future()
+
+    def make() -> None:
+        try:
+            future.set_result(run_job(job))
+        except BaseException as error:  # whoever takes it up is told
+            future.set_exception(error)
+
+    threading.Thread(target=make, daemon=True).start()
+    return future
 
 
 def _survived(

@@ -14,8 +14,8 @@ nothing else. Compiled classes of earlier runs are not there to be found (a cach
 a first run of four scenes makes what is made once a machine). Written down are verified scenes an
 hour, the share of the workers' time (number of workers times wall clock) by stage and beside the
 stages, CPU time by process, and the resident memory of every worker over the finished scenes, with
-its slope once a tenth of them is made. A worker is replaced only beyond 3 GiB or after 400 batches
-(esg.workers); `worker_processes` says whether any was.
+its slope once a tenth of them is made, by process and, since workers are replaced (esg.workers,
+esg.machine.forked), of whichever worker runs; `worker_processes` says how many there were.
 """
 
 from __future__ import annotations
@@ -194,6 +194,9 @@ def wall_facts(watch: Watch, out: Path, args: argparse.Namespace) -> dict[str, A
         "overhead_share": round(beside / whole, 4),
         "cpu_s": watch.cpu_by_role(),
         "worker_processes": len(memory),
+        "memory_by_role": {
+            role: watch.memory_of(role, max(1, n // 10)) for role in ("worker", "command")
+        },
         "memory": memory,
         "memory_samples": [
             {

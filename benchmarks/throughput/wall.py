@@ -11,6 +11,7 @@ from dataclasses import dataclass, field
 import json
 import os
 from pathlib import Path
+from statistics import median
 import subprocess
 import threading
 import time
@@ -152,6 +153,28 @@ class Watch:
                 "slope_mib_per_1000_scenes": slope(rest),
             })  # fmt: skip
         return out
+
+    def memory_of(self, role: str, warm: int) -> dict[str, Any]:
+        """Resident memory of a process of a role, whichever runs: by tenths, and its slope.
+
+        Processes that replace one another are one line; of several at once it is the mean.
+
+        Args:
+            role: `worker` or `command`.
+            warm: The slope is of what follows so many scenes.
+        """
+        end = max((t for t, _ in self.marks.values()), default=float("inf"))
+        points: list[tuple[int, float]] = []
+        for s in self.samples:
+            of = [size for pid, size in s.rss.items() if self.roles[pid] == role]
+            if of and s.time_s <= end:
+                points.append((s.scenes, sum(of) / len(of)))
+        rest = [point for point in points if point[0] >= warm]
+        tenths = [rest[len(rest) * k // 10 : len(rest) * (k + 1) // 10] for k in range(10)]
+        return {
+            "median_mib_by_tenths": [round(median(v for _, v in t)) for t in tenths if t],
+            "slope_mib_per_1000_scenes": slope(rest),
+        }
 
     def cpu_by_role(self) -> dict[str, float]:
         """CPU time by what the processes are [s]; workers include the compilers they called."""

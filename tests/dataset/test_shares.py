@@ -6,7 +6,6 @@ from collections.abc import Callable, Iterator
 from dataclasses import replace
 from pathlib import Path
 import threading
-import time
 from typing import Any
 
 import pytest
@@ -19,9 +18,10 @@ from esg.dataset.finish import finish
 from esg.dataset.folder import DatasetFolder, read_mark
 from esg.dataset.job import BatchJob
 from esg.dataset.running import dead_scenes
+from esg.outcomes import UserError
 from esg.workers import WorkerDied, WorkerPool
 from tasks.context import Searchers, run_context
-from tasks.dataset import DRAFTS, draft_ahead, run_job
+from tasks.dataset import DRAFTS, begun_ahead, dataset_batch, run_job
 from tests.dataset import fakes
 from tests.dataset.test_batch import below, dataset
 from tests.dataset.test_running import Fleet
@@ -91,28 +91,40 @@ def test_a_batch_in_shares_leaves_what_one_in_one_piece_leaves(
     assert first == ["draft_share 0 first", "draft_share 1 first", "prove_share 0", "prove_share 1"]
 
 
-def test_what_is_drafted_before_the_scheduler_answers_is_not_drafted_again(
+def test_batches_begin_before_the_scheduler_answers_and_are_made_once(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
-    """Only the batches that are searched first, and none that is done; the dataset is the same."""
+    """Tasks take up what has begun, its errors too; what is done is not begun."""
     Fleet(monkeypatch)
-    shared(dataset(tmp_path / "whole", TEXTS, device="cuda:0"), Noting(), Noting())
+    usual = Noting()
+    shared(dataset(tmp_path / "whole", TEXTS, device="cuda:0"), usual, Noting())
     jobs = dataset(tmp_path / "ahead", TEXTS, device="cuda:0")
     pool, searching = Noting(), Noting()
-    (tmp_path / "calls").unlink()
-    with run_context(pool, searchers=searching):
-        draft_ahead(jobs)
-        deadline = time.monotonic() + 10.0
-        while len(fakes.calls()) < 4 * len(jobs[0].scenes) and time.monotonic() < deadline:
-            time.sleep(0.01)
-        with pool._local:  # the last call is over
-            assert sorted(pool.calls) == ["draft_share 0 first", "draft_share 1 first"]
-        results = {job.number: run_job(job) for job in jobs}
-        draft_ahead(jobs)
+    searching._local = pool._local  # all in this process, where one store is current at a time
+    with run_context(pool, searchers=searching) as here, begun_ahead(jobs):
+        begun = dict(here.begun)
+        assert [number for _, number in begun] == [job.number for job in jobs]
+        results = {job.number: dataset_batch.fn(job) for job in jobs}
+        assert not here.begun
+        assert all(results[number] is future.result() for (_, number), future in begun.items())
+        with begun_ahead(jobs):
+            assert not here.begun
+    assert searching.calls == ["search_batch"] * len(jobs)
+    assert sorted(pool.calls) == sorted(usual.calls)
     finish(DatasetFolder(jobs[0].out), jobs[0].spec, results)
     assert below(tmp_path / "ahead") == below(tmp_path / "whole")
-    drafted = [c for c in fakes.calls() if c.startswith(("draft ", "layout ")) and "bug" not in c]
-    assert len(drafted) == len(set(drafted)) > 0
+
+
+def test_what_was_begun_ends_with_a_flow_that_never_begins(tmp_path: Path) -> None:
+    jobs = dataset(tmp_path, TEXTS, device="cuda:0")
+    pool, searching = Noting(), Noting()
+    searching._local = pool._local
+    with run_context(pool, searchers=searching) as here:
+        with pytest.raises(UserError), begun_ahead(jobs):
+            raise UserError("the scheduler does not answer")
+        for future in here.begun.values():
+            future.exception(timeout=60)
+    assert pool._stopped.is_set() and searching._stopped.is_set()
 
 
 def test_the_last_batches_are_made_by_all_workers_and_stay_the_same(tmp_path: Path) -> None:

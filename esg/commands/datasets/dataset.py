@@ -397,11 +397,11 @@ def make_batches(
     forked = _forked(jobs[0], runner, searchers)
     processes = count if runner == "process" else 0
     with listening(show), session(processes, None, searchers, forked=forked) as call:
-        from flows.dataset import draft_ahead, with_runner
+        from flows.dataset import begun_ahead, with_runner
 
-        draft_ahead(jobs)
         try:
-            return call(with_runner(runner, count), jobs, batch_done)  # type: ignore[arg-type]  # checked by cyclopts
+            with begun_ahead(jobs):
+                return call(with_runner(runner, count), jobs, batch_done)  # type: ignore[arg-type]  # checked by cyclopts
         except OSError as error:
             raise UserError(
                 f"{error.filename or jobs[0].out}: {error.strerror or error}; finished batches are "
