@@ -24,7 +24,7 @@ import sys
 from typing import Any
 
 from benchmarks.drafting.corpus import BLIND, FILES, HELD_OUT, PUBLIC, load
-from benchmarks.drafting.score import PAPER, run
+from benchmarks.drafting.score import PAPER, Score, run
 from benchmarks.drafting.whole import summary
 from esg.draft import draft
 
@@ -37,6 +37,53 @@ _TITLES = {
 
 def main(argv: list[str] | None = None) -> int:
     """Prints the table; returns the exit code."""
+    args = _arguments(argv)
+    if args.soak:
+        from benchmarks.lib.drafting_soak import soak
+
+        result = soak(args.soak, load("dev"))
+        print(result.text())
+        _write(args.json, result.data())
+        return 0
+    draft("A ball hits a box.")
+    scores, seconds = run(args.split, lambda p: draft(p, drafter=args.drafter), args.files)
+    total = scores["total"]
+    print("\n".join(_band_lines(scores, args.split in PUBLIC)))
+    print(f"\n{1000.0 * seconds:.1f} ms a prompt (draft, verify, score), split {args.split}")
+    whole = summary(total.verdicts) if total.verdicts else None
+    if whole:
+        print(_whole_text(whole))
+    rows = {args.drafter: total}
+    table: dict[str, dict[str, Any]] = {}
+    if not args.no_ablation:
+        from benchmarks.lib.drafting_ablation import ablation
+
+        table, variants = ablation(load(args.split, args.files))
+        rows |= variants
+    print("\n".join(_drafter_lines(rows)))
+    if args.show:
+        print("\n".join(f"  {line}" for line in total.problems))
+        print(dict(Counter(p.split(" ")[1] for p in total.problems)))
+    unsaid = _unsaid(total.notes, args.unsaid) if args.unsaid else None
+    for line in unsaid or ():
+        words = ", ".join(f"{w} ({n})" for w, n in line["words"].items())
+        print(f"{line['prompts']:>5}  {line['note']}" + (f": {words}" if words else ""))
+    _write(
+        args.json,
+        {
+            "split": args.split,
+            "drafter": args.drafter,
+            "bands": {b: s.row() for b, s in scores.items()},
+            "drafters": {n: s.row() | {"paper": PAPER.get(n)} for n, s in rows.items()},
+            "scripted_ablation": table or None,
+        }
+        | ({"whole": whole} if whole else {})
+        | ({"unsaid": unsaid} if unsaid is not None else {}),
+    )
+    return 0
+
+
+def _arguments(argv: list[str] | None) -> argparse.Namespace:
     parser = argparse.ArgumentParser(description=(__doc__ or "").splitlines()[0])
     parser.add_argument("--split", choices=("test", "dev", "all", *BLIND, *PUBLIC), default="test")
     parser.add_argument("--files", nargs="+", choices=FILES, default=FILES, help="only these files")
@@ -65,63 +112,33 @@ def main(argv: list[str] | None = None) -> int:
             f"{option}: split {args.split} holds held-out prompts, whose misses are not read while "
             f"the drafter is improved; leave {option} out, use --split dev, or say --open-held-out"
         )
-    if args.soak:
-        from benchmarks.lib.drafting_soak import soak
+    return args
 
-        result = soak(args.soak, load("dev"))
-        print(result.text())
-        _write(args.json, result.data())
-        return 0
-    draft("A ball hits a box.")
-    scores, seconds = run(args.split, lambda p: draft(p, drafter=args.drafter), args.files)
-    columns = list(scores["total"].row())
-    print(f"{'band':<12}" + "".join(f"{c:>17}" for c in columns))
+
+def _band_lines(scores: dict[str, Score], full_alone: bool) -> list[str]:
+    """The table by band; `full_alone`: of bands that have prompts."""
+    columns = scores["total"].row()
+    lines = [f"{'band':<12}" + "".join(f"{c:>17}" for c in columns)]
     for band, score in scores.items():
-        if not score.prompts and args.split in PUBLIC:
-            continue
-        print(f"{band:<12}" + "".join(f"{v:>17}" for v in score.row().values()))
-    print(f"\n{1000.0 * seconds:.1f} ms a prompt (draft, verify, score), split {args.split}")
-    whole = summary(scores["total"].verdicts) if scores["total"].verdicts else None
-    if whole:
-        print(_whole_text(whole))
-    rows = {args.drafter: scores["total"]}
-    table: dict[str, dict[str, Any]] = {}
-    if not args.no_ablation:
-        from benchmarks.lib.drafting_ablation import ablation
+        if score.prompts or not full_alone:
+            lines.append(f"{band:<12}" + "".join(f"{v:>17}" for v in score.row().values()))
+    return lines
 
-        table, variants = ablation(load(args.split, args.files))
-        rows |= variants
-    print(f"\n{'drafter':<34}" + "".join(f"{c:>17}" for c in columns[1:]) + f"{'paper':>9}")
+
+def _drafter_lines(rows: dict[str, Score]) -> list[str]:
+    """The table by drafter, beside the paper's row."""
+    columns = [*next(iter(rows.values())).row()][1:]
+    head = f"\n{'drafter':<34}" + "".join(f"{c:>17}" for c in columns) + f"{'paper':>9}"
+    lines = [head]
     for name, score in rows.items():
-        cells = "".join(f"{v:>17}" for v in list(score.row().values())[1:])
-        print(f"{_TITLES.get(name, name):<34}{cells}{PAPER.get(name, '-'):>9}")
-    print(
+        cells = "".join(f"{v:>17}" for v in [*score.row().values()][1:])
+        lines.append(f"{_TITLES.get(name, name):<34}{cells}{PAPER.get(name, '-'):>9}")
+    lines.append(
         "paper: usability of GPT-4.1 on the paper's own prompts. Scripted: the rules drafter's "
         "answers, a\nfixed share of them spoiled; shows what validation mends, measures no model. "
         "An unusable draft finds nothing."
     )
-    if args.show:
-        for line in scores["total"].problems:
-            print("  " + line)
-        codes = Counter(p.split(" ")[1] for p in scores["total"].problems)
-        print(dict(codes))
-    unsaid = _unsaid(scores["total"].notes, args.unsaid) if args.unsaid else None
-    for line in unsaid or ():
-        words = ", ".join(f"{w} ({n})" for w, n in line["words"].items())
-        print(f"{line['prompts']:>5}  {line['note']}" + (f": {words}" if words else ""))
-    _write(
-        args.json,
-        {
-            "split": args.split,
-            "drafter": args.drafter,
-            "bands": {b: s.row() for b, s in scores.items()},
-            "drafters": {n: s.row() | {"paper": PAPER.get(n)} for n, s in rows.items()},
-            "scripted_ablation": table or None,
-        }
-        | ({"whole": whole} if whole else {})
-        | ({"unsaid": unsaid} if unsaid is not None else {}),
-    )
-    return 0
+    return lines
 
 
 def _whole_text(whole: dict[str, Any]) -> str:

@@ -637,30 +637,13 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
         programs = [Program(tuple(redirected(p, names)), p.duration) for p in programs]
     union = _union(programs)
     signature = [_subject(p) for p in union]
+    until = _ends(union, index)
     table = np.full((len(programs), len(signature), FIELDS), np.nan)
-    until = np.zeros((len(signature), len(names)), bool)
-    for k, p in enumerate(union):
-        if p.body not in index and not isinstance(p, DriveJoint):
-            raise ValueError(f"program moves unknown body {p.body!r}; bodies are {list(names)}")
-        if isinstance(p, Lasting):
-            for other in p.until_contact:
-                if other not in index:
-                    raise ValueError(f"hold of {p.body!r} ends at unknown body {other!r}")
-                until[k, index[other]] = True
     for w, program in enumerate(programs):
-        remaining = list(program.primitives)
-        for k, key in enumerate(signature):
-            match = next((q for q in remaining if _subject(q) == key), None)
-            if match is not None:
-                remaining.remove(match)
-            row = match or _never(union[k])
-            if row is None:
-                what = key[1] or key[2]
-                raise ValueError(f"program {w} has no {key[0]} of {what!r} in position {k}")
+        for k, row in enumerate(_rows(program, union, f"program {w}")):
             table[w, k] = _row(row)
             if isinstance(row, ChangeBody):
                 table[w, k, Column.INTO] = index[row.into]
-        assert not remaining
     kinds = [c.kind for c in KINDS]
     return ProgramBatch(
         kind=np.array([kinds.index(k) for k, _, _ in signature], np.int32),
@@ -670,6 +653,43 @@ def batch_programs(programs: list[Program], names: tuple[str, ...]) -> ProgramBa
         duration=max(p.duration for p in programs),
         joint=tuple(j for _, _, j in signature) if any(j for _, _, j in signature) else (),
     )
+
+
+def _ends(primitives: list[Primitive], index: dict[str, int]) -> NDArray[np.bool_]:
+    """Which bodies' contact ends which primitive: (primitives, bodies).
+
+    Raises:
+        ValueError: If one names an unknown body.
+    """
+    until = np.zeros((len(primitives), len(index)), bool)
+    for k, p in enumerate(primitives):
+        if p.body not in index and not isinstance(p, DriveJoint):
+            raise ValueError(f"program moves unknown body {p.body!r}; bodies are {list(index)}")
+        for other in p.until_contact if isinstance(p, Lasting) else ():
+            if other not in index:
+                raise ValueError(f"hold of {p.body!r} ends at unknown body {other!r}")
+            until[k, index[other]] = True
+    return until
+
+
+def _rows(program: Program, union: list[Primitive], name: str) -> list[Primitive]:
+    """The program's primitives in the order of the union, with those it lacks never beginning.
+
+    Raises:
+        ValueError: If it lacks one that must be there.
+    """
+    remaining = list(program.primitives)
+    out: list[Primitive] = []
+    for k, p in enumerate(union):
+        key = _subject(p)
+        row = next((q for q in remaining if _subject(q) == key), None)
+        if row is not None:
+            remaining.remove(row)
+        elif (row := _never(p)) is None:
+            raise ValueError(f"{name} has no {key[0]} of {key[1] or key[2]!r} in position {k}")
+        out.append(row)
+    assert not remaining
+    return out
 
 
 def _subject(p: Primitive) -> tuple[str, str, str]:

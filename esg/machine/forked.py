@@ -23,7 +23,7 @@ ASKED = "ESG_FORKED_OFF"
 """Says how workers search, in that process alone."""
 DRAFTING = "drafting"
 """They do not: a GPU waits for what they draft, and they are forked off as soon as they can."""
-RENEWED_AFTER = 24
+RENEWED_AFTER = 12
 """Calls after which a worker that was forked off is replaced: the next one costs little, and what
 bounded caches, modules of kernels and holes between them take up grows slowly, but for weeks."""
 _TOLD = ("ESG_", "PYTHON", "HOME", "XDG_", "TMPDIR", "LANG", "LC_")
