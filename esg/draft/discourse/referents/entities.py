@@ -23,6 +23,8 @@ WORN = lex.word_set("worn")
 OTHER = lex.word_set("other")
 _TOYS = lex.word_set("toys (riding)")
 UNKNOWN_MASS_KG = 5.0
+_HUES, _ANY_COLOR = lex.word_set("hues"), lex.word_set("any colour")
+_GOING = lex.word_set("self powered")
 
 
 @dataclass
@@ -95,7 +97,17 @@ class Entity:
 
     @property
     def color(self) -> str | None:
-        return next((lex.COLORS[a] for a in self.adjectives if a in lex.COLORS), None)
+        """Its stated colour: "a salmon cube" has one, and a salmon fillet is of a fish."""
+        hues = _HUES if self.noun.kind in _ANY_COLOR else frozenset[str]()
+        told = (lex.COLORS.get(a, a) for a in self.adjectives if a in lex.COLORS or a in hues)
+        return next(told, None)
+
+    @property
+    def material(self) -> str | None:
+        """The word that says what it is made of: of a lead car "lead" says that others follow."""
+        leads = self.noun.kind in _GOING and not is_toy(self)
+        made = (a for a in self.adjectives if a in lex.MATERIALS and not (a == "lead" and leads))
+        return next(made, None)
 
 
 def head_of(e: Entity) -> str:
