@@ -11,6 +11,8 @@ from esg.draft.events.told import moves
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 
+BY_NONE = "by none"
+"""What a verb says that is denied of every subject: "nothing touches it"."""
 _FEW = 3
 """Most things of which each is an event of its own."""
 
@@ -26,9 +28,12 @@ def touches_none(d: Discourse, f: Frame, who: list[str], others: list[str]) -> b
         who: Its subject (node ids).
         others: Its object (node ids).
     """
+    by_none = f.verb.extra.get("denied") == BY_NONE
+    if f.verb.passive or by_none:
+        return _touched_by_none(d, f, others if by_none else who)
     met = _met(d, f, who, others)
     several = len(met) > 1 or "denied" in f.verb.extra
-    if not several or not who or f.verb.passive:
+    if not several or not who:
         return False
     for actor in who:
         near = [i for i in met if i != actor]
@@ -38,6 +43,27 @@ def touches_none(d: Discourse, f: Frame, who: list[str], others: list[str]) -> b
             d.scene.untouched.append(told)
     mark_used(d, f, "never touches")
     return True
+
+
+def _touched_by_none(d: Discourse, f: Frame, who: list[str]) -> bool:
+    """ "The box is not hit", "nothing hits the box": by who is told, else by all that is named."""
+    by = [i for p in f.phrases if p.prep == "by" and p.mention for i in p.mention.entities]
+    for body in who:
+        told = by or _others_named(d, [body])
+        near = tuple(i for i in told if i != body and aimable(d, i) and movable(d, i))
+        if near:
+            d.scene.untouched.append(Untouched(f.verb.start, f.verb.end, body, near))
+    mark_used(d, f, "never touched")
+    return bool(who)
+
+
+def _others_named(d: Discourse, who: list[str]) -> list[str]:
+    """What the prompt has named but some things, what they are on or in, and who threw them."""
+    hosts = {d.scene.supported_by.get(i, "") for i in who} | {
+        d.scene.inside_of.get(i, "") for i in who
+    }
+    throwers = {i for i, thrown in d.refs.launched_by.items() if {*thrown} & {*who}}
+    return [i for i in d.world.entities if i not in {*who, *hosts, *throwers} and aimable(d, i)]
 
 
 def _gets_by(d: Discourse, f: Frame, actor: str, near: list[str]) -> None:
@@ -73,11 +99,7 @@ def _met(d: Discourse, f: Frame, who: list[str], others: list[str]) -> list[str]
         into = [i for p in f.phrases if p.prep in ("into", "against") and p.mention
                 for i in p.mention.entities]  # fmt: skip
         return [i for i in dict.fromkeys(others or into) if aimable(d, i)]
-    hosts = {d.scene.supported_by.get(i, "") for i in who} | {
-        d.scene.inside_of.get(i, "") for i in who
-    }
-    throwers = {i for i, thrown in d.refs.launched_by.items() if {*thrown} & {*who}}
-    named = [i for i in d.world.entities if i not in {*who, *hosts, *throwers} and aimable(d, i)]
+    named = _others_named(d, who)
     if m is not None and denied == "no":
         return [i for i in named if same_kind(m, entity_of(d, i))]
     return named if denied == "nothing" else []

@@ -52,7 +52,7 @@ from esg.draft.events.courses import (
     snapshot,
 )
 from esg.draft.events.cupboards import out_of_a_cupboard
-from esg.draft.events.denials import touches_none
+from esg.draft.events.denials import BY_NONE, touches_none
 from esg.draft.events.following import follow_on
 from esg.draft.events.hanging import (
     SWAYING,
@@ -464,7 +464,7 @@ def _speeds_and_masses(d: Discourse, f: Frame, parts: Parts) -> bool:
 def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
     """What is planned, feared or denied; a hit that is denied is a miss."""
     sense, negated = f.verb.sense, f.verb.negated
-    if f.unreal:
+    if f.unreal and not (negated and sense == "hit" and f.verb.extra.get("denied") == BY_NONE):
         ignore(d, f, f.unreal)
         for p in f.phrases:
             if p.amount is not None:

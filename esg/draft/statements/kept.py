@@ -180,9 +180,19 @@ def _untouched(t: Told) -> None:
     told = (n for n in d.timeline.nodes if n.event in (NodeEvent.COLLISION, NodeEvent.MISS))
     met = {frozenset(n.participants) for n in told}
     for u in d.scene.untouched:
-        others = tuple(i for i in u.others if frozenset((u.who, i)) not in met)
+        others = tuple(
+            i for i in u.others if frozenset((u.who, i)) not in met and not _borne_by(d, u.who, i)
+        )
         if others:
             book.add(Predicate.NEVER_TOUCHES, u.start, u.end, object=(u.who,), target=others)
+
+
+def _borne_by(d: Discourse, one: str, other: str) -> bool:
+    """Whether one of two things is on or in the other, as may be told only later."""
+    for bearing in (d.scene.supported_by, d.scene.inside_of):
+        if bearing.get(one) == other or bearing.get(other) == one:
+            return True
+    return False
 
 
 def _absent(t: Told) -> None:

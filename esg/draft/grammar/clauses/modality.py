@@ -48,7 +48,7 @@ _IN_VAIN = re.compile(
     r"\b(?:in vain|to no avail|without (?:any )?success|unsuccessfully|too heavy)\b", re.IGNORECASE
 )
 _ENDS = re.compile(r"[.;!?\n]")
-_NOBODY = re.compile(r"\b(?:nobody|no[ -]one)\s+$", re.IGNORECASE)
+_NOBODY = re.compile(r"\b(?:nobody|nothing|no[ -]one)\s+$", re.IGNORECASE)
 _NONE_OF = re.compile(r"(?:none|neither)\s+of\b", re.IGNORECASE)
 _NONE_OF_WHICH = re.compile(
     r"\b(?:none|neither)\s+of\s+(?:which|whom|these|those)\s+$", re.IGNORECASE
@@ -60,6 +60,7 @@ _STOPS_DOING = re.compile(
 )
 _NO_ONE = re.compile(r"\bno[ -]one$", re.IGNORECASE)
 
+_NOTHING_DOES = "nothing does it"
 _MOTIONS = frozenset({"cross", "own", "roll", "slide", "fly", "posture"})
 """Senses that make no event, and are asked all the same whether they happen."""
 _WISHES = lex.word_set("wishes")
@@ -121,6 +122,7 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
                 f.unreal = "almost: it does not happen"
         if reason := _by_none(f, text):
             f.unreal = reason
+            f.subject = f.subject if reason == _NOTHING_DOES else None  # no subject of before
 
 
 def _of_what_is_seen(f: Frame, text: str) -> str:
@@ -161,11 +163,10 @@ def _almost(f: Frame, text: str) -> bool:
 def _by_none(f: Frame, text: str) -> str:
     """Why what nothing and nobody does is not asserted; "" for other subjects."""
     m = f.subject
-    if m is None:
-        nobody = _NOBODY.search(text, max(0, f.verb.start - 12), f.verb.start)
-        return "nobody does it" if nobody else ""
-    none = m.head in ("nothing", "nobody") or _NO_ONE.search(text, 0, m.end)
-    return "nothing does it" if none else ""
+    if not f.verb.passive and _NOBODY.search(text, max(0, f.verb.start - 12), f.verb.start):
+        return "nobody does it"
+    none = m is not None and (m.head in ("nothing", "nobody") or _NO_ONE.search(text, 0, m.end))
+    return _NOTHING_DOES if none else ""
 
 
 @dataclass(frozen=True)
