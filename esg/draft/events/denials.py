@@ -7,7 +7,7 @@ from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.matching import same_kind
 from esg.draft.discourse.scene import Untouched
 from esg.draft.events.acts import add_event, ensure_mover
-from esg.draft.events.told import moves
+from esg.draft.events.told import at_rest, has_stopped, moves
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import NodeEvent
 
@@ -57,6 +57,27 @@ def _touched_by_none(d: Discourse, f: Frame, who: list[str]) -> bool:
     return bool(who)
 
 
+def falls_short(d: Discourse, f: Frame, who: list[str], others: list[str]) -> bool:
+    """ "Never reaches the cup": it does not touch it; False where there is nothing to touch.
+
+    Args:
+        d: The discourse.
+        f: A clause with a negated verb of arrival.
+        who: Its subject (node ids).
+        others: Its object (node ids).
+    """
+    parts = f.object is not None and bool(f.object.part)  # "the edge of the table"
+    near = tuple(i for i in others if aimable(d, i) and i not in who and not parts)
+    short = [i for i in who if near and movable(d, i)]
+    for actor in short:
+        if at_rest(d, actor):
+            ensure_mover(d, f, actor, None)
+        d.scene.untouched.append(Untouched(f.verb.start, f.verb.end, actor, near))
+    if short:
+        mark_used(d, f, "never touches")
+    return bool(short)
+
+
 def _others_named(d: Discourse, who: list[str]) -> list[str]:
     """What the prompt has named but some things, what they are on or in, and who threw them."""
     hosts = {d.scene.supported_by.get(i, "") for i in who} | {
@@ -71,10 +92,10 @@ def _gets_by(d: Discourse, f: Frame, actor: str, near: list[str]) -> None:
     new = [i for i in near if frozenset((actor, i)) not in met]
     nothing = f.verb.extra.get("denied") == "nothing"
     if nothing or len(near) > _FEW or _way_told(d, actor, near):
-        if not moves(d, actor):
+        if not (moves(d, actor) or has_stopped(d, actor)):
             ensure_mover(d, f, actor, near[0])
         return
-    for other in new:
+    for other in new if not has_stopped(d, actor) else ():
         ensure_mover(d, f, actor, other)
         add_event(d, NodeEvent.MISS, (actor, other), f, None)
 

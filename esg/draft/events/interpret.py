@@ -52,7 +52,7 @@ from esg.draft.events.courses import (
     snapshot,
 )
 from esg.draft.events.cupboards import out_of_a_cupboard
-from esg.draft.events.denials import BY_NONE, touches_none
+from esg.draft.events.denials import BY_NONE, falls_short, touches_none
 from esg.draft.events.following import follow_on
 from esg.draft.events.hanging import (
     SWAYING,
@@ -78,6 +78,7 @@ from esg.draft.events.timing import hand_on, precedes, settle, time_of
 from esg.draft.events.told import (
     at_rest,
     constrain,
+    has_stopped,
     ignore,
     last_event,
     last_of,
@@ -472,8 +473,10 @@ def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
         return True
     if negated and sense == "hit" and touches_none(d, f, parts.subject, parts.objects):
         return True
-    if negated and sense == "hit" and f.verb.form == "ing" and _handled(d, parts.subject):
+    if negated and sense == "hit" and f.verb.form == "ing" and _settled(d, parts.subject):
         mark_used(d, f, UNMET)  # "places it on a plate without touching the cup"
+        return True
+    if negated and sense == "reach" and falls_short(d, f, parts.subject, parts.objects):
         return True
     if negated and sense in ("hit", "enter"):
         f.verb.sense = "miss"
@@ -487,10 +490,11 @@ def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
-def _handled(d: Discourse, subject: list[str]) -> bool:
-    """Whether hands have moved what a clause is about to where it is now."""
+def _settled(d: Discourse, subject: list[str]) -> bool:
+    """Whether what a clause is about is where it was put by hands, or where it has stopped."""
     last = last_of(d, subject[0]) if subject else None
-    return last is not None and last.event in (NodeEvent.PLACED, NodeEvent.PICKED_UP)
+    put = last is not None and last.event in (NodeEvent.PLACED, NodeEvent.PICKED_UP)
+    return put or (bool(subject) and has_stopped(d, subject[0]))
 
 
 def _thrown_instead(d: Discourse, f: Frame, parts: Parts) -> bool:
