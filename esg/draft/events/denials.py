@@ -48,6 +48,8 @@ def touches_none(d: Discourse, f: Frame, who: list[str], others: list[str]) -> b
 def _touched_by_none(d: Discourse, f: Frame, who: list[str]) -> bool:
     """ "The box is not hit", "nothing hits the box": by who is told, else by all that is named."""
     by = [i for p in f.phrases if p.prep == "by" and p.mention for i in p.mention.entities]
+    if by and not any(_told_of(d, f, i) for i in by):
+        return False  # nothing else is told of it: it gets by
     for body in who:
         told = by or _others_named(d, [body])
         near = tuple(i for i in told if i != body and aimable(d, i) and movable(d, i))
@@ -55,6 +57,12 @@ def _touched_by_none(d: Discourse, f: Frame, who: list[str]) -> bool:
             d.scene.untouched.append(Untouched(f.verb.start, f.verb.end, body, near))
     mark_used(d, f, "never touched")
     return bool(who)
+
+
+def _told_of(d: Discourse, f: Frame, body: str) -> bool:
+    """Whether another clause is about something."""
+    told = (g.subject for g in d.told if g is not f and g.subject is not None)
+    return any(body in m.entities for m in told)
 
 
 def falls_short(d: Discourse, f: Frame, who: list[str], others: list[str]) -> bool:
