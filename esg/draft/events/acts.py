@@ -45,7 +45,7 @@ from esg.draft.events.timing import (
     settle,
     time_of,
 )
-from esg.draft.events.told import happened, last_event, mates_of, moves, recent, size_of, traits_of
+from esg.draft.events.told import at_rest, happened, last_event, mates_of, moves, recent, size_of, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
 from esg.graph.models import ForceDirection, NodeEvent
@@ -138,7 +138,7 @@ def _off(d: Discourse, actor: str, way: Way) -> None:
     high = high or (p.prep == "off" and f.verb.lemma in ("jump", "leap", "hop"))
     high = high or (p.prep == "off" and _on_the_back_of(d, f, other, way.m))
     if high and movable(d, actor) and (p.prep != "over" or way.m.part):
-        place(d, [actor], [other], "on")
+        place(d, [actor, *those_with(d, f, actor)], [other], "on")
         _leaves_from(d, actor, f)
         add_event(d, NodeEvent.FALL, (actor,), f, way.time)
         way.fallen.add(actor)
@@ -146,6 +146,14 @@ def _off(d: Discourse, actor: str, way: Way) -> None:
     slides = f.verb.sense in ("slide", "roll") and not f.verb.passive and p.prep == "over"
     if slides and kind_of(d, other) == "table" and fits_on(d, actor, other):
         place(d, [actor], [other], "on")  # "a cup slides over the table"
+
+
+def those_with(d: Discourse, f: Frame, actor: str) -> list[str]:
+    """ "Knocks the cups off the shelf": the others of them are there, too."""
+    named = {i for m in (f.subject, f.object) if m is not None and m.plural for i in m.entities}
+    mates = [i for i in mates_of(d, actor) if i != actor and i in named] if actor in named else []
+    elsewhere = d.scene.supported_by.keys() | d.scene.inside_of.keys()
+    return [i for i in mates if i not in elsewhere and at_rest(d, i)]
 
 
 def _on_the_back_of(d: Discourse, f: Frame, other: str, m: Mention) -> bool:
