@@ -45,7 +45,16 @@ from esg.draft.events.timing import (
     settle,
     time_of,
 )
-from esg.draft.events.told import at_rest, happened, last_event, mates_of, moves, recent, size_of, traits_of
+from esg.draft.events.told import (
+    at_rest,
+    happened,
+    last_event,
+    mates_of,
+    moves,
+    recent,
+    size_of,
+    traits_of,
+)
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
 from esg.graph.models import ForceDirection, NodeEvent

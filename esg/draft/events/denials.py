@@ -9,10 +9,13 @@ from esg.draft.discourse.scene import Untouched
 from esg.draft.events.acts import add_event, ensure_mover
 from esg.draft.events.told import at_rest, has_stopped, moves
 from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.grammar.clauses.modality import almost
 from esg.graph.models import NodeEvent
 
 BY_NONE = "by none"
 """What a verb says that is denied of every subject: "nothing touches it"."""
+_TOUCHES = frozenset({"brush", "bump", "clip", "contact", "hit", "ram", "strike", "touch"})
+"""Verbs of which "is not" says that nothing touches it: what is not damaged may be hit."""
 _FEW = 3
 """Most things of which each is an event of its own."""
 
@@ -29,6 +32,9 @@ def touches_none(d: Discourse, f: Frame, who: list[str], others: list[str]) -> b
         others: Its object (node ids).
     """
     by_none = f.verb.extra.get("denied") == BY_NONE
+    met_by_none = f.verb.lemma in _TOUCHES and not almost(f, d.text)
+    if f.verb.passive and not met_by_none:
+        return False
     if f.verb.passive or by_none:
         return _touched_by_none(d, f, others if by_none else who)
     met = _met(d, f, who, others)
@@ -78,7 +84,7 @@ def falls_short(d: Discourse, f: Frame, who: list[str], others: list[str]) -> bo
     near = tuple(i for i in others if aimable(d, i) and i not in who and not parts)
     short = [i for i in who if near and movable(d, i)]
     for actor in short:
-        if at_rest(d, actor):
+        if at_rest(d, actor) and not _told_of(d, f, actor):
             ensure_mover(d, f, actor, None)
         d.scene.untouched.append(Untouched(f.verb.start, f.verb.end, actor, near))
     if short:

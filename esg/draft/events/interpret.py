@@ -91,6 +91,7 @@ from esg.draft.events.told import (
     unread,
 )
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.grammar.clauses.modality import NOBODY_DOES
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Role
 from esg.lexicon.senses import no_things
@@ -468,7 +469,7 @@ def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
     if f.unreal and not (negated and sense == "hit" and f.verb.extra.get("denied") == BY_NONE):
         ignore(d, f, f.unreal)
         for p in f.phrases:
-            if p.amount is not None:
+            if p.amount is not None and f.unreal != NOBODY_DOES:
                 d.scene.used.setdefault((p.amount.start, p.amount.end), f.unreal)
         return True
     if negated and sense == "hit" and touches_none(d, f, parts.subject, parts.objects):

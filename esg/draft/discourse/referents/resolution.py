@@ -253,7 +253,7 @@ def _more_than(m: Mention, names: list[Entity], avoid: list[str]) -> bool:
     """ "The red cube hits the stack of four cubes": more than the one that acts."""
     if not m.count or m.group_word == "pair" or m.count <= len(names):
         return False
-    return len(names) == 1 or {e.id for e in names} <= {*avoid}
+    return {e.id for e in names} <= {*avoid}
 
 
 def _rest(world: World, m: Mention, names: list[Entity], avoid: list[str]) -> list[str]:

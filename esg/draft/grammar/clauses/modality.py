@@ -60,7 +60,7 @@ _STOPS_DOING = re.compile(
 )
 _NO_ONE = re.compile(r"\bno[ -]one$", re.IGNORECASE)
 
-_NOTHING_DOES = "nothing does it"
+NOBODY_DOES, _NOTHING_DOES = "nobody does it", "nothing does it"
 _MOTIONS = frozenset({"cross", "own", "roll", "slide", "fly", "posture"})
 """Senses that make no event, and are asked all the same whether they happen."""
 _WISHES = lex.word_set("wishes")
@@ -115,7 +115,7 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
         if true:
             f.link = "then"
             continue
-        if _almost(f, text):
+        if almost(f, text):
             if f.verb.sense == "hit":
                 f.verb.negated = True
             elif f.verb.sense in _EVENTS | {"posture"} and f.verb.sense != "miss":
@@ -154,7 +154,7 @@ def _denied(f: Frame, text: str) -> bool:
     return _NEVER.search(text, max(0, f.verb.start - 60), f.verb.start) is not None
 
 
-def _almost(f: Frame, text: str) -> bool:
+def almost(f: Frame, text: str) -> bool:
     """ "Almost hits the wall", "very nearly falls"."""
     close = NEAR.search(text, max(0, f.verb.start - 24), f.verb.start)
     return bool(close or _IN_GROUP.search(text, f.verb.start, f.verb.end))
@@ -163,8 +163,9 @@ def _almost(f: Frame, text: str) -> bool:
 def _by_none(f: Frame, text: str) -> str:
     """Why what nothing and nobody does is not asserted; "" for other subjects."""
     m = f.subject
-    if not f.verb.passive and _NOBODY.search(text, max(0, f.verb.start - 12), f.verb.start):
-        return "nobody does it"
+    denied = (m is None or f.verb.negated) and not f.verb.passive
+    if denied and _NOBODY.search(text, max(0, f.verb.start - 12), f.verb.start):
+        return NOBODY_DOES
     none = m is not None and (m.head in ("nothing", "nobody") or _NO_ONE.search(text, 0, m.end))
     return _NOTHING_DOES if none else ""
 
