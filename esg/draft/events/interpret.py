@@ -190,6 +190,7 @@ def interpret(
     named_parts(d)
     _on_what_has_it(d, frames, attachments)
     _acts_upon(frames)
+    _loads(d)
     linked = take_links(d)
     loosen(d.scene, d.text)
     dodge(frames, d.text)
@@ -230,6 +231,14 @@ def _acts_upon(frames: list[Frame]) -> None:
             noun = p.mention.noun if p.mention is not None else None
             if p.prep == CENTRE and noun is not None and "support" in noun.traits:
                 p.prep = "on"
+
+
+def _loads(d: Discourse) -> None:
+    """ "A lorry's load of pipes": on the lorry, whatever becomes of it."""
+    for m in d.mentions:
+        owner = m.possessor.entities if m.possessor is not None and m.group_word == "load" else []
+        if owner and m.entities and kind_of(d, owner[0]) in SELF_POWERED:
+            place(d, m.entities, owner[:1], "on")
 
 
 def _on_what_has_it(
