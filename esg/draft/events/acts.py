@@ -148,6 +148,7 @@ def _off(d: Discourse, actor: str, way: Way) -> None:
     high = high or (p.prep == "off" and _on_the_back_of(d, f, other, way.m))
     if high and movable(d, actor) and (p.prep != "over" or way.m.part):
         place(d, [actor, *those_with(d, f, actor)], [other], "on")
+        _struck_up_there(d, actor, other)
         _leaves_from(d, actor, f)
         add_event(d, NodeEvent.FALL, (actor,), f, way.time)
         way.fallen.add(actor)
@@ -155,6 +156,17 @@ def _off(d: Discourse, actor: str, way: Way) -> None:
     slides = f.verb.sense in ("slide", "roll") and not f.verb.passive and p.prep == "over"
     if slides and kind_of(d, other) == "table" and fits_on(d, actor, other):
         place(d, [actor], [other], "on")  # "a cup slides over the table"
+
+
+def _struck_up_there(d: Discourse, struck: str, host: str) -> None:
+    """ "A marble hits a cup, which falls off the table": the marble rolls on the table, too."""
+    hitter = d.moves.last_hit[0] if d.moves.last_hit and d.moves.last_hit[1] == struck else ""
+    if not hitter or kind_of(d, hitter) in SELF_POWERED or is_airborne(d, hitter):
+        return
+    told = d.scene.supported_by.keys() | d.scene.inside_of.keys() | d.scene.heights.keys()
+    thrown = any(hitter in sent for sent in d.refs.launched_by.values())
+    if hitter not in told and not thrown and fits_on(d, hitter, host):
+        place(d, [hitter], [host], "on")
 
 
 def those_with(d: Discourse, f: Frame, actor: str) -> list[str]:
