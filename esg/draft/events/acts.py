@@ -63,6 +63,7 @@ _GOALMOUTH = lex.word_set("goalmouth")
 _GOING = lex.word_set("going (acts)")
 WAYS = lex.word_set("ways (acts)")
 _HOLDING = lex.word_set("holding (acts)")
+_MOVED = frozenset({"moving", "sliding"})
 _OPENINGS = frozenset({"hole", "water"})
 _FITS_IN = 0.8
 """Longest side of what ends up in a vessel over the longer side of the vessel's outline."""
@@ -374,11 +375,22 @@ def _who_hits(d: Discourse, f: Frame, mover: str, target: str) -> tuple[str, str
         return None
     if "region" in (kind_of(d, mover), kind_of(d, target)):
         return None  # a pocket is a part of its table
+    if _is_made_to_move(d, f, mover):
+        set_free(d, [mover])
     if not movable(d, mover) and not openable(d, [mover]):
         mover, target = target, mover
         if not movable(d, mover) or not aimable(d, target):
             return None  # "is bumped by a sidewalk"
     return mover, target
+
+
+def _is_made_to_move(d: Discourse, f: Frame, mover: str) -> bool:
+    """ "A moving wall pushes a box", "a wall slides into it": the wall moves, and not the box."""
+    if structural(d, mover) or movable(d, mover):
+        return False
+    m = f.subject
+    slides = m is not None and mover in m.entities and not f.verb.passive
+    return bool(_MOVED & {*entity_of(d, mover).adjectives}) or (slides and f.verb.sense == "slide")
 
 
 def _hit(d: Discourse, f: Frame, mover: str, target: str, time: Time | None) -> str:
