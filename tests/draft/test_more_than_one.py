@@ -86,3 +86,17 @@ def test_a_load_is_on_its_owner(prompt: str, load: str, owner: str) -> None:
 def test_the_ones_beside_it(prompt: str) -> None:
     """Own up to others that are not there."""
     assert "the ones" in owned(draft(prompt))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "things"),
+    [
+        ("A truck and a bus stop.", {"truck_1", "bus_1"}),
+        ("A taxi and a bus stop at the crossing.", {"taxi_1", "bus_1", "crossing_1"}),
+        ("A car passes a bench and a bus stop.", {"car_1", "bench_1", "bus_stop_1"}),
+        ("There is a car and a bus stop.", {"car_1", "bus_stop_1"}),
+    ],
+)
+def test_what_two_do_is_no_noun(prompt: str, things: set[str]) -> None:
+    """Two vehicles stop, and where a sentence has a verb there is a bus stop."""
+    assert drawn(draft(prompt)) == things
