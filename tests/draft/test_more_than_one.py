@@ -100,3 +100,18 @@ def test_the_ones_beside_it(prompt: str) -> None:
 def test_what_two_do_is_no_noun(prompt: str, things: set[str]) -> None:
     """Two vehicles stop, and where a sentence has a verb there is a bus stop."""
     assert drawn(draft(prompt)) == things
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "Six cups stand on a table, two of them are red.",
+        "Six cups stand on a table, two of which are red.",
+        "Three buckets stand in a row and two of them tip over.",
+        "Four open boxes stand on the floor. Two of the boxes slide.",
+    ],
+)
+def test_two_of_them_hold_no_others(prompt: str) -> None:
+    """Put no cups in the cups that are told apart from them."""
+    regions = draft(prompt).spatial_relation_graph.semantic_regions.values()
+    assert not [r for r in regions if r.region_type.value.startswith("STORAGE")]

@@ -13,7 +13,8 @@ _DONE_TO = frozenset({"launch", "drop", "hit", "carry", "knock", "tow"})
 """Senses of verbs whose object may stand before them."""
 _MADE = lex.word_set("made (relatives)")
 _BEFORE_THE_VERB = frozenset({"just", "already", "only", "had", "has", "have", "once"})
-_SHARES = frozenset({"all", "both", "most", "some", "several", "many"})
+_SHARES = frozenset({"all", "both", "several", "many"})
+_FINITE = frozenset({"VERB", "AUX"})
 _NOUNS = frozenset({"NOUN", "PROPN"})
 _STOPS = frozenset(".;:!?\n")
 _MOST = 3
@@ -50,7 +51,10 @@ def some_of_them(tokens: list[Token]) -> list[Token]:
     out: list[Token] = []
     i = 0
     while i < len(tokens):
-        if _how_many(tokens, i) and _of_which(tokens, i + 1):
+        if not _told_before(tokens, i):
+            out.append(tokens[i])
+            i += 1
+        elif _how_many(tokens, i) and _of_which(tokens, i + 1):
             of, which = tokens[i + 1], tokens[i + 2]
             out += _apart(out, tokens[i].start)
             out += [tokens[i], of, Token("them", which.start, which.end, "word", tag="PRON")]
@@ -65,6 +69,18 @@ def some_of_them(tokens: list[Token]) -> list[Token]:
             out.append(tokens[i])
             i += 1
     return out
+
+
+def _told_before(tokens: list[Token], i: int) -> bool:
+    """Whether the sentence has a verb already: "three men, one of whom waves, walk" has none."""
+    for k in range(i - 1, -1, -1):
+        if tokens[k].low in _STOPS:
+            return False
+        if tokens[k].tag in _FINITE or any(
+            r.form in ("s", "past", "base") for r in verb_readings(tokens[k].low)
+        ):
+            return True
+    return False
 
 
 def _of_which(tokens: list[Token], i: int) -> bool:
