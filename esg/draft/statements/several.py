@@ -47,7 +47,8 @@ def one_of_several(a: Account) -> Iterator[Gap]:
 def the_ones(a: Account) -> Iterator[Gap]:
     """ "A book is pulled out, and the ones beside it lean over": it is the only one there."""
     for m in a.d.mentions:
-        ids = nodes_of(a.d, m) if m.pronoun == "ones" and m.determiner in _THOSE else []
+        ones = a.d.text[m.start : m.end].lower().endswith("ones") and m.determiner in _THOSE
+        ids = nodes_of(a.d, m) if ones and m.pronoun == "ones" else []
         if ids and len({entity_of(a.d, i).noun.name for i in ids}) == len(ids):
             yield Gap(m.start, m.end, ALONE, tuple(ids))
 
