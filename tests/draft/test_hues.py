@@ -45,6 +45,9 @@ def test_the_other_of_two_hues() -> None:
         ("A lead car stops at a junction.", "lead_car_1", "steel"),
         ("The lead cyclist falls off his bike.", "lead_cyclist_1", "cloth"),
         ("A lead ball falls on a plate.", "lead_ball_1", "lead"),
+        ("A silver coupe brakes.", "silver_coupe_1", "steel"),
+        ("A golden dog runs.", "golden_dog_1", "fur"),
+        ("A silver ball rolls.", "silver_ball_1", "silver"),
     ],
 )
 def test_who_leads_is_of_no_lead(prompt: str, node: str, material: str) -> None:

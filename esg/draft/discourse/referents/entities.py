@@ -25,6 +25,8 @@ _TOYS = lex.word_set("toys (riding)")
 UNKNOWN_MASS_KG = 5.0
 _HUES, _ANY_COLOR = lex.word_set("hues"), lex.word_set("any colour")
 _GOING = lex.word_set("self powered")
+_OF_WHAT_GOES = frozenset({"lead", "silver", "gold", "golden"})
+"""Names of metals of which no vehicle and no animal is made: "the lead car", "a golden dog"."""
 
 
 @dataclass
@@ -104,10 +106,9 @@ class Entity:
 
     @property
     def material(self) -> str | None:
-        """The word that says what it is made of: of a lead car "lead" says that others follow."""
-        leads = self.noun.kind in _GOING and not is_toy(self)
-        made = (a for a in self.adjectives if a in lex.MATERIALS and not (a == "lead" and leads))
-        return next(made, None)
+        """The word that says what it is made of, and not that it leads, or its colour."""
+        other = _OF_WHAT_GOES if self.noun.kind in _GOING and not is_toy(self) else frozenset[str]()
+        return next((a for a in self.adjectives if a in lex.MATERIALS and a not in other), None)
 
 
 def head_of(e: Entity) -> str:
