@@ -182,3 +182,18 @@ def test_a_moving_wall_moves(prompt: str) -> None:
 def test_what_nobody_touches_is_pushed_by_nobody(prompt: str, said: bool) -> None:
     """Own up to a push that sets off by itself."""
     assert ("pushes" in owned(draft(prompt))) is said
+
+
+@pytest.mark.parametrize(
+    ("prompt", "turns", "passes"),
+    [
+        ("A taxi waits for two buses to pass before turning left.", "taxi_1", 2),
+        ("A taxi waits for two cyclists to pass before turning left.", "taxi_1", 2),
+        ("A bus waits for a dog to pass before turning right.", "bus_1", 1),
+    ],
+)
+def test_who_waits_goes_on(prompt: str, turns: str, passes: int) -> None:
+    """Who waits turns, and they pass by him and not by each other."""
+    told = events(prompt)
+    assert [e for e in told if e[0] == "HeadingReached"] == [("HeadingReached", turns)]
+    assert [e[2] for e in told if e[0] == "Miss"] == [turns] * passes

@@ -89,8 +89,8 @@ def _of_which(tokens: list[Token], i: int) -> bool:
 
 
 def _how_many(tokens: list[Token], i: int) -> bool:
-    if i >= len(tokens) or tokens[i].kind not in ("word", "number"):
-        return False
+    if i >= len(tokens) or tokens[i].kind not in ("word", "number") or tokens[i].low == "one":
+        return False  # "one of which falls" is a row of `rewrites.csv`
     return tokens[i].low in _SHARES or parse_number(tokens[i].low) is not None
 
 
