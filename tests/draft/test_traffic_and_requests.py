@@ -197,3 +197,33 @@ def test_who_waits_goes_on(prompt: str, turns: str, passes: int) -> None:
     told = events(prompt)
     assert [e for e in told if e[0] == "HeadingReached"] == [("HeadingReached", turns)]
     assert [e[2] for e in told if e[0] == "Miss"] == [turns] * passes
+
+
+@pytest.mark.parametrize(
+    ("prompt", "moved"),
+    [
+        ("Let a cylinder and a sphere race down a ramp.", {"cylinder_1", "sphere_1"}),
+        ("Let two balls and a can roll down a slope.", {"ball_1", "ball_2", "can_1"}),
+        ("Watch a ball and a cube fall.", {"ball_1", "cube_1"}),
+        ("Let a ball roll and a cube slide.", {"ball_1", "cube_1"}),
+    ],
+)
+def test_all_that_are_let_do_so(prompt: str, moved: set[str]) -> None:
+    """Leave out none of those that are let roll."""
+    timeline = draft(prompt).timeline_system
+    assert timeline is not None
+    assert {e.actor for e in timeline.sequence_graph.edges} == moved
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A wet shirt hangs on the line, dripping onto the grass.",
+        "A tap drips onto the floor.",
+        "A wet dog drips on the carpet.",
+    ],
+)
+def test_what_drips_does_not_fall(prompt: str) -> None:
+    """Drops fall, which are owned up to, and not the tap."""
+    assert not events(prompt)
+    assert any("drip" in words for words in owned(draft(prompt)))
