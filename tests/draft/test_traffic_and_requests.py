@@ -227,3 +227,28 @@ def test_what_drips_does_not_fall(prompt: str) -> None:
     """Drops fall, which are owned up to, and not the tap."""
     assert not events(prompt)
     assert any("drip" in words for words in owned(draft(prompt)))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "who", "how", "whom", "gap"),
+    [
+        (
+            "A car drives at 8 m/s, 30 m ahead of a truck.",
+            "car_1",
+            "in_front_of",
+            "truck_1",
+            3000.0,
+        ),
+        ("A truck drives 20 m behind a bus.", "truck_1", "behind", "bus_1", 2000.0),
+        ("A cyclist rides 10 m in front of a van.", "cyclist_1", "in_front_of", "van_1", 1000.0),
+    ],
+)
+def test_goes_so_far_ahead(prompt: str, who: str, how: str, whom: str, gap: float) -> None:
+    """A length before "ahead of" is a gap to what goes there, too, and no way travelled."""
+    doc = draft(prompt)
+    told = doc.spatial_relation_graph.edges.binary_relations
+    assert [(r.from_, r.to, r.distance_cm) for r in told if r.relation_type.value == how] == [
+        (who, whom, gap)
+    ]
+    assert doc.timeline_system is not None
+    assert not any(n.constraints for n in doc.timeline_system.sequence_graph.nodes)
