@@ -57,8 +57,8 @@ def _touched_by_none(d: Discourse, f: Frame, who: list[str]) -> bool:
     if by and not any(_told_of(d, f, i) for i in by):
         return False  # nothing else is told of it: it gets by
     for body in who:
-        told = by or _others_named(d, [body])
-        near = tuple(i for i in told if i != body and aimable(d, i) and movable(d, i))
+        told = by or _others_named(d, who)
+        near = tuple(i for i in told if i not in who and aimable(d, i) and movable(d, i))
         if near:
             d.scene.untouched.append(Untouched(f.verb.start, f.verb.end, body, near))
     mark_used(d, f, "never touched")
