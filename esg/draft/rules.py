@@ -22,7 +22,7 @@ from esg.draft.grammar.clauses.builder import build_clauses
 from esg.draft.grammar.clauses.modality import mark_unreal
 from esg.draft.grammar.phrases.chunker import chunk
 from esg.draft.grammar.phrases.compounds import join_compounds
-from esg.draft.grammar.phrases.contact import name_relatives
+from esg.draft.grammar.phrases.contact import name_relatives, some_of_them
 from esg.draft.grammar.phrases.inverted import straight_verbs
 from esg.draft.grammar.phrases.modifiers import join_modifiers
 from esg.draft.grammar.questions import ask
@@ -102,7 +102,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     if meant != text:
         text, tags = meant, pos_tags(meant)
     tokens = join_compounds(join_modifiers(tokenize(text, tags), text))
-    tokens = straight_verbs(name_relatives(tokens))
+    tokens = straight_verbs(name_relatives(some_of_them(tokens)))
     elements = chunk(text, tokens)
     for _, put_plainly in _REWRITES:
         elements = put_plainly(elements)

@@ -66,6 +66,8 @@ _LOST = re.compile(
     rf"\b(?:{'|'.join(sorted(lex.word_set('lost phrases (audit)'), key=len, reverse=True))})\b",
     re.IGNORECASE,
 )
+_GIVES_WAY = "gives way"
+"""What became of a verb by which a rope or a trailer is loosened."""
 _ALL_OF = re.compile(r"\b(?:all|both)\s+(?:of\s+)?(?:the\s+|these\s+|those\s+)?$", re.IGNORECASE)
 _DOWN = frozenset({"Topple", "Fall"})
 _LETS_GO = re.compile(r"\blet(?:s|ting)? $", re.IGNORECASE)
@@ -136,6 +138,8 @@ def _vanishing(case: Case) -> Iterator[Finding]:
         shown = case.text[m.end() :].startswith(" of ") and any(
             m.start() <= v.start < m.end() and v.status == "used" for v in case.facts.verbs
         )  # "lets go of a crate", which falls
+        at = case.facts.verb(m.start())
+        shown = shown or (at is not None and _GIVES_WAY in (at.pointer, at.note))  # "comes loose"
         if not shown and not accounted(case, *m.span()):
             yield Finding(*m.span(), NOTHING)
 

@@ -24,6 +24,9 @@ _BY_THE_CAMERA = re.compile(r"\b(?:from|to|at|towards?) the (?:camera|viewer)\b"
 RIDDEN = lex.word_set("ridden")
 _NO_WAY = frozenset({"unknown", "noop", "launch"})
 """Senses of verbs that lead nobody into water or out of it."""
+_DRIVING = lex.word_set("vehicle verbs")
+_DRIVEN = frozenset({"vehicle", "flyer", "cart", "watercraft"})
+_AT_THE_WHEEL = frozenset({"chauffeur", "driver", "motorist", "pilot"})
 _RIDES = lex.word_set("rides")
 _OBLIQUE = frozenset({"him", "her", "them"})
 _STACKING = lex.word_set("stacking")
@@ -181,6 +184,7 @@ def _subject(d: Discourse, f: Frame, phrases: list[Mention]) -> list[str]:
             if p.start < m.start and not p.pronoun:
                 ids_of(d, p)
     _named_later(d, f, phrases)
+    _drives_what_comes(d, f, m)
     before = [x for x in (f.object, *phrases) if x is not None and x.start < m.start]
     _it(d, f, m, [i for x in before for i in x.entities])
     _part_that_hits(d, f, m)
@@ -195,6 +199,18 @@ def _named_later(d: Discourse, f: Frame, phrases: list[Mention]) -> None:
     for m in (f.subject, f.object, *phrases):
         if f.subordinate and m is not None and m.pronoun == "it" and not main.attribute:
             d.world.resolved[id(m)] = m.entities = ids_of(d, main, subject=True)
+
+
+def _drives_what_comes(d: Discourse, f: Frame, m: Mention) -> None:
+    """ "The driver swerves and the bus hits a tree": the bus swerves, there is no other vehicle."""
+    drives = f.verb.sense in RIDDEN or f.verb.lemma in _DRIVING
+    if m.role not in _AT_THE_WHEEL or m.determiner != "the" or not drives or f.verb.passive:
+        return
+    if f.object is not None or any(e.noun.kind in _DRIVEN for e in d.world.entities.values()):
+        return
+    driven = [x for x in d.mentions if x.noun is not None and x.noun.kind in _DRIVEN]
+    if driven and driven[0].determiner == "the" and not driven[0].plural:
+        d.world.resolved[id(m)] = m.entities = list(ids_of(d, driven[0]))
 
 
 def _part_that_hits(d: Discourse, f: Frame, m: Mention) -> None:

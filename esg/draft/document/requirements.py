@@ -59,8 +59,7 @@ def environment(scene: Scene) -> tuple[str, str]:
 def requirement(e: Entity) -> AssetRequirement:
     """What a node needs: category, description, size, mass."""
     size = dimensions_of(e)
-    told = [lex.MATERIALS[a][0] for a in e.adjectives if a in lex.MATERIALS]
-    material = told[0] if told else e.noun.material
+    material = lex.MATERIALS[e.material][0] if e.material is not None else e.noun.material
     if e.noun.kind in ("ground", "water") and _ICY.intersection([*e.adjectives, *e.head.split()]):
         material = "ice"
     said = {"same", "other"} | ({*lex.ORDINALS, "last", "final"} if e.in_group else set[str]())

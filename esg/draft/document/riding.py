@@ -11,11 +11,14 @@ from esg.draft.discourse.jointed import articulation_of
 from esg.draft.discourse.referents.entities import Entity
 from esg.draft.discourse.scene import LIMBED, SPEEDS, Scene
 from esg.graph.joints import FOOT, PILLION, SEAT
-from esg.graph.models import EdgeEvent, Joint
+from esg.graph.models import EdgeEvent, Joint, NodeEvent
 
 _RIDDEN = lex.word_set("straddled or stood on")
 _RIDES = lex.word_set("rides")
+_WALKS = lex.word_set("afoot (references)")
 _GAITS = frozenset({"canter", "gallop", "trot"})
+_VEHICLES = frozenset({"vehicle", "cart", "watercraft", "flyer"})
+_MEETS = (NodeEvent.COLLISION, NodeEvent.MISS)
 _DRIVERS = frozenset({"driver", "motorist", "chauffeur"})
 _DRIVEN = (EdgeEvent.UNIFORM_MOTION, EdgeEvent.ACCELERATED_MOTION, EdgeEvent.TURN, EdgeEvent.BRAKE)
 _GETS_OUT = re.compile(
@@ -102,14 +105,17 @@ def _hold_borne(scene: Scene) -> None:
 def put_into_cars(scene: Scene) -> None:
     """Draws the vehicle of a driver who goes somewhere and has none: nobody swerves on foot.
 
+    What he runs into, or gets by, is not his.
+
     Args:
         scene: Places and motions of the prompt; changed in place.
     """
     entities = scene.world.entities
-    if any(e.noun.kind in ("vehicle", "cart", "watercraft", "flyer") for e in entities.values()):
-        return
-    for e in entities.values():
+    driven = {e.id for e in entities.values() if e.noun.kind in _VEHICLES}
+    for e in [*entities.values()]:
         *before, last = e.head.split()
+        if driven - _met(scene, e.id) or _afoot(scene, e.id):
+            continue
         alone = e.noun.name == "person" and e.id not in scene.supported_by
         if not alone or not _goes(scene, e.id) or comes_off(scene, e.id):
             continue
@@ -127,6 +133,18 @@ def put_into_cars(scene: Scene) -> None:
         motion = scene.timeline.tracks[e.id].motion
         if motion is not None and motion.speed == SPEEDS["person"]:
             motion.speed = SPEEDS["vehicle"]
+
+
+def _afoot(scene: Scene, driver: str) -> bool:
+    """ "A driver walks past a bus": and who "runs into" one does not run."""
+    told = [c.frame for c in scene.clauses if driver in c.movers]
+    return any(f.verb.lemma in _WALKS and f.phrase("into") is None for f in told)
+
+
+def _met(scene: Scene, driver: str) -> set[str]:
+    """Whom somebody runs into or gets by."""
+    met = (n.participants for n in scene.timeline.nodes if n.event in _MEETS)
+    return {i for who in met if driver == who[0] for i in who[1:]}
 
 
 def board(scene: Scene) -> None:

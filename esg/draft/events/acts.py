@@ -45,7 +45,16 @@ from esg.draft.events.timing import (
     settle,
     time_of,
 )
-from esg.draft.events.told import happened, last_event, mates_of, moves, recent, size_of, traits_of
+from esg.draft.events.told import (
+    at_rest,
+    happened,
+    last_event,
+    mates_of,
+    moves,
+    recent,
+    size_of,
+    traits_of,
+)
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.text.elements import Mention
 from esg.graph.models import ForceDirection, NodeEvent
@@ -54,6 +63,7 @@ _GOALMOUTH = lex.word_set("goalmouth")
 _GOING = lex.word_set("going (acts)")
 WAYS = lex.word_set("ways (acts)")
 _HOLDING = lex.word_set("holding (acts)")
+_MOVED = frozenset({"moving", "sliding"})
 _OPENINGS = frozenset({"hole", "water"})
 _FITS_IN = 0.8
 """Longest side of what ends up in a vessel over the longer side of the vessel's outline."""
@@ -138,7 +148,8 @@ def _off(d: Discourse, actor: str, way: Way) -> None:
     high = high or (p.prep == "off" and f.verb.lemma in ("jump", "leap", "hop"))
     high = high or (p.prep == "off" and _on_the_back_of(d, f, other, way.m))
     if high and movable(d, actor) and (p.prep != "over" or way.m.part):
-        place(d, [actor], [other], "on")
+        place(d, [actor, *those_with(d, f, actor)], [other], "on")
+        _struck_up_there(d, actor, other)
         _leaves_from(d, actor, f)
         add_event(d, NodeEvent.FALL, (actor,), f, way.time)
         way.fallen.add(actor)
@@ -146,6 +157,25 @@ def _off(d: Discourse, actor: str, way: Way) -> None:
     slides = f.verb.sense in ("slide", "roll") and not f.verb.passive and p.prep == "over"
     if slides and kind_of(d, other) == "table" and fits_on(d, actor, other):
         place(d, [actor], [other], "on")  # "a cup slides over the table"
+
+
+def _struck_up_there(d: Discourse, struck: str, host: str) -> None:
+    """ "A marble hits a cup, which falls off the table": the marble rolls on the table, too."""
+    hitter = d.moves.last_hit[0] if d.moves.last_hit and d.moves.last_hit[1] == struck else ""
+    if not hitter or kind_of(d, hitter) in SELF_POWERED or is_airborne(d, hitter):
+        return
+    told = d.scene.supported_by.keys() | d.scene.inside_of.keys() | d.scene.heights.keys()
+    thrown = any(hitter in sent for sent in d.refs.launched_by.values())
+    if hitter not in told and not thrown and fits_on(d, hitter, host):
+        place(d, [hitter], [host], "on")
+
+
+def those_with(d: Discourse, f: Frame, actor: str) -> list[str]:
+    """ "Knocks the cups off the shelf": the others of them are there, too."""
+    named = {i for m in (f.subject, f.object) if m is not None and m.plural for i in m.entities}
+    mates = [i for i in mates_of(d, actor) if i != actor and i in named] if actor in named else []
+    elsewhere = d.scene.supported_by.keys() | d.scene.inside_of.keys()
+    return [i for i in mates if i not in elsewhere and at_rest(d, i)]
 
 
 def _on_the_back_of(d: Discourse, f: Frame, other: str, m: Mention) -> bool:
@@ -345,11 +375,22 @@ def _who_hits(d: Discourse, f: Frame, mover: str, target: str) -> tuple[str, str
         return None
     if "region" in (kind_of(d, mover), kind_of(d, target)):
         return None  # a pocket is a part of its table
+    if _is_made_to_move(d, f, mover):
+        set_free(d, [mover])
     if not movable(d, mover) and not openable(d, [mover]):
         mover, target = target, mover
         if not movable(d, mover) or not aimable(d, target):
             return None  # "is bumped by a sidewalk"
     return mover, target
+
+
+def _is_made_to_move(d: Discourse, f: Frame, mover: str) -> bool:
+    """ "A moving wall pushes a box", "a wall slides into it": the wall moves, and not the box."""
+    if structural(d, mover) or movable(d, mover):
+        return False
+    m = f.subject
+    slides = m is not None and mover in m.entities and not f.verb.passive
+    return bool(_MOVED & {*entity_of(d, mover).adjectives}) or (slides and f.verb.sense == "slide")
 
 
 def _hit(d: Discourse, f: Frame, mover: str, target: str, time: Time | None) -> str:

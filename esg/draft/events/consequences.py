@@ -6,7 +6,7 @@ from esg.draft.discourse.core import aimable, entity_of, kind_of, mark_used, str
 from esg.draft.discourse.places import carries, elevated, place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING
-from esg.draft.events.acts import add_event, add_hit, share_support
+from esg.draft.events.acts import add_event, add_hit, share_support, those_with
 from esg.draft.events.ends import opening, takes_up_from_above
 from esg.draft.events.hanging import tipped
 from esg.draft.events.roles import role
@@ -49,7 +49,7 @@ def _knocked(d: Discourse, f: Frame, body: str, others: list[str], p: Phrase) ->
         outside = p.prep == "out of" and kind_of(d, other) == "building"
         if outside or not (elevated(d, other) or carries(d, other, body)):
             return
-        place(d, [body], [other], "on")
+        place(d, [body, *those_with(d, f, body)], [other], "on")
         if d.moves.last_hit is not None and d.moves.last_hit[1] == body:
             share_support(d, f, *d.moves.last_hit)
         add_event(d, NodeEvent.FALL, (body,), f, None)

@@ -49,14 +49,26 @@ def take_time(
         else e
         for e in graph.edges
     )
+    begun = {e.to: _latest(graph, e.from_) for e in graph.edges if e.to in told}
     nodes = tuple(
-        n.model_copy(update={"window": told[n.id].window})
+        n.model_copy(update={"window": _after(begun[n.id], told[n.id].window)})
         if n.id in told and not n.time_is_prescribed
         else n
         for n in graph.nodes
     )
     graph = graph.model_copy(update={"nodes": nodes, "edges": edges})
     return timeline.model_copy(update={"sequence_graph": graph})
+
+
+def _latest(graph: SequenceGraph, event: str) -> float:
+    """When an event has happened at the latest [s]."""
+    node = next(n for n in graph.nodes if n.id == event)
+    return node.window[1] if node.window is not None else node.timestamp or 0.0
+
+
+def _after(begin: float, span: tuple[float, float]) -> tuple[float, float]:
+    """When what begins at a time and takes some is over [s]."""
+    return round(begin + span[0], 2), round(begin + span[1], 2)
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from esg.draft.discourse.scene import LIMBED
 from esg.draft.discourse.timeline import START
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.courses import measurable
-from esg.draft.events.motions import flies_itself
+from esg.draft.events.motions import flies_itself, on_the_way_with
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import EdgeEvent, NodeEvent, TimelineEdge
 
@@ -48,7 +48,7 @@ def follows(d: Discourse, clause: Clause) -> Draft | None:
     f = clause.frame
     if not steps_on(f) or not clause.movers:
         return None
-    for g in before(d, f):
+    for g in (g for g in before(d, f) if not on_the_way_with(f, g)):
         told = [d.timeline.node(n) for h, n in d.times.of_frame if h.verb is g.verb]
         ended = [n for n in told if n is not None and _over(n)]
         if ended:

@@ -52,7 +52,7 @@ from esg.draft.events.courses import (
     snapshot,
 )
 from esg.draft.events.cupboards import out_of_a_cupboard
-from esg.draft.events.denials import touches_none
+from esg.draft.events.denials import BY_NONE, falls_short, touches_none
 from esg.draft.events.following import follow_on
 from esg.draft.events.hanging import (
     SWAYING,
@@ -78,6 +78,7 @@ from esg.draft.events.timing import hand_on, precedes, settle, time_of
 from esg.draft.events.told import (
     at_rest,
     constrain,
+    has_stopped,
     ignore,
     last_event,
     last_of,
@@ -90,6 +91,7 @@ from esg.draft.events.told import (
     unread,
 )
 from esg.draft.grammar.clauses.frames import Frame, Phrase
+from esg.draft.grammar.clauses.modality import NOBODY_DOES
 from esg.draft.text.elements import Mention
 from esg.graph.models import NodeEvent, Role
 from esg.lexicon.senses import no_things
@@ -188,6 +190,7 @@ def interpret(
     named_parts(d)
     _on_what_has_it(d, frames, attachments)
     _acts_upon(frames)
+    _loads(d)
     linked = take_links(d)
     loosen(d.scene, d.text)
     dodge(frames, d.text)
@@ -228,6 +231,14 @@ def _acts_upon(frames: list[Frame]) -> None:
             noun = p.mention.noun if p.mention is not None else None
             if p.prep == CENTRE and noun is not None and "support" in noun.traits:
                 p.prep = "on"
+
+
+def _loads(d: Discourse) -> None:
+    """ "A lorry's load of pipes": on the lorry, whatever becomes of it."""
+    for m in d.mentions:
+        owner = m.possessor.entities if m.possessor is not None and m.group_word == "load" else []
+        if owner and m.entities and kind_of(d, owner[0]) in SELF_POWERED:
+            place(d, m.entities, owner[:1], "on")
 
 
 def _on_what_has_it(
@@ -464,16 +475,18 @@ def _speeds_and_masses(d: Discourse, f: Frame, parts: Parts) -> bool:
 def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
     """What is planned, feared or denied; a hit that is denied is a miss."""
     sense, negated = f.verb.sense, f.verb.negated
-    if f.unreal:
+    if f.unreal and not (negated and sense == "hit" and f.verb.extra.get("denied") == BY_NONE):
         ignore(d, f, f.unreal)
         for p in f.phrases:
-            if p.amount is not None:
+            if p.amount is not None and f.unreal != NOBODY_DOES:
                 d.scene.used.setdefault((p.amount.start, p.amount.end), f.unreal)
         return True
     if negated and sense == "hit" and touches_none(d, f, parts.subject, parts.objects):
         return True
-    if negated and sense == "hit" and f.verb.form == "ing" and _handled(d, parts.subject):
+    if negated and sense == "hit" and f.verb.form == "ing" and _settled(d, parts.subject):
         mark_used(d, f, UNMET)  # "places it on a plate without touching the cup"
+        return True
+    if negated and sense == "reach" and falls_short(d, f, parts.subject, parts.objects):
         return True
     if negated and sense in ("hit", "enter"):
         f.verb.sense = "miss"
@@ -487,10 +500,11 @@ def _does_not_happen(d: Discourse, f: Frame, parts: Parts) -> bool:
     return False
 
 
-def _handled(d: Discourse, subject: list[str]) -> bool:
-    """Whether hands have moved what a clause is about to where it is now."""
+def _settled(d: Discourse, subject: list[str]) -> bool:
+    """Whether what a clause is about is where it was put by hands, or where it has stopped."""
     last = last_of(d, subject[0]) if subject else None
-    return last is not None and last.event in (NodeEvent.PLACED, NodeEvent.PICKED_UP)
+    put = last is not None and last.event in (NodeEvent.PLACED, NodeEvent.PICKED_UP)
+    return put or (bool(subject) and has_stopped(d, subject[0]))
 
 
 def _thrown_instead(d: Discourse, f: Frame, parts: Parts) -> bool:

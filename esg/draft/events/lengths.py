@@ -4,10 +4,11 @@ from __future__ import annotations
 
 import re
 
-from esg.draft.discourse.core import amounts_of, entity_of, mark_used, structural
+from esg.draft.discourse.core import amounts_of, entity_of, kind_of, mark_used, structural
+from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.registry import current_id
-from esg.draft.discourse.scene import Relation
+from esg.draft.discourse.scene import SELF_POWERED, Relation
 from esg.draft.events.told import at_rest, constrain, unread
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
@@ -21,6 +22,10 @@ _APART = re.compile(
 """What stands between a length and the thing it is measured from."""
 
 _FROM_AFAR = re.compile(r"from\s+a\s+distance\s+of\s+(?:about\s+)?$", re.IGNORECASE)
+_AHEAD = re.compile(
+    r"\s*(?:directly\s+|right\s+|just\s+)?(?P<prep>in front of|ahead of|behind)\b", re.IGNORECASE
+)
+_PREPS = {"in front of": "in front of", "ahead of": "in front of", "behind": "behind"}
 _TRAVELLING = ("own", "roll", "slide", "fly", "launch", "reverse")
 _PAINTED = frozenset({"crosswalk", "finish line"})
 """What lies on a road and ends: a road itself, or a crossing of two, is under who stops."""
@@ -66,6 +71,23 @@ def starts_apart(d: Discourse, f: Frame, actors: list[str]) -> None:
             mark_used(d, a, "distance at the start")
 
 
+def _keeps_apart(d: Discourse, f: Frame, actors: list[str], a: Amount) -> bool:
+    """ "Drives 25 m ahead of a truck": how far it is ahead, and no way that it travels.
+
+    Of what stands there the length is a way: "rolls 2 m behind the sofa".
+    """
+    at = _AHEAD.match(d.text, a.end)
+    other = _apart_from(d, a) if at is not None and f.verb.sense == "own" else None
+    bodies = [*actors[:1], *filter(None, [other])]
+    goes = len({*bodies}) == len(bodies) > 1 and all(kind_of(d, i) in SELF_POWERED for i in bodies)
+    if at is None or other is None or not goes:
+        return False
+    place(d, actors[:1], [other], _PREPS[at["prep"].lower()], distance=a.value)
+    f.phrases[:] = [p for p in f.phrases if p.mention is None or other not in p.mention.entities]
+    mark_used(d, a, "distance at the start")
+    return True
+
+
 def distance(d: Discourse, f: Frame, actors: list[str], aim: str | None) -> None:
     """ "toward a bench 6 m away": how far the target is at the start."""
     for a in _lengths(d, f):
@@ -74,6 +96,8 @@ def distance(d: Discourse, f: Frame, actors: list[str], aim: str | None) -> None
             for actor in actors:
                 d.scene.relations.append(Relation(actor, aim, "near", a.value))
             mark_used(d, a, "distance at the start")
+        elif _keeps_apart(d, f, actors, a):
+            continue
         elif after.startswith("apart") or _FROM_AFAR.search(d.text[: a.start]):
             continue  # "two balls 4 m apart roll": the gap at the start (`spacing`)
         elif f.verb.sense in _TRAVELLING and actors and not at_rest(d, actors[0]):

@@ -33,6 +33,9 @@ from esg.graph.models import ForceDirection, NodeEvent, Quantity
 
 _AIRBORNE = lex.word_set("airborne")
 _ONCE = frozenset({"after", "once", "when", "whenever", "as soon as"})
+_BEHIND = frozenset({"behind", "after"})
+_CHECKS = frozenset({"brake", "stop", "slow", "swerve", "turn", "hit", "reverse"})
+"""Senses of what somebody may do who is on the way already."""
 THEN = lex.word_set("then")
 ROLLING = "rolling"
 """Adjective of what is on its way round and round."""
@@ -185,12 +188,24 @@ def told_after(d: Discourse, f: Frame) -> list[Frame]:
         return []
     last = earlier[-1]
     named = [g for g in earlier if g.main is f and g.subordinate in _ONCE]
+    if any(on_the_way_with(f, g) for g in named):
+        return []
     if named or f.subordinate == "before":
         return named or [last]
     begin = last.verb.end if last.verb.end < f.verb.start else f.verb.start
     between = d.text[begin : f.verb.end].lower().replace(",", " ")
     words = {*between.split(), *f.adverbs}
     return earlier if words & THEN or re.search(AFTER_THAT, between) else []
+
+
+def on_the_way_with(f: Frame, g: Frame) -> bool:
+    """ "Follows a van when the van brakes": who follows is on the way by then."""
+    after = [p.mention for p in f.phrases if p.prep in _BEHIND]
+    ahead = {i for m in (f.object, *after) if m is not None for i in m.entities}
+    who = {*g.subject.entities} if g.subject is not None else set[str]()
+    follows = f.verb.sense == "follow" or any(after)
+    then = f.verb.start < g.verb.start and g.verb.sense in _CHECKS
+    return follows and then and bool(who & ahead)
 
 
 def causes_of(d: Discourse, f: Frame) -> list[Frame]:

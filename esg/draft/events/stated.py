@@ -83,7 +83,8 @@ def said_before(text: str, f: Frame) -> list[Said]:
 def said(text: str, f: Frame) -> list[Said]:
     """What the adverbs, phrases and the verb of a clause state of its motion."""
     verb = (f.verb.start, f.verb.end)
-    lemma = f.verb.sense if f.verb.sense == "follow" else f.verb.lemma  # "runs after it"
+    # "runs after it", "catches up with it"
+    lemma = f.verb.sense if f.verb.sense in ("follow", "approach") else f.verb.lemma
     out = [Said(row, *verb) for row in _by_word().get(("verb", lemma), ())]
     part = "braking" if f.verb.sense == "brake" else "adverb"
     for word in adverbs_of(text, f):

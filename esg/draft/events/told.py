@@ -61,6 +61,12 @@ def last_of(d: Discourse, body: str) -> Draft | None:
     return next((n for n in reversed(d.timeline.nodes) if body in n.participants), None)
 
 
+def has_stopped(d: Discourse, body: str) -> bool:
+    """Whether the last that has been told of a body is that it comes to a stop."""
+    last = last_of(d, body)
+    return last is not None and last.event is NodeEvent.STOP and last.participants[0] == body
+
+
 def last_event(d: Discourse) -> Draft | None:
     """The last event told."""
     return d.timeline.node(d.timeline.last_event or "")

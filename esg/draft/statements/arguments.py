@@ -25,6 +25,8 @@ _EACH = frozenset(
 """Senses of which each of several things needs a motion of its own."""
 _SENT = frozenset({"launch", "drop", "carry", "pick", "phrase"})
 """Senses of which what the clause acts on moves."""
+_SWEPT = frozenset({"knock", "hit", "scatter"})
+"""Senses of which what the clause acts on moves, where it goes off something."""
 _KEEPS = re.compile(r"(?:keep|keeps|kept|keeping)\b(?:\s+on\b)?", re.IGNORECASE)
 _SINGLE = frozenset(
     {"hit", "drop", "launch", "fall", "knock", "topple", "jump", "enter", "land", "stop", "pick"}
@@ -268,8 +270,10 @@ def idle(a: Account) -> Iterator[Gap]:
         f = c.frame
         if not any(f.verb is kept.verb for kept in a.frames) or f.verb.passive:
             continue
-        told = c.movers and f.verb.sense in _EACH and f.verb.auxiliary != "have"
-        sent = f.object if f.verb.sense in _SENT and f.object and f.object.plural else f.subject
+        swept = f.verb.sense in _SWEPT and f.phrase("off", "out of") is not None
+        told = c.movers and (f.verb.sense in _EACH or swept) and f.verb.auxiliary != "have"
+        several = f.object is not None and f.object.plural
+        sent = f.object if several and (f.verb.sense in _SENT or swept) else f.subject
         group = nodes_of(a.d, sent) if told else []
         idle = [i for i in group if i not in moving and not _in_turn(a.d, f, i)]
         idle = idle or [i for i in _spared(a.d, f, group) if not _in_turn(a.d, f, i)]

@@ -16,7 +16,7 @@ from esg.draft.events.hanging import SENT_UP, UNMET, row_of
 from esg.draft.events.motions import ROLLING, can_roll, flies_itself
 from esg.draft.events.stated import start_of
 from esg.draft.grammar.clauses.frames import Frame
-from esg.draft.grammar.clauses.modality import STOPPED_FIRST
+from esg.draft.grammar.clauses.modality import NOBODY_DOES, STOPPED_FIRST
 from esg.draft.statements.book import Told, ids, span, word_end
 from esg.draft.statements.looks.contents import contained
 from esg.draft.statements.periods import is_told, segment_from, since_the_jolt
@@ -32,6 +32,9 @@ _ON_END = re.compile(
 _STAND = "the stand of a seesaw is drawn for it"
 _STANDS = "nothing sees to it that it comes the other way"
 _UNANSWERED = "a question: nothing of it is drafted"
+_UNSEEN_TO = "nothing sees to it that none does"
+_COMES_DOWN = frozenset({"break", "fall", "topple"})
+"""Senses of what may come of a motion that is told."""
 
 
 def _sides_struck(t: Told) -> None:
@@ -180,9 +183,27 @@ def _untouched(t: Told) -> None:
     told = (n for n in d.timeline.nodes if n.event in (NodeEvent.COLLISION, NodeEvent.MISS))
     met = {frozenset(n.participants) for n in told}
     for u in d.scene.untouched:
-        others = tuple(i for i in u.others if frozenset((u.who, i)) not in met)
+        others = tuple(
+            i for i in u.others if frozenset((u.who, i)) not in met and not _borne_by(d, u.who, i)
+        )
         if others:
             book.add(Predicate.NEVER_TOUCHES, u.start, u.end, object=(u.who,), target=others)
+
+
+def _spared(t: Told) -> None:
+    """ "A cart hits a rack, and nothing falls off": nothing sees to it."""
+    d, book = t.d, t.book
+    for f in t.frames if d.timeline.edges else ():
+        if f.unreal == NOBODY_DOES and f.verb.sense in _COMES_DOWN:
+            book.add(Predicate.NOT_REPRESENTED, *span(f), note=_UNSEEN_TO)
+
+
+def _borne_by(d: Discourse, one: str, other: str) -> bool:
+    """Whether one of two things is on or in the other, as may be told only later."""
+    for bearing in (d.scene.supported_by, d.scene.inside_of):
+        if bearing.get(one) == other or bearing.get(other) == one:
+            return True
+    return False
 
 
 def _absent(t: Told) -> None:
@@ -225,6 +246,7 @@ BESIDE_MOTIONS: tuple[Callable[[Told], None], ...] = (
     _comes_on,
     _sent_up,
     _untouched,
+    _spared,
     _absent,
     contained,
     _unanswered,

@@ -88,6 +88,8 @@ def _lost(a: Account, t: Token, later: str, e: Entity, moving: set[str]) -> bool
         return False  # "on the raised end of a seesaw"
     if word in _UNSEEN:
         return True
+    if word == e.color:
+        return False  # "a coral block", "a coral reef"
     if word in noun.name.split() or (later in lex.COLORS and word in _SHADES):
         return False
     if word in ASLANT:

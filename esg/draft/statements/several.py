@@ -18,6 +18,7 @@ _BETWEEN = frozenset({"middle", "center", "centre", "central"})
 _MIDDLE = re.compile(
     r"\b(?:in|at) the (?:very )?(?:middle|cent(?:er|re))(?= of\s*$)", re.IGNORECASE
 )
+_THOSE = frozenset({"the", "these", "those"})
 _REST = frozenset({"other", "remaining"})
 """Words of what is left, be it of another kind: "the remaining cylinder", of three solids."""
 _PARTS = lex.BODY_PARTS | lex.OWN_PARTS | lex.word_set("sides of a thing (audit)")
@@ -41,6 +42,15 @@ def one_of_several(a: Account) -> Iterator[Gap]:
         fellows = [x for x in a.d.world.entities.values() if _alike(e, x, word.low in _REST)]
         if not e.part and len(fellows) < _others(word.low):
             yield Gap(word.start, m.end, ALONE, (e.id,))
+
+
+def the_ones(a: Account) -> Iterator[Gap]:
+    """ "A book is pulled out, and the ones beside it lean over": it is the only one there."""
+    for m in a.d.mentions:
+        ones = a.d.text[m.start : m.end].lower().endswith("ones") and m.determiner in _THOSE
+        ids = nodes_of(a.d, m) if ones and m.pronoun == "ones" else []
+        if ids and len({entity_of(a.d, i).noun.name for i in ids}) == len(ids):
+            yield Gap(m.start, m.end, ALONE, tuple(ids))
 
 
 def in_the_middle(a: Account) -> Iterator[Gap]:

@@ -381,6 +381,9 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
         c.frame.object is not None and all(structural(d, i) for i in c.frame.object.entities)
     ),
     "through": _not_through,
+    "other": lambda d, c: bool({*c.movers} - {*_doers(c.frame)}),
+    "here": lambda d, c: not any(p.prep in _WAYS for p in c.frame.phrases),
+    "in": lambda d, c: " in " in d.text[c.frame.verb.start : c.frame.verb.end + len(" in ")],
     "living": lambda d, c: (
         bool(c.movers) and all(kind_of(d, i) in LIMBED for i in c.movers) and not _met(d, c)
     ),

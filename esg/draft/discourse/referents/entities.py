@@ -23,6 +23,10 @@ WORN = lex.word_set("worn")
 OTHER = lex.word_set("other")
 _TOYS = lex.word_set("toys (riding)")
 UNKNOWN_MASS_KG = 5.0
+_HUES, _ANY_COLOR = lex.word_set("hues"), lex.word_set("any colour")
+_GOING = lex.word_set("self powered")
+_OF_WHAT_GOES = frozenset({"lead", "silver", "gold", "golden"})
+"""Names of metals of which no vehicle and no animal is made: "the lead car", "a golden dog"."""
 
 
 @dataclass
@@ -95,7 +99,16 @@ class Entity:
 
     @property
     def color(self) -> str | None:
-        return next((lex.COLORS[a] for a in self.adjectives if a in lex.COLORS), None)
+        """Its stated colour: "a salmon cube" has one, and a salmon fillet is of a fish."""
+        hues = _HUES if self.noun.kind in _ANY_COLOR else frozenset[str]()
+        told = (lex.COLORS.get(a, a) for a in self.adjectives if a in lex.COLORS or a in hues)
+        return next(told, None)
+
+    @property
+    def material(self) -> str | None:
+        """The word that says what it is made of, and not that it leads, or its colour."""
+        other = _OF_WHAT_GOES if self.noun.kind in _GOING and not is_toy(self) else frozenset[str]()
+        return next((a for a in self.adjectives if a in lex.MATERIALS and a not in other), None)
 
 
 def head_of(e: Entity) -> str:

@@ -51,6 +51,7 @@ _NEW_IF_BARE = frozenset({"robot", "aircraft", "machine", "boat", "ship", "vesse
 """Wider nouns that name something else unless they are definite ("a yacht passes a boat")."""
 _NUMBER = "one two three four five six seven eight nine ten eleven twelve thirteen fourteen fifteen"
 _NUMBERS = {*_NUMBER.split(), *map(str, range(1, 16))}
+_HUES = lex.word_set("hues")
 _DISTINCT = lex.word_set("distinct")
 _ANYTHING = lex.word_set("anything (matching)")
 _THE = ("the", "this", "that")
@@ -84,6 +85,8 @@ def unlike(e: Entity, a: str) -> bool:
     if a in lex.COLORS:
         told = e.color is not None or e.group is None or bool(e.letter)
         return told and e.color != lex.COLORS[a]
+    if a in _HUES and e.color is not None:
+        return e.color != a
     if a in lex.ORDINALS:
         return e.place != a
     if a in ONLY_ONE:

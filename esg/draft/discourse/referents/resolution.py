@@ -240,11 +240,20 @@ def _of_these(
     groups = {e.group for e in names}
     every = m.determiner in ("each", "every") and len(groups) == 1 and None not in groups
     if not single or every:
+        if _more_than(m, names, avoid):
+            return []
         few = (m.count or 2) > len(names) and not definite
         return [] if few and not _structural(m) else [e.id for e in names]
     if not m.determiner and not m.pattern and not _structural(m):
         names = [e for e in names if e.group is None]  # "car hits wall" repeats what is one
     return _best(world, m, names, avoid)
+
+
+def _more_than(m: Mention, names: list[Entity], avoid: list[str]) -> bool:
+    """ "The red cube hits the stack of four cubes": more than the one that acts."""
+    if not m.count or m.group_word == "pair" or m.count <= len(names):
+        return False
+    return {e.id for e in names} <= {*avoid}
 
 
 def _rest(world: World, m: Mention, names: list[Entity], avoid: list[str]) -> list[str]:

@@ -106,10 +106,9 @@ def mass_of(e: Entity, size: tuple[float, float, float]) -> float:
     base = e.noun.dimensions_cm
     ratio = (size[0] * size[1] * size[2]) / (base[0] * base[1] * base[2])
     mass = e.noun.mass_kg * ratio
-    material = next((a for a in e.adjectives if a in lex.MATERIALS), None)
-    if material is not None:
+    if e.material is not None:
         own = next((d for n, d in lex.MATERIALS.values() if n == e.noun.material), 900.0)
-        mass *= min(max(lex.MATERIALS[material][1] / own, 0.05), 15.0)
+        mass *= min(max(lex.MATERIALS[e.material][1] / own, 0.05), 15.0)
     for a in e.adjectives:
         mass *= lex.WEIGHTS.get(a, 1.0)
     volume = size[0] * size[1] * size[2] * 1e-6

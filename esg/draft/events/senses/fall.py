@@ -21,7 +21,7 @@ from esg.draft.discourse.jointed import is_flap
 from esg.draft.discourse.places import elevated, holds, place, set_free
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.scene import LIVING
-from esg.draft.events.acts import add_event, add_hit, goes_in
+from esg.draft.events.acts import add_event, add_hit, goes_in, those_with
 from esg.draft.events.consequences import landing_of, met_in_its_row, struck_before
 from esg.draft.events.ends import EDGES, off_the_edge
 from esg.draft.events.hanging import hanging
@@ -195,7 +195,7 @@ def drop(d: Discourse, f: Frame, bodies: list[str]) -> None:
     host = [i for i in things(source) if elevated(d, i) and not _landed_before(f, source)]
     if host:
         for t in moved:
-            place(d, [t], host, "on")
+            place(d, [t, *those_with(d, f, t)], host, "on")
             add_event(d, NodeEvent.FALL, (t,), f, time_of(d, f))
         landing_of(d, f, moved)
         return
@@ -403,7 +403,7 @@ def _plain_fall(d: Discourse, fall: Fall) -> None:
             continue
         high = host is not None and elevated(d, host)
         if high and host is not None and host != actor:
-            place(d, [actor], [host], "on")
+            place(d, [actor, *those_with(d, f, actor)], [host], "on")
         heights(d, f, [actor])
         in_the_air = actor in d.scene.heights and actor not in d.scene.supported_by
         if actor in fresh and (in_the_air or (host is not None and not high)):

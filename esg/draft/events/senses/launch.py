@@ -102,9 +102,10 @@ def read_pass(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     """A person passes a ball on; a vehicle passes another one, or just passes."""
     kind = kind_of(d, s[0]) if s else ""
     ball = bool(o) and kind_of(d, o[0]) in ("ball", "billiard", "sliding", "projectile")
-    each_other = len(s) > 1 and set(o) <= set(s)
+    around = _passed_by(d, f, s) if not o else []
+    each_other = len(s) > 1 and set(o) <= set(s) and not around
     by = bool(s) and (kind in SELF_POWERED or (bool(o) and not f.verb.passive))
-    if not by or (kind == "person" and (ball or not o) and not each_other):
+    if not by or (kind == "person" and (ball or not (o or around)) and not each_other):
         read_launch(d, f, s, o)
         return
     if each_other and kind in SELF_POWERED:
@@ -112,11 +113,13 @@ def read_pass(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         add_event(d, NodeEvent.MISS, (s[0], s[1]), f, time_of(d, f), stem="passes")
         return
     start_motion(d, f, s)
-    o = [x for x in o or _passed_by(d, f, s) if x != s[0] and not structural(d, x)]
+    several = s if not o else s[:1]  # "waits until two cyclists have passed"
+    o = [x for x in o or around if x != s[0] and not structural(d, x)]
     for other in each_passed(f, o):
         if other == o[0] and d.moves.aim.get(other) != s[0]:  # not who comes toward it
             place(d, s, [other], "behind")
-        add_event(d, NodeEvent.MISS, (s[0], other), f, time_of(d, f), stem="passes")
+        for one in several:
+            add_event(d, NodeEvent.MISS, (one, other), f, time_of(d, f), stem="passes")
     mark_used(d, f, "passing")
 
 

@@ -360,7 +360,14 @@ def read_fly(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("bounce")
 def read_bounce(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    """ "bounces off a wall into a bucket": off the first thing, then what the rest names."""
+    """ "bounces off a wall into a bucket": off the first thing, then what the rest names.
+
+    Who bounces a ball off it does not.
+    """
+    sent = [i for i in o if movable(d, i) and kind_of(d, i) not in LIMBED]
+    if sent and not f.verb.passive and all(kind_of(d, i) in LIMBED for i in s):
+        place(d, s, sent[:1], "near")
+        s = sent
     p = f.phrase("off", "against", "on", "from", "into", "onto")
     named = p is None or (p.mention is not None and not p.mention.attribute)
     if named and d.moves.last_hit is None and bounces_on_ground(d, f, s, things(p)):

@@ -108,6 +108,8 @@ def _beside_others(d: Discourse, owned: Mention, owners: list[str], p: Phrase, m
     """Where things are with respect to what a phrase of theirs names."""
     others = m.entities or ids_of(d, m, avoid=owners)
     loose = [o for o in others if o not in d.scene.supported_by and o not in owners]
+    if p.prep == "of" and {*owners} & {*others}:
+        return  # "two of the buckets" hold no others
     if p.prep == "of":
         _carried_by_its_owner(d, owners, loose)
     elif p.prep == "with" and not is_tool(d, owned, p):

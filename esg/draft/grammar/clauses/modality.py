@@ -48,7 +48,7 @@ _IN_VAIN = re.compile(
     r"\b(?:in vain|to no avail|without (?:any )?success|unsuccessfully|too heavy)\b", re.IGNORECASE
 )
 _ENDS = re.compile(r"[.;!?\n]")
-_NOBODY = re.compile(r"\b(?:nobody|no[ -]one)\s+$", re.IGNORECASE)
+_NOBODY = re.compile(r"\b(?:nobody|nothing|no[ -]one)\s+$", re.IGNORECASE)
 _NONE_OF = re.compile(r"(?:none|neither)\s+of\b", re.IGNORECASE)
 _NONE_OF_WHICH = re.compile(
     r"\b(?:none|neither)\s+of\s+(?:which|whom|these|those)\s+$", re.IGNORECASE
@@ -60,6 +60,7 @@ _STOPS_DOING = re.compile(
 )
 _NO_ONE = re.compile(r"\bno[ -]one$", re.IGNORECASE)
 
+NOBODY_DOES, _NOTHING_DOES = "nobody does it", "nothing does it"
 _MOTIONS = frozenset({"cross", "own", "roll", "slide", "fly", "posture"})
 """Senses that make no event, and are asked all the same whether they happen."""
 _WISHES = lex.word_set("wishes")
@@ -114,13 +115,14 @@ def mark_unreal(frames: list[Frame], text: str) -> None:
         if true:
             f.link = "then"
             continue
-        if _almost(f, text):
+        if almost(f, text):
             if f.verb.sense == "hit":
                 f.verb.negated = True
             elif f.verb.sense in _EVENTS | {"posture"} and f.verb.sense != "miss":
                 f.unreal = "almost: it does not happen"
         if reason := _by_none(f, text):
             f.unreal = reason
+            f.subject = f.subject if reason == _NOTHING_DOES else None  # no subject of before
 
 
 def _of_what_is_seen(f: Frame, text: str) -> str:
@@ -152,7 +154,7 @@ def _denied(f: Frame, text: str) -> bool:
     return _NEVER.search(text, max(0, f.verb.start - 60), f.verb.start) is not None
 
 
-def _almost(f: Frame, text: str) -> bool:
+def almost(f: Frame, text: str) -> bool:
     """ "Almost hits the wall", "very nearly falls"."""
     close = NEAR.search(text, max(0, f.verb.start - 24), f.verb.start)
     return bool(close or _IN_GROUP.search(text, f.verb.start, f.verb.end))
@@ -161,11 +163,11 @@ def _almost(f: Frame, text: str) -> bool:
 def _by_none(f: Frame, text: str) -> str:
     """Why what nothing and nobody does is not asserted; "" for other subjects."""
     m = f.subject
-    if m is None:
-        nobody = _NOBODY.search(text, max(0, f.verb.start - 12), f.verb.start)
-        return "nobody does it" if nobody else ""
-    none = m.head in ("nothing", "nobody") or _NO_ONE.search(text, 0, m.end)
-    return "nothing does it" if none else ""
+    denied = (m is None or f.verb.negated) and not f.verb.passive
+    if denied and _NOBODY.search(text, max(0, f.verb.start - 12), f.verb.start):
+        return NOBODY_DOES
+    none = m is not None and (m.head in ("nothing", "nobody") or _NO_ONE.search(text, 0, m.end))
+    return _NOTHING_DOES if none else ""
 
 
 @dataclass(frozen=True)

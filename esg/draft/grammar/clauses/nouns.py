@@ -25,6 +25,10 @@ _WITH = frozenset({"with", ".", ";", "!", "?", ":"})
 _ALSO_OF_VERBS = lex.word_set("senses with the place of their object")
 
 
+_LETS = frozenset({"have", "let", "make", "see", "watch"})
+"""Verbs of which the object does what the next verb says."""
+
+
 def _in_a_list(c: Clauses, s: State, previous: Element | None, i: int) -> bool:
     """Whether a noun goes on a list of objects, so that the verb ahead has another subject."""
     if s.frame is None or s.last is None or not isinstance(previous, Word):
@@ -176,6 +180,8 @@ def _begins_clause(c: Clauses, s: State, m: Mention, i: int) -> bool:
     if m.after_prep:
         return False
     if s.boundary:
+        if _let_do_so(c, s, i):
+            return False
         # "a clock, a pillow and a plant in a room and a ball rolls"
         return finite_ahead(c.elements, i + 1) and not _in_a_list(c, s, previous, i)
     if s.frame is None:
@@ -191,6 +197,15 @@ def _begins_clause(c: Clauses, s: State, m: Mention, i: int) -> bool:
     if state and first and finite_ahead(c.elements, i + 1):
         s.boundary, s.boundary_kind = True, "comma"  # "After being hit by a truck a cone ..."
     return False
+
+
+def _let_do_so(c: Clauses, s: State, i: int) -> bool:
+    """ "Let a ball and a cube slide": one more of those that do so, and no clause of its own."""
+    before, joined = element_at(c.elements, i - 2), element_at(c.elements, i - 1)
+    lets = s.frame is not None and s.frame.verb.lemma in _LETS and before is s.frame.object
+    verb = element_at(c.elements, i + 1)
+    does = isinstance(verb, Verb) and verb.form == "base" and not verb.auxiliary
+    return lets and before is s.last and isinstance(joined, Word) and joined.low == "and" and does
 
 
 def _says_nothing(c: Clauses, s: State, m: Mention, i: int) -> bool:

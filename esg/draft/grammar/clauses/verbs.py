@@ -265,6 +265,9 @@ def _goes_on(c: Clauses, s: State, o: _Opening) -> bool:
     o.frame.parent = previous
     if previous.verb.passive and v.lemma == "let" and not _acts_on(c, o.at):
         v.passive = True  # "is held over a box and let go"
+    handed = v.lemma in _HANDED and v.form in ("past", "pp") and not v.auxiliary
+    if previous.verb.passive and handed and not _acts_on(c, o.at):
+        v.passive = True  # "is lifted, carried over a wall and set down"
     told = v.lemma in _LETTING or (
         v.sense in _HANDLING and (v.form == "base" or v.lemma in UNCHANGED)
     )
@@ -276,6 +279,8 @@ def _goes_on(c: Clauses, s: State, o: _Opening) -> bool:
     return True
 
 
+_HANDED = frozenset({"carry", "lay", "lift", "lower", "place", "put", "raise", "set"})
+"""What hands do to a thing, and no thing does by itself."""
 LINKS: tuple[Callable[[Clauses, State, _Opening], bool], ...] = (
     _relative,
     _gerund,

@@ -216,13 +216,15 @@ def _unknown(c: Chunks, i: int) -> int:
     after = isinstance(previous, Mention) or (
         isinstance(previous, Word) and previous.kind in ("conj", "rel", "adv")
     )
-    if inflected and after and low.isalpha():
+    if inflected and after and low.isalpha() and low not in _IN_ING:
         form = "ing" if low.endswith("ing") else "s"
         c.elements.append(Verb(token.start, token.end, low, "unknown", form))
         return i + 1
     return _word(c, i, "unknown", low)
 
 
+_IN_ING = frozenset({"nothing", "anything", "everything", "something"})
+"""What ends like a participle, and is none: "a van drives by and nothing hits the cone"."""
 _DOES_IT = frozenset({"it", "he", "she", "they", "i", "we", "you", "someone", "somebody"})
 """Subjects of a relative clause that need no article."""
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from esg.draft import lexicon as lex
 from esg.draft.text.elements import Token
+from esg.draft.text.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
 
 _WHO = frozenset({"he", "she", "they", "i", "we", "you", "someone", "somebody"})
@@ -12,6 +13,8 @@ _DONE_TO = frozenset({"launch", "drop", "hit", "carry", "knock", "tow"})
 """Senses of verbs whose object may stand before them."""
 _MADE = lex.word_set("made (relatives)")
 _BEFORE_THE_VERB = frozenset({"just", "already", "only", "had", "has", "have", "once"})
+_SHARES = frozenset({"all", "both", "several", "many"})
+_FINITE = frozenset({"VERB", "AUX"})
 _NOUNS = frozenset({"NOUN", "PROPN"})
 _STOPS = frozenset(".;:!?\n")
 _MOST = 3
@@ -37,6 +40,63 @@ def name_relatives(tokens: list[Token]) -> list[Token]:
             out.append(Token("that", token.start, token.start, "word", tag="PRON"))
         out.append(token)
     return out
+
+
+def some_of_them(tokens: list[Token]) -> list[Token]:
+    """Tells what some do in a clause of their own: "six cans, two of which fall", "of which two".
+
+    Args:
+        tokens: Words and quantities of a prompt.
+    """
+    out: list[Token] = []
+    i = 0
+    while i < len(tokens):
+        if not _told_before(tokens, i):
+            out.append(tokens[i])
+            i += 1
+        elif _how_many(tokens, i) and _of_which(tokens, i + 1):
+            of, which = tokens[i + 1], tokens[i + 2]
+            out += _apart(out, tokens[i].start)
+            out += [tokens[i], of, Token("them", which.start, which.end, "word", tag="PRON")]
+            i += 3
+        elif i and _of_which(tokens, i) and _how_many(tokens, i + 2):
+            some = tokens[i + 2]
+            out += [*_apart(out, tokens[i].start), some]
+            out.append(Token("of", some.end, some.end, "word", tag="ADP"))
+            out.append(Token("them", some.end, some.end, "word", tag="PRON"))
+            i += 3
+        else:
+            out.append(tokens[i])
+            i += 1
+    return out
+
+
+def _told_before(tokens: list[Token], i: int) -> bool:
+    """Whether the sentence has a verb already: "three men, one of whom waves, walk" has none."""
+    for k in range(i - 1, -1, -1):
+        if tokens[k].low in _STOPS:
+            return False
+        if tokens[k].tag in _FINITE or any(
+            r.form in ("s", "past", "base") for r in verb_readings(tokens[k].low)
+        ):
+            return True
+    return False
+
+
+def _of_which(tokens: list[Token], i: int) -> bool:
+    after = [t.low for t in tokens[i : i + 2]]
+    return after in (["of", "which"], ["of", "whom"])
+
+
+def _how_many(tokens: list[Token], i: int) -> bool:
+    if i >= len(tokens) or tokens[i].kind not in ("word", "number") or tokens[i].low == "one":
+        return False  # "one of which falls" is a row of `rewrites.csv`
+    return tokens[i].low in _SHARES or parse_number(tokens[i].low) is not None
+
+
+def _apart(before: list[Token], at: int) -> list[Token]:
+    """A comma, where none parts the clause from its noun."""
+    return [] if before and before[-1].kind == "punct" else [Token(",", at, at, "punct")]
 
 
 def _after_noun(tokens: list[Token], i: int) -> bool:

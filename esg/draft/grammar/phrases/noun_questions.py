@@ -6,7 +6,7 @@ from dataclasses import replace
 
 from esg.draft import lexicon as lex
 from esg.draft.grammar.phrases.chunks import Chunks
-from esg.draft.grammar.phrases.nouns import low_at, match_noun, token_at
+from esg.draft.grammar.phrases.nouns import low_at, match_noun, pair_acts, token_at
 from esg.draft.grammar.phrases.reader import element_before, noun_soon, verb_ahead
 from esg.draft.text.elements import Mention, Verb, Word
 from esg.draft.text.numerals import parse_number
@@ -323,6 +323,8 @@ def ends_as_noun(c: Chunks, k: int, m: Mention) -> bool:
     nxt = token_at(c, k + 1)
     small = lex.PREPOSITIONS | lex.SUBORDINATORS | {"and", "but", "that", "which"}
     ends = nxt is None or nxt.kind == "punct" or nxt.low in small
+    if pair_acts(c, k):
+        return False
     base = any(r.form == "base" for r in verb_readings(low_at(c, k)))
     return m.determiner in ("a", "an") and base and ends and names_no_thing(low_at(c, k))
 

@@ -20,6 +20,8 @@ _WAITS_AT = re.compile(
     re.IGNORECASE,
 )
 """What traffic does "at the light"."""
+_COMPOUND = 2
+"""Words of a noun whose last one may be a verb."""
 _AFTER_A_NOUN = frozenset(
     {"", ".", ",", ";", "and", "then", "when", "while", "until", "for", "as", "to"}
 )
@@ -63,11 +65,15 @@ def _entry(c: Chunks, i: int, words: list[str]) -> tuple[NounMatch | None, bool]
     last, plural = lex.singular(words[-1])
     single = " ".join([*words[:-1], last])
     if phrase in table and (single == phrase or single not in table):
+        if n == _COMPOUND and pair_acts(c, i + 1) and _alike(c, i):
+            return None, False
         return (table[phrase], n, words[-1] == "billiards", phrase), False
     if single in table:
         if plural and table[single].kind == "ground" and _lands_on(c, i + n - 1):
             return None, True
         counted = parse_number(words[0]) is not None  # "eight balls" are not "the eight ball"
+        if n == _COMPOUND and pair_acts(c, i + 1) and _alike(c, i):
+            return None, False
         if not (n > 1 and plural and (counted or _subject_and_verb(c, i, words))):
             return (table[single], n, plural or words[-1] == "billiards", single), False
     if n > 2 and words[1] == "of":  # "two blocks of ice"
@@ -118,6 +124,29 @@ def _lands_on(c: Chunks, i: int) -> bool:
     """ "The brick lands on a car", "seen from afar crosses a bridge": verbs, no grounds."""
     verb = any(r.form == "s" for r in verb_readings(low_at(c, i)))
     return verb and low_at(c, i + 1) in lex.PREPOSITIONS | {"a", "an", "the"}
+
+
+def pair_acts(c: Chunks, i: int) -> bool:
+    """ "A truck and a bus stop": what two do is told by word i, and no bus stop stands there."""
+    if i < _COMPOUND or not any(r.form == "base" for r in verb_readings(low_at(c, i))):
+        return False
+    articles = low_at(c, i - 2) in ("a", "an", "the") and low_at(c, i - 3) == "and"
+    start = next((k for k in range(i - 1, -1, -1) if c.tokens[k].text in ".;:!?"), -1) + 1
+    end = next((k for k in range(i, len(c.tokens)) if c.tokens[k].text in ".;:!?"), len(c.tokens))
+    rest = [*range(start, i - 1), *range(i + 1, end)]
+    one = low_at(c, start) in ("a", "an", "the") and low_at(c, start) != low_at(c, i - 3)
+    told = any(c.tokens[k].tag in ("VERB", "AUX") or _finite(low_at(c, k)) for k in rest)
+    return articles and one and not told and low_at(c, i + 1) not in ("of", "and")
+
+
+def _finite(low: str) -> bool:
+    return low not in lex.nouns() and any(r.form in ("s", "past") for r in verb_readings(low))
+
+
+def _alike(c: Chunks, i: int) -> bool:
+    """Whether the nouns before "and" and after it are of one kind: a truck and a bus."""
+    one, other = (lex.nouns().get(low_at(c, k)) for k in (i - 3, i))
+    return one is not None and other is not None and one.kind == other.kind
 
 
 def _subject_and_verb(c: Chunks, i: int, words: list[str]) -> bool:

@@ -266,17 +266,21 @@ def _before_noun(c: Chunks, w: _Word) -> bool | None:
 
 
 def _commands(c: Chunks, w: _Word) -> bool:
-    """ "Drop three balls", "then stack four blocks": what is to be done with a number of things."""
+    """ "Drop three balls", "then stack 4 blocks": what is to be done with a number of things.
+
+    In "stack 4 falls" the number is a name.
+    """
     opens = w.previous is None or (isinstance(w.previous, Word) and w.previous.kind != "prep")
     at = w.at + (2 if w.next in ("up", "down", "out") else 1)
     number = low_at(c, at)
     value = parse_number(number)
-    counted = not number.isdigit() and isinstance(value, float) and value > 1.0
+    counted = isinstance(value, float) and value > 1.0
     if not (opens and counted and w.low in _COMMANDS and "base" in w.forms):
         return False
     k = next((k for k in range(at + 1, at + 4) if not is_adjective(c, k)), at + 1)
+    named = number.isdigit() and any(r.form == "s" for r in verb_readings(low_at(c, k)))
     found = match_noun(c, k)
-    return found is not None and found[2]
+    return found is not None and found[2] and not named
 
 
 def _opens_clause(c: Chunks, w: _Word) -> bool | None:

@@ -25,6 +25,8 @@ def drawn_otherwise(d: Discourse, said: Iterable[Statement]) -> tuple[Statement,
     told, out = set[str](), list[Statement]()
     for m in sorted(d.mentions, key=lambda m: m.start):
         who = [i for i in d.world.resolved.get(id(m), m.entities) if i in d.world.entities]
+        others = {i for c in m.coordinated for i in c.entities}  # "a ball and a feather"
+        who = [i for i in who if i not in others] or who
         whole = [d.world.entities[i] for i in who if not d.world.entities[i].part]
         shown = {_shown_as(e) for e in whole if not e.lever} - {""}
         if len(shown) != 1 or told & {*who}:
