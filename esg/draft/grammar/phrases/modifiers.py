@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from esg.draft import lexicon as lex
 from esg.draft.text.elements import Token
+from esg.draft.text.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
 
 _DEGREES = lex.word_set("degrees")
@@ -61,7 +62,7 @@ def _opens(before: list[Token]) -> bool:
         if n <= 0:
             return False
         last = before[n - 1]
-        if last.low in lex.DETERMINERS or last.low in _OWNERS:
+        if last.low in lex.DETERMINERS or last.low in _OWNERS or _counts(last):
             return True
         if last.text == "," and n > 1 and before[n - 2].tag == "ADJ":
             n -= 2
@@ -94,10 +95,16 @@ def _modifier(tokens: list[Token], i: int) -> int:
     ):
         return 0
     participle = any(r.form in ("pp", "ing") for r in verb_readings(low))
-    participle = participle or (tokens[k].tag == "VERB" and low.endswith(("ed", "ing", "en")))
+    participle = participle or tokens[k].tag == "VERB"  # "a brightly lit window"
     if not participle and tokens[k].tag != "ADJ":
         return 0
     return k + 1 - i if _noun_follows(tokens, k + 1) else 0
+
+
+def _counts(token: Token) -> bool:
+    """ "Two brightly painted boats": a number that no unit follows."""
+    told = token.kind == "number" or (token.kind == "word" and token.low in lex.VAGUE_COUNTS)
+    return told or (token.kind == "word" and isinstance(parse_number(token.low), float))
 
 
 def _degree(token: Token) -> bool:
