@@ -77,6 +77,10 @@ _CAST = lex.word_set("cast (noun heads)")
 _PICKING = frozenset({"left", "right", "front", "rear", "middle", "top", "bottom"})
 _NOT_ONE = frozenset({"light", "dark", "cold"})
 """Adjectives that are nouns, too: "the light" is no light one."""
+_BUILT = frozenset({"made", "built", "carved", "constructed", "crafted", "woven", "cast"})
+"""Participles before what something consists of."""
+_AMID = frozenset({"against", "from", "in", "into", "through", "toward", "towards", "under"})
+"""Prepositions of what is around somebody ("glitters in the light")."""
 _NO_NOUNS = lex.ADVERBS | lex.PREPOSITIONS | lex.DETERMINERS | lex.SUBORDINATORS
 
 
@@ -602,7 +606,9 @@ def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
         m.head, m.plural = lex.singular(last)
         m.known = False
         return Head(p.at)
-    acted_on = bool(c.elements) and isinstance(c.elements[-1], Verb) and m.determiner == "the"
+    before = c.elements[-1] if c.elements else None
+    acted_on = isinstance(before, Verb) or (isinstance(before, Word) and before.low in _AMID)
+    acted_on = acted_on and m.determiner == "the"
     if last in _NOT_ONE and acted_on and len(m.adjectives) == 1:
         m.attribute, m.head = True, last  # "turns off the light": no light one
         m.adjectives.clear()
@@ -766,9 +772,28 @@ def _part_of_whole(c: Chunks, j: int, m: Mention) -> int | None:
     return after
 
 
+def _made_out_of(c: Chunks, j: int, m: Mention) -> int:
+    """ "A vase made of glass stands there": of what it is made, and then its verb."""
+    if low_at(c, j) not in _BUILT or m.attribute or m.pronoun or not m.head:
+        return j
+    k = j + 2 if low_at(c, j + 1) == "out" else j + 1
+    if low_at(c, k) not in ("of", "from") or low_at(c, k + 1) not in lex.MATERIALS:
+        return j
+    after = token_at(c, k + 2)
+    goes_on = after is not None and after.kind == "word" and after.tag != "VERB"
+    small = lex.PREPOSITIONS | lex.ADVERBS | lex.SUBORDINATORS | {"and", "but", "is", "are"}
+    finite = any(r.form in ("s", "past") for r in verb_readings(low_at(c, k + 2)))
+    acts = finite and low_at(c, k + 3) in small | lex.DETERMINERS
+    if goes_on and after is not None and after.low not in small and not acts:
+        return j  # "made of glass blocks"
+    m.adjectives.append(low_at(c, k + 1))
+    return k + 2
+
+
 def _complete(c: Chunks, p: Place, j: int, m: Mention) -> int | None:
     """Adds the phrase with the names and owners that follow its head."""
     tokens = c.tokens
+    j = _made_out_of(c, j, m)
     if (whole := _part_of_whole(c, j, m)) is not None:
         return whole
     j = member_of_row(c, j, m) or letters(c, j, m)

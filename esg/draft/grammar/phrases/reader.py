@@ -281,7 +281,9 @@ def _commands(c: Chunks, w: _Word) -> bool:
 
 def _opens_clause(c: Chunks, w: _Word) -> bool | None:
     previous = w.previous
-    if isinstance(previous, Word) and not (previous.kind == "punct" and previous.low in ".;!?:\n"):
+    if isinstance(previous, Word) and not (
+        (previous.kind == "punct" and previous.low in ".;!?:\n") or previous.low == "heading"
+    ):
         return None
     if not w.nounish or _commands(c, w):
         return True
