@@ -79,6 +79,8 @@ _NOT_ONE = frozenset({"light", "dark", "cold"})
 """Adjectives that are nouns, too: "the light" is no light one."""
 _BUILT = frozenset({"made", "built", "carved", "constructed", "crafted", "woven", "cast"})
 """Participles before what something consists of."""
+_UPON = frozenset({"across", "along", "on", "onto", "over", "upon"})
+_NOT_LEVEL = lex.word_set("not level")
 _AMID = frozenset({"against", "from", "in", "into", "through", "toward", "towards", "under"})
 """Prepositions of what is around somebody ("glitters in the light")."""
 _NO_NOUNS = lex.ADVERBS | lex.PREPOSITIONS | lex.DETERMINERS | lex.SUBORDINATORS
@@ -473,7 +475,10 @@ def _part(c: Chunks, p: Place, m: Mention) -> Head | None:
         owner.pick, owner.start = part, m.start  # "the left of two lamps"
         c.elements.append(owner)
         return Head(after, complete=True)
-    owner.part = f"{' '.join(m.adjectives)} {m.part}" if m.adjectives else m.part
+    before = element_before(c)
+    on = isinstance(before, Word) and before.low in _UPON
+    if part != "surface" or not on:  # "rolls on the surface of a table": on it
+        owner.part = f"{' '.join(m.adjectives)} {m.part}" if m.adjectives else m.part
     owner.start = m.start
     c.elements.append(owner)
     return Head(after, complete=True)
@@ -522,6 +527,19 @@ def _attribute(c: Chunks, p: Place, m: Mention) -> Head | None:
         m.head = low_at(c, j)
         j += 1
     return Head(j)
+
+
+def _floor(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "Bounces on a hard surface": one of nothing that is named, and level, is the floor."""
+    if p.low != "surface" or m.determiner not in ("a", "an") or m.count:
+        return OTHER
+    before = element_before(c)
+    on = isinstance(before, Word) and before.low in _UPON and low_at(c, p.at + 1) != "of"
+    words = {*m.adjectives} - {*lex.MATERIALS}
+    if not on or words & _NOT_LEVEL or any(w in lex.nouns() for w in words):
+        return OTHER
+    m.noun, m.head = lex.nouns()["floor"], p.low
+    return Head(p.at + 1)
 
 
 def _pronoun(c: Chunks, p: Place, m: Mention) -> Head | None:
@@ -728,6 +746,7 @@ HEADS: tuple[HeadReader, ...] = (
     _known,
     _rest,
     _piece,
+    _floor,
     _part,
     _bus_stop,
     _doer,
