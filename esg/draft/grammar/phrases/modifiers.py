@@ -49,6 +49,8 @@ def join_modifiers(tokens: list[Token], text: str) -> list[Token]:
             out.append(replace(token, text=text[token.start : end], end=end, tag="ADJ"))
         elif _second_of_two(tokens, i, out):
             pass  # "a wet and heavy towel"
+        elif _lone_participle(tokens, i, out):
+            out.append(replace(token, tag="ADJ"))
         else:
             out.append(token)
         i += n or 1
@@ -99,6 +101,14 @@ def _modifier(tokens: list[Token], i: int) -> int:
     if not participle and tokens[k].tag != "ADJ":
         return 0
     return k + 1 - i if _noun_follows(tokens, k + 1) else 0
+
+
+def _lone_participle(tokens: list[Token], i: int, out: list[Token]) -> bool:
+    """ "A stretched plastic sheet": a participle of a verb that no table has."""
+    token = tokens[i]
+    shaped = token.kind == "word" and token.low.endswith(("ed", "en")) and token.tag == "VERB"
+    known = bool(verb_readings(token.low)) or token.low in lex.nouns()
+    return shaped and not known and _opens(out) and _noun_follows(tokens, i + 1)
 
 
 def _counts(token: Token) -> bool:
