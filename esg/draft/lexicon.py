@@ -31,6 +31,11 @@ def word_set(name: str) -> frozenset[str]:
     return _word_sets()[name]
 
 
+def every_set() -> tuple[frozenset[str], ...]:
+    """All word sets, in the order of their table."""
+    return tuple(_word_sets().values())
+
+
 @dataclass(frozen=True)
 class Noun:
     """One kind of object.

@@ -60,9 +60,6 @@ _THERE = frozenset({"at", "on", "from", "atop", "near"})
 _BUDGES = frozenset({"move", "budge", "stir", "slide", "roll"})
 _FROM_REST = (0.0, 20.0)
 """Speed with which something that is let go on a slope sets off [cm/s]."""
-_FALL_BY_EACH_OTHER = frozenset({"pin", "domino"})
-_FEW = 5
-"""Most members of a plural that fall each by itself."""
 STANDING_CM = 60.0
 """A thing that is this tall stands on the ground."""
 
@@ -192,7 +189,7 @@ def drop(d: Discourse, f: Frame, bodies: list[str]) -> None:
     """Lets bodies fall: off what the clause names, or from where they are."""
     _lies_before_its_edge(d, f, bodies)
     _let_through(d, bodies)
-    moved = _all_or_one(d, f, bodies) if len(bodies) > 2 else bodies  # all, if "one by one"
+    moved = representatives(d, bodies, []) if len(bodies) > 2 else bodies  # all, if "one by one"
     moved = [t for t in moved if movable(d, t)]
     source = f.phrase("off", "from")
     host = [i for i in things(source) if elevated(d, i) and not _landed_before(f, source)]
@@ -222,18 +219,6 @@ def drop(d: Discourse, f: Frame, bodies: list[str]) -> None:
         for t in moved if below is None else []:
             if t not in flying:  # "drops behind the net" after a throw: it leaves no support
                 d.times.pending[t] = (NodeEvent.FALL, f, None, time_of(d, f))
-
-
-def _all_or_one(d: Discourse, f: Frame, bodies: list[str]) -> list[str]:
-    """Who falls of a plural: all of a few that are counted, of others one for all of them."""
-    told = [m for m in (f.subject, f.object) if m is not None and {*m.entities} & {*bodies}]
-    if not any(m.count or m.group_word for m in told):
-        return representatives(d, bodies, [])
-    free = not any(i in d.timeline.tracks or moved_by_others(d, i) for i in bodies)
-    rows = any(kind_of(d, i) in _FALL_BY_EACH_OTHER for i in bodies)
-    piled = any(entity_of(d, i).pattern == "stack" for i in bodies)
-    few = len(bodies) <= _FEW and free and not rows and not piled
-    return bodies if few else representatives(d, bodies, [])
 
 
 def _open_before(d: Discourse, moved: list[str]) -> str:
@@ -283,7 +268,7 @@ def read_fall(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         return
     set_free(d, [x for x in s if kind_of(d, x) in ("post", "plant", "wall", "street")])
     set_free(d, [x for x in s if x in d.scene.attached])  # what hangs there comes down
-    actors = _all_or_one(d, f, s)
+    actors = representatives(d, s, [])
     _lies_before_its_edge(d, f, actors)
     _let_through(d, actors)
     jolted_off(d, f, actors)
