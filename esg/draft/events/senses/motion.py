@@ -40,7 +40,7 @@ from esg.draft.events.timing import (
     representatives,
     time_of,
 )
-from esg.draft.events.told import at_rest, moves, things, traits_of
+from esg.draft.events.told import at_rest, ignore, moves, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
@@ -70,6 +70,7 @@ _AT_A_TARGET = lex.word_set("goes at a target")
 _RUNS = lex.word_set("gaits, fast")
 _FOLLOWS = frozenset({"follow", "trail"})
 _ANYHOW = lex.word_set("goes anyhow")
+_ABOUT = lex.word_set("moves about in")
 
 
 @sense("own")
@@ -101,6 +102,10 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if f.verb.lemma in _HOVERING and not lies and _all_fly(d, actors):
         _hovers(d, f, actors)
         return
+    if inner := _about_in(d, f, actors):
+        place(d, actors, [inner], "in")
+        ignore(d, f, "nothing shows how it moves about in there")
+        return
     by_itself = kind in SELF_POWERED and f.verb.lemma not in _ANYHOW
     _goes_away_again(d, f, actors)
     motion(d, f, actors, "own" if by_itself or afoot else None)
@@ -113,6 +118,18 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             turn(d, f, actors, "left", 360.0, _ABOUT_RATES, lasts=_ABOUT_S)
             return
         turn(d, f, actors, "left", _ROUND_DEG, _ROUND_RATES)
+
+
+def _about_in(d: Discourse, f: Frame, actors: list[str]) -> str:
+    """ "A goldfish swims in a bowl": what somebody moves about in; "" if nothing holds him."""
+    within = f.phrase("in", "inside", "within")
+    if within is None or f.verb.lemma not in _ABOUT or f.verb.passive or f.verb.negated:
+        return ""
+    ways = (p for p in f.phrases if p is not within and course_of(p))
+    fresh = bool(actors) and not any(a in d.timeline.tracks for a in actors)
+    if not fresh or any(ways):
+        return ""
+    return next((i for i in things(within) if holds(d, i) and i not in actors), "")
 
 
 def _goes_away_again(d: Discourse, f: Frame, actors: list[str]) -> None:
