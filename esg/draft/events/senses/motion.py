@@ -337,8 +337,9 @@ def read_roll(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("slide")
 def read_slide(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if f.verb.lemma == "glide" and s and kind_of(d, s[0]) == "projectile":
-        f.verb.sense = "fly"  # "a paper plane glides"
+    soars = s and (kind_of(d, s[0]) == "projectile" or _all_fly(d, s))
+    if f.verb.lemma == "glide" and soars:
+        f.verb.sense = "fly"  # "a paper plane glides", "a gull glides over a lake"
         read_fly(d, f, s, o)
         return
     if _pushes(d, f, s, o):

@@ -143,11 +143,17 @@ def _second_of_two(tokens: list[Token], i: int, out: list[Token]) -> bool:
     if tokens[i].low != "and" or not out or i + 1 >= len(tokens) or not _opens(out):
         return False
     first, n = out[-1], _modifier(tokens, i + 1)
+    opens = len(out) > 1 and out[-2].low in lex.DETERMINERS and first.tag == "ADV"
+    if opens and first.low not in lex.nouns():
+        first = replace(first, tag="ADJ")  # "a still and clear river"
     if first.tag != "ADJ" or first.kind != "word" or first.low in lex.DETERMINERS:
         return False
     pair = [first] if n else [first, tokens[i + 1]]
     apart = {*lex.ORDINALS, *lex.PLACE_ADJECTIVES, *lex.COLORS}
-    if any(t.tag != "ADJ" or t.low in apart or verb_readings(t.low) for t in pair):
+    if any(
+        (t.tag != "ADJ" and "-" not in t.low) or t.low in apart or verb_readings(t.low)
+        for t in pair
+    ):
         return False
     follows = _noun_follows(tokens, i + 1 + (n or 1))
     return follows and tokens[i + 1].low not in lex.nouns()

@@ -440,6 +440,9 @@ def compound_noun(c: Chunks, k: int, m: Mention) -> bool:
         return True  # "the engine shed doors"
     if base and stands_for_noun(c, k, m):
         return True
+    ends = nxt.kind == "punct" or nxt.low in lex.PREPOSITIONS | {"and", "is"}
+    if ends and low_at(c, k).endswith("ing") and c.tokens[k].tag == "NOUN":
+        return match_noun(c, k) is not None  # "out of a school building toward a bus"
     return c.tokens[k].tag == "NOUN" and bool(verb_readings(nxt.low))
 
 
