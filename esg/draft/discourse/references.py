@@ -16,6 +16,7 @@ from esg.draft.discourse.referents.resolution import resolve
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
+from esg.lexicon.hypernyms import hypernyms
 
 _AFOOT = lex.word_set("afoot (references)")
 _FILMING = lex.word_set("filming")
@@ -29,6 +30,7 @@ _OBLIQUE = frozenset({"him", "her", "them"})
 _STACKING = lex.word_set("stacking")
 _LINING = frozenset({"line", "align"})
 _STACKS = lex.word_set("stacks (references)")
+_MAKES_PLAIN = frozenset({"create", "form", "generate", "show", "depict"})
 _THEN = re.compile(r"\b(?:and|then|until|but)\s+(?:then\s+)?$", re.IGNORECASE)
 
 
@@ -60,6 +62,8 @@ def refer(d: Discourse, f: Frame) -> None:
         m.after_prep = "to"  # "arrives at the depot": no scene, but where to
     if _of_another_clause(d, f):
         f.subject = None
+    if f.object is not None and _comes_of_it(d, f, f.object):
+        f.object.attribute = True
     _other_end(d, f)
     subject = _subject(d, f, phrases)
     _between(d, f, subject)
@@ -75,6 +79,13 @@ def refer(d: Discourse, f: Frame) -> None:
     objects[:] = [current_id(d.world, i) for i in objects]
     _note_properties(d, f, subject, objects)
     d.refs.told.append(Told(f, subject, objects))
+
+
+def _comes_of_it(d: Discourse, f: Frame, m: Mention) -> bool:
+    """ "Creating a shimmer", "demonstrating capillarity": what nobody knows as a thing."""
+    shown = f.verb.sense == "noop" and f.verb.form == "ing" and f.verb.lemma in _MAKES_PLAIN
+    unheard = m.noun is None and bool(m.head) and m.head not in hypernyms()
+    return shown and unheard and all(e.head != m.head for e in d.world.entities.values())
 
 
 def _of_another_clause(d: Discourse, f: Frame) -> bool:

@@ -174,8 +174,12 @@ def _own_motion(world: World, m: Mention, subject: bool) -> bool:
     return m.determiner in lex.POSSESSIVES and m.head in _MOTIONS and bool(m.after_prep)
 
 
+_WITH_STUFF = frozenset({"amid", "at", "for", "in", "of", "with", "without"})
+"""Prepositions after which a bare noun that nobody knows is a place, a stuff or a quality."""
+
+
 def _place_name(world: World, m: Mention, subject: bool) -> bool:
-    """ "at cambodia", "in Los Angeles": nouns that nobody knows, where something is."""
+    """ "at cambodia", "in Los Angeles", "with sustenance": nouns that nobody knows."""
     words = m.text.split()
     named = m.noun is None or (m.noun.name == "person" and m.head != "person")
     capital = named and not m.determiner and all(w[:1].isupper() for w in words)
@@ -183,7 +187,7 @@ def _place_name(world: World, m: Mention, subject: bool) -> bool:
         return True
     bare = not (m.determiner or m.plural or m.adjectives or m.count or m.letters or m.amounts)
     named = bare and m.noun is None and m.head not in hypernyms()
-    return named and m.after_prep in ("in", "at") and m.possessor is None
+    return named and m.after_prep in _WITH_STUFF and m.possessor is None
 
 
 _TESTS: tuple[Callable[[World, Mention, bool], bool], ...] = (
