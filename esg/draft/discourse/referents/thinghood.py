@@ -41,11 +41,17 @@ def names_nothing(world: World, m: Mention, subject: bool) -> bool:
         m: The noun phrase.
         subject: Whether it is a grammatical subject.
     """
-    if _lane_of_a_road(m):
+    if _lane_of_a_road(m) or _fills_a_pond(world, m):
         return True
     if any(same_kind(m, e) for e in world.entities.values()):
         return False
     return any(test(world, m, subject) for test in _TESTS)
+
+
+def _fills_a_pond(world: World, m: Mention) -> bool:
+    """ "A pond filled with water": no second water."""
+    bare = m.head == "water" and not m.determiner and m.after_prep in ("with", "of")
+    return bare and any(e.noun.kind == "water" for e in world.entities.values())
 
 
 def _lane_of_a_road(m: Mention) -> bool:
