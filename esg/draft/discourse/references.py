@@ -26,6 +26,7 @@ RIDDEN = lex.word_set("ridden")
 _NO_WAY = frozenset({"unknown", "noop", "launch"})
 """Senses of verbs that lead nobody into water or out of it."""
 _RIDES = lex.word_set("rides")
+_RIDE, _RIDDEN_BY_ONE = ("animal", "person"), ("animal", "sliding", "toyvehicle", "vehicle")
 _OBLIQUE = frozenset({"him", "her", "them"})
 _STACKING = lex.word_set("stacking")
 _LINING = frozenset({"line", "align"})
@@ -46,6 +47,9 @@ def refer_all(d: Discourse, frames: list[Frame]) -> None:
     items += [(m.start, m.start, m) for m in d.mentions if id(m) not in d.framed]
     items.sort(key=lambda item: item[:2])
     attached_levers(d)
+    for m, p in d.attached:
+        if p.prep == "on" and p.mention is not None:
+            _each_on_one(m, p.mention)
     hosts = {id(p.mention): m for m, p in d.attached}
     for _, _, item in items:
         if isinstance(item, Frame):
@@ -121,6 +125,14 @@ def _one_each(f: Frame, subject: list[str]) -> None:
     ridden = f.object if f.verb.lemma in _RIDES and len(subject) > 1 else None
     if ridden is not None and ridden.plural and ridden.count is None and not ridden.determiner:
         ridden.count = len(subject)
+
+
+def _each_on_one(riders: Mention, m: Mention) -> None:
+    """ "Two people on bicycles": one each."""
+    ridden = m.noun is not None and m.noun.kind in _RIDDEN_BY_ONE and not m.determiner
+    several = getattr(riders.noun, "kind", "") in _RIDE and (riders.count or 0) > 1
+    if ridden and several and m.plural and m.count is None and not m.group_word:
+        m.count = riders.count
 
 
 def _who_films(d: Discourse, f: Frame, m: Mention | None) -> bool:

@@ -194,7 +194,10 @@ def _sets_going(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
 def _driven(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
     """Who moves: what a person drives, else who the clause is about."""
     thing = f.object is not None and not f.object.attribute
-    if not (s and o and thing) or kind_of(d, s[0]) not in LIMBED:
+    if ridden := _ridden(d, f, s, o):
+        return ridden
+    rides = bool(s) and (kind_of(d, s[0]) in LIMBED or _toy_rides(d, f, s))
+    if not (s and o and thing and rides):
         return s or o
     glides = kind_of(d, o[0]) == "sliding" and f.verb.lemma in _RIDES  # "rides a sled down"
     if kind_of(d, o[0]) not in SELF_POWERED and not glides:
@@ -209,6 +212,23 @@ def _driven(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
     if not is_toy(entity_of(d, o[0])):
         d.scene.aboard.update((who, o[0]) for who in s)
     return o[:1]
+
+
+def _ridden(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
+    """ "A frog riding on the back of a turtle", "in a boat": what goes, with who is on it."""
+    on = f.phrase("on", "upon", "in") if f.verb.lemma == "ride" and s and not o else None
+    mounts = [i for i in things(on) if kind_of(d, i) in SELF_POWERED - {"person"}]
+    if not mounts or mounts[0] in s or not (kind_of(d, s[0]) in LIMBED or _toy_rides(d, f, s)):
+        return []
+    place(d, s, mounts[:1], "on")
+    if f.subject is not None:
+        d.refs.mounts[id(f.subject)] = mounts[:1]
+    return mounts[:1]
+
+
+def _toy_rides(d: Discourse, f: Frame, s: list[str]) -> bool:
+    """ "A teddy bear riding a skateboard": as somebody would."""
+    return f.verb.lemma in _RIDES and kind_of(d, s[0]) == "toy"
 
 
 def _hovers(d: Discourse, f: Frame, actors: list[str]) -> None:

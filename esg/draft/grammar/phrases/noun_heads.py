@@ -809,10 +809,19 @@ def _made_out_of(c: Chunks, j: int, m: Mention) -> int:
     return k + 2
 
 
+def _on_horseback(c: Chunks, j: int, m: Mention) -> int:
+    """ "A cowboy on horseback": a rider on a horse."""
+    told = (low_at(c, j), low_at(c, j + 1)) == ("on", "horseback")
+    if not told or m.noun is None or m.noun.kind != "person":
+        return j
+    m.noun = lex.nouns()["horse rider"]
+    return j + 2
+
+
 def _complete(c: Chunks, p: Place, j: int, m: Mention) -> int | None:
     """Adds the phrase with the names and owners that follow its head."""
     tokens = c.tokens
-    j = _made_out_of(c, j, m)
+    j = _on_horseback(c, _made_out_of(c, j, m), m)
     if (whole := _part_of_whole(c, j, m)) is not None:
         return whole
     j = member_of_row(c, j, m) or letters(c, j, m)
