@@ -47,7 +47,7 @@ from esg.draft.text.filming import without_heading
 from esg.draft.text.misspelt import spelled
 from esg.draft.text.tagging import parsed, pos_tags
 from esg.draft.text.tokens import tokenize
-from esg.draft.text.topics import is_billiards, is_cricket, is_net_sport
+from esg.draft.text.topics import comes_apart, is_billiards, is_cricket, is_net_sport
 from esg.graph.models import EsgDocument
 
 _REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
@@ -117,6 +117,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     world = new_world()
     world.net_sport, world.billiards = is_net_sport(text), is_billiards(text)
     world.cricket, world.filled = is_cricket(text), fillings.meant
+    world.breaking = comes_apart(text)
     discourse = begin(world, text, clauses.mentions)
     discourse.scene.fillings = fillings
     scene = interpret(discourse, clauses.frames, clauses.attachments)

@@ -18,6 +18,7 @@ _WITH = lex.word_set("with a part of the body")
 _FILMING = lex.word_set("filming")
 _MONTHS, _SEASONS = lex.word_set("months"), lex.word_set("seasons")
 _TO_PIECES = lex.word_set("to pieces")
+_SHARDS = frozenset({"bit", "fragment", "piece", "shard", "smithereen", "splinter"})
 _PICTURE, _THE_PICTURE = ("frame", "screen"), ("", "the")
 _ACROSS = ("across", "of", "off", "on")
 _ACTING_PARTS = lex.word_set("acting parts")
@@ -106,8 +107,14 @@ def _who_films(world: World, m: Mention, subject: bool) -> bool:
 
 
 def _pieces(world: World, m: Mention, subject: bool) -> bool:
-    """ "smashes it into pieces", "cut in half"."""
-    return m.head in _TO_PIECES and m.after_prep in ("in", "into", "to") and not m.determiner
+    """ "smashes it into pieces", "cut in half", "shatters, with fragments flying about"."""
+    if m.head in _TO_PIECES and m.after_prep in ("in", "into", "to") and not m.determiner:
+        return True
+    bare = not (m.determiner or m.plural or m.count or m.adjectives)
+    if world.breaking and bare and m.after_prep == "of" and m.head in lex.MATERIALS:
+        return bool(world.entities)  # "sending pieces of glass across the floor"
+    several = m.plural and m.count is None and not m.adjectives and not m.group_word
+    return several and m.head in _SHARDS and world.breaking and bool(world.entities)
 
 
 def _running_water(world: World, m: Mention, subject: bool) -> bool:

@@ -450,6 +450,23 @@ def _body_part(c: Chunks, p: Place, m: Mention) -> Head | None:
     return Head(p.at + 1)
 
 
+def _weight_of(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "Bends under the weight of a truck": under the truck."""
+    before = element_before(c)
+    under = isinstance(before, Word) and before.low in ("under", "beneath")
+    if p.low not in ("weight", "load") or not under or low_at(c, p.at + 1) != "of":
+        return OTHER
+    if m.determiner != "the" or getattr(token_at(c, p.at + 2), "kind", "") == "qty":
+        return OTHER
+    found = _owner(c, p.at + 2)
+    if found is None:
+        return OTHER
+    owner, after = found
+    owner.start = m.start
+    c.elements.append(owner)
+    return Head(after, complete=True)
+
+
 def _part(c: Chunks, p: Place, m: Mention) -> Head | None:
     """ "the edge of a table": the table, and which part of it."""
     low, j = p.low, p.at
@@ -743,6 +760,7 @@ HEADS: tuple[HeadReader, ...] = (
     _people,
     _wisp,
     _far_off,
+    _weight_of,
     _known,
     _rest,
     _piece,
