@@ -128,12 +128,15 @@ def _names_where(c: Clauses, s: State, m: Mention, i: int) -> bool:
         return False
     if s.last is None or getattr(s.last.noun, "kind", "") == "person":
         return False  # "to Tom, Anna and Kim"
-    while _a_name(element_at(c.elements, k)) and getattr(
-        element_at(c.elements, k + 1), "low", ""
-    ) == ",":
+    while (
+        _a_name(element_at(c.elements, k))
+        and getattr(element_at(c.elements, k + 1), "low", "") == ","
+    ):
         k += 2
     after = element_at(c.elements, k + 1)
-    return _a_name(element_at(c.elements, k)) and (after is None or getattr(after, "low", "") == ".")
+    return _a_name(element_at(c.elements, k)) and (
+        after is None or getattr(after, "low", "") == "."
+    )
 
 
 def _a_name(e: Element | None) -> bool:

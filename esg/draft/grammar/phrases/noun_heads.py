@@ -268,7 +268,10 @@ def _measure_or_role(c: Chunks, k: int, m: Mention) -> None:
     if m.head in ("weight", "mass"):
         told = low_at(c, k) in ("of", "is") and after is not None and after.kind == "qty"
         compared = bool(_COMPARED & {*m.adjectives}) and not m.determiner
-        if told or compared or m.determiner in ("its", "their"):
+        near = c.tokens[k : k + 7]
+        stated = low_at(c, k) == "of" and any(t.low == "is" for t in near)
+        stated = stated and any(t.kind == "qty" for t in near)  # "the weight of a crate is 5 kg"
+        if told or compared or stated or m.determiner in ("its", "their"):
             m.noun, m.attribute = None, True
     crew = m.head in lex.PERSON_ROLES and not m.plural  # two passengers are no vehicle
     if crew or m.head in ("cyclist", "rider"):
