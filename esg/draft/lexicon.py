@@ -322,7 +322,8 @@ GROUP_WORDS: dict[str, str | None] = {
     "team": "scatter", "circle": "scatter", "dozens": "scatter", "dozen": None,
     "half-dozen": None, "trio": None, "load": "scatter", "pack": "scatter",
     **dict.fromkeys(("swarm", "school", "shoal", "colony", "litter", "bouquet", "troupe", "batch",
-                     "assortment", "throng", "brood", "family", "gang", "squad", "pride"), "scatter"),
+                     "assortment", "throng", "brood", "family", "gang", "squad", "pride"),
+                    "scatter"),
 }  # fmt: skip
 ARRANGEMENTS: dict[str, str] = {
     "triangle": "pins", "formation": "pins", "pyramid": "stack", "tower": "stack", "pile": "stack",
