@@ -77,6 +77,7 @@ _CAST = lex.word_set("cast (noun heads)")
 _PICKING = frozenset({"left", "right", "front", "rear", "middle", "top", "bottom"})
 _NOT_ONE = frozenset({"light", "dark", "cold"})
 """Adjectives that are nouns, too: "the light" is no light one."""
+_ALWAYS_PEOPLE = frozenset({"crowd", "family", "gang", "squad"})
 _BUILT = frozenset({"made", "built", "carved", "constructed", "crafted", "woven", "cast"})
 """Participles before what something consists of."""
 _UPON = frozenset({"across", "along", "on", "onto", "over", "upon"})
@@ -385,7 +386,7 @@ def _people(c: Chunks, p: Place, m: Mention) -> Head | None:
     if not people_here(c, p.at):
         return OTHER
     told = m.determiner not in ("", "the") or m.count is not None
-    those = m.determiner == "the" and word in lex.GROUP_WORDS and word != "crowd"
+    those = m.determiner == "the" and word in lex.GROUP_WORDS and word not in _ALWAYS_PEOPLE
     verb = several and m.determiner in ("a", "an")  # "an engine couples onto five wagons"
     caption = not several and not c.elements  # "Happy family with two kids"
     named = told or m.determiner or ((several or caption) and m.adjectives)
@@ -688,6 +689,9 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
     known = match_noun(c, k + 1) if k + 1 < len(tokens) else None
     known = None if known is not None and unknown_act(c, k + 1, m) else known
     ends = bool(m.determiner) and ends_phrase(c, k + 1)  # "on the lab floor."
+    last, after = token_at(c, k + 1), token_at(c, k + 2)
+    closes = after is None or after.kind == "punct"
+    ends = ends or (closes and last is not None and (last.tag, last.low[-3:]) == ("NOUN", "ing"))
     clear = ends or not verb_readings(low_at(c, k + 1)) or noun_not_verb(c, k + 1, m)
     if known is not None and clear and tokens[k].text != "'s":
         return _modifies(c, Place(p.first, k, low_at(c, k), None), m)

@@ -230,6 +230,9 @@ def _after_preposition(c: Chunks, w: _Word) -> bool | None:
 def _after_noun(c: Chunks, w: _Word) -> bool | None:
     if not isinstance(w.previous, Mention):
         return None
+    ends = w.next in ("", ".", ",", ";")
+    if ends and w.forms == {"ing"} and w.noun is not None and c.tokens[w.at].tag == "NOUN":
+        return False  # "A ball hits a box, oil painting."
     return True
 
 
