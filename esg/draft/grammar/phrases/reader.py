@@ -231,9 +231,8 @@ def _after_noun(c: Chunks, w: _Word) -> bool | None:
     if not isinstance(w.previous, Mention):
         return None
     ends = w.next in ("", ".", ",", ";")
-    if ends and w.forms == {"ing"} and w.noun is not None and c.tokens[w.at].tag == "NOUN":
-        return False  # "A ball hits a box, oil painting."
-    return True
+    noun = w.forms == {"ing"} and w.noun is not None and c.tokens[w.at].tag == "NOUN"
+    return not (ends and noun)  # "A ball hits a box, oil painting."
 
 
 def _after_verb(c: Chunks, w: _Word) -> bool | None:
