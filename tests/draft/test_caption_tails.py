@@ -258,3 +258,51 @@ def test_a_word_read_once_is_misspelt_the_next_time_too() -> None:
     assert draft("A ball rolls off a tabel.").model_dump() == first
     if before:
         assert '"tabel" read as "table"' in first["scene_definition"]["expanded_description"]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "who", "on"),
+    [
+        ("A boat with three people crosses a lake.", "person_3", "boat_1"),
+        ("A sled with two kids slides down a hill.", "kid_2", "sled_1"),
+        ("A motorcycle with two people passes a bus.", "person_1", "motorcycle_1"),
+    ],
+)
+def test_people_with_whom_something_goes_are_on_it(prompt: str, who: str, on: str) -> None:
+    assert hosts(draft(prompt))[who] == on
+    assert hosts(draft("A truck with a man standing next to it drives off."))["man_1"] != "truck_1"
+
+
+@pytest.mark.parametrize(
+    ("prompt", "words"),
+    [
+        ("A ball rolls between two rows of cones.", "two rows of"),
+        ("Two stacks of boxes stand next to a wall.", "Two stacks of"),
+        ("Three piles of bricks lie beside a truck.", "Three piles of"),
+    ],
+)
+def test_several_rows_are_owned_up_to(prompt: str, words: str) -> None:
+    assert words in owned(draft(prompt))
+
+
+@pytest.mark.parametrize(
+    "prompt", ["Move the block onto the box.", "Move the cup on top of the book."]
+)
+def test_moving_onto_something_puts_it_there(prompt: str) -> None:
+    assert "Placed" in kinds(draft(prompt))
+
+
+@pytest.mark.parametrize(
+    "prompt",
+    ["A ball falls off a table and bounces as it hits the floor.",
+     "A plate slips from a shelf and shatters as it hits the ground.",
+     "A ball is dropped from a height until it makes contact with the floor."],
+)  # fmt: skip
+def test_the_ground_is_met_at_the_end_of_a_fall(prompt: str) -> None:
+    doc = draft(prompt)
+    assert not owned(doc)
+    assert not doc.coverage.warnings
+
+
+def test_what_is_round_does_not_topple() -> None:
+    assert "Topple" not in kinds(draft("A boy throws a ball down."))

@@ -12,6 +12,8 @@ from esg.draft.statements.account import NOTHING, Account, Gap, nodes_of
 from esg.draft.text.elements import Mention
 
 ALONE = "it is the only one of its kind in the scene"
+ONE_OF_THEM = "there is one of them"
+_ARRANGED = frozenset({"column", "heap", "line", "pile", "row", "stack", "tower"})
 _AMONG = lex.word_set("one of several (unclaimed)")
 _BETWEEN = frozenset({"middle", "center", "centre", "central"})
 """Words of what has another one on both sides."""
@@ -41,6 +43,18 @@ def one_of_several(a: Account) -> Iterator[Gap]:
         fellows = [x for x in a.d.world.entities.values() if _alike(e, x, word.low in _REST)]
         if not e.part and len(fellows) < _others(word.low):
             yield Gap(word.start, m.end, ALONE, (e.id,))
+
+
+def several_groups(a: Account) -> Iterator[Gap]:
+    """ "Between two rows of cones": there is one row."""
+    for m in a.d.mentions:
+        words = [t for t in a.tokens if m.start <= t.start < m.end]
+        row = next((k for k, t in enumerate(words) if t.low == "of"), 0)
+        told = words[row - 1].low if row else ""
+        single, several = lex.singular(told)
+        named = several and single == m.group_word and single in _ARRANGED
+        if named and nodes_of(a.d, m):
+            yield Gap(words[0].start, words[row].end, ONE_OF_THEM, tuple(nodes_of(a.d, m)))
 
 
 def in_the_middle(a: Account) -> Iterator[Gap]:

@@ -31,7 +31,7 @@ from esg.draft.statements.arguments import (
 from esg.draft.statements.phrases import adrift, phrases
 from esg.draft.statements.places import alone, from_nothing, hung, lengths, up_and_down
 from esg.draft.statements.qualities import MOTIONS, qualities, said_of_it
-from esg.draft.statements.several import in_the_middle, one_of_several
+from esg.draft.statements.several import in_the_middle, one_of_several, several_groups
 from esg.graph.models import NodeEvent, Predicate
 
 _SMALL = (
@@ -114,6 +114,7 @@ _FINDERS: tuple[Callable[[Account], Iterator[Gap]], ...] = (
     fewer,
     others_of,
     one_of_several,
+    several_groups,
     in_the_middle,
     parts_alone,
     attempts,
