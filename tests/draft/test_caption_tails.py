@@ -196,13 +196,13 @@ def test_who_is_on_horseback_has_a_horse() -> None:
 
 @pytest.mark.parametrize(
     "prompt",
-    ["A goldfish swims in a glass bowl on a table.", "A mouse runs in a box.",
+    ["A bee moves inside a glass jar.", "A mouse runs in a box.",
      "A duck swims in a bathtub."],
 )  # fmt: skip
 def test_who_moves_about_in_something_is_in_it(prompt: str) -> None:
     doc = draft(prompt)
-    who = next(n for n in drawn(doc) if n.startswith(("goldfish", "mouse", "duck")))
-    assert hosts(doc)[who].startswith(("bowl", "box", "bathtub"))
+    who = next(n for n in drawn(doc) if n.startswith(("bee", "mouse", "duck")))
+    assert hosts(doc)[who].startswith(("glass_jar", "box", "bathtub"))
     assert who not in acting(doc)
     assert owned(doc)
 

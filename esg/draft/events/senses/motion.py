@@ -129,7 +129,14 @@ def _about_in(d: Discourse, f: Frame, actors: list[str]) -> str:
     fresh = bool(actors) and not any(a in d.timeline.tracks for a in actors)
     if not fresh or any(ways):
         return ""
-    return next((i for i in things(within) if holds(d, i) and i not in actors), "")
+    hosts = (i for i in things(within) if holds(d, i) and i not in actors)
+    return next((i for i in hosts if all(_has_room(d, i, a) for a in actors)), "")
+
+
+def _has_room(d: Discourse, host: str, node: str) -> bool:
+    """Whether something is shorter and narrower than what it moves about in."""
+    inner, outer = (sorted(entity_of(d, i).noun.dimensions_cm[:2]) for i in (node, host))
+    return all(a < b for a, b in zip(inner, outer, strict=True))
 
 
 def _goes_away_again(d: Discourse, f: Frame, actors: list[str]) -> None:
