@@ -7,6 +7,7 @@ from esg.draft.grammar.clauses.frames import Frame, Phrase, State, finite_ahead
 from esg.draft.grammar.clauses.record import Clauses
 from esg.draft.grammar.clauses.words import OWNED, PROPERTIES
 from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
+from esg.lexicon.hypernyms import hypernyms
 
 _OCCASIONS = lex.word_set("occasions")
 _BEINGS = frozenset({"person", "animal", "robot"})
@@ -84,7 +85,7 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
     m.after_prep, s.prep = s.prep, ""
     if id(m) in c.told or _stated_beside(c, m, i):
         return
-    if _names_where(c, s, m, i):
+    if _names_where(c, s, m, i) or _tag(c, s, m, i):
         m.attribute = True
         return
     listed = _coordinated(c, s, i) and not _part_going(c, m, i)
@@ -137,6 +138,16 @@ def _names_where(c: Clauses, s: State, m: Mention, i: int) -> bool:
     return _a_name(element_at(c.elements, k)) and (
         after is None or getattr(after, "low", "") == "."
     )
+
+
+def _tag(c: Clauses, s: State, m: Mention, i: int) -> bool:
+    """ "A prism on a table, refraction.": a bare noun that nobody knows, after a comma."""
+    link, after = element_at(c.elements, i - 1), element_at(c.elements, i + 1)
+    told = m.determiner or m.adjectives or m.count or m.plural or m.letters or m.amounts
+    bare = not told and m.noun is None and bool(m.head) and m.head not in hypernyms()
+    ends = after is None or (isinstance(after, Word) and after.low == ".")
+    listed = s.last is not None and s.last.coordinated  # "a cup, a plate, zorb"
+    return bare and ends and getattr(link, "low", "") == "," and s.last is not None and not listed
 
 
 def _a_name(e: Element | None) -> bool:
