@@ -31,6 +31,11 @@ def word_set(name: str) -> frozenset[str]:
     return _word_sets()[name]
 
 
+def every_set() -> tuple[frozenset[str], ...]:
+    """All word sets, in the order of their table."""
+    return tuple(_word_sets().values())
+
+
 @dataclass(frozen=True)
 class Noun:
     """One kind of object.
@@ -317,7 +322,8 @@ GROUP_WORDS: dict[str, str | None] = {
     "team": "scatter", "circle": "scatter", "dozens": "scatter", "dozen": None,
     "half-dozen": None, "trio": None, "load": "scatter", "pack": "scatter",
     **dict.fromkeys(("swarm", "school", "shoal", "colony", "litter", "bouquet", "troupe", "batch",
-                     "assortment", "throng", "brood"), "scatter"),
+                     "assortment", "throng", "brood", "family", "gang", "squad", "pride"),
+                    "scatter"),
 }  # fmt: skip
 ARRANGEMENTS: dict[str, str] = {
     "triangle": "pins", "formation": "pins", "pyramid": "stack", "tower": "stack", "pile": "stack",

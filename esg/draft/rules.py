@@ -44,9 +44,10 @@ from esg.draft.statements.looks.drawn import drawn_otherwise
 from esg.draft.text.elements import Element
 from esg.draft.text.fillings import take_out
 from esg.draft.text.filming import without_heading
+from esg.draft.text.misspelt import spelled
 from esg.draft.text.tagging import parsed, pos_tags
 from esg.draft.text.tokens import tokenize
-from esg.draft.text.topics import is_billiards, is_cricket, is_net_sport
+from esg.draft.text.topics import comes_apart, is_billiards, is_cricket, is_net_sport
 from esg.graph.models import EsgDocument
 
 _REWRITES: tuple[tuple[str, Callable[[list[Element]], list[Element]]], ...] = (
@@ -101,7 +102,8 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     meant = without_heading(fillings.text)
     if meant != text:
         text, tags = meant, pos_tags(meant)
-    tokens = join_compounds(join_modifiers(tokenize(text, tags), text))
+    written, respelled = spelled(tokenize(text, tags))
+    tokens = join_compounds(join_modifiers(written, text))
     tokens = straight_verbs(name_relatives(some_of_them(tokens)))
     elements = chunk(text, tokens)
     for _, put_plainly in _REWRITES:
@@ -115,6 +117,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     world = new_world()
     world.net_sport, world.billiards = is_net_sport(text), is_billiards(text)
     world.cricket, world.filled = is_cricket(text), fillings.meant
+    world.breaking = comes_apart(text)
     discourse = begin(world, text, clauses.mentions)
     discourse.scene.fillings = fillings
     scene = interpret(discourse, clauses.frames, clauses.attachments)
@@ -132,6 +135,7 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     too_much(scene)
     restricted = is_restricted(text)
     reasons = expand(scene, text, restricted)
+    reasons += [f'"{wrong}" read as "{right}"' for wrong, right in respelled]
     told = scene.relations
     gaps = {frozenset((r.source, r.target)): r.distance for r in told if r.distance is not None}
     timeline = scene.timeline.build(gaps)

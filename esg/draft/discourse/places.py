@@ -47,6 +47,10 @@ _CLIMBED = lex.word_set("climbed")
 _WALL_THINGS = lex.word_set("wall things")
 
 
+_MOUNTS = frozenset({"animal", "sliding", "toyvehicle", "vehicle"})
+"""Kinds of what each of several riders has one of."""
+
+
 def place(
     d: Discourse,
     things: list[str],
@@ -58,6 +62,10 @@ def place(
     """Records where things are with respect to others."""
     kind = RELATION_PREPS.get(prep)
     if kind is None or not others or d.scene.links & {*things, *others}:
+        return
+    if prep == "on" and len(things) == len(others) > 1 and kind_of(d, others[0]) in _MOUNTS:
+        for thing, mount in zip(things, others, strict=True):  # "two people on bicycles"
+            place(d, [thing], [mount], prep, part)
         return
     if prep in ("in", "inside") and kind_of(d, others[0]) in ("vehicle", "flyer"):
         d.scene.aboard.update((t, others[0]) for t in things if kind_of(d, t) == "person")

@@ -16,6 +16,7 @@ from esg.draft.discourse.referents.resolution import resolve
 from esg.draft.discourse.scene import SELF_POWERED
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Mention
+from esg.lexicon.hypernyms import hypernyms
 
 _AFOOT = lex.word_set("afoot (references)")
 _FILMING = lex.word_set("filming")
@@ -28,10 +29,12 @@ _DRIVING = lex.word_set("vehicle verbs")
 _DRIVEN = frozenset({"vehicle", "flyer", "cart", "watercraft"})
 _AT_THE_WHEEL = frozenset({"chauffeur", "driver", "motorist", "pilot"})
 _RIDES = lex.word_set("rides")
+_RIDE, _RIDDEN_BY_ONE = ("animal", "person"), ("animal", "sliding", "toyvehicle", "vehicle")
 _OBLIQUE = frozenset({"him", "her", "them"})
 _STACKING = lex.word_set("stacking")
 _LINING = frozenset({"line", "align"})
 _STACKS = lex.word_set("stacks (references)")
+_MAKES_PLAIN = frozenset({"create", "form", "generate", "show", "depict"})
 _THEN = re.compile(r"\b(?:and|then|until|but)\s+(?:then\s+)?$", re.IGNORECASE)
 
 
@@ -47,6 +50,9 @@ def refer_all(d: Discourse, frames: list[Frame]) -> None:
     items += [(m.start, m.start, m) for m in d.mentions if id(m) not in d.framed]
     items.sort(key=lambda item: item[:2])
     attached_levers(d)
+    for m, p in d.attached:
+        if p.prep == "on" and p.mention is not None:
+            _each_on_one(m, p.mention)
     hosts = {id(p.mention): m for m, p in d.attached}
     for _, _, item in items:
         if isinstance(item, Frame):
@@ -63,6 +69,8 @@ def refer(d: Discourse, f: Frame) -> None:
         m.after_prep = "to"  # "arrives at the depot": no scene, but where to
     if _of_another_clause(d, f):
         f.subject = None
+    if f.object is not None and _comes_of_it(d, f, f.object):
+        f.object.attribute = True
     _other_end(d, f)
     subject = _subject(d, f, phrases)
     _between(d, f, subject)
@@ -78,6 +86,13 @@ def refer(d: Discourse, f: Frame) -> None:
     objects[:] = [current_id(d.world, i) for i in objects]
     _note_properties(d, f, subject, objects)
     d.refs.told.append(Told(f, subject, objects))
+
+
+def _comes_of_it(d: Discourse, f: Frame, m: Mention) -> bool:
+    """ "Creating a shimmer", "demonstrating capillarity": what nobody knows as a thing."""
+    shown = f.verb.sense == "noop" and f.verb.form == "ing" and f.verb.lemma in _MAKES_PLAIN
+    unheard = m.noun is None and bool(m.head) and m.head not in hypernyms()
+    return shown and unheard and all(e.head != m.head for e in d.world.entities.values())
 
 
 def _of_another_clause(d: Discourse, f: Frame) -> bool:
@@ -113,6 +128,14 @@ def _one_each(f: Frame, subject: list[str]) -> None:
     ridden = f.object if f.verb.lemma in _RIDES and len(subject) > 1 else None
     if ridden is not None and ridden.plural and ridden.count is None and not ridden.determiner:
         ridden.count = len(subject)
+
+
+def _each_on_one(riders: Mention, m: Mention) -> None:
+    """ "Two people on bicycles": one each."""
+    ridden = m.noun is not None and m.noun.kind in _RIDDEN_BY_ONE and not m.determiner
+    several = getattr(riders.noun, "kind", "") in _RIDE and (riders.count or 0) > 1
+    if ridden and several and m.plural and m.count is None and not m.group_word:
+        m.count = riders.count
 
 
 def _who_films(d: Discourse, f: Frame, m: Mention | None) -> bool:

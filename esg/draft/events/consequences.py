@@ -87,6 +87,8 @@ def consequence(d: Discourse, f: Frame, bodies: list[str]) -> None:
     over = {"over", "down"} & {*f.adverbs} or "upside down" in " ".join(f.adverbs)
     for b in representatives(d, bodies, []) if over or off else []:
         e = entity_of(d, b)
+        if over and e.noun.shape == "sphere":
+            continue  # "a ball is thrown down": nothing of it can tip over
         if over:
             add_event(d, NodeEvent.TOPPLE, (b,), f, None)
         elif b in d.scene.supported_by or (e.pattern == "stack" and e.in_group):

@@ -135,6 +135,9 @@ _MOST_SINGLY = 5
 _SENT = frozenset({"launch", "drop", "scatter", "pocket"})
 """Senses of which only the object moves."""
 _AGAINST = frozenset({"against", "into", "onto", "at", "past"})
+_TWO_WHEELED = lex.word_set("two wheeled")
+_CARRY_PEOPLE = frozenset({"cart", "elevator", "flyer", "sliding", "vehicle", "watercraft"})
+"""Kinds and names of what people are in or on who go with it."""
 _WAYS = frozenset({"along", "down", "up"})
 """What leads to the way that something takes: no place of a load."""
 _SET_SWINGING = frozenset({"pull", "draw", "let", "release"})
@@ -256,6 +259,12 @@ def _on_what_has_it(
     for m, p in attachments:
         if p.prep == "with" and p.mention is not None:
             _lies_on_it(d, frames, m, p.mention)
+    placed = {id(m) for m, _ in attachments}
+    for k, (m, p) in enumerate(attachments):
+        had = p.mention if p.prep == "with" else None
+        if had is not None and id(had) not in placed and _on_board(d, frames, m, had):
+            on = m.noun is not None and m.noun.name in _TWO_WHEELED
+            attachments[k] = (had, Phrase("on" if on else "in", m))  # "a boat with three people"
     for m, p in attachments:
         owner = owners.get(id(m))
         if owner is None or p.mention is None:
@@ -271,6 +280,20 @@ def _on_what_has_it(
         p.mention.entities = d.world.resolved[id(p.mention)] = [*owner.entities]
         for f in frames:
             f.phrases[:] = [q for q in f.phrases if q.mention is not p.mention]
+
+
+def _on_board(d: Discourse, frames: list[Frame], owner: Mention, had: Mention) -> bool:
+    """Whether somebody goes with what carries people, and nothing else is told of him."""
+    who, what = had.noun, owner.noun
+    if who is None or what is None or who.kind != "person" or not had.entities:
+        return False
+    if what.kind not in _CARRY_PEOPLE and what.name not in _CARRY_PEOPLE:
+        return False
+    return not any(
+        f.subject is had or (f.verb.start >= had.end and not d.text[had.end : f.verb.start].strip()
+                             and f.verb.form == "ing")
+        for f in frames
+    )  # fmt: skip
 
 
 def _lies_on_it(d: Discourse, frames: list[Frame], owner: Mention, had: Mention) -> None:

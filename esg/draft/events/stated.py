@@ -160,9 +160,17 @@ def place_of(word: str, text: str, f: Frame) -> tuple[int, int] | None:
     if not places and word in _SIDES:
         found = _OTHER_WAY.finditer(text, f.verb.start, f.verb.end + _REACH)
         places = [m.span() for m in found]
+    if not places and word in _TO_A_SIDE:
+        found = _TO_A_SIDE[word].finditer(text, f.verb.end, f.verb.end + _REACH)
+        places = [m.span() for m in found]
     return min(places, key=lambda at: abs(at[0] - f.verb.end), default=None)
 
 
+_TO_A_SIDE = {
+    f"{side}wards": re.compile(rf"\bto(?:wards?)? the {side}(?:.hand)? side\b", re.IGNORECASE)
+    for side in ("left", "right")
+}
+"""How a way to one side is told besides, of nothing in particular ("to the left side")."""
 CENTRE = "in the middle of"
 
 

@@ -42,11 +42,15 @@ def driver(book: Book, clause: Clause, s: Said, mover: str) -> None:
     d = book.d
     riders = [i for i in ids(clause.frame.subject) if i in d.world.entities]
     riders = [i for i in riders if i not in clause.movers]
-    riders = [i for i in riders if kind_of(d, i) in LIMBED]
+    toys = [i for i in riders if kind_of(d, i) == "toy" and d.scene.supported_by.get(i) == mover]
+    riders = [i for i in riders if kind_of(d, i) in LIMBED or i in toys]
     if s.row.states is Predicate.SUPPORTED_BY:
         _comes_to_ride(book, s, [i for i in riders if d.scene.supported_by.get(i)], mover)
     riders = [i for i in riders if d.scene.supported_by.get(i, mover) == mover]
-    if riders and kind_of(d, mover) in SELF_POWERED and not is_toy(entity_of(d, mover)):
+    stands = bool(riders) and d.scene.supported_by.get(riders[0]) == mover
+    glides = stands and kind_of(d, mover) == "sliding"  # "a penguin riding a surfboard"
+    goes = kind_of(d, mover) in SELF_POWERED and not is_toy(entity_of(d, mover))
+    if riders and (goes or glides or toys):
         open_ = d.scene.supported_by.get(riders[0]) == mover or s.row.states is not Predicate.INSIDE
         says = Predicate.SUPPORTED_BY if open_ else Predicate.INSIDE
         book.add(says, s.start, s.end, object=tuple(riders), target=(mover,))

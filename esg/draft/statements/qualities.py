@@ -97,7 +97,9 @@ def _lost(a: Account, t: Token, later: str, e: Entity, moving: set[str]) -> bool
     if word in _DONE:
         return not any(happened(a.d, event, e.id) for event in _DONE[word])
     if word.endswith("ing"):
-        return _going(a, word, e, moving)
+        manner, _, last = word.rpartition(" ")
+        paced = not manner or not _motion(last) or _paced(a, e.id)
+        return _going(a, last, e, moving) or not paced
     if word in _ROUND | _ANGULAR:
         return not _shaped(e, word)
     if word in lex.STRETCHES:
@@ -117,6 +119,12 @@ def _going(a: Account, word: str, e: Entity, moving: set[str]) -> bool:
         goes = word == "moving" or movable(a.d, e.id)
         return goes and e.id not in moving and word not in _PASS
     return kind_of(a.d, e.id) in LIMBED and word not in _PASS  # no "measuring tape"
+
+
+def _paced(a: Account, node: str) -> bool:
+    """Whether a pace is stated of a thing ("a slowly moving car")."""
+    paces = (Predicate.FASTER_THAN, Predicate.SLOWER_THAN)
+    return any(s.predicate in paces and node in s.object for s in a.kept)
 
 
 def _shaped(e: Entity, word: str) -> bool:

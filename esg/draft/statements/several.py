@@ -12,6 +12,8 @@ from esg.draft.statements.account import NOTHING, Account, Gap, nodes_of
 from esg.draft.text.elements import Mention
 
 ALONE = "it is the only one of its kind in the scene"
+ONE_OF_THEM = "there is one of them"
+_ARRANGED = frozenset({"column", "heap", "line", "pile", "row", "stack", "tower"})
 _AMONG = lex.word_set("one of several (unclaimed)")
 _BETWEEN = frozenset({"middle", "center", "centre", "central"})
 """Words of what has another one on both sides."""
@@ -51,6 +53,18 @@ def the_ones(a: Account) -> Iterator[Gap]:
         ids = nodes_of(a.d, m) if ones and m.pronoun == "ones" else []
         if ids and len({entity_of(a.d, i).noun.name for i in ids}) == len(ids):
             yield Gap(m.start, m.end, ALONE, tuple(ids))
+
+
+def several_groups(a: Account) -> Iterator[Gap]:
+    """ "Between two rows of cones": there is one row."""
+    for m in a.d.mentions:
+        words = [t for t in a.tokens if m.start <= t.start < m.end]
+        row = next((k for k, t in enumerate(words) if t.low == "of"), 0)
+        told = words[row - 1].low if row else ""
+        single, several = lex.singular(told)
+        named = several and single == m.group_word and single in _ARRANGED
+        if named and nodes_of(a.d, m):
+            yield Gap(words[0].start, words[row].end, ONE_OF_THEM, tuple(nodes_of(a.d, m)))
 
 
 def in_the_middle(a: Account) -> Iterator[Gap]:

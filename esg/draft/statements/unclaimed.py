@@ -31,7 +31,12 @@ from esg.draft.statements.arguments import (
 from esg.draft.statements.phrases import adrift, phrases
 from esg.draft.statements.places import alone, from_nothing, hung, lengths, up_and_down
 from esg.draft.statements.qualities import MOTIONS, qualities, said_of_it
-from esg.draft.statements.several import in_the_middle, one_of_several, the_ones
+from esg.draft.statements.several import (
+    in_the_middle,
+    one_of_several,
+    several_groups,
+    the_ones,
+)
 from esg.graph.models import NodeEvent, Predicate
 
 _SMALL = (
@@ -115,6 +120,7 @@ _FINDERS: tuple[Callable[[Account], Iterator[Gap]], ...] = (
     others_of,
     one_of_several,
     the_ones,
+    several_groups,
     in_the_middle,
     parts_alone,
     attempts,

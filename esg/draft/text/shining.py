@@ -419,7 +419,9 @@ def _weather(text: str) -> Read:
             end = m.start() + len(_AND.sub("", m[0].rstrip()))
             instead = ""
             if told.get("on"):
-                instead, end = _instead(m[0], "There is "), m.start("on")
+                room = len(m[0].lstrip(" ,"))
+                gap = m[0][: len(m[0]) - room]  # what parts it from the word before
+                instead, end = gap + _instead(m[0][-room:], "There is "), m.start("on")
             also = told.get("also")
             shown = Shown(
                 Predicate.WEATHER, start, m.end("said") if also else end, f"{much} {name}".strip()

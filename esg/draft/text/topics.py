@@ -15,6 +15,12 @@ _BILLIARDS = re.compile(
     re.IGNORECASE,
 )
 
+_APART = re.compile(
+    rf"\b(?:{'|'.join(sorted(lex.word_set('breaking (senses)')))})(?:s|es|ed|ing)?\b"
+    r"|\b(?:broke|smashing|splitting)\b",
+    re.IGNORECASE,
+)
+
 
 def is_net_sport(text: str) -> bool:
     """Whether a game over a net is played."""
@@ -29,3 +35,8 @@ def is_billiards(text: str) -> bool:
 def is_cricket(text: str) -> bool:
     """Whether cricket is played."""
     return _CRICKET.search(text) is not None
+
+
+def comes_apart(text: str) -> bool:
+    """Whether something is told to break, so that its pieces are no things of their own."""
+    return _APART.search(text) is not None

@@ -72,6 +72,8 @@ class Entity:
     """The jointed thing of which it is one of several parts, by node id."""
     one: bool = False
     """One of several, as its phrase says ("one block"): "another" is one more of them."""
+    given: bool = False
+    """First read with "the", as something that is known."""
     place: str = ""
     """front, rear, left, right or an ordinal, once known."""
     wears: list[str] = field(default_factory=list[str])

@@ -59,6 +59,8 @@ class World:
     """By what a vessel is filled with, the noun of that vessel."""
     cricket: bool = False
     """Whether the prompt is about cricket."""
+    breaking: bool = False
+    """Whether something is told to come apart."""
 
 
 def is_solid(world: World, i: str) -> bool:

@@ -245,7 +245,8 @@ def create(world: World, m: Mention) -> list[str]:
         flight.dimensions_cm = [steps * _GOING_CM, noun.dimensions_cm[1], steps * _RISE_CM]
         flight.dimensions_prescribed = True
     if group is None:
-        world.entities[ids[0]].one = m.count == 1
+        only = world.entities[ids[0]]
+        only.one, only.given = m.count == 1, m.determiner == "the"
         return ids
     world.groups[group] = ids
     if m.count is None or m.vague:

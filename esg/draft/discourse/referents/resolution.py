@@ -139,8 +139,22 @@ def _by_its_noun(world: World, m: Mention, subject: bool, avoid: list[str]) -> l
         found = []  # "two parked cars ... a car brakes": one more
     if found and _itself(world, m, found, avoid):
         found = []  # "a curling stone hits the guard stone": not itself
+    found = found or _told_before(world, m)
     enrich(world, m, found)
     return found or counted_parts(world, m) or create(world, m)
+
+
+def _told_before(world: World, m: Mention) -> list[str]:
+    """ "Falls onto a steel plate upon impact with the plate": read later, and told first."""
+    if m.determiner not in ("a", "an") or m.plural or m.letters or m.group_word:
+        return []
+    later = (e for e in world.entities.values() if e.origin > m.start and e.given)
+    e = next((e for e in later if e.group is None and matches(world, m, e)), None)
+    if e is None:
+        return []
+    e.adjectives += [a for a in m.adjectives if a not in e.adjectives and not a.startswith("@")]
+    e.label, e.origin, e.given = m.text or e.label, m.start, False
+    return [e.id]
 
 
 def _stays_behind(world: World, owner: Mention, m: Mention) -> bool:
@@ -154,6 +168,8 @@ def _itself(world: World, m: Mention, found: list[str], avoid: list[str]) -> boo
     """Whether what is found can only be who acts, and the phrase tells of another."""
     if ONE_OF_THESE in m.adjectives or not set(found) <= {*avoid}:
         return False
+    if (m.part or m.after_prep == "of") and m.determiner == "the" and not m.adjectives:
+        return False  # "a rubber ball falls, showing the bounce of the ball"
     another = bool(OTHER & {*m.adjectives}) or m.possessor is not None
     return another or world.entities[found[0]].head != m.head
 

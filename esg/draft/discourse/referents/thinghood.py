@@ -18,6 +18,7 @@ _WITH = lex.word_set("with a part of the body")
 _FILMING = lex.word_set("filming")
 _MONTHS, _SEASONS = lex.word_set("months"), lex.word_set("seasons")
 _TO_PIECES = lex.word_set("to pieces")
+_SHARDS = frozenset({"bit", "fragment", "piece", "shard", "smithereen", "splinter"})
 _PICTURE, _THE_PICTURE = ("frame", "screen"), ("", "the")
 _ACROSS = ("across", "of", "off", "on")
 _ACTING_PARTS = lex.word_set("acting parts")
@@ -41,11 +42,17 @@ def names_nothing(world: World, m: Mention, subject: bool) -> bool:
         m: The noun phrase.
         subject: Whether it is a grammatical subject.
     """
-    if _lane_of_a_road(m):
+    if _lane_of_a_road(m) or _fills_a_pond(world, m):
         return True
     if any(same_kind(m, e) for e in world.entities.values()):
         return False
     return any(test(world, m, subject) for test in _TESTS)
+
+
+def _fills_a_pond(world: World, m: Mention) -> bool:
+    """ "A pond filled with water": no second water."""
+    bare = m.head == "water" and not m.determiner and m.after_prep in ("with", "of")
+    return bare and any(e.noun.kind == "water" for e in world.entities.values())
 
 
 def _lane_of_a_road(m: Mention) -> bool:
@@ -100,8 +107,14 @@ def _who_films(world: World, m: Mention, subject: bool) -> bool:
 
 
 def _pieces(world: World, m: Mention, subject: bool) -> bool:
-    """ "smashes it into pieces", "cut in half"."""
-    return m.head in _TO_PIECES and m.after_prep in ("in", "into", "to") and not m.determiner
+    """ "smashes it into pieces", "cut in half", "shatters, with fragments flying about"."""
+    if m.head in _TO_PIECES and m.after_prep in ("in", "into", "to") and not m.determiner:
+        return True
+    bare = not (m.determiner or m.plural or m.count or m.adjectives)
+    if world.breaking and bare and m.after_prep == "of" and m.head in lex.MATERIALS:
+        return bool(world.entities)  # "sending pieces of glass across the floor"
+    several = m.plural and m.count is None and not m.adjectives and not m.group_word
+    return several and m.head in _SHARDS and world.breaking and bool(world.entities)
 
 
 def _running_water(world: World, m: Mention, subject: bool) -> bool:
@@ -174,8 +187,12 @@ def _own_motion(world: World, m: Mention, subject: bool) -> bool:
     return m.determiner in lex.POSSESSIVES and m.head in _MOTIONS and bool(m.after_prep)
 
 
+_WITH_STUFF = frozenset({"amid", "at", "for", "in", "of", "with", "without"})
+"""Prepositions after which a bare noun that nobody knows is a place, a stuff or a quality."""
+
+
 def _place_name(world: World, m: Mention, subject: bool) -> bool:
-    """ "at cambodia", "in Los Angeles": nouns that nobody knows, where something is."""
+    """ "at cambodia", "in Los Angeles", "with sustenance": nouns that nobody knows."""
     words = m.text.split()
     named = m.noun is None or (m.noun.name == "person" and m.head != "person")
     capital = named and not m.determiner and all(w[:1].isupper() for w in words)
@@ -183,7 +200,7 @@ def _place_name(world: World, m: Mention, subject: bool) -> bool:
         return True
     bare = not (m.determiner or m.plural or m.adjectives or m.count or m.letters or m.amounts)
     named = bare and m.noun is None and m.head not in hypernyms()
-    return named and m.after_prep in ("in", "at") and m.possessor is None
+    return named and m.after_prep in _WITH_STUFF and m.possessor is None
 
 
 _TESTS: tuple[Callable[[World, Mention, bool], bool], ...] = (

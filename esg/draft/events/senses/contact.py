@@ -211,16 +211,23 @@ def _hits_no_thing(d: Discourse, f: Frame, movers: list[str], targets: list[str]
 
 
 def _ends_its_fall(d: Discourse, f: Frame, movers: list[str], targets: list[str]) -> bool:
-    """ "Falls off a table and hits the floor": the end of the fall that was told."""
+    """ "Falls off a table and hits the floor": the end of the fall that was told.
+
+    Or what makes it bounce or break there: "bounces as it hits the floor".
+    """
     falls = [last_of(d, m) for m in movers]
-    told = [n.id for n in falls if n is not None and n.event in (NodeEvent.FALL, NodeEvent.TOPPLE)]
+    told = [n.id for n in falls if n is not None and n.event in _COMES_DOWN]
+    coming = [m for m in movers if d.times.pending.get(m, (None,))[0] is NodeEvent.FALL]
     flat = bool(targets) and all(map(partial(structural, d), targets))
-    if not told or not flat or f.verb.lemma not in _ARRIVING:
+    contact = f.verb.lemma in _ARRIVING or f.verb.extra.get("at") == "1"
+    if not (told or coming) or not flat or not contact:
         return False
-    mark_used(d, f, told[-1])
+    mark_used(d, f, told[-1] if told else "end of the fall")
     return True
 
 
+_COMES_DOWN = (NodeEvent.FALL, NodeEvent.TOPPLE, NodeEvent.BOUNCE, NodeEvent.BREAK)
+"""Events at the end of which something is on the ground."""
 _NO_HITS: tuple[Callable[[Discourse, Frame, list[str], list[str]], bool], ...] = (
     _strikes_ball,
     _runs_over,

@@ -40,7 +40,7 @@ from esg.draft.events.timing import (
     representatives,
     time_of,
 )
-from esg.draft.events.told import at_rest, moves, things, traits_of
+from esg.draft.events.told import at_rest, ignore, moves, things, traits_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.graph.models import NodeEvent
 
@@ -70,6 +70,7 @@ _AT_A_TARGET = lex.word_set("goes at a target")
 _RUNS = lex.word_set("gaits, fast")
 _FOLLOWS = frozenset({"follow", "trail"})
 _ANYHOW = lex.word_set("goes anyhow")
+_ABOUT = lex.word_set("moves about in")
 
 
 @sense("own")
@@ -101,6 +102,10 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     if f.verb.lemma in _HOVERING and not lies and _all_fly(d, actors):
         _hovers(d, f, actors)
         return
+    if inner := _about_in(d, f, actors):
+        place(d, actors, [inner], "in")
+        ignore(d, f, "nothing shows how it moves about in there")
+        return
     by_itself = kind in SELF_POWERED and f.verb.lemma not in _ANYHOW
     _goes_away_again(d, f, actors)
     motion(d, f, actors, "own" if by_itself or afoot else None)
@@ -113,6 +118,25 @@ def read_own(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             turn(d, f, actors, "left", 360.0, _ABOUT_RATES, lasts=_ABOUT_S)
             return
         turn(d, f, actors, "left", _ROUND_DEG, _ROUND_RATES)
+
+
+def _about_in(d: Discourse, f: Frame, actors: list[str]) -> str:
+    """ "A goldfish swims in a bowl": what somebody moves about in; "" if nothing holds him."""
+    within = f.phrase("in", "inside", "within")
+    if within is None or f.verb.lemma not in _ABOUT or f.verb.passive or f.verb.negated:
+        return ""
+    ways = (p for p in f.phrases if p is not within and course_of(p))
+    fresh = bool(actors) and not any(a in d.timeline.tracks for a in actors)
+    if not fresh or any(ways):
+        return ""
+    hosts = (i for i in things(within) if holds(d, i) and i not in actors)
+    return next((i for i in hosts if all(_has_room(d, i, a) for a in actors)), "")
+
+
+def _has_room(d: Discourse, host: str, node: str) -> bool:
+    """Whether something is shorter and narrower than what it moves about in."""
+    inner, outer = (sorted(entity_of(d, i).noun.dimensions_cm[:2]) for i in (node, host))
+    return all(a < b for a, b in zip(inner, outer, strict=True))
 
 
 def _goes_away_again(d: Discourse, f: Frame, actors: list[str]) -> None:
@@ -177,7 +201,10 @@ def _sets_going(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
 def _driven(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
     """Who moves: what a person drives, else who the clause is about."""
     thing = f.object is not None and not f.object.attribute
-    if not (s and o and thing) or kind_of(d, s[0]) not in LIMBED:
+    if ridden := _ridden(d, f, s, o):
+        return ridden
+    rides = bool(s) and (kind_of(d, s[0]) in LIMBED or _toy_rides(d, f, s))
+    if not (s and o and thing and rides):
         return s or o
     glides = kind_of(d, o[0]) == "sliding" and f.verb.lemma in _RIDES  # "rides a sled down"
     if kind_of(d, o[0]) not in SELF_POWERED and not glides:
@@ -192,6 +219,23 @@ def _driven(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
     if not is_toy(entity_of(d, o[0])):
         d.scene.aboard.update((who, o[0]) for who in s)
     return o[:1]
+
+
+def _ridden(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
+    """ "A frog riding on the back of a turtle", "in a boat": what goes, with who is on it."""
+    on = f.phrase("on", "upon", "in") if f.verb.lemma == "ride" and s and not o else None
+    mounts = [i for i in things(on) if kind_of(d, i) in SELF_POWERED - {"person"}]
+    if not mounts or mounts[0] in s or not (kind_of(d, s[0]) in LIMBED or _toy_rides(d, f, s)):
+        return []
+    place(d, s, mounts[:1], "on")
+    if f.subject is not None:
+        d.refs.mounts[id(f.subject)] = mounts[:1]
+    return mounts[:1]
+
+
+def _toy_rides(d: Discourse, f: Frame, s: list[str]) -> bool:
+    """ "A teddy bear riding a skateboard": as somebody would."""
+    return f.verb.lemma in _RIDES and kind_of(d, s[0]) == "toy"
 
 
 def _hovers(d: Discourse, f: Frame, actors: list[str]) -> None:
@@ -320,8 +364,9 @@ def read_roll(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
 
 @sense("slide")
 def read_slide(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    if f.verb.lemma == "glide" and s and kind_of(d, s[0]) == "projectile":
-        f.verb.sense = "fly"  # "a paper plane glides"
+    soars = s and (kind_of(d, s[0]) == "projectile" or _all_fly(d, s))
+    if f.verb.lemma == "glide" and soars:
+        f.verb.sense = "fly"  # "a paper plane glides", "a gull glides over a lake"
         read_fly(d, f, s, o)
         return
     if _pushes(d, f, s, o):

@@ -7,6 +7,7 @@ from esg.draft.grammar.clauses.frames import Frame, Phrase, State, finite_ahead
 from esg.draft.grammar.clauses.record import Clauses
 from esg.draft.grammar.clauses.words import OWNED, PROPERTIES
 from esg.draft.text.elements import Element, Mention, Verb, Word, element_at
+from esg.lexicon.hypernyms import hypernyms
 
 _OCCASIONS = lex.word_set("occasions")
 _BEINGS = frozenset({"person", "animal", "robot"})
@@ -88,6 +89,9 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
     m.after_prep, s.prep = s.prep, ""
     if id(m) in c.told or _stated_beside(c, m, i):
         return
+    if _names_where(c, s, m, i) or _tag(c, s, m, i):
+        m.attribute = True
+        return
     listed = _coordinated(c, s, i) and not _part_going(c, m, i)
     if not m.after_prep and (_property(c, s, m, listed) or _stated_of_it(c, s, m, i)):
         return
@@ -120,6 +124,42 @@ def mention(c: Clauses, s: State, m: Mention, i: int) -> None:
     else:
         _object(s.frame, m)
         s.last, s.last_after_prep = m, False
+
+
+def _names_where(c: Clauses, s: State, m: Mention, i: int) -> bool:
+    """ "Past the Brandenburg Gate, Berlin", "at a market, Nairobi, Kenya": names of places."""
+    link, k = element_at(c.elements, i - 1), i
+    if not _a_name(m) or m.after_prep or getattr(link, "low", "") != ",":
+        return False
+    if s.last is None or getattr(s.last.noun, "kind", "") == "person":
+        return False  # "to Tom, Anna and Kim"
+    while (
+        _a_name(element_at(c.elements, k))
+        and getattr(element_at(c.elements, k + 1), "low", "") == ","
+    ):
+        k += 2
+    after = element_at(c.elements, k + 1)
+    return _a_name(element_at(c.elements, k)) and (
+        after is None or getattr(after, "low", "") == "."
+    )
+
+
+def _tag(c: Clauses, s: State, m: Mention, i: int) -> bool:
+    """ "A prism on a table, refraction.": a bare noun that nobody knows, after a comma."""
+    link, after = element_at(c.elements, i - 1), element_at(c.elements, i + 1)
+    told = m.determiner or m.adjectives or m.count or m.plural or m.letters or m.amounts
+    bare = not told and m.noun is None and bool(m.head) and m.head not in hypernyms()
+    ends = after is None or (isinstance(after, Word) and after.low == ".")
+    listed = s.last is not None and s.last.coordinated  # "a cup, a plate, zorb"
+    return bare and ends and getattr(link, "low", "") == "," and s.last is not None and not listed
+
+
+def _a_name(e: Element | None) -> bool:
+    """A capital in mid-sentence that may be somebody's name, and is no usual one."""
+    if not isinstance(e, Mention) or e.determiner or e.adjectives or e.possessor is not None:
+        return False
+    name = getattr(e.noun, "kind", "") == "person" and e.head not in lex.nouns()
+    return name and e.text[:1].isupper() and e.head not in lex.FIRST_NAMES
 
 
 def _another_with_a_place(c: Clauses, s: State, m: Mention, i: int) -> bool:

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from esg.draft import lexicon as lex
 from esg.draft.text.elements import Token
+from esg.draft.text.numerals import parse_number
 from esg.draft.verbphrases import verb_readings
 
 _DEGREES = lex.word_set("degrees")
@@ -48,6 +49,8 @@ def join_modifiers(tokens: list[Token], text: str) -> list[Token]:
             out.append(replace(token, text=text[token.start : end], end=end, tag="ADJ"))
         elif _second_of_two(tokens, i, out):
             pass  # "a wet and heavy towel"
+        elif _lone_participle(tokens, i, out):
+            out.append(replace(token, tag="ADJ"))
         else:
             out.append(token)
         i += n or 1
@@ -61,7 +64,7 @@ def _opens(before: list[Token]) -> bool:
         if n <= 0:
             return False
         last = before[n - 1]
-        if last.low in lex.DETERMINERS or last.low in _OWNERS:
+        if last.low in lex.DETERMINERS or last.low in _OWNERS or _counts(last):
             return True
         if last.text == "," and n > 1 and before[n - 2].tag == "ADJ":
             n -= 2
@@ -94,10 +97,24 @@ def _modifier(tokens: list[Token], i: int) -> int:
     ):
         return 0
     participle = any(r.form in ("pp", "ing") for r in verb_readings(low))
-    participle = participle or (tokens[k].tag == "VERB" and low.endswith(("ed", "ing", "en")))
+    participle = participle or tokens[k].tag == "VERB"  # "a brightly lit window"
     if not participle and tokens[k].tag != "ADJ":
         return 0
     return k + 1 - i if _noun_follows(tokens, k + 1) else 0
+
+
+def _lone_participle(tokens: list[Token], i: int, out: list[Token]) -> bool:
+    """ "A stretched plastic sheet": a participle of a verb that no table has."""
+    token = tokens[i]
+    shaped = token.kind == "word" and token.low.endswith(("ed", "en")) and token.tag == "VERB"
+    known = bool(verb_readings(token.low)) or token.low in lex.nouns()
+    return shaped and not known and _opens(out) and _noun_follows(tokens, i + 1)
+
+
+def _counts(token: Token) -> bool:
+    """ "Two brightly painted boats": a number that no unit follows."""
+    told = token.kind == "number" or (token.kind == "word" and token.low in lex.VAGUE_COUNTS)
+    return told or (token.kind == "word" and isinstance(parse_number(token.low), float))
 
 
 def _degree(token: Token) -> bool:
@@ -126,11 +143,17 @@ def _second_of_two(tokens: list[Token], i: int, out: list[Token]) -> bool:
     if tokens[i].low != "and" or not out or i + 1 >= len(tokens) or not _opens(out):
         return False
     first, n = out[-1], _modifier(tokens, i + 1)
+    opens = len(out) > 1 and out[-2].low in lex.DETERMINERS and first.tag == "ADV"
+    if opens and first.low not in lex.nouns():
+        first = replace(first, tag="ADJ")  # "a still and clear river"
     if first.tag != "ADJ" or first.kind != "word" or first.low in lex.DETERMINERS:
         return False
     pair = [first] if n else [first, tokens[i + 1]]
     apart = {*lex.ORDINALS, *lex.PLACE_ADJECTIVES, *lex.COLORS}
-    if any(t.tag != "ADJ" or t.low in apart or verb_readings(t.low) for t in pair):
+    if any(
+        (t.tag != "ADJ" and "-" not in t.low) or t.low in apart or verb_readings(t.low)
+        for t in pair
+    ):
         return False
     follows = _noun_follows(tokens, i + 1 + (n or 1))
     return follows and tokens[i + 1].low not in lex.nouns()

@@ -77,6 +77,13 @@ _CAST = lex.word_set("cast (noun heads)")
 _PICKING = frozenset({"left", "right", "front", "rear", "middle", "top", "bottom"})
 _NOT_ONE = frozenset({"light", "dark", "cold"})
 """Adjectives that are nouns, too: "the light" is no light one."""
+_ALWAYS_PEOPLE = frozenset({"crowd", "family", "gang", "squad"})
+_BUILT = frozenset({"made", "built", "carved", "constructed", "crafted", "woven", "cast"})
+"""Participles before what something consists of."""
+_UPON = frozenset({"across", "along", "on", "onto", "over", "upon"})
+_NOT_LEVEL = lex.word_set("not level")
+_AMID = frozenset({"against", "from", "in", "into", "through", "toward", "towards", "under"})
+"""Prepositions of what is around somebody ("glitters in the light")."""
 _NO_NOUNS = lex.ADVERBS | lex.PREPOSITIONS | lex.DETERMINERS | lex.SUBORDINATORS
 
 
@@ -262,7 +269,10 @@ def _measure_or_role(c: Chunks, k: int, m: Mention) -> None:
     if m.head in ("weight", "mass"):
         told = low_at(c, k) in ("of", "is") and after is not None and after.kind == "qty"
         compared = bool(_COMPARED & {*m.adjectives}) and not m.determiner
-        if told or compared or m.determiner in ("its", "their"):
+        near = c.tokens[k : k + 7]
+        stated = low_at(c, k) == "of" and any(t.low == "is" for t in near)
+        stated = stated and any(t.kind == "qty" for t in near)  # "the weight of a crate is 5 kg"
+        if told or compared or stated or m.determiner in ("its", "their"):
             m.noun, m.attribute = None, True
     crew = m.head in lex.PERSON_ROLES and not m.plural  # two passengers are no vehicle
     if crew or m.head in ("cyclist", "rider"):
@@ -376,7 +386,7 @@ def _people(c: Chunks, p: Place, m: Mention) -> Head | None:
     if not people_here(c, p.at):
         return OTHER
     told = m.determiner not in ("", "the") or m.count is not None
-    those = m.determiner == "the" and word in lex.GROUP_WORDS and word != "crowd"
+    those = m.determiner == "the" and word in lex.GROUP_WORDS and word not in _ALWAYS_PEOPLE
     verb = several and m.determiner in ("a", "an")  # "an engine couples onto five wagons"
     caption = not several and not c.elements  # "Happy family with two kids"
     named = told or m.determiner or ((several or caption) and m.adjectives)
@@ -444,6 +454,23 @@ def _body_part(c: Chunks, p: Place, m: Mention) -> Head | None:
     return Head(p.at + 1)
 
 
+def _weight_of(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "Bends under the weight of a truck": under the truck."""
+    before = element_before(c)
+    under = isinstance(before, Word) and before.low in ("under", "beneath")
+    if p.low not in ("weight", "load") or not under or low_at(c, p.at + 1) != "of":
+        return OTHER
+    if m.determiner != "the" or getattr(token_at(c, p.at + 2), "kind", "") == "qty":
+        return OTHER
+    found = _owner(c, p.at + 2)
+    if found is None:
+        return OTHER
+    owner, after = found
+    owner.start = m.start
+    c.elements.append(owner)
+    return Head(after, complete=True)
+
+
 def _part(c: Chunks, p: Place, m: Mention) -> Head | None:
     """ "the edge of a table": the table, and which part of it."""
     low, j = p.low, p.at
@@ -469,7 +496,10 @@ def _part(c: Chunks, p: Place, m: Mention) -> Head | None:
         owner.pick, owner.start = part, m.start  # "the left of two lamps"
         c.elements.append(owner)
         return Head(after, complete=True)
-    owner.part = f"{' '.join(m.adjectives)} {m.part}" if m.adjectives else m.part
+    before = element_before(c)
+    on = isinstance(before, Word) and before.low in _UPON
+    if part != "surface" or not on:  # "rolls on the surface of a table": on it
+        owner.part = f"{' '.join(m.adjectives)} {m.part}" if m.adjectives else m.part
     owner.start = m.start
     c.elements.append(owner)
     return Head(after, complete=True)
@@ -518,6 +548,19 @@ def _attribute(c: Chunks, p: Place, m: Mention) -> Head | None:
         m.head = low_at(c, j)
         j += 1
     return Head(j)
+
+
+def _floor(c: Chunks, p: Place, m: Mention) -> Head | None:
+    """ "Bounces on a hard surface": one of nothing that is named, and level, is the floor."""
+    if p.low != "surface" or m.determiner not in ("a", "an") or m.count:
+        return OTHER
+    before = element_before(c)
+    on = isinstance(before, Word) and before.low in _UPON and low_at(c, p.at + 1) != "of"
+    words = {*m.adjectives} - {*lex.MATERIALS}
+    if not on or words & _NOT_LEVEL or any(w in lex.nouns() for w in words):
+        return OTHER
+    m.noun, m.head = lex.nouns()["floor"], p.low
+    return Head(p.at + 1)
 
 
 def _pronoun(c: Chunks, p: Place, m: Mention) -> Head | None:
@@ -602,7 +645,9 @@ def _adjective_alone(c: Chunks, p: Place, m: Mention) -> Head | None:
         m.head, m.plural = lex.singular(last)
         m.known = False
         return Head(p.at)
-    acted_on = bool(c.elements) and isinstance(c.elements[-1], Verb) and m.determiner == "the"
+    before = c.elements[-1] if c.elements else None
+    acted_on = isinstance(before, Verb) or (isinstance(before, Word) and before.low in _AMID)
+    acted_on = acted_on and m.determiner == "the"
     if last in _NOT_ONE and acted_on and len(m.adjectives) == 1:
         m.attribute, m.head = True, last  # "turns off the light": no light one
         m.adjectives.clear()
@@ -644,6 +689,9 @@ def _unknown(c: Chunks, p: Place, m: Mention) -> Head | None:
     known = match_noun(c, k + 1) if k + 1 < len(tokens) else None
     known = None if known is not None and unknown_act(c, k + 1, m) else known
     ends = bool(m.determiner) and ends_phrase(c, k + 1)  # "on the lab floor."
+    last, after = token_at(c, k + 1), token_at(c, k + 2)
+    closes = after is None or after.kind == "punct"
+    ends = ends or (closes and last is not None and (last.tag, last.low[-3:]) == ("NOUN", "ing"))
     clear = ends or not verb_readings(low_at(c, k + 1)) or noun_not_verb(c, k + 1, m)
     if known is not None and clear and tokens[k].text != "'s":
         return _modifies(c, Place(p.first, k, low_at(c, k), None), m)
@@ -719,9 +767,11 @@ HEADS: tuple[HeadReader, ...] = (
     _people,
     _wisp,
     _far_off,
+    _weight_of,
     _known,
     _rest,
     _piece,
+    _floor,
     _part,
     _bus_stop,
     _doer,
@@ -766,9 +816,37 @@ def _part_of_whole(c: Chunks, j: int, m: Mention) -> int | None:
     return after
 
 
+def _made_out_of(c: Chunks, j: int, m: Mention) -> int:
+    """ "A vase made of glass stands there": of what it is made, and then its verb."""
+    if low_at(c, j) not in _BUILT or m.attribute or m.pronoun or not m.head:
+        return j
+    k = j + 2 if low_at(c, j + 1) == "out" else j + 1
+    if low_at(c, k) not in ("of", "from") or low_at(c, k + 1) not in lex.MATERIALS:
+        return j
+    after = token_at(c, k + 2)
+    goes_on = after is not None and after.kind == "word" and after.tag != "VERB"
+    small = lex.PREPOSITIONS | lex.ADVERBS | lex.SUBORDINATORS | {"and", "but", "is", "are"}
+    finite = any(r.form in ("s", "past") for r in verb_readings(low_at(c, k + 2)))
+    acts = finite and low_at(c, k + 3) in small | lex.DETERMINERS
+    if goes_on and after is not None and after.low not in small and not acts:
+        return j  # "made of glass blocks"
+    m.adjectives.append(low_at(c, k + 1))
+    return k + 2
+
+
+def _on_horseback(c: Chunks, j: int, m: Mention) -> int:
+    """ "A cowboy on horseback": a rider on a horse."""
+    told = (low_at(c, j), low_at(c, j + 1)) == ("on", "horseback")
+    if not told or m.noun is None or m.noun.kind != "person":
+        return j
+    m.noun = lex.nouns()["horse rider"]
+    return j + 2
+
+
 def _complete(c: Chunks, p: Place, j: int, m: Mention) -> int | None:
     """Adds the phrase with the names and owners that follow its head."""
     tokens = c.tokens
+    j = _on_horseback(c, _made_out_of(c, j, m), m)
     if (whole := _part_of_whole(c, j, m)) is not None:
         return whole
     j = member_of_row(c, j, m) or letters(c, j, m)

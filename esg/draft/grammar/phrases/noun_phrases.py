@@ -139,6 +139,9 @@ def _group(c: Chunks, j: int, m: Mention) -> int:
         skip, word = 1, second
     if word not in lex.GROUP_WORDS or low_at(c, j + 1 + skip) != "of":
         return j
+    named = token_at(c, j + 2 + skip)
+    if named is not None and named.tag == "PROPN" and named.text[:1].isupper():
+        return j  # "the pyramids of Giza"
     one = word == "wall" or not lex.singular(low_at(c, j + 2))[1]
     if (match_noun(c, j) or (None, 1))[1] >= 3 and one:
         return j  # "a pile of snow", "a wall of bricks" is one thing, "a tower of blocks" several

@@ -90,7 +90,8 @@ def count_of(c: Chunks, j: int, m: Mention) -> int:
     if token.kind == "number":
         return _digits(c, j, m) if token.text[0] != "#" else j
     low = token.low
-    if low in lex.VAGUE_COUNTS and low not in _NOT_VAGUE:
+    group = low in lex.GROUP_WORDS and low_at(c, j + 1) == "of"  # "a handful of marbles"
+    if low in lex.VAGUE_COUNTS and low not in _NOT_VAGUE and not group:
         m.count, m.vague = lex.VAGUE_COUNTS[low], True
         return j + 1
     value = parse_number(low) if low not in ("a", "an", "half", "a half") else None

@@ -14,6 +14,7 @@ from esg.draft.text.tokens import is_name
 from esg.draft.verbphrases import PHRASES, verb_readings
 from esg.lexicon.hypernyms import hypernyms
 
+_DOERS = frozenset({"animal", "cart", "flyer", "person", "robot", "vehicle", "watercraft"})
 _NOUNS_FIRST = lex.word_set("nouns first")
 _ALSO_NOUNS = lex.word_set("also nouns")
 _ARTICLES = frozenset({"a", "an", "the", "its", "his", "her", "their", "another"})
@@ -230,7 +231,10 @@ def _after_preposition(c: Chunks, w: _Word) -> bool | None:
 def _after_noun(c: Chunks, w: _Word) -> bool | None:
     if not isinstance(w.previous, Mention):
         return None
-    return True
+    ends = w.next in ("", ".", ",", ";")
+    noun = w.forms == {"ing"} and w.noun is not None and c.tokens[w.at].tag == "NOUN"
+    noun = noun and getattr(w.previous.noun, "kind", "") not in _DOERS
+    return not (ends and noun)  # "A ball hits a box, oil painting."
 
 
 def _after_verb(c: Chunks, w: _Word) -> bool | None:
@@ -285,7 +289,9 @@ def _commands(c: Chunks, w: _Word) -> bool:
 
 def _opens_clause(c: Chunks, w: _Word) -> bool | None:
     previous = w.previous
-    if isinstance(previous, Word) and not (previous.kind == "punct" and previous.low in ".;!?:\n"):
+    if isinstance(previous, Word) and not (
+        (previous.kind == "punct" and previous.low in ".;!?:\n") or previous.low == "heading"
+    ):
         return None
     if not w.nounish or _commands(c, w):
         return True
@@ -442,6 +448,12 @@ def compound_noun(c: Chunks, k: int, m: Mention) -> bool:
         return True  # "the engine shed doors"
     if base and stands_for_noun(c, k, m):
         return True
+    ends = nxt.kind == "punct" or nxt.low in lex.PREPOSITIONS | {"and", "is"}
+    thing = match_noun(c, k - 1)
+    doer = thing is not None and thing[0].kind in _DOERS  # "a cyclist crossing from the right"
+    going = all(r.form == "ing" for r in readings)
+    if ends and not doer and going and c.tokens[k].tag == "NOUN":
+        return match_noun(c, k) is not None  # "out of a school building toward a bus"
     return c.tokens[k].tag == "NOUN" and bool(verb_readings(nxt.low))
 
 
