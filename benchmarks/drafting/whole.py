@@ -35,6 +35,8 @@ _LATER = frozenset(
         Predicate.WEATHER,
         Predicate.SWAYS,
         Predicate.POSTURE,
+        Predicate.GESTURES,
+        Predicate.FACES,
     }
 )
 """Of what labels call unsayable: documents hold it since."""

@@ -17,6 +17,7 @@ from esg.metrics.statements import (
     directions,
     facts,
     filmed,
+    gestures,
     liquids,
     manner,
     place,
@@ -70,6 +71,8 @@ OF_BODIES: dict[Predicate, OfBody] = {
     Predicate.LOOKS: worn.wears,
     Predicate.LIT: shown.lit,
     Predicate.SWAYS: shown.sways,
+    Predicate.GESTURES: gestures.gestures,
+    Predicate.FACES: gestures.faces,
 }
 """Measures of one body; of a set, every member is measured."""
 
