@@ -20,6 +20,8 @@ EASE_S = 0.4
 """Time in which somebody comes to the rest of a gesture, and leaves it [s]."""
 EASES, SWEEPS = 4, 6
 """States in which the way there is drawn, and the way from the rest to its far end."""
+SEEN_S = 5.0
+"""A scene in which nobody does anything else plays for so long [s]."""
 MARK = "~"
 """Between the name of a pose, a gesture and its state, as a pose's name says them."""
 

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from esg.engines.scene import Rollout, SimScene
 from esg.units import quat_rotate
-from esg.view.framing import told_side
+from esg.view.framing import gestures_side, told_side
 from esg.view.moments import INTO, as_seen, cast_of, fixed_to, openings_of
 
 if TYPE_CHECKING:
@@ -97,7 +97,7 @@ class Action:
             if float(np.ptp(rollout.position[0, :, i], axis=0).max()) < 1e-5
             and float(np.ptp(rollout.quaternion[0, :, i], axis=0).max()) < 1e-5
         )
-        self.side = told_side(doc)
+        self.side = told_side(doc) or gestures_side(scene, rollout)
         """Azimuth [rad] from which left and right are as the prompt says; None if any will do."""
         self._acting: dict[tuple[Beat, int], Floats] = {}
         self.beats = tuple(self._met(b) for b in _beats(scene, rollout, verdict, doc))

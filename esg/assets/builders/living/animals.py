@@ -187,10 +187,8 @@ def _rests(s: Sketch, b: Beast) -> None:
     _moved(s, raised)
 
 
-_HEADED = ("head", "nose", "mouth", "eye", "lid", "ear", "horn", "antler", "whiskers", "tusk", "top",
-           "stalk", "bobble", "plume", "beard", "lenses", "rim", "hat", "cap")  # fmt: skip
-"""How the names of parts begin that go with a head; a neck has those of its mane besides."""
-_NECKED = ("neck", "mane", "collar", "tag", "bell", *_HEADED)
+_BODILY = ("body", "tail", "leg", "paw", "hoof", "fleece", "cushion", "drape", "fringe", "spots")
+"""How the names of parts begin that go with no head, wherever they are."""
 
 
 def _gestures(s: Sketch, b: Beast, gesture: Gesture, state: State) -> None:
@@ -199,15 +197,26 @@ def _gestures(s: Sketch, b: Beast, gesture: Gesture, state: State) -> None:
     nape = (x - 0.5 * b.head[0], z - 0.2 * b.head[0])
     withers = (b.legs[1] - 0.1 * b.trunk[3], b.trunk[1] + 0.1 * b.trunk[3])
     rump = (b.legs[0] - 0.6 * b.trunk[2], b.trunk[0] + 0.4 * b.trunk[2])
-    for joint, (ax, az), parts in (
-        ("head", nape, _HEADED), ("neck", withers, _NECKED), ("tail", rump, ("tail",)),
-    ):  # fmt: skip
-        pitch, yaw = (gesture.angles(state, f"{joint}.{way}", 0.0) for way in ("pitch", "yaw"))
-        if pitch or yaw:
-            at = np.array([ax, 0.0, az])
-            _moved(s, lambda v, name, at=at, p=pitch, y=yaw, own=parts: (
-                turned_about(v, at, p, y) if name.startswith(own) else v
-            ))  # fmt: skip
+
+    def turned(v: Any, name: str) -> Any:
+        own = "tail" if name.startswith("tail") else ""
+        if not name.startswith(_BODILY) and "sleeve" not in name:
+            middle = float(v[:, 0].mean())
+            own = "head" if middle > nape[0] and name != "neck" else own
+            own = own or ("neck" if middle > withers[0] else "")
+        if own == "head":
+            v = turned_about(v, np.array([nape[0], 0.0, nape[1]]), *by["head"])
+        if own in ("head", "neck"):
+            v = turned_about(v, np.array([withers[0], 0.0, withers[1]]), *by["neck"])
+        if own == "tail":
+            v = turned_about(v, np.array([rump[0], 0.0, rump[1]]), *by["tail"])
+        return v
+
+    by = {
+        joint: tuple(gesture.angles(state, f"{joint}.{way}", 0.0) for way in ("pitch", "yaw"))
+        for joint in ("head", "neck", "tail")
+    }
+    _moved(s, turned)
 
 
 def _is_low(name: str, row: str) -> bool:
