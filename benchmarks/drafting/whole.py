@@ -37,6 +37,7 @@ _LATER = frozenset(
         Predicate.POSTURE,
         Predicate.GESTURES,
         Predicate.FACES,
+        Predicate.GIVES_OFF,
     }
 )
 """Of what labels call unsayable: documents hold it since."""

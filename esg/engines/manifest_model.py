@@ -230,6 +230,13 @@ class GestureModel(_Model):
     ends: str = Field("", description="Event; empty: never")
 
 
+class GivesOffModel(_Model):
+    """Smoke, steam, dust or sparks that leave a body."""
+
+    name: Name
+    begins: str = Field("", description="Event; empty: at the start")
+
+
 class BodyModel(_Model):
     """One rigid body."""
 
@@ -279,13 +286,14 @@ class BodyModel(_Model):
     shines: tuple[ShineModel, ...] = Field((), description="Its lights; absent: it is not lit")
     sways: SwayModel | None = Field(None, description="In the wind; absent: it does not")
     gestures: tuple[GestureModel, ...] = Field((), description="That it makes; absent: none")
+    gives_off: tuple[GivesOffModel, ...] = Field((), description="Plumes; absent: none")
 
     @model_serializer(mode="wrap")
     def _without_what_it_lacks(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
         # Bodies without wheels and tyres, and those that do not break, read as they always did.
         data = handler(self)
         for name in ("tyre_friction", "tyre_drop", "tyre_foot", "wheels", "break_impulse",
-                     "fragments", "postures", "drawn", "shines", "sways", "gestures"):  # fmt: skip
+                     "fragments", "postures", "drawn", "shines", "sways", "gestures", "gives_off"):  # fmt: skip
             if not data[name]:
                 del data[name]
         return data

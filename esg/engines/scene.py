@@ -108,6 +108,19 @@ class Gesture:
 
 
 @dataclass(frozen=True)
+class GivesOff:
+    """Smoke, steam, dust or sparks that leave a body, of which no engine knows.
+
+    Args:
+        name: Row of the table of plumes (`esg.lexicon.plumes`).
+        begins: Id of the point event; empty: at the start.
+    """
+
+    name: str
+    begins: str = ""
+
+
+@dataclass(frozen=True)
 class Body:
     """One rigid body.
 
@@ -151,6 +164,7 @@ class Body:
         shines: Its lights and flames, where it is stated that it is lit.
         sways: How it sways, where it is stated that it does.
         gestures: That it makes, where it is stated that it does.
+        gives_off: Smoke, steam, dust and sparks, where it is stated that it does.
     """
 
     name: str
@@ -187,6 +201,7 @@ class Body:
     shines: tuple[Shine, ...] = ()
     sways: Sway | None = None
     gestures: tuple[Gesture, ...] = ()
+    gives_off: tuple[GivesOff, ...] = ()
 
     @property
     def collides(self) -> bool:
@@ -208,6 +223,7 @@ def stand_in(body: Body, **own: Any) -> Body:
         group="",
         mentioned=False,
         active=False,
+        gives_off=(),
         **own,
     )
 

@@ -6,6 +6,7 @@ from esg.graph.context import Context
 from esg.graph.models import Predicate, Statement
 from esg.graph.violations import listing, pointer
 from esg.lexicon.gestures import gestures
+from esg.lexicon.plumes import plumes
 from esg.lexicon.postures import postures
 
 _MOMENTS = ("start", "end", "throughout")
@@ -18,6 +19,7 @@ _NAMING = (
     Predicate.LIT,
     Predicate.POSTURE,
     Predicate.GESTURES,
+    Predicate.GIVES_OFF,
 )
 """Said of an object by a word: what it is filled with, what somebody wears, his posture."""
 _OF_NOTHING = (*_OF_NOUNS, Predicate.FILMED, Predicate.NOT_REPRESENTED)
@@ -110,12 +112,13 @@ def _needs(ctx: Context, here: str, statement: Statement) -> None:
                 f"A statement of {says.value!r} says nothing without its {name}.",
                 f"Give its {name}, or leave the statement out.",
             )
-    known = dict.fromkeys(
-        [r.posture for r in postures()]
-        if says is Predicate.POSTURE
-        else [name for name, _ in gestures()]
-    )
-    named = says in (Predicate.POSTURE, Predicate.GESTURES) and statement.noun
+    tables = {
+        Predicate.POSTURE: [r.posture for r in postures()],
+        Predicate.GESTURES: [name for name, _ in gestures()],
+        Predicate.GIVES_OFF: [*plumes()],
+    }
+    known = dict.fromkeys(tables.get(says, ()))
+    named = says in tables and statement.noun
     if named and statement.noun not in known:
         ctx.add(
             "STATEMENT_UNKNOWN",

@@ -25,7 +25,7 @@ from esg.units import quat_inverse, quat_multiply, quat_rotate
 
 AFTERMATH_S = 1.5
 GESTURE_S = 2.0
-"""So much longer plays a scene in which somebody makes a gesture [s]."""
+"""So much longer plays a scene in which somebody makes a gesture, or something begins to smoke [s]."""
 MAX_DURATION_S = 14.5
 
 
@@ -86,7 +86,8 @@ def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: b
     cast.nominal.update(times_of(cast, carried))
     declared, composer = Declarations(cast), Composer(cast, carried)
     latest = _latest(cast, declared.variables)
-    after = AFTERMATH_S + GESTURE_S * any(b.gestures for b in scene.bodies)
+    seen = any(b.gestures or any(g.begins for g in b.gives_off) for b in scene.bodies)
+    after = AFTERMATH_S + GESTURE_S * seen
     duration = min(MAX_DURATION_S, math.ceil(10.0 * (1.15 * latest + after)) / 10.0)
 
     borne = (*first_postures(doc, scene), *liquids(doc, scene))

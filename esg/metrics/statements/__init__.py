@@ -21,6 +21,7 @@ from esg.metrics.statements import (
     liquids,
     manner,
     place,
+    plumes,
     postures,
     shown,
     sides,
@@ -73,6 +74,7 @@ OF_BODIES: dict[Predicate, OfBody] = {
     Predicate.SWAYS: shown.sways,
     Predicate.GESTURES: gestures.gestures,
     Predicate.FACES: gestures.faces,
+    Predicate.GIVES_OFF: plumes.gives_off,
 }
 """Measures of one body; of a set, every member is measured."""
 

@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.plumes import rises_m, trails_m
 from esg.engines.scene import Rollout, SimScene
 from esg.units import quat_rotate
 from esg.view.framing import gestures_side, told_side
@@ -91,6 +92,8 @@ class Action:
         half = np.array([b.half_extents for b in scene.bodies])
         offset = np.array([b.origin_offset for b in scene.bodies])
         self._corners = signs[None] * half[:, None] + offset[:, None]
+        self._corners[:, :4, 0] -= np.array([trails_m(b) for b in scene.bodies])[:, None]
+        self._corners[:, 1::2, 2] += np.array([rises_m(b) for b in scene.bodies])[:, None]
         self.still = tuple(
             i
             for i in range(len(scene.bodies))

@@ -18,6 +18,7 @@ from esg.lexicon.shown import Sway, Weather, weather_of
 from esg.units import CM_PER_M
 from esg.view.pieces import Act, Part
 from esg.view.seeing.gestures import with_gestures
+from esg.view.seeing.plumes import plume_parts
 
 if TYPE_CHECKING:
     import trimesh
@@ -49,7 +50,9 @@ SEED = 20
 
 def shown(scene: SimScene) -> bool:
     """Whether anything of a scene shines, sways, makes gestures or falls from the sky."""
-    return bool(scene.weather) or any(b.shines or b.sways or b.gestures for b in scene.bodies)
+    return bool(scene.weather) or any(
+        b.shines or b.sways or b.gestures or b.gives_off for b in scene.bodies
+    )
 
 
 def with_shows(
@@ -75,6 +78,7 @@ def with_shows(
         for shine in body.shines:
             own = [p.mesh() for p in named(drawn, shine.part)]
             out += _shining(index, body, shine, own, there(shine, time, events))
+    out += plume_parts(scene, rollout, events)
     for noun in scene.weather:
         found = weather_of(noun)
         if found is not None and found[0].falls_mps:
@@ -106,6 +110,7 @@ def event_times(doc: EsgDocument, scene: SimScene, rollout: Rollout) -> dict[str
     """When the events happened at which lights change and gestures begin and end [s]."""
     told = [s.event for b in scene.bodies for s in b.shines]
     told += [e for b in scene.bodies for g in b.gestures for e in (g.begins, g.ends)]
+    told += [g.begins for b in scene.bodies for g in b.gives_off]
     if not any(told):
         return {}
     from esg.compile.scene import document_program
