@@ -293,7 +293,8 @@ class BodyModel(_Model):
         # Bodies without wheels and tyres, and those that do not break, read as they always did.
         data = handler(self)
         for name in ("tyre_friction", "tyre_drop", "tyre_foot", "wheels", "break_impulse",
-                     "fragments", "postures", "drawn", "shines", "sways", "gestures", "gives_off"):  # fmt: skip
+                     "fragments", "postures", "drawn", "shines", "sways", "gestures",
+                     "gives_off"):  # fmt: skip
             if not data[name]:
                 del data[name]
         return data

@@ -112,7 +112,7 @@ def trails_m(body: Body) -> float:
 
 
 def _outlet(row: Plume, body: Body, around: Floats) -> tuple[Floats, float]:
-    """Where a puff leaves a body, in its frame from its centre of mass [m], and its smaller side."""
+    """Where a puff leaves a body, in its frame [m], and how wide that is on its smaller side."""
     half = np.asarray(body.half_extents, float)
     foot = np.asarray(body.origin_offset, float)
     high = {"top": 2.0, "back": 0.35, "wheels": 0.04, "foot": 0.06}[row.place] * half[2]

@@ -1,8 +1,9 @@
 """The table of gestures, `gestures.csv`: how arms, head or tail go, and when.
 
 A gesture eases from how somebody holds himself to its `rest`, goes from there to `far` and back,
-`times` over or on and on, and eases out. What is drawn of it are a few states; `state_at` says which
-is there when. Angles of people are those of their poses, of animals turns about neck and tail [deg].
+`times` over or on and on, and eases out. What is drawn of it are a few states; `states_at` says
+which is there when. Angles of people are those of their poses, of animals turns about neck and
+tail [deg].
 """
 
 from __future__ import annotations
@@ -66,9 +67,7 @@ class Gesture:
         """
         rest = dict(self.rest).get(joint, own)
         far = dict(self.far).get(joint, rest)
-        return (
-            own + (rest - own) * state[0] / EASES + (far - rest) * state[1] / SWEEPS
-        )
+        return own + (rest - own) * state[0] / EASES + (far - rest) * state[1] / SWEEPS
 
 
 @cache
@@ -107,7 +106,8 @@ def states_at(period_s: float, times: int, since: NDArray[np.float64]) -> NDArra
     ease = np.rint(EASES * ease * ease * (3.0 - 2.0 * ease))
     sweep = np.zeros_like(since)
     if period_s > 0.0:
-        turn = 2.0 * np.pi * (since - EASE_S) / period_s
+        under_way = np.clip(since - EASE_S, 0.0, times * period_s if times else None)
+        turn = 2.0 * np.pi * under_way / period_s
         sweep = np.rint(SWEEPS * 0.5 * (1.0 - np.cos(turn))) * (ease == EASES)
     return np.stack([ease, sweep], axis=-1).astype(np.int64)
 

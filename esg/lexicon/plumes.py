@@ -1,4 +1,4 @@
-"""The table of plumes, `plumes.csv`: smoke, steam, dust and sparks, as puffs that leave something."""
+"""The table of plumes, `plumes.csv`: smoke, steam, dust and sparks, which leave something."""
 
 from __future__ import annotations
 

@@ -68,7 +68,9 @@ _FIELDS: dict[str, _Fields] = {
     "size": _Fields(("object",), ("quantity", "value", "as", "unit"), "height"),
     "count": _Fields(("noun", "value")),
     "absent": _Fields(("noun",)),
-    **dict.fromkeys(("wears", "looks", "lit", "posture", "gestures", "gives_off"), _Fields(("object", "noun"))),
+    **dict.fromkeys(
+        ("wears", "looks", "lit", "posture", "gestures", "gives_off"), _Fields(("object", "noun"))
+    ),
     "faces": _Fields(("object", "target")),
     "weather": _Fields(("noun",)),
     "sways": _Fields(("object",), ("noun",)),

@@ -6,7 +6,6 @@ from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
-from numpy.typing import NDArray
 
 from esg.compile.visuals.decals import drawn_lifts, is_ground
 from esg.engines.breaking import whole_of_fragments

@@ -69,8 +69,8 @@ from esg.draft.events.hanging import (
 from esg.draft.events.motions import hold_back
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.breaking import gone_through, sense_of_breaking, who_breaks
-from esg.draft.events.senses.outcome import target_of_mates
 from esg.draft.events.senses.gestures import makes_gesture
+from esg.draft.events.senses.outcome import target_of_mates
 from esg.draft.events.senses.postures import takes_posture
 from esg.draft.events.senses.state import attachment, mass_of_load, stands_there
 from esg.draft.events.stated import CENTRE

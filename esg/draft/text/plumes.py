@@ -14,7 +14,10 @@ from esg.graph.models import Predicate
 from esg.lexicon.plumes import plumes
 
 _MUCH = r"(?:(?:thick|black|white|grey|gray|dark|hot|dense|fine|a\s+lot\s+of|some|little)\s+)*"
-_OF = rf"(?:(?:an?|the|some|its|huge|large|big|small|long|thick)\s+)*(?:(?:clouds?|trails?|plumes?|puffs?|columns?|wisps?|showers?|jets?|bursts?|stream)\s+of\s+)?{_MUCH}"
+_OF = (
+    r"(?:(?:an?|the|some|its|huge|large|big|small|long|thick)\s+)*(?:(?:clouds?|trails?|plumes?|"
+    rf"puffs?|columns?|wisps?|showers?|jets?|bursts?|streams?)\s+of\s+)?{_MUCH}"
+)
 _BEHIND = (
     r"(?:\s+(?:(?:up\s+)?behind\s+(?:it|him|her|them)|in\s+(?:its|his|her|their)\s+wake|into\s+the\s+"
     r"(?:air|sky)|as\s+it\s+goes|everywhere|up))?"
@@ -49,19 +52,22 @@ def _patterns() -> tuple[re.Pattern[str], ...]:
     return (
         # "with smoke coming from its engine", ", sparks flying from its wheels"
         re.compile(
-            rf"{joined}(?:with\s+)?{_OF}{said}\s+{rises}\s+(?:from|out\s+of|off|behind|of)\s+(?:(?P<own>{part}|it|him|her|them))\b",
+            rf"{joined}(?:with\s+)?{_OF}{said}\s+{rises}\s+(?:from|out\s+of|off|behind|of)\s+"
+            rf"(?P<own>{part}|it|him|her|them)\b",
             re.IGNORECASE,
         ),
         # "smoke rises from a chimney", "sparks fly from the wheels of a train"
         re.compile(
             rf"\b(?P<told>{_OF}{said}\s+{rises}\s+(?:from|out\s+of|off)\s+)"
             rf"(?P<part>the\s+[\w-]+\s+of\s+)?{owner}(?:an?|the|his|her|two|three|some)\s+"
-            r"(?:[\w-]+\s+){0,2}?(?P<owner>[\w-]+)(?=\s*(?:[.,;]|$|and\b|on\b|in\b|of\b|as\b|while\b|at\b|beside\b|that\b))",
+            r"(?:[\w-]+\s+){0,2}?(?P<owner>[\w-]+)"
+            r"(?=\s*(?:[.,;]|$|(?:and|on|in|of|as|while|at|beside|that)\b))",
             re.IGNORECASE,
         ),
         # ", leaving a cloud of dust behind it", "and kicks up dust"
         re.compile(
-            rf"{joined}(?:which\s+|that\s+)?{gives}\s+{_OF}{said}{_BEHIND}(?=\s*(?:[.,;]|$|and\b|as\b|while\b|on\b|in\b|from\b))",
+            rf"{joined}(?:which\s+|that\s+)?{gives}\s+{_OF}{said}{_BEHIND}"
+            r"(?=\s*(?:[.,;]|$|(?:and|as|while|on|in|from)\b))",
             re.IGNORECASE,
         ),
         # "a smoking car", "a steaming cup"
@@ -102,7 +108,9 @@ def given_off(text: str) -> Read:
 
 def _told(m: re.Match[str], about: int) -> Shown:
     lead = len(m[0]) - len(m[0].lstrip(" ,"))
-    return Shown(Predicate.GIVES_OFF, m.start() + lead, m.end(), _name_of()[m["what"].lower()], about)
+    return Shown(
+        Predicate.GIVES_OFF, m.start() + lead, m.end(), _name_of()[m["what"].lower()], about
+    )
 
 
 def _kept(before: str) -> str:

@@ -11,9 +11,10 @@ import re
 
 from esg.draft import lexicon as lex
 from esg.draft.text.plumes import given_off
-from esg.draft.text.shown import BEFORE, SCENE, Blank, Read, Shown
+from esg.draft.text.shown import BEFORE, Blank, Read, Shown
 from esg.graph.models import Predicate
 from esg.lexicon.shown import LIVELY, lights, swaying, weathers
+
 
 def take_shown(text: str, blank: Blank) -> list[Shown]:
     """Reads and takes out of a text what is said of lights, weather and wind.

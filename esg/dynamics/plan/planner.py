@@ -25,7 +25,7 @@ from esg.units import quat_inverse, quat_multiply, quat_rotate
 
 AFTERMATH_S = 1.5
 GESTURE_S = 2.0
-"""So much longer plays a scene in which somebody makes a gesture, or something begins to smoke [s]."""
+"""So much longer plays a scene with a gesture, or in which something begins to smoke [s]."""
 MAX_DURATION_S = 14.5
 
 

@@ -225,6 +225,7 @@ def _is_low(name: str, row: str) -> bool:
 
 def _moved(s: Sketch, move: Callable[[Any, str], Any]) -> None:
     """Moves the corners of all parts, by their names."""
+
     def led(make: Callable[[], Any], name: str) -> Callable[[], Any]:
         def mesh() -> Any:
             out = make()

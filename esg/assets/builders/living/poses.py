@@ -189,7 +189,9 @@ def pose_of(name: str) -> Pose:
         )
         for side, arm in zip(("left", "right"), pose.arms, strict=True)
     ]
-    trunk = {j: gesture.angles(state, j, getattr(pose, j)) for j in ("lean", "twist", "nod", "turn")}
+    trunk = {
+        j: gesture.angles(state, j, getattr(pose, j)) for j in ("lean", "twist", "nod", "turn")
+    }
     return replace(pose, arms=(arms[0], arms[1]), **trunk)
 
 
@@ -242,9 +244,7 @@ class Skeleton:
     def head(self, points: Point) -> Point:
         """Where trunk and neck take points of an upright head."""
         grown = NECK + self.head_size * (points - NECK)
-        nodded = turned_about(
-            grown, NECK, self.pose.nod, self.pose.turn - 0.6 * self.pose.twist
-        )
+        nodded = turned_about(grown, NECK, self.pose.nod, self.pose.turn - 0.6 * self.pose.twist)
         return turned_about(nodded, PIVOT, self.pose.lean, self.pose.twist)
 
 
