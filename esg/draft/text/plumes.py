@@ -73,7 +73,14 @@ def _patterns() -> tuple[re.Pattern[str], ...]:
         # "a smoking car", "a steaming cup"
         re.compile(
             r"\b(?P<being>smoking|steaming|smouldering|smoldering)\s+(?:(?:hot|old|big|small|black|white|red)\s+)?"
-            r"(?P<owner>(?!gun\b|man\b|woman\b|area\b|room\b)[\w-]+)",
+            r"(?P<owner>(?!(?:gun|man|woman|area|room|in|on|at|from|under|and|beside|near|while|as)\b)"
+            r"[\w-]+)",
+            re.IGNORECASE,
+        ),
+        # "a cup of tea is steaming"
+        re.compile(
+            r"\s+(?:is|are|was|were)\s+(?P<being>smoking|steaming|smouldering|smoldering)\b"
+            r"(?!\s+(?:an?|the|his|her|cigars?|cigarettes?|pipes?)\b)",
             re.IGNORECASE,
         ),
     )
@@ -84,7 +91,7 @@ _BEING = {"smoking": "smoke", "smouldering": "smoke", "smoldering": "smoke", "st
 
 def given_off(text: str) -> Read:
     """ "Smoke rises from a chimney", "leaving a cloud of dust behind it", "a steaming cup"."""
-    from_own, from_other, gives, being = _patterns()
+    from_own, from_other, gives, being, is_so = _patterns()
     for m in from_own.finditer(text):
         yield _told(m, BEFORE), [(*m.span(), "")]
     for m in from_other.finditer(text):
@@ -104,6 +111,10 @@ def given_off(text: str) -> Read:
         noun = _BEING[m["being"].lower()]
         shown = Shown(Predicate.GIVES_OFF, *m.span("being"), noun, m.start("owner"))
         yield shown, [(*m.span("being"), "")]
+    for m in is_so.finditer(text):
+        noun = _BEING[m["being"].lower()]
+        shown = Shown(Predicate.GIVES_OFF, m.start("being"), m.end("being"), noun, BEFORE)
+        yield shown, [(*m.span(), " is there")]
 
 
 def _told(m: re.Match[str], about: int) -> Shown:

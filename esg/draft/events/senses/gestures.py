@@ -15,6 +15,7 @@ from esg.draft.events.senses.state import stands_there
 from esg.draft.events.stated import start_of
 from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Frame
+from esg.draft.text.elements import Mention
 from esg.lexicon.gestures import gestures
 from esg.lexicon.postures import plan_of
 
@@ -85,13 +86,13 @@ def makes_gesture(d: Discourse, f: Frame, s: list[str]) -> bool:
 def _row(d: Discourse, f: Frame) -> _Row | None:
     """The row of a verb with its object and what follows it."""
     lemma, *rest = f.verb.lemma.split()
+    part = _object(f)
     head = ""
-    if f.object is not None:
-        head = (f.object.head.split() or [f.object.pronoun or "?"])[-1]
-        head += "s" * f.object.plural
-    named = () if f.object is None else f.object.entities
-    loose = any(
-        i in d.world.entities and entity_of(d, i).head == f.object.head for i in named
+    if part is not None:
+        head = (part.head.split() or [part.pronoun or "?"])[-1] + "s" * part.plural
+    named = () if part is None else part.entities
+    loose = part is not None and any(
+        i in d.world.entities and entity_of(d, i).head == part.head for i in named
     )  # a thing of its own, no part of somebody
     said = {*rest, *f.adverbs, *d.text[f.verb.start : f.verb.end].lower().split()[1:]}
     preps = {p.prep for p in f.phrases}
@@ -105,6 +106,14 @@ def _row(d: Discourse, f: Frame) -> _Row | None:
             continue
         return row
     return None
+
+
+def _object(f: Frame) -> Mention | None:
+    """What a verb is about: "raises his hand", "holds up his hand"."""
+    if f.object is not None:
+        return f.object
+    return next((p.mention for p in f.phrases if p.prep == "up" and p.mention is not None
+                 and p.mention.head in lex.BODY_PARTS), None)  # fmt: skip
 
 
 def _can(d: Discourse, actor: str, row: _Row) -> bool:
@@ -146,8 +155,9 @@ _TAILS = r"\s+(?:(?:back|right|slowly|suddenly|quickly)\s+)*"
 def _end(d: Discourse, f: Frame, row: _Row) -> int:
     """Where the words of a gesture end: with its object, or what belongs to its verb."""
     end = f.verb.end
-    if f.object is not None and ANY not in row.objects:
-        end = max(end, f.object.end)
+    part = _object(f)
+    if part is not None and ANY not in row.objects:
+        end = max(end, part.end)
     if row.tail:
         m = re.compile(rf"{_TAILS}{row.tail}\b", re.IGNORECASE).match(d.text, f.verb.end)
         end = max(end, m.end()) if m is not None else end
@@ -159,8 +169,9 @@ def _use(d: Discourse, f: Frame, row: _Row, end: int, target: str) -> None:
     mark_used(d, f, USED)
     if end > f.verb.end:
         d.scene.used[(f.verb.end, end)] = USED
-    if f.object is not None and ANY not in row.objects:
-        d.scene.used[(f.object.start, f.object.end)] = USED
+    part = _object(f)
+    if part is not None and ANY not in row.objects:
+        d.scene.used[(part.start, part.end)] = USED
     for p in f.phrases:
         if p.mention is not None and p.prep in _AIMS and target in things(p):
             d.scene.used[(start_of(p, d.text), p.mention.end)] = USED

@@ -5,8 +5,9 @@ from __future__ import annotations
 from collections.abc import Sequence
 import re
 
-from esg.draft.discourse.core import entity_of, structural
+from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.scene import LIVING
 from esg.draft.document.requirements import environment
 from esg.draft.events.courses import measurable
 from esg.draft.statements.book import Book, Told
@@ -19,6 +20,8 @@ from esg.lexicon.shown import Light, lights_of, swaying, weathers
 NOBODY = "it changes by itself: nobody's hand does it"
 NO_LIGHT = "nothing in the scene has such a light"
 NO_SKY = "no weather is shown indoors"
+_OF_THINGS = ("smoke", "steam", "exhaust", "sparks")
+"""Plumes that nobody alive gives off."""
 NO_SOURCE = "nothing in the scene gives it off"
 STIFF = "nothing in the scene sways as it does"
 _STATES = {"burning": "on", "turned burning": "turned on", "turned out": "turned off"}
@@ -111,7 +114,7 @@ def _sways(t: Told, s: Shown) -> None:
 
 def _gives_off(t: Told, s: Shown) -> None:
     who = _doers(t, s) if s.about == BEFORE else named_at(t.d, s.about)
-    if not who:
+    if not who or (s.noun in _OF_THINGS and any(kind_of(t.d, i) in LIVING for i in who)):
         t.book.add(Predicate.NOT_REPRESENTED, s.start, s.end, note=NO_SOURCE)
         return
     moving = plumes()[s.noun].moving
