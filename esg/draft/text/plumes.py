@@ -22,6 +22,8 @@ _BEHIND = (
     r"(?:\s+(?:(?:up\s+)?behind\s+(?:it|him|her|them)|in\s+(?:its|his|her|their)\s+wake|into\s+the\s+"
     r"(?:air|sky)|as\s+it\s+goes|everywhere|up))?"
 )
+_SORTS = "iron|steel|rear|front|back|tail|open|broken|left|right|two|four|hot|big|tall|chimney"
+"""What parts are called besides, that smoke comes from."""
 _OWN = r"(?:its|his|her|their)"
 
 
@@ -48,7 +50,7 @@ def _patterns() -> tuple[re.Pattern[str], ...]:
     )
     joined = r"(?:\s*,?\s*\b(?:and|while|as)\s+|\s*,\s*|\s+)"
     owner = r"(?=(?:an?|the|his|her|two|three|some)\s+\w)"
-    part = rf"{_OWN}\s+(?:[\w-]+\s+)?[\w-]+"
+    part = rf"{_OWN}\s+(?:(?:{_SORTS})\s+)?[\w-]+"
     return (
         # "with smoke coming from its engine", ", sparks flying from its wheels"
         re.compile(
@@ -98,7 +100,8 @@ def given_off(text: str) -> Read:
         told = m["told"] + (m["part"] or "")
         start = m.start("told")
         noun = _name_of()[m["what"].lower()]
-        shown = Shown(Predicate.GIVES_OFF, start, m.end("owner"), noun, m.start("owner"))
+        at, hue = (start, m.end("owner")), _color(m, noun)
+        shown = Shown(Predicate.GIVES_OFF, *at, noun, m.start("owner"), lacks=hue)
         yield shown, [(start, start + len(told), _kept(text[:start]))]
     for m in gives.finditer(text):
         if re.search(r"[A-Za-z]", text[: m.start()]):
@@ -119,9 +122,24 @@ def given_off(text: str) -> Read:
 
 def _told(m: re.Match[str], about: int) -> Shown:
     lead = len(m[0]) - len(m[0].lstrip(" ,"))
-    return Shown(
-        Predicate.GIVES_OFF, m.start() + lead, m.end(), _name_of()[m["what"].lower()], about
-    )
+    name = _name_of()[m["what"].lower()]
+    if name == "smoke" and _PIPE.search(m.groupdict().get("own") or ""):
+        name = "exhaust"
+    at = m.start() + lead, m.end()
+    return Shown(Predicate.GIVES_OFF, *at, name, about, lacks=_color(m, name))
+
+
+_PIPE = re.compile(r"\b(?:exhaust|tail\s?pipe|muffler)", re.IGNORECASE)
+_HUES = re.compile(r"\b(?:black|white|dark|red|yellow|green|blue|brown|orange)\b", re.IGNORECASE)
+_USUAL = {"steam": "white", "snow dust": "white", "dust": "brown"}
+
+
+def _color(m: re.Match[str], name: str) -> tuple[int, int] | None:
+    """A colour that is told of a plume and is not the one that it is drawn in."""
+    hue = _HUES.search(m[0][: m.start("what") - m.start()])
+    if hue is None or hue[0].lower() == _USUAL.get(name):
+        return None
+    return (m.start() + hue.start(), m.start() + hue.end())
 
 
 def _kept(before: str) -> str:

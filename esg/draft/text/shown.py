@@ -22,6 +22,8 @@ class Shown:
         noun: As of the statement: "turned off", "flashing red", "heavy rain".
         about: Where the noun of what it is said of begins; `SCENE` or `BEFORE`.
         light: How the light is called, of those of its owner.
+        lacks: Words about it that nothing shows.
+        lacks: Words about it that nothing shows.
         act: Words of an act by which it is brought about; None where it changes by itself.
     """
 
@@ -32,6 +34,8 @@ class Shown:
     about: int = SCENE
     light: str = ""
     act: tuple[int, int] | None = None
+    lacks: tuple[int, int] | None = None
+    lacks: tuple[int, int] | None = None
 
 
 Read = Iterator[tuple[Shown, list[tuple[int, int, str]]]]

@@ -19,6 +19,9 @@ def gestures(replay: Replay, q: StatementQuery, body: int) -> Kept:
     made = [g for g in own.gestures if g.name == (q.statement.noun or "")]
     if not made:
         return Kept(False, reason="nothing of its model makes such a gesture")
+    aside = _elsewhere(replay, q, body)
+    if aside:
+        return Kept(False, reason=aside)
     tall = 2.0 * max(own.half_extents)
     best = Kept(False, reason="it is not made in that time")
     for g in made:
@@ -43,6 +46,18 @@ def gestures(replay: Replay, q: StatementQuery, body: int) -> Kept:
             return found
         best = found
     return best
+
+
+def _elsewhere(replay: Replay, q: StatementQuery, body: int) -> str:
+    """Why nobody looks up or down at something: it is not there; empty if it is."""
+    said = q.statement.noun or ""
+    if not q.target.bodies or said not in ("looks up", "looks down"):
+        return ""
+    k = int(q.window.samples(replay)[0])
+    eyes = float(replay.position[k, body, 2]) + 0.8 * replay.scene.bodies[body].half_extents[2]
+    ups = [float(replay.position[k, other, 2]) > eyes for other in q.target.bodies]
+    holds = any(ups) if said == "looks up" else not all(ups)
+    return "" if holds else f"{q.goal} is not {'above' if said == 'looks up' else 'below'} its eyes"
 
 
 def faces(replay: Replay, q: StatementQuery, body: int) -> Kept:

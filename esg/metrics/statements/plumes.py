@@ -29,7 +29,7 @@ def gives_off(replay: Replay, q: StatementQuery, body: int) -> Kept:
     share = float(shown.mean()) if len(shown) else 0.0
     measured = {"puffs": float(len(there)), "shown_share": share, "way_by_size": gone}
     reason = f"{len(there)} puffs are there for {100 * share:.0f}% of the time"
-    holds = len(there) >= PUFFS and share >= MOST - 0.15 and gone >= 1.0
+    holds = len(there) >= PUFFS and share >= MOST - 0.15 and gone >= 0.5
     return Kept.when(holds and not (early and inside[0] > 0.0), reason, **measured)
 
 

@@ -20,7 +20,7 @@ STAGES = 2
 """Sizes in which a puff is drawn: it grows and thins."""
 LONG_S = 1e4
 """Period of what goes on in one direction as long as it is there [s]."""
-BALLS = 6
+BALLS = 4
 """Of which a puff is made."""
 SHARDS = 10
 """Of which a shower of sparks is."""
@@ -83,7 +83,7 @@ _Balls = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.int64]]
 def _cloud(k: int) -> _Balls:
     """A cloud of balls about the origin, of radius 1."""
     rng = np.random.default_rng([17, k])
-    radii = rng.uniform(0.3, 0.6, BALLS)
+    radii = rng.uniform(0.4, 0.65, BALLS)
     return _balls(radii, rng.uniform(-0.6, 0.6, (BALLS, 3)), 1)
 
 

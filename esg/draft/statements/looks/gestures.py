@@ -45,6 +45,8 @@ def _out_of_order(told: Told, g: Gesturing) -> None:
         told.book.add(Predicate.NOT_REPRESENTED, *then.span(), object=(g.actor,), note=UNKEPT)
 
 
+_LOOKS = ("looks up", "looks down")
+"""Gestures that say where their target is."""
 _THEN = re.compile(r"\b(?:then|before|afterwards)\b", re.IGNORECASE)
 
 
@@ -62,7 +64,10 @@ def gestures(told: Told) -> None:
             ends = (None if later is None else _since(d, later)) or "end"
             when = f"{_since(d, first) or 'start'}..{ends}"
             when = "throughout" if when == "start..end" else when
-            book.add(Predicate.GESTURES, *words, object=who, noun=first.gesture, when=when)
+            to = (first.target,) if first.target and first.gesture in _LOOKS else ()
+            book.add(
+                Predicate.GESTURES, *words, object=who, target=to, noun=first.gesture, when=when
+            )
             _out_of_order(told, first)
         if first.target is not None:
             goes = any(e.actor in (*who, first.target) for e in d.timeline.edges)

@@ -22,6 +22,7 @@ NO_LIGHT = "nothing in the scene has such a light"
 NO_SKY = "no weather is shown indoors"
 _OF_THINGS = ("smoke", "steam", "exhaust", "sparks")
 """Plumes that nobody alive gives off."""
+OTHER_HUE = "it is drawn in its usual colour"
 NO_SOURCE = "nothing in the scene gives it off"
 STIFF = "nothing in the scene sways as it does"
 _STATES = {"burning": "on", "turned burning": "turned on", "turned out": "turned off"}
@@ -120,6 +121,8 @@ def _gives_off(t: Told, s: Shown) -> None:
     moving = plumes()[s.noun].moving
     when = "throughout" if moving else _after_a_hit(t, s)
     t.book.add(Predicate.GIVES_OFF, s.start, s.end, object=tuple(who), noun=s.noun, when=when)
+    if s.lacks is not None:
+        t.book.add(Predicate.NOT_REPRESENTED, *s.lacks, object=tuple(who), note=OTHER_HUE)
 
 
 def _doers(t: Told, s: Shown) -> list[str]:
