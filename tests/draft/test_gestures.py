@@ -113,3 +113,29 @@ def test_smoke_of_nothing_is_owned_up_to(prompt: str) -> None:
     doc = draft(prompt)
     assert not _of(doc, Predicate.GIVES_OFF)
     assert _owned(doc)
+
+
+@pytest.mark.parametrize(
+    ("prompt", "noun", "words"),
+    [
+        ("Thick black smoke pours from the roof of a house.", "smoke", "black"),
+        ("A steam train passes, trailing white smoke.", "smoke", "white"),
+        ("White steam rises from a kettle.", "steam", ""),
+    ],
+)
+def test_colours_of_smoke_are_owned_up_to(prompt: str, noun: str, words: str) -> None:
+    doc = draft(prompt)
+    assert [n for n, _ in _of(doc, Predicate.GIVES_OFF)] == [noun]
+    assert words in _owned(doc)
+
+
+def test_exhaust_leaves_the_back_and_the_motion_stays() -> None:
+    doc = draft("A motorcycle with smoke coming out of its exhaust drives along a road.")
+    assert [n for n, _ in _of(doc, Predicate.GIVES_OFF)] == ["exhaust"]
+    assert [n for n, _ in _of(doc, Predicate.MOVES)]
+
+
+def test_both_arms_are_nobodys_but_his() -> None:
+    doc = draft("A woman raises both arms.")
+    assert "arm_1" not in doc.spatial_relation_graph.nodes
+    assert _of(doc, Predicate.GESTURES) == [("raises both arms", "throughout")]

@@ -82,6 +82,9 @@ def lamp(*shines: Shine, sways: Sway | None = None) -> World:
     return World(2.0).add(body("lamp_1", BOX, shines=shines, sways=sways))
 
 
+UP = Gesture("looks up", 0.0, 0, 0.0, 0.2)
+
+
 def man(x: object = 0.0, *, gives: tuple[GivesOff, ...] = (), **_: object) -> World:
     """A man who makes a gesture, or who goes and gives something off."""
     made = (x,) if isinstance(x, Gesture) else ()
@@ -432,6 +435,9 @@ CASES = [
     case("gestures", lambda: man(Gesture("points", 0.0, 0, 0.0, 0.3)),
          lambda: man(Gesture("waves", 0.9, 0, 0.1, 0.3)), "makes such a gesture",
          object="man", noun="points"),
+    case("gestures", lambda: man(UP).add(body("kite_1"), z=4.0),
+         lambda: man(UP).add(body("kite_1"), x=2), "is not above its eyes",
+         object="man", target="kite", noun="looks up"),
     case("faces", lambda: man().add(body("tree_1"), x=3), lambda: man().add(body("tree_1"), y=3),
          "does not face", object="man", target="tree"),
     case("gives_off", lambda: man(gives=(GivesOff("smoke"),)), lambda: man(),
