@@ -79,6 +79,20 @@ def test_who_looks_at_something_faces_it() -> None:
 
 
 @pytest.mark.parametrize(
+    "prompt",
+    ["Two men face each other.", "Two men look at each other.", "Two men wave at each other."],
+)
+def test_two_who_face_each_other(prompt: str) -> None:
+    doc = draft(prompt)
+    told = [s for s in doc.statements or () if s.predicate is Predicate.FACES]
+    assert [(s.object, s.target) for s in told] == [
+        (("man_1",), ("man_2",)),
+        (("man_2",), ("man_1",)),
+    ]
+    assert not _owned(doc)
+
+
+@pytest.mark.parametrize(
     ("prompt", "who", "noun", "when"),
     [
         ("Smoke rises from a chimney.", "chimney_1", "smoke", "throughout"),

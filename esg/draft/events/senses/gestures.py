@@ -21,6 +21,7 @@ from esg.lexicon.postures import plan_of
 
 USED = "gesture"
 """What became of a verb of a gesture that is held."""
+MUTUAL = "each other"
 ANY = "*"
 """Of a row whose verb takes whatever is looked at."""
 _AIMS = ("at", "to", "toward", "towards")
@@ -63,6 +64,9 @@ def makes_gesture(d: Discourse, f: Frame, s: list[str]) -> bool:
     if any(not _can(d, actor, row) for actor in s):
         return False
     target = _target(d, f, s, row)
+    mutual = MUTUAL in f.adverbs and len(s) == 2
+    if mutual and not target:
+        target = s[1]
     if row.gesture in ("", "points") and not target and (not row.gesture or _aimed(f)):
         return False
     end = _end(d, f, row)
@@ -73,10 +77,11 @@ def makes_gesture(d: Discourse, f: Frame, s: list[str]) -> bool:
         return False  # "cheers and claps": the hands do one of them
     meanwhile = f.link in _MEANWHILE or f.subordinate in _MEANWHILE
     for actor in s:
-        if target:
-            d.scene.facing.setdefault(actor, target)
+        to = s[0] if actor == target else target
+        if to:
+            d.scene.facing.setdefault(actor, to)
         d.moves.gestures.append(
-            Gesturing(actor, row.gesture, (f.verb.start, end), meanwhile, target or None)
+            Gesturing(actor, row.gesture, (f.verb.start, end), meanwhile, to or None)
         )
     _use(d, f, row, end, target)
     stands_there(d, f, s)
@@ -100,7 +105,10 @@ def _row(d: Discourse, f: Frame) -> _Row | None:
         if row.lemma != lemma:
             continue
         fits = ANY in row.objects if head and loose else head in row.objects
-        if not fits or (row.tail and row.tail not in said | preps):
+        mutual = MUTUAL in f.adverbs and not head
+        fits = fits or (mutual and ANY in row.objects)
+        tail = {row.tail} <= said | preps | ({"at"} if mutual else set())
+        if not fits or (row.tail and not tail):
             continue
         if row.tail in _AWAY and {*_AWAY[row.tail]} & said:
             continue

@@ -69,9 +69,10 @@ def gestures(told: Told) -> None:
                 Predicate.GESTURES, *words, object=who, target=to, noun=first.gesture, when=when
             )
             _out_of_order(told, first)
-        if first.target is not None:
-            goes = any(e.actor in (*who, first.target) for e in d.timeline.edges)
+        for target in dict.fromkeys(g.target for g in alike if g.target is not None):
+            facing = tuple(g.actor for g in alike if g.target == target)
+            goes = any(e.actor in (*facing, target) for e in d.timeline.edges)
             book.add(
-                Predicate.FACES, *words, object=who, target=(first.target,),
+                Predicate.FACES, *words, object=facing, target=(target,),
                 when="start" if goes else "throughout",
             )  # fmt: skip
