@@ -127,6 +127,14 @@ LIT_MOMENT_S = 0.1
 """A light that changes is asked so long before and after its moment: two frames of a film."""
 SWAYS_SHARE = 0.03
 """The tip of what sways goes at least this share of its size to and fro: less is not seen."""
+GESTURE_SHARE = 0.05
+"""Hand, head or tail go at least this share of a body's height: 8 cm of somebody."""
+GESTURE_S = 0.5
+"""A gesture is made for so long at least."""
+PUFFS = 3
+"""What gives off smoke or dust has so many puffs of it at least."""
+FACES_DEG = 35.0
+"""Whom somebody faces is no farther off straight ahead of him: as a direction that he takes."""
 FALLS_MPS = {"rain": (4.0, 12.0), "storm": (4.0, 12.0), "snow": (0.5, 2.0), "hail": (8.0, 20.0)}
 """How fast what falls from the sky does [m/s], by what it is (`esg/lexicon/weathers.csv`)."""
 SIGHT_M = 100.0

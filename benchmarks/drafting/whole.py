@@ -35,6 +35,9 @@ _LATER = frozenset(
         Predicate.WEATHER,
         Predicate.SWAYS,
         Predicate.POSTURE,
+        Predicate.GESTURES,
+        Predicate.FACES,
+        Predicate.GIVES_OFF,
     }
 )
 """Of what labels call unsayable: documents hold it since."""
@@ -203,7 +206,7 @@ def _events(doc: EsgDocument, row: dict[str, Any], told: Told) -> list[Fault]:
     out += [Fault("invented", f"{n.event.value}{n.participants}") for n in told.invented]
     if row.get("static") and doc.timeline_system:
         edges = doc.timeline_system.sequence_graph.edges
-        movers = {e.actor for e in edges if e.params.speed != 0.0}
+        movers = {e.actor for e in edges if e.params.speed != 0.0 and e.params.posture is None}
         out += [Fault("invented", f"motion of {name}") for name in sorted(movers)]
     return out
 

@@ -9,9 +9,10 @@ from esg.assets.colors import find_color
 from esg.assets.configuration import parametric_entry
 from esg.assets.geometry.sketch import Part as SketchPart
 from esg.assets.library.catalogue import build_sketch
-from esg.engines.scene import Shine
+from esg.engines.scene import GivesOff, Shine
 from esg.graph.casting import effective
 from esg.graph.models import EsgDocument, Predicate, Statement
+from esg.lexicon.plumes import plumes
 from esg.lexicon.shown import LIVELY, Sway, read_lit, swaying
 
 FLAME = "flame"
@@ -98,6 +99,18 @@ def sways_of(doc: EsgDocument) -> dict[str, Sway]:
             if row is not None:
                 much = LIVELY.get(s.noun or "", 1.0)
                 out[name] = replace(row, degrees=row.degrees * much)
+    return out
+
+
+def plumes_of(doc: EsgDocument) -> dict[str, tuple[GivesOff, ...]]:
+    """Smoke, steam, dust and sparks by the id of the node that is said to give them off."""
+    out: dict[str, tuple[GivesOff, ...]] = {}
+    for s in doc.statements or ():
+        if s.predicate is Predicate.GIVES_OFF and s.noun in plumes():
+            first = s.when.split("..")[0]
+            begins = "" if first in ("start", "throughout", "end") else first
+            for name in s.object:
+                out[name] = (*out.get(name, ()), GivesOff(s.noun, begins))
     return out
 
 

@@ -15,6 +15,7 @@ from esg.engines.manifest import manifest_bytes, manifest_to_json
 from esg.engines.program import Program, program_from_json
 from esg.engines.scene import SimScene
 from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
+from esg.lexicon.gestures import SEEN_S
 
 STATIC_DURATION_S = 2.0
 """How long a scene without a timeline plays: long enough to see that nothing moves."""
@@ -140,7 +141,8 @@ def document_program(doc: EsgDocument, scene: SimScene | None = None) -> Program
         if scene is None:
             return Program((), STATIC_DURATION_S)
         primitives = (*first_postures(doc, scene), *liquids(doc, scene))
-        return Program(primitives, STATIC_DURATION_S)
+        made = any(b.gestures for b in scene.bodies)
+        return Program(primitives, SEEN_S if made else STATIC_DURATION_S)
     return program_from_json(doc.dynamics_result.program)
 
 

@@ -77,10 +77,10 @@ def optimize(
     given, doc = doc, effective(doc)
     scene = _scene_for(doc, strategy, collision)
     if doc.timeline_system is None:
-        return _write(given, static_result(strategy, _still(doc, scene)), seed, strategy)
+        return _write(given, static_result(strategy, scene, _still(doc, scene)), seed, strategy)
     plan = make_plan(doc, scene, seed=seed, look_ahead=strategy != "none")
     if not plan.variables:
-        return _write(given, static_result(strategy, _still(doc, scene)), seed, strategy)
+        return _write(given, static_result(strategy, scene, _still(doc, scene)), seed, strategy)
     salt = entropy(doc)
 
     def run(

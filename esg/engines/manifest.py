@@ -55,7 +55,7 @@ from esg.engines.program import (
     program_from_json,
     program_to_json,
 )
-from esg.engines.scene import GROUND, Body, Region, Shape, Shine, SimScene, Wheel
+from esg.engines.scene import GROUND, Body, Gesture, GivesOff, Region, Shape, Shine, SimScene, Wheel
 from esg.lexicon.shown import Sway
 from esg.outcomes import UserError
 
@@ -269,6 +269,8 @@ def _body(model: BodyModel) -> Body:
     values["shapes"] = tuple(Shape(**_fields(s)) for s in model.shapes)
     values["wheels"] = tuple(Wheel(**_fields(w)) for w in model.wheels)
     values["shines"] = tuple(Shine(**_fields(s)) for s in model.shines)
+    values["gives_off"] = tuple(GivesOff(**_fields(g)) for g in model.gives_off)
+    values["gestures"] = tuple(Gesture(**_fields(g)) for g in model.gestures)
     values["sways"] = None if model.sways is None else Sway(**_fields(model.sways))
     return Body(**values)
 

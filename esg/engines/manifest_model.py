@@ -218,6 +218,25 @@ class SwayModel(_Model):
     period_s: Positive
 
 
+class GestureModel(_Model):
+    """How arms, head or tail of a body's mesh move."""
+
+    name: Name
+    period_s: NonNegative = Field(description="To and fro [s]; 0: it is held")
+    times: int = Field(ge=0, description="How often; 0: on and on")
+    sweep_m: NonNegative
+    rise_m: NonNegative
+    begins: str = Field("", description="Event; empty: 0.6 s after the start")
+    ends: str = Field("", description="Event; empty: never")
+
+
+class GivesOffModel(_Model):
+    """Smoke, steam, dust or sparks that leave a body."""
+
+    name: Name
+    begins: str = Field("", description="Event; empty: at the start")
+
+
 class BodyModel(_Model):
     """One rigid body."""
 
@@ -266,13 +285,16 @@ class BodyModel(_Model):
     )
     shines: tuple[ShineModel, ...] = Field((), description="Its lights; absent: it is not lit")
     sways: SwayModel | None = Field(None, description="In the wind; absent: it does not")
+    gestures: tuple[GestureModel, ...] = Field((), description="That it makes; absent: none")
+    gives_off: tuple[GivesOffModel, ...] = Field((), description="Plumes; absent: none")
 
     @model_serializer(mode="wrap")
     def _without_what_it_lacks(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
         # Bodies without wheels and tyres, and those that do not break, read as they always did.
         data = handler(self)
         for name in ("tyre_friction", "tyre_drop", "tyre_foot", "wheels", "break_impulse",
-                     "fragments", "postures", "drawn", "shines", "sways"):  # fmt: skip
+                     "fragments", "postures", "drawn", "shines", "sways", "gestures",
+                     "gives_off"):  # fmt: skip
             if not data[name]:
                 del data[name]
         return data

@@ -86,6 +86,41 @@ class Shine:
 
 
 @dataclass(frozen=True)
+class Gesture:
+    """Motion of arms, head or tail of a body's model, of which no engine knows.
+
+    Args:
+        name: Row of the table of gestures (`esg.lexicon.gestures`).
+        period_s: From its rest to its far end and back [s]; 0 is held.
+        times: How often; 0 is on and on.
+        sweep_m: How far hand, head or tail go to and fro on what is drawn [m].
+        rise_m: How far their rest is from where they are without it [m].
+        begins, ends: Ids of the point events; empty: soon after the start, and never.
+    """
+
+    name: str
+    period_s: float
+    times: int
+    sweep_m: float
+    rise_m: float
+    begins: str = ""
+    ends: str = ""
+
+
+@dataclass(frozen=True)
+class GivesOff:
+    """Smoke, steam, dust or sparks that leave a body, of which no engine knows.
+
+    Args:
+        name: Row of the table of plumes (`esg.lexicon.plumes`).
+        begins: Id of the point event; empty: at the start.
+    """
+
+    name: str
+    begins: str = ""
+
+
+@dataclass(frozen=True)
 class Body:
     """One rigid body.
 
@@ -128,6 +163,8 @@ class Body:
             they wear; nothing physical depends on it.
         shines: Its lights and flames, where it is stated that it is lit.
         sways: How it sways, where it is stated that it does.
+        gestures: That it makes, where it is stated that it does.
+        gives_off: Smoke, steam, dust and sparks, where it is stated that it does.
     """
 
     name: str
@@ -163,6 +200,8 @@ class Body:
     drawn: tuple[str, ...] = ()
     shines: tuple[Shine, ...] = ()
     sways: Sway | None = None
+    gestures: tuple[Gesture, ...] = ()
+    gives_off: tuple[GivesOff, ...] = ()
 
     @property
     def collides(self) -> bool:
@@ -184,6 +223,7 @@ def stand_in(body: Body, **own: Any) -> Body:
         group="",
         mentioned=False,
         active=False,
+        gives_off=(),
         **own,
     )
 

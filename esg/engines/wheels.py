@@ -14,7 +14,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.scene import Body, Rollout, Shine, SimScene
+from esg.engines.scene import Body, Gesture, Rollout, Shine, SimScene
+from esg.lexicon.gestures import states_at
 from esg.lexicon.shown import Sway
 from esg.units import quat_rotate
 
@@ -120,6 +121,25 @@ def shining(shine: Shine, time: Floats, events: Mapping[str, float | None]) -> N
     if shine.period_s > 0.0:
         on = on & (np.mod(time + 1e-9, shine.period_s) < LIT_SHARE * shine.period_s)
     return on.astype(bool)
+
+
+def gesturing(
+    gesture: Gesture, time: Floats, events: Mapping[str, float | None]
+) -> NDArray[np.int64]:
+    """States of a gesture (`esg.lexicon.gestures.states_at`) at times [s], shape [T, 2].
+
+    Args:
+        gesture: The gesture.
+        time: [s], shape [T].
+        events: Times of the events [s], None for those that did not happen.
+    """
+    time = np.asarray(time, float)
+    begins = TURN_S if not gesture.begins else events.get(gesture.begins)
+    ends = events.get(gesture.ends) if gesture.ends else None
+    since = time - (math.inf if begins is None else begins)
+    out = states_at(gesture.period_s, gesture.times, np.maximum(since, -1.0))
+    out[time >= (math.inf if ends is None else ends)] = 0
+    return out
 
 
 def phase_of(body: Body) -> float:

@@ -624,6 +624,11 @@ class Predicate(str, enum.Enum):
     SWAYS = "sways"
     POSTURE = "posture"
     """How somebody holds his body (`noun`: stands, sits, lies, kneels, crouches, bends)."""
+    GESTURES = "gestures"
+    """What somebody does with arms, head or tail (`noun`: a row of `esg.lexicon.gestures`)."""
+    FACES = "faces"
+    GIVES_OFF = "gives_off"
+    """Smoke, steam, dust or sparks (`noun`: a row of `esg.lexicon.plumes`)."""
     NOT_REPRESENTED = "not_represented"
     """Its words are understood as a statement that the document cannot hold (`note` says why)."""
 

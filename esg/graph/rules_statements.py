@@ -5,6 +5,8 @@ from __future__ import annotations
 from esg.graph.context import Context
 from esg.graph.models import Predicate, Statement
 from esg.graph.violations import listing, pointer
+from esg.lexicon.gestures import gestures
+from esg.lexicon.plumes import plumes
 from esg.lexicon.postures import postures
 
 _MOMENTS = ("start", "end", "throughout")
@@ -16,6 +18,8 @@ _NAMING = (
     Predicate.LOOKS,
     Predicate.LIT,
     Predicate.POSTURE,
+    Predicate.GESTURES,
+    Predicate.GIVES_OFF,
 )
 """Said of an object by a word: what it is filled with, what somebody wears, his posture."""
 _OF_NOTHING = (*_OF_NOUNS, Predicate.FILMED, Predicate.NOT_REPRESENTED)
@@ -43,6 +47,7 @@ _WITH_TARGET = frozenset(
         Predicate.FLOATS,
         Predicate.SINKS,
         Predicate.CLIMBS,
+        Predicate.FACES,
     }
 )
 _TARGETED_DIRECTIONS = frozenset(
@@ -107,13 +112,19 @@ def _needs(ctx: Context, here: str, statement: Statement) -> None:
                 f"A statement of {says.value!r} says nothing without its {name}.",
                 f"Give its {name}, or leave the statement out.",
             )
-    known = dict.fromkeys(r.posture for r in postures())
-    if says is Predicate.POSTURE and statement.noun and statement.noun not in known:
+    tables = {
+        Predicate.POSTURE: [r.posture for r in postures()],
+        Predicate.GESTURES: [name for name, _ in gestures()],
+        Predicate.GIVES_OFF: [*plumes()],
+    }
+    known = dict.fromkeys(tables.get(says, ()))
+    named = says in tables and statement.noun
+    if named and statement.noun not in known:
         ctx.add(
             "STATEMENT_UNKNOWN",
             f"{here}/noun",
             statement.noun,
-            f"{statement.noun!r} is no posture.",
+            f"{statement.noun!r} is no {says.value.removesuffix('s')}.",
             f"Use one of {listing(known)}.",
         )
     if says in _OF_EVENTS and len(statement.object) != 2:

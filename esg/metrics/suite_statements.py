@@ -68,7 +68,11 @@ _FIELDS: dict[str, _Fields] = {
     "size": _Fields(("object",), ("quantity", "value", "as", "unit"), "height"),
     "count": _Fields(("noun", "value")),
     "absent": _Fields(("noun",)),
-    **dict.fromkeys(("wears", "looks", "lit", "posture"), _Fields(("object", "noun"))),
+    **dict.fromkeys(
+        ("wears", "looks", "lit", "posture", "gives_off"), _Fields(("object", "noun"))
+    ),
+    "gestures": _Fields(("object", "noun"), ("target",)),
+    "faces": _Fields(("object", "target")),
     "weather": _Fields(("noun",)),
     "sways": _Fields(("object",), ("noun",)),
 }  # fmt: skip

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.scene import Rollout, SimScene
+from esg.engines.scene import FRAGMENT, Rollout, SimScene
 from esg.graph.models import EsgDocument, Predicate
 from esg.units import quat_rotate
 from esg.view.camera import Camera, box_corners, frame_points
@@ -151,6 +151,28 @@ def told_side(doc: EsgDocument) -> float | None:
     places = (r for r in relations if r.relation_type.value in _VIEWERS_SIDES)
     said = any(True for _ in itertools.chain(ways, sides, places))
     return math.pi / 2 if said else None
+
+
+def gestures_side(scene: SimScene, rollout: Rollout) -> float | None:
+    """Azimuth from which gestures are seen that are made where nobody moves, obliquely from ahead.
+
+    Args:
+        scene: The bodies.
+        rollout: Their motion; its first world.
+    """
+    making = [i for i, b in enumerate(scene.bodies) if b.gestures]
+    moved = np.ptp(np.nan_to_num(rollout.position[0]), axis=0).max(axis=-1)
+    there = [i for i, b in enumerate(scene.bodies) if not b.static and b.category != FRAGMENT]
+    if not making or max((float(moved[i]) for i in there), default=0.0) > 0.3:
+        return None
+    ahead = quat_rotate(rollout.quaternion[0, 0, making], np.array([1.0, 0.0, 0.0])).sum(axis=0)
+    if float(np.hypot(ahead[0], ahead[1])) < 0.2:
+        return None
+    return math.atan2(ahead[1], ahead[0]) + math.radians(AHEAD_DEG)
+
+
+AHEAD_DEG = -38.0
+"""So far beside straight ahead of who makes a gesture a camera looks at him: on his right hand."""
 
 
 def viewpoint(

@@ -22,7 +22,7 @@ from esg.view.ground import span
 from esg.view.parts import body_parts, ground_bodies
 from esg.view.renderers.records import Scenery
 from esg.view.scenery import seen_from
-from esg.view.seeing.shows import shown, shown_parts
+from esg.view.seeing.shows import redrawn, shown, shown_parts
 from esg.view.surroundings import surroundings_of
 
 if TYPE_CHECKING:
@@ -72,7 +72,7 @@ def setting_of(
         parts=tuple(spread(around.parts)),
         views=views,
         shows=shows,
-        redrawn=frozenset(b.name for b in scene.bodies if b.sways is not None),
+        redrawn=frozenset(b.name for b in scene.bodies if redrawn(b)),
     )
 
 

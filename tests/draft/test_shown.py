@@ -114,7 +114,7 @@ def test_what_sways_is_stated_and_moves_nowhere(prompt: str, count: int) -> None
     [
         "A truck with its hazard lights flashing stops at the kerb.",
         "The Christmas lights flicker on a tree.",
-        "Smoke rises from a chimney.",
+        "A beam of light falls on a ball.",
         "A boy turns on the faucet.",
         "A car drives through a burning hoop.",
     ],

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from esg.engines.program import HoldVelocity
-from esg.engines.scene import Region, Shape, Shine
+from esg.engines.scene import Gesture, GivesOff, Region, Shape, Shine
 from esg.graph.models import Predicate
 from esg.lexicon.shown import Sway
 from esg.metrics import SuiteEvent, SuiteScene, SuiteStatement
@@ -80,6 +80,16 @@ def dressed(part: str, color: str = "#18181a") -> World:
 
 def lamp(*shines: Shine, sways: Sway | None = None) -> World:
     return World(2.0).add(body("lamp_1", BOX, shines=shines, sways=sways))
+
+
+UP = Gesture("looks up", 0.0, 0, 0.0, 0.2)
+
+
+def man(x: object = 0.0, *, gives: tuple[GivesOff, ...] = (), **_: object) -> World:
+    """A man who makes a gesture, or who goes and gives something off."""
+    made = (x,) if isinstance(x, Gesture) else ()
+    there = {} if made or x == 0.0 else {"x": x}
+    return World(2.0).add(body("man_1", BOX, gestures=made, gives_off=gives), **there)
 
 
 def under(weather: str) -> World:
@@ -419,6 +429,21 @@ CASES = [
          noun="rain"),
     case("sways", lambda: lamp(sways=Sway("bends", (), 8.0, 1.0)), lambda: lamp(),
          "nothing of its model sways", object="lamp"),
+    case("gestures", lambda: man(Gesture("waves", 0.9, 0, 0.1, 0.3)),
+         lambda: man(Gesture("waves", 0.9, 0, 0.004, 0.3)), "asked: 5% for 0.5 s",
+         object="man", noun="waves"),
+    case("gestures", lambda: man(Gesture("points", 0.0, 0, 0.0, 0.3)),
+         lambda: man(Gesture("waves", 0.9, 0, 0.1, 0.3)), "makes such a gesture",
+         object="man", noun="points"),
+    case("gestures", lambda: man(UP).add(body("kite_1"), z=4.0),
+         lambda: man(UP).add(body("kite_1"), x=2), "is not above its eyes",
+         object="man", target="kite", noun="looks up"),
+    case("faces", lambda: man().add(body("tree_1"), x=3), lambda: man().add(body("tree_1"), y=3),
+         "does not face", object="man", target="tree"),
+    case("gives_off", lambda: man(gives=(GivesOff("smoke"),)), lambda: man(),
+         "nothing of the kind is drawn", object="man", noun="smoke"),
+    case("gives_off", lambda: man(line(0, 4, 0, 2), gives=(GivesOff("dust"),)),
+         lambda: man(gives=(GivesOff("dust"),)), "0 puffs are there", object="man", noun="dust"),
 ]  # fmt: skip
 
 

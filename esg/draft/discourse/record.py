@@ -99,6 +99,25 @@ class Posing:
 
 
 @dataclass(frozen=True)
+class Gesturing:
+    """A gesture that is told of.
+
+    Args:
+        actor: Who makes it.
+        gesture: Row of the table of gestures; empty where he only looks at something.
+        words: Where its words stand in the text.
+        meanwhile: Whether it is told as going on beside what was told before.
+        target: Whom or what it is meant for.
+    """
+
+    actor: str
+    gesture: str
+    words: tuple[int, int]
+    meanwhile: bool
+    target: str | None
+
+
+@dataclass(frozen=True)
 class Climbing:
     """A climb that is told of.
 
@@ -150,6 +169,8 @@ class Moves:
     """Who climbs what."""
     postures: list[Posing] = field(default_factory=list[Posing])
     """Who sits, lies, kneels or stands, and when."""
+    gestures: list[Gesturing] = field(default_factory=list[Gesturing])
+    """Who waves, nods, points or looks where, and when."""
     outrun: list[tuple[str, str]] = field(default_factory=list[tuple[str, str]])
     """Events of those who come first, and the same events of those who come later."""
     still: dict[str, int] = field(default_factory=dict[str, int])

@@ -69,6 +69,7 @@ from esg.draft.events.hanging import (
 from esg.draft.events.motions import hold_back
 from esg.draft.events.senses import SENSES
 from esg.draft.events.senses.breaking import gone_through, sense_of_breaking, who_breaks
+from esg.draft.events.senses.gestures import makes_gesture
 from esg.draft.events.senses.outcome import target_of_mates
 from esg.draft.events.senses.postures import takes_posture
 from esg.draft.events.senses.state import attachment, mass_of_load, stands_there
@@ -354,7 +355,7 @@ def read_frame(d: Discourse, f: Frame) -> None:
     sense = _sense_here(d, f, parts)
     handler = SENSES.get(sense)
     was = snapshot(d)
-    posed = takes_posture(d, f, parts.subject)
+    posed = makes_gesture(d, f, parts.subject) or takes_posture(d, f, parts.subject)
     if handler is None and not posed:
         ignore(d, f, "no physical meaning")
         stands_there(d, f, parts.subject)

@@ -8,6 +8,7 @@ from esg.draft.discourse.jointed import is_flap
 from esg.draft.discourse.places import told_by_side
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
+from esg.draft.events.senses.gestures import USED as GESTURE
 from esg.draft.events.stated import adverbs_of, place_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.account import Account
@@ -15,6 +16,7 @@ from esg.draft.statements.book import Book, Told, span
 from esg.draft.statements.climbed import climbed, climbs_told
 from esg.draft.statements.held import carried, driver, posture, support, tow
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
+from esg.draft.statements.looks.gestures import gestures
 from esg.draft.statements.looks.postures import postures
 from esg.draft.statements.looks.shown import shown
 from esg.draft.statements.looks.worn import USED, worn
@@ -117,7 +119,7 @@ def _own_up(t: Told) -> None:
     d, book = t.d, t.book
     owned = [s for s in book.items if s.predicate is Predicate.NOT_REPRESENTED]
     lost = [(s.start, s.end) for s in owned]
-    lost += [at for at, why in d.scene.used.items() if why == USED]
+    lost += [at for at, why in d.scene.used.items() if why in (USED, GESTURE)]
     gone = [(s.start, s.end) for s in owned if s.note not in _CAUSES]
     told = [f for f in t.frames if not f.unreal and not f.verb.negated]
     lost_clauses = [f for f in told if _is_lost(d, f, gone)]
@@ -202,6 +204,7 @@ WRITTEN: tuple[Callable[[Told], None], ...] = (
     _sides,
     shown,
     postures,
+    gestures,
     _clauses,
     _dropped,
     *BESIDE_MOTIONS,

@@ -24,6 +24,7 @@ from esg.draft.events.told import last_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.account import held
 from esg.draft.statements.climbed import climbs_told
+from esg.draft.statements.looks.gestures import gestures_told
 from esg.draft.statements.looks.postures import poses_told
 from esg.draft.statements.ways import comes_to_ground
 from esg.graph.models import EdgeEvent, NodeEvent, Predicate
@@ -84,6 +85,7 @@ def missing(d: Discourse, clause: Clause) -> str:
     f = clause.frame
     if (
         poses_told(d, clause)
+        or gestures_told(d, clause)
         or climbs_told(d, clause)
         or d.scene.used.get((f.verb.start, f.verb.end)) == COMES_OFF
     ):

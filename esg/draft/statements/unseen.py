@@ -9,6 +9,7 @@ import re
 from esg.draft import lexicon as lex
 from esg.draft.discourse.record import Discourse
 from esg.draft.document.requirements import environment
+from esg.draft.events.senses.gestures import USED as GESTURE
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.elements import Element, Mention
 from esg.lexicon.grounds import ground_said
@@ -139,6 +140,8 @@ def _unseen_of_nouns(
     for m in d.mentions:
         if (m.start, m.end) in drawn or m.amounts or m.pronoun or m.noun is not None or m.part:
             continue
+        if d.scene.used.get((m.start, m.end)) == GESTURE:
+            continue  # "wags its tail"
         why = _lacks(m)
         if why and lit.search(d.text, m.start, m.end):
             d.scene.used.setdefault((m.start, m.end), "light of the scene")

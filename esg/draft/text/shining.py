@@ -6,40 +6,14 @@ lamp stands", and what was said is kept beside: it changes how things look, and 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from dataclasses import dataclass
 from functools import cache
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.text.plumes import given_off
+from esg.draft.text.shown import BEFORE, Blank, Read, Shown
 from esg.graph.models import Predicate
 from esg.lexicon.shown import LIVELY, lights, swaying, weathers
-
-SCENE, BEFORE = -1, -2
-"""What words may be said of: the scene, or what is named last before them."""
-Blank = Callable[[int, int, str], None]
-
-
-@dataclass(frozen=True)
-class Shown:
-    """Something that is said of how things look in time.
-
-    Args:
-        says: `lit`, `weather` or `sways`.
-        start, end: Words that say so.
-        noun: As of the statement: "turned off", "flashing red", "heavy rain".
-        about: Where the noun of what it is said of begins; `SCENE` or `BEFORE`.
-        light: How the light is called, of those of its owner.
-        act: Words of an act by which it is brought about; None where it changes by itself.
-    """
-
-    says: Predicate
-    start: int
-    end: int
-    noun: str
-    about: int = SCENE
-    light: str = ""
-    act: tuple[int, int] | None = None
 
 
 def take_shown(text: str, blank: Blank) -> list[Shown]:
@@ -52,7 +26,7 @@ def take_shown(text: str, blank: Blank) -> list[Shown]:
     found: list[Shown] = []
     if not _ANY.search(text):
         return found
-    for read in (_weather, _sways, _switched, _changes, _with_lights, _alight):
+    for read in (given_off, _weather, _sways, _switched, _changes, _with_lights, _alight):
         for shown, places in read(text):
             if any(s.start < shown.end and shown.start < s.end for s in found):
                 continue
@@ -63,12 +37,11 @@ def take_shown(text: str, blank: Blank) -> list[Shown]:
 
 
 _ANY = re.compile(
-    r"\b(?:turn|switch|lit\b|light|head\s?l|tail\s?l|siren|candle|torch|extinguish|ignit|lamp|lantern|led\b|burn|flam|fire\b|flash|flicker|blink|glow|shin"
+    r"\b(?:smok|steam|vapou?r|fumes|exhaust|dust|sand\b|dirt\b|spark|powder|turn|switch|lit\b|light|head\s?l|tail\s?l|siren|candle|torch|extinguish|ignit|lamp|lantern|led\b|burn|flam|fire\b|flash|flicker|blink|glow|shin"
     r"|goes\s+(?:on|out|off)|rain|snow|hail|fog|mist|haz[ey]|storm|drizzl|downpour|blizzard|sway|"
     r"swing|wind\b|breeze|flutter|flap|blaz|ablaze|(?:tv|television|screen|monitor)s?\b)",
     re.IGNORECASE,
 )
-Read = Iterator[tuple[Shown, list[tuple[int, int, str]]]]
 _WORDS = r"(?:[\w-]+\s+){0,2}?"
 _BY = r"(?:suddenly\s+|slowly\s+|then\s+|all\s+|both\s+|brightly\s+|steadily\s+)?"
 

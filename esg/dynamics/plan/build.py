@@ -7,7 +7,8 @@ from dataclasses import replace
 import numpy as np
 
 from esg.assets.drawn_parts import drawn_parts
-from esg.assets.shows import shines_of, sways_of, weather_of_scene
+from esg.assets.gestures import gestures_of
+from esg.assets.shows import plumes_of, shines_of, sways_of, weather_of_scene
 from esg.dynamics.plan.fragments import with_fragments
 from esg.dynamics.plan.joints import joints_of
 from esg.dynamics.plan.postures import with_postures
@@ -43,6 +44,7 @@ def build_scene(doc: EsgDocument) -> SimScene:
     actors = doc.timeline_system.actors if doc.timeline_system else {}
     starts = doc.dynamics_result.start_poses if doc.dynamics_result else {}
     drawn, shines, sways = drawn_parts(doc), shines_of(doc), sways_of(doc)
+    gestures, plumes = gestures_of(doc), plumes_of(doc)
     bodies: list[Body] = []
     regions: list[Region] = []
     friction, restitution = 0.7, 0.3
@@ -54,6 +56,10 @@ def build_scene(doc: EsgDocument) -> SimScene:
         body = replace(body, drawn=drawn[name]) if name in drawn else body
         if name in shines or name in sways:
             body = replace(body, shines=shines.get(name, ()), sways=sways.get(name))
+        if name in gestures:
+            body = replace(body, gestures=gestures[name])
+        if name in plumes:
+            body = replace(body, gives_off=plumes[name])
         bodies.append(body)
         com = np.array(config.center_of_mass_cm)
         for region in config.regions:

@@ -21,9 +21,12 @@ from esg.engines.program import Primitive, Program
 from esg.engines.scene import SimScene
 from esg.graph.joints import towed_by
 from esg.graph.models import EsgDocument
+from esg.lexicon.gestures import EASE_S
 from esg.units import quat_inverse, quat_multiply, quat_rotate
 
 AFTERMATH_S = 1.5
+GESTURE_S = 2.0
+"""So much longer plays a scene with a gesture, or in which something begins to smoke [s]."""
 MAX_DURATION_S = 14.5
 
 
@@ -84,7 +87,8 @@ def make_plan(doc: EsgDocument, scene: SimScene, *, seed: int = 0, look_ahead: b
     cast.nominal.update(times_of(cast, carried))
     declared, composer = Declarations(cast), Composer(cast, carried)
     latest = _latest(cast, declared.variables)
-    duration = min(MAX_DURATION_S, math.ceil(10.0 * (1.15 * latest + AFTERMATH_S)) / 10.0)
+    after = AFTERMATH_S + _seen(scene)
+    duration = min(MAX_DURATION_S, math.ceil(10.0 * (1.15 * latest + after)) / 10.0)
 
     borne = (*first_postures(doc, scene), *liquids(doc, scene))
 
@@ -128,6 +132,14 @@ def _seated(doc: EsgDocument, scene: SimScene, driven: dict[str, Start]) -> dict
         facing = quat_multiply(back, np.array(rider.quaternion))
         out[child] = (at + quat_rotate(turned, ahead), quat_multiply(turned, facing))
     return out
+
+
+def _seen(scene: SimScene) -> float:
+    """How much longer a scene plays for what is only drawn in it [s]."""
+    made = [g for b in scene.bodies for g in b.gestures]
+    turns = [2.0 * EASE_S + g.period_s * max(1, g.times) for g in made]
+    begins = any(g.begins for b in scene.bodies for g in b.gives_off)
+    return max([*turns, GESTURE_S * bool(made or begins)])
 
 
 def _latest(cast: Cast, variables: dict[str, Variable]) -> float:

@@ -18,6 +18,7 @@ from esg.dynamics.plan.feasibility import impossible
 from esg.dynamics.search.ending import until_rest
 from esg.dynamics.search.panel import Found, Panel, rounded
 from esg.engines.program import Primitive, Program, program_to_json
+from esg.engines.scene import SimScene
 from esg.graph.models import (
     ClosedLoop,
     DynamicsResult,
@@ -26,6 +27,7 @@ from esg.graph.models import (
     Pose,
     RelaxedConstraint,
 )
+from esg.lexicon.gestures import SEEN_S
 from esg.outcomes import Outcome
 from esg.thresholds import SAFE_TOPPLED_DEG
 from esg.units import quat_rotate, yaw_from_quat
@@ -175,12 +177,15 @@ def _given_up(
     )
 
 
-def static_result(strategy: str, primitives: Sequence[Primitive] = ()) -> DynamicsResult:
-    """The result of a scene in which nobody acts: only its liquids do."""
-    program = Program(tuple(primitives), STATIC_DURATION_S)
+def static_result(
+    strategy: str, scene: SimScene, primitives: Sequence[Primitive] = ()
+) -> DynamicsResult:
+    """The result of a scene in which nobody acts: only its liquids do, and gestures are seen."""
+    lasts = SEEN_S if any(b.gestures for b in scene.bodies) else STATIC_DURATION_S
+    program = Program(tuple(primitives), lasts)
     return DynamicsResult(
         strategy=strategy,
         program=program_to_json(program),
-        duration_s=STATIC_DURATION_S,
+        duration_s=lasts,
         outcome=Outcome.SOLVED.value,
     )

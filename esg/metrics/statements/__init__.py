@@ -17,9 +17,11 @@ from esg.metrics.statements import (
     directions,
     facts,
     filmed,
+    gestures,
     liquids,
     manner,
     place,
+    plumes,
     postures,
     shown,
     sides,
@@ -70,6 +72,9 @@ OF_BODIES: dict[Predicate, OfBody] = {
     Predicate.LOOKS: worn.wears,
     Predicate.LIT: shown.lit,
     Predicate.SWAYS: shown.sways,
+    Predicate.GESTURES: gestures.gestures,
+    Predicate.FACES: gestures.faces,
+    Predicate.GIVES_OFF: plumes.gives_off,
 }
 """Measures of one body; of a set, every member is measured."""
 

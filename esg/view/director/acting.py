@@ -10,9 +10,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.engines.plumes import rises_m, trails_m
 from esg.engines.scene import Rollout, SimScene
 from esg.units import quat_rotate
-from esg.view.framing import told_side
+from esg.view.framing import gestures_side, told_side
 from esg.view.moments import INTO, as_seen, cast_of, fixed_to, openings_of
 
 if TYPE_CHECKING:
@@ -91,13 +92,15 @@ class Action:
         half = np.array([b.half_extents for b in scene.bodies])
         offset = np.array([b.origin_offset for b in scene.bodies])
         self._corners = signs[None] * half[:, None] + offset[:, None]
+        self._corners[:, :4, 0] -= np.array([trails_m(b) for b in scene.bodies])[:, None]
+        self._corners[:, 1::2, 2] += np.array([rises_m(b) for b in scene.bodies])[:, None]
         self.still = tuple(
             i
             for i in range(len(scene.bodies))
             if float(np.ptp(rollout.position[0, :, i], axis=0).max()) < 1e-5
             and float(np.ptp(rollout.quaternion[0, :, i], axis=0).max()) < 1e-5
         )
-        self.side = told_side(doc)
+        self.side = told_side(doc) or gestures_side(scene, rollout)
         """Azimuth [rad] from which left and right are as the prompt says; None if any will do."""
         self._acting: dict[tuple[Beat, int], Floats] = {}
         self.beats = tuple(self._met(b) for b in _beats(scene, rollout, verdict, doc))

@@ -17,6 +17,8 @@ from esg.engines.wheels import STEADY, phase_of, shining
 from esg.lexicon.shown import Sway, Weather, weather_of
 from esg.units import CM_PER_M
 from esg.view.pieces import Act, Part
+from esg.view.seeing.gestures import with_gestures
+from esg.view.seeing.plumes import plume_parts
 
 if TYPE_CHECKING:
     import trimesh
@@ -47,8 +49,10 @@ SEED = 20
 
 
 def shown(scene: SimScene) -> bool:
-    """Whether anything of a scene shines, sways or falls from the sky."""
-    return bool(scene.weather) or any(b.shines or b.sways for b in scene.bodies)
+    """Whether anything of a scene shines, sways, makes gestures or falls from the sky."""
+    return bool(scene.weather) or any(
+        b.shines or b.sways or b.gestures or b.gives_off for b in scene.bodies
+    )
 
 
 def with_shows(
@@ -66,6 +70,7 @@ def with_shows(
         return list(parts)
     events = event_times(doc, scene, rollout)
     time = np.asarray(rollout.time, float)
+    parts = with_gestures(parts, scene, time, events, doc)
     out = [swayed for p in parts for swayed in _swaying(p, scene)]
     for index, body in enumerate(scene.bodies):
         lamps = any(shine.part != FLAME for shine in body.shines)
@@ -73,6 +78,7 @@ def with_shows(
         for shine in body.shines:
             own = [p.mesh() for p in named(drawn, shine.part)]
             out += _shining(index, body, shine, own, there(shine, time, events))
+    out += plume_parts(scene, rollout, events)
     for noun in scene.weather:
         found = weather_of(noun)
         if found is not None and found[0].falls_mps:
@@ -83,21 +89,29 @@ def with_shows(
 def shown_parts(
     parts: Sequence[Part], scene: SimScene, rollout: Rollout, doc: EsgDocument
 ) -> tuple[Part, ...]:
-    """What exports add to the meshes of the bodies: of one that sways, all of its parts.
+    """What exports add to the meshes of the bodies: of one that is redrawn, all of its parts.
 
     Args:
         parts, scene, rollout, doc: As of `with_shows`.
     """
-    whole = [p for p in parts if p.body >= 0 and scene.bodies[p.body].sways is not None]
+    whole = [p for p in parts if p.body >= 0 and redrawn(scene.bodies[p.body])]
     return tuple(
         p if p.act is not None else replace(p, act=Act())
         for p in with_shows(whole, scene, rollout, doc)
     )
 
 
+def redrawn(body: Body) -> bool:
+    """Whether parts of a body's model move by the time alone."""
+    return body.sways is not None or bool(body.gestures)
+
+
 def event_times(doc: EsgDocument, scene: SimScene, rollout: Rollout) -> dict[str, float | None]:
-    """When the events happened at which lights change [s]; nothing where none does."""
-    if not any(s.event for b in scene.bodies for s in b.shines):
+    """When the events happened at which lights change and gestures begin and end [s]."""
+    told = [s.event for b in scene.bodies for s in b.shines]
+    told += [e for b in scene.bodies for g in b.gestures for e in (g.begins, g.ends)]
+    told += [g.begins for b in scene.bodies for g in b.gives_off]
+    if not any(told):
         return {}
     from esg.compile.scene import document_program
     from esg.metrics.expectations import expectations_from_timeline

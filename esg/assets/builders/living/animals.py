@@ -12,15 +12,19 @@ from dataclasses import replace
 import math
 from typing import Any
 
+import numpy as np
+
 from esg.assets.builders import builder
 from esg.assets.builders.common import mirrored, shade, shift
 from esg.assets.builders.living.beasts import BEASTS, GAITS, Beast
 from esg.assets.builders.living.coats import NECKED, anchor, clothe, sleeves, trunk
 from esg.assets.builders.living.headwear import adorn
 from esg.assets.builders.living.marks import HAIR, MARKS
+from esg.assets.builders.living.poses import turned_about
 from esg.assets.builders.living.wild_marks import BLACK, WILD_MARKS
 from esg.assets.geometry.sketch import DARK, Color, Sketch, rgb
 from esg.assets.lazy import forms
+from esg.lexicon.gestures import Gesture, State, told_by
 
 
 def _swung(
@@ -183,13 +187,44 @@ def _rests(s: Sketch, b: Beast) -> None:
     _moved(s, raised)
 
 
+_BODILY = ("body", "tail", "leg", "paw", "hoof", "fleece", "cushion", "drape", "fringe", "spots")
+"""How the names of parts begin that go with no head, wherever they are."""
+
+
+def _gestures(s: Sketch, b: Beast, gesture: Gesture, state: State) -> None:
+    """Turns head, neck and tail of a beast as a gesture has them."""
+    x, z = b.neck[:2]
+    nape = (x - 0.5 * b.head[0], z - 0.2 * b.head[0])
+    withers = (b.legs[1] - 0.1 * b.trunk[3], b.trunk[1] + 0.1 * b.trunk[3])
+    rump = (b.legs[0] - 0.6 * b.trunk[2], b.trunk[0] + 0.4 * b.trunk[2])
+
+    def turned(v: Any, name: str) -> Any:
+        own = "tail" if name.startswith("tail") else ""
+        if not name.startswith(_BODILY) and "sleeve" not in name:
+            middle = float(v[:, 0].mean())
+            own = "head" if middle > nape[0] and name != "neck" else own
+            own = own or ("neck" if middle > withers[0] else "")
+        if own == "head":
+            v = turned_about(v, np.array([nape[0], 0.0, nape[1]]), *by["head"])
+        if own in ("head", "neck"):
+            v = turned_about(v, np.array([withers[0], 0.0, withers[1]]), *by["neck"])
+        if own == "tail":
+            v = turned_about(v, np.array([rump[0], 0.0, rump[1]]), *by["tail"])
+        return v
+
+    by = {
+        joint: tuple(gesture.angles(state, f"{joint}.{way}", 0.0) for way in ("pitch", "yaw"))
+        for joint in ("head", "neck", "tail")
+    }
+    _moved(s, turned)
+
+
 def _is_low(name: str, row: str) -> bool:
     return name.startswith((f"leg_{row}", f"paw_{row}", f"hoof_{row}"))
 
 
 def _moved(s: Sketch, move: Callable[[Any, str], Any]) -> None:
     """Moves the corners of all parts, by their names."""
-    import numpy as np
 
     def led(make: Callable[[], Any], name: str) -> Callable[[], Any]:
         def mesh() -> Any:
@@ -210,8 +245,6 @@ def _coat(b: Beast) -> str:
 
 def _curved(path: Any, radii: Any, count: int, sections: int, flat: float = 1.0) -> Any:
     """A tube along a smooth curve through points, its radius changing smoothly."""
-    import numpy as np
-
     share = np.linspace(0, 1, len(radii))
     fine = forms.profile(np.c_[share, radii])(np.linspace(0, 1, count))
     return forms.tube(forms.smooth_path(path, count), fine, sections, flat=flat)
@@ -286,8 +319,6 @@ def _ears(s: Sketch, b: Beast, c: Color) -> None:
 
 def _leaf(root: Any, tip: Any, wide: float, thick: float, widths: Any, side: int) -> Any:
     """A flat ear that tapers from root to tip, turned a little outwards."""
-    import numpy as np
-
     a, b = np.asarray(root, float), np.asarray(tip, float)
     t = np.linspace(0, 1, 11)
     q = forms.profile(np.c_[np.linspace(0, 1, len(widths)), widths])(t) / max(widths)
@@ -437,6 +468,8 @@ def _proxies(s: Sketch, b: Beast) -> None:
 def quadruped(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "dog") -> None:
     """A four-legged animal facing +X, drawn in the proportions of its kind."""
     b = BEASTS[kind]
+    pose, gesture, state = told_by(s.appearance.pose, "beasts")
+    s.appearance = replace(s.appearance, pose=pose)
     worn = {w.kind for w in s.appearance.wears}
     limb = rgb(58, 50, 46) if b.marks & {"wool", "dark_limbs"} else c
     _legs(s, b, limb)
@@ -448,7 +481,9 @@ def quadruped(s: Sketch, L: float, W: float, H: float, c: Color, kind: str = "do
             draw(s, b, c)
     clothe(s, b)
     adorn(s, anchor(b))
-    if s.appearance.pose in RESTING:
+    if gesture is not None:
+        _gestures(s, b, gesture, state)
+    if pose in RESTING:
         _rests(s, b)
     _proxies(s, b)
     shift(s, b.move)

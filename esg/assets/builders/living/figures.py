@@ -6,7 +6,7 @@ import math
 
 from esg.assets.builders import builder
 from esg.assets.builders.common import bone, shade, shift
-from esg.assets.builders.living.people import DRESSES, draw_person
+from esg.assets.builders.living.people import DRESSES, draw_person, posed_by
 from esg.assets.geometry.sketch import (
     CHROME,
     DARK,
@@ -24,7 +24,8 @@ from esg.assets.geometry.sketch import (
 @builder("child_figure")
 def child_figure(s: Sketch, L: float, W: float, H: float, c: Color) -> None:
     """Child, drawn 118 cm tall."""
-    draw_person(s, DRESSES["child"], c, s.appearance.pose or "play", 0.645, 1.32)
+    pose = posed_by(s.appearance.pose, "play")
+    draw_person(s, DRESSES["child"], c, pose, 0.645, 1.32)
     s.proxy_slab((-13, 15), (-15, 15), (0, 1.5), 4)
     s.proxy_slab((-8, 12), (-12, 12), (1.5, 50), 0.8)
     s.proxy_slab((-10, 10), (-20, 20), (50, 94), 0.9)

@@ -18,9 +18,10 @@ from esg.assets.builders.living import bodies, clothes
 from esg.assets.builders.living.clothes import SHIRT
 from esg.assets.builders.living.headwear import Piece
 from esg.assets.builders.living.outfits import Outfit, outfit
-from esg.assets.builders.living.poses import POSES, Pose, Skeleton, skeleton
+from esg.assets.builders.living.poses import Pose, Skeleton, pose_of, skeleton
 from esg.assets.geometry.sketch import DARK, ORANGE, RED, STEEL, WHITE, YELLOW, Color, Sketch, rgb
 from esg.assets.lazy import forms
+from esg.lexicon.gestures import MARK
 
 _PALE, _FAIR, _TAN, _BROWN = (
     rgb(228, 190, 162),
@@ -338,7 +339,7 @@ def draw_person(
         s: Receives the parts.
         d: What is worn.
         c: Of coat or dress.
-        pose: A name of `POSES`.
+        pose: A name of `POSES`, maybe with a gesture.
         size: Of the body against an adult of 172 cm.
         head_size: Of the head against that of such a body.
     """
@@ -347,7 +348,7 @@ def draw_person(
     o = outfit(s.appearance.wears, d.marks, d.skin, c)
     marks, c = frozenset(o.marks), o.color
     d = replace(d, hair=o.hair or d.hair)
-    body = _Drawer(s, skeleton(_in_hem(POSES[pose], marks | o.hems), head_size), size)
+    body = _Drawer(s, skeleton(_in_hem(pose_of(pose), marks | o.hems), head_size), size)
     seated = body.skeleton.pose.gathers
     _legs(body, marks, d, c, o)
     top = o.top or (Piece("chest", d.skin, "skin") if "bare" in marks else Piece("shirt", c))
@@ -398,12 +399,17 @@ def draw_person(
     body.on(body.skeleton.head, head)
 
 
+def posed_by(pose: str, usual: str) -> str:
+    """The name of a pose; one without a name, or a gesture without a pose, is the usual one."""
+    return usual + pose if pose.startswith(MARK) else pose or usual
+
+
 @builder("figure")
 def figure(s: Sketch, L: float, W: float, H: float, c: Color, dress: str = "plain") -> None:
     """Person of 30 x 50 x 172, dressed as `DRESSES` say and posed as the appearance says."""
     d = DRESSES[dress]
     usual = "laden" if d.marks & {"pack", "big_pack"} else "stand"
-    draw_person(s, d, c, s.appearance.pose or usual)
+    draw_person(s, d, c, posed_by(s.appearance.pose, usual))
     s.proxy_slab((-15, 15), (-20, 20), (0, 2), 4)
     s.proxy_slab((-9, 9), (-18, 18), (2, 86), 0.8)
     s.proxy_slab((-12, 12), (-25, 25), (86, 142), 0.9)

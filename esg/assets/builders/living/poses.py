@@ -2,11 +2,13 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 import math
 
 import numpy as np
 from numpy.typing import NDArray
+
+from esg.lexicon.gestures import told_by
 
 Point = NDArray[np.float64]
 PIVOT = np.array([-1.5, 0.0, 96.0])
@@ -44,6 +46,7 @@ class Pose:
         lean: Of the trunk, forwards [deg].
         twist: Of the trunk to its left [deg].
         nod: Of the head against the trunk, forwards [deg].
+        turn: Of the head to its left [deg].
         grip: Whether hands are closed.
         seated: Whether it is the seat that z = 0 is, not the ground.
         lies: Whether all of it lies on its back, head ahead.
@@ -54,6 +57,7 @@ class Pose:
     lean: float = 0.0
     twist: float = 0.0
     nod: float = 0.0
+    turn: float = 0.0
     grip: bool = False
     seated: bool = False
     lies: bool = False
@@ -170,6 +174,27 @@ POSES: dict[str, Pose] = {
 }
 
 
+def pose_of(name: str) -> Pose:
+    """A pose by its name, with what its gesture makes of it (`esg.lexicon.gestures.posed`)."""
+    own, gesture, state = told_by(name, "people")
+    pose = POSES[own]
+    if gesture is None:
+        return pose
+    arms = [
+        Limb(
+            *(
+                gesture.angles(state, f"arm_{side}.{angle}", getattr(arm, angle))
+                for angle in ("swing", "out", "bend", "turn")
+            )
+        )
+        for side, arm in zip(("left", "right"), pose.arms, strict=True)
+    ]
+    trunk = {
+        j: gesture.angles(state, j, getattr(pose, j)) for j in ("lean", "twist", "nod", "turn")
+    }
+    return replace(pose, arms=(arms[0], arms[1]), **trunk)
+
+
 def _down(swing: float, out: float, side: int) -> Point:
     """A unit vector that hangs down, swung forwards and outwards [deg]."""
     f, o = math.radians(swing), math.radians(out)
@@ -219,7 +244,7 @@ class Skeleton:
     def head(self, points: Point) -> Point:
         """Where trunk and neck take points of an upright head."""
         grown = NECK + self.head_size * (points - NECK)
-        nodded = turned_about(grown, NECK, self.pose.nod, -0.6 * self.pose.twist)
+        nodded = turned_about(grown, NECK, self.pose.nod, self.pose.turn - 0.6 * self.pose.twist)
         return turned_about(nodded, PIVOT, self.pose.lean, self.pose.twist)
 
 

@@ -79,10 +79,11 @@ _LOADED = lex.word_set("load beds")
 
 
 def _with_a_part(world: World, m: Mention, subject: bool) -> bool:
-    """ "with one hand", "in its mouth", "wags its tail": a part of who acts."""
+    """ "with one hand", "in its mouth", "wags its tail", "both arms": a part of who acts."""
     part = m.head in lex.BODY_PARTS or (m.noun is None and no_things().get(m.head) == "body")
     bare = m.plural and not m.determiner and m.count is None  # "shake hands"
-    own = m.after_prep in _WITH or ((m.determiner in lex.POSSESSIVES or bare) and not subject)
+    whose = m.determiner in lex.POSSESSIVES or m.determiner == "both" or bare
+    own = m.after_prep in _WITH or (whose and not subject)
     return part and own and m.possessor is None
 
 

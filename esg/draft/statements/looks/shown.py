@@ -5,19 +5,25 @@ from __future__ import annotations
 from collections.abc import Sequence
 import re
 
-from esg.draft.discourse.core import entity_of
+from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.record import Discourse
+from esg.draft.discourse.scene import LIVING
 from esg.draft.document.requirements import environment
 from esg.draft.events.courses import measurable
 from esg.draft.statements.book import Book, Told
 from esg.draft.statements.looks.contents import named_at
-from esg.draft.text.shining import BEFORE, Shown
+from esg.draft.text.shown import BEFORE, Shown
 from esg.graph.models import Predicate
+from esg.lexicon.plumes import plumes
 from esg.lexicon.shown import Light, lights_of, swaying, weathers
 
 NOBODY = "it changes by itself: nobody's hand does it"
 NO_LIGHT = "nothing in the scene has such a light"
 NO_SKY = "no weather is shown indoors"
+_OF_THINGS = ("smoke", "steam", "exhaust", "sparks")
+"""Plumes that nobody alive gives off."""
+OTHER_HUE = "it is drawn in its usual colour"
+NO_SOURCE = "nothing in the scene gives it off"
 STIFF = "nothing in the scene sways as it does"
 _STATES = {"burning": "on", "turned burning": "turned on", "turned out": "turned off"}
 _LATER = re.compile(r"\s*,?\s*(?:when|once|after|as soon as)\b", re.IGNORECASE)
@@ -107,5 +113,36 @@ def _sways(t: Told, s: Shown) -> None:
         t.book.add(Predicate.NOT_REPRESENTED, s.start, s.end, object=tuple(who), note=STIFF)
 
 
-_WRITERS = {Predicate.LIT: _lit, Predicate.WEATHER: _weather, Predicate.SWAYS: _sways}
+def _gives_off(t: Told, s: Shown) -> None:
+    who = _doers(t, s) if s.about == BEFORE else named_at(t.d, s.about)
+    if not who or (s.noun in _OF_THINGS and any(kind_of(t.d, i) in LIVING for i in who)):
+        t.book.add(Predicate.NOT_REPRESENTED, s.start, s.end, note=NO_SOURCE)
+        return
+    moving = plumes()[s.noun].moving
+    when = "throughout" if moving else _after_a_hit(t, s)
+    t.book.add(Predicate.GIVES_OFF, s.start, s.end, object=tuple(who), noun=s.noun, when=when)
+    if s.lacks is not None:
+        t.book.add(Predicate.NOT_REPRESENTED, *s.lacks, object=tuple(who), note=OTHER_HUE)
+
+
+def _doers(t: Told, s: Shown) -> list[str]:
+    """Who does what was told last before: "a car drives across a desert, leaving dust"."""
+    before = (f for f in t.frames if f.verb.start < s.end and f.subject is not None)
+    for f in sorted(before, key=lambda f: -f.verb.start):
+        who = [i for i in f.subject.entities if i in t.d.world.entities] if f.subject else []
+        who = [i for i in who if not structural(t.d, i)]
+        if who:
+            return who
+    named = (own for own in _bearers(t.d, s) if own and not structural(t.d, own[0]))
+    return next(named, [])
+
+
+def _after_a_hit(t: Told, s: Shown) -> str:
+    """ "Hits a pole, and smoke rises from its engine": from then on."""
+    since = _since(t, s)
+    return since if since == "throughout" else f"{since}..end"
+
+
+_WRITERS = {Predicate.LIT: _lit, Predicate.WEATHER: _weather, Predicate.SWAYS: _sways,
+            Predicate.GIVES_OFF: _gives_off}  # fmt: skip
 """How each of them is written down."""
