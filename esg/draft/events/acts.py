@@ -16,6 +16,7 @@ from esg.draft.discourse.core import (
     quantity_of,
     structural,
 )
+from esg.draft.discourse.decks import is_deck
 from esg.draft.discourse.event_coreference import goes_on, time_of_told, told_before
 from esg.draft.discourse.places import carries, elevated, fits_on, holds, place, set_free
 from esg.draft.discourse.record import Discourse, Time
@@ -181,7 +182,8 @@ def _along(d: Discourse, actor: str, way: Way) -> None:
 def _to_the_edge(d: Discourse, actor: str, way: Way) -> None:
     """ "rolls toward the edge of the desk": it is on the desk."""
     other = way.others[0]
-    if way.m.part in EDGES and elevated(d, other) and fits_on(d, actor, other):
+    broad = fits_on(d, actor, other) or is_deck(entity_of(d, other))
+    if way.m.part in EDGES and elevated(d, other) and broad:
         place(d, [actor], [other], "on")
 
 

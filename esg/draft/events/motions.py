@@ -50,6 +50,8 @@ _SLOWEST_CM_S = 25.0
 
 _FLOATERS = lex.word_set("floaters")
 _CARRYING = ("on", "atop", "on top of")
+_TOPS = ("top", "roof", "bed", "ridge", "deck")
+"""Parts of a thing that something goes along or across on it."""
 _COMES_ONTO = lex.word_set("comes onto")
 _IN_THE_AIR = lex.word_set("in the air")
 _WINGED = lex.word_set("winged")
@@ -577,7 +579,7 @@ def paced(speed: Quantity, pace: str) -> Quantity:
 
 def _what_carries(f: Frame) -> Phrase | None:
     """The phrase of what a clause goes on: on it, on top of it, or across it from end to end."""
-    top = next((p for p in f.phrases if p.mention and p.mention.part in ("top", "roof")), None)
+    top = next((p for p in f.phrases if p.mention and p.mention.part in _TOPS), None)
     if top is not None and top.prep in (*_CARRYING, "along", "across"):
         return top
     on = f.phrase(*_CARRYING) or f.phrase("from")

@@ -8,8 +8,9 @@ from esg.draft.discourse.referents.entities import is_toy
 from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED
 from esg.draft.events.stated import comes_later, start_of
 from esg.draft.events.told import things
+from esg.draft.events.tops import movers_on_top, stays_up
 from esg.draft.grammar.clauses.frames import Phrase
-from esg.draft.statements.book import Book, ids, span
+from esg.draft.statements.book import Book, Told, ids, span
 from esg.draft.statements.periods import hurled, period
 from esg.graph.models import NodeEvent, Predicate
 
@@ -19,6 +20,7 @@ _POSTURES = {
 }
 """What verbs of posture say of what holds something."""
 _LENGTHWISE = ("along", "across")
+_CARRYING = (Predicate.SUPPORTED_BY, Predicate.CARRIED_BY, Predicate.ENDS_ON)
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
 
@@ -127,7 +129,18 @@ def support(book: Book, clause: Clause, p: Phrase) -> None:
             continue
         met = [n.event.value for n in d.timeline.nodes if mover in n.participants]
         when = "start" if {*met} & {"Fall", "EnterRegion"} else period(d, clause, mover)
-        if met[-1:] == ["Miss"] and when != "start":
+        if stays_up(d, mover) is not None:
             when = "throughout"  # who is past a thing on a table is on it still
         book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
                  target=(host,), when=when)  # fmt: skip
+
+
+def kept_on_top(told: Told) -> None:
+    """ "On a desk, a marble rolls past a cup": on the desk throughout, in whatever words."""
+    d, book = told.d, told.book
+    stated = {(i, s.target) for s in book.items for i in s.object if s.predicate in _CARRYING}
+    for mover, host in movers_on_top(d):
+        named = [m for m in d.mentions if host in m.entities and not m.pronoun]
+        for m in named[:1] if (mover, (host,)) not in stated else ():
+            book.add(Predicate.SUPPORTED_BY, m.start, m.end, object=(mover,), target=(host,),
+                     when="throughout")  # fmt: skip

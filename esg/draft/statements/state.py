@@ -13,7 +13,7 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.account import Account
 from esg.draft.statements.book import Book, Told, span
 from esg.draft.statements.climbed import climbed, climbs_told
-from esg.draft.statements.held import carried, driver, posture, support, tow
+from esg.draft.statements.held import carried, driver, kept_on_top, posture, support, tow
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
 from esg.draft.statements.looks.postures import postures
 from esg.draft.statements.looks.shown import shown
@@ -204,6 +204,7 @@ WRITTEN: tuple[Callable[[Told], None], ...] = (
     postures,
     _clauses,
     _dropped,
+    kept_on_top,
     *BESIDE_MOTIONS,
     _in_order,
     _own_up,

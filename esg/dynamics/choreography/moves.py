@@ -13,7 +13,14 @@ from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, sliding_travel
 from esg.dynamics.story.paces import LASTS_S, turns_at
-from esg.dynamics.story.stagecraft import coasting_drag, prop, stays_on, top_surface
+from esg.dynamics.story.stagecraft import (
+    ON_TABLE,
+    TABLE_S,
+    coasting_drag,
+    prop,
+    stays_on,
+    top_surface,
+)
 from esg.dynamics.story.story import (
     CRUISES,
     ON_THE_SPOT,
@@ -185,6 +192,11 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float | None) -> 
             duration = speed / drag if halts else min(duration, SLIDES_ON * speed / drag)
         left = max(0.0, speed - drag * duration)
         track.straight(sliding_travel(speed, drag, duration), duration, left)
+        return
+    if most is not None and body.rolls:
+        track.straight(
+            speed * (TABLE_S + (1.0 - math.exp(-ON_TABLE * duration)) / ON_TABLE), duration, 0.0
+        )
         return
     ride = ride_of(stage, actor, phase, speed)
     node = phase.end

@@ -38,6 +38,8 @@ if TYPE_CHECKING:
 
 CLEARANCE_M = 0.35
 RUN_OUT_M = 1.0
+APART_M = 4.0
+"""From one way to another that does not touch it; a tenth of that on a table."""
 FASTEST_MPS = 22.0
 """A guessed speed is raised up to here where an event needs it."""
 
@@ -364,7 +366,8 @@ class Stage:
 
     def free_frame(self) -> Frame:
         """A start beside everything placed so far, for an unrelated second path."""
-        return Frame(0.0, max(y for _, y, _ in self.places.values()) + 4.0, 0.0)
+        apart = APART_M * (1.0 if self.anchor is None else 0.1)
+        return Frame(0.0, max(y for _, y, _ in self.places.values()) + apart, 0.0)
 
     def free_heading(self, x: float, y: float) -> float:
         """An approach direction towards (x, y) far from those already in use."""

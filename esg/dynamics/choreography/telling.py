@@ -10,7 +10,6 @@ told when the scene is cast; the document keeps it (`record`), and it is read fr
 from __future__ import annotations
 
 from dataclasses import dataclass
-import math
 
 import numpy as np
 
@@ -19,11 +18,12 @@ from esg.dynamics.choreography.courses.passages import lead_through, let_go_down
 from esg.dynamics.choreography.handling import bounced, jumped, spun, taken, tell_guided
 from esg.dynamics.choreography.meetings import collision, enters
 from esg.dynamics.choreography.moves import controlled, plain, shattered, turned
-from esg.dynamics.choreography.placing import comes_to_rest, enter_beside
+from esg.dynamics.choreography.placing import enter_beside
 from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.swings import moved_by_joint, swung
 from esg.dynamics.choreography.throws import stand_behind
+from esg.dynamics.choreography.tops import reaches
 from esg.dynamics.choreography.ways import (
     crossing_together,
     pairs_passed,
@@ -36,7 +36,7 @@ from esg.dynamics.story.story import Story, read_story
 from esg.graph import models
 from esg.graph.canonical import entropy
 from esg.graph.casting import effective
-from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
+from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
 from esg.layout.problem.hints import Constellation, StartHints, stored_hints
 
 HANDLERS = {
@@ -162,7 +162,7 @@ def _play(stage: Stage) -> Stage:
             if stage.start_at_edge():
                 break
         elif stage.anchor is None or fit_to_surface(
-            stage.doc, stage.anchor, stage.places, _walked_to(stage)
+            stage.doc, stage.anchor, stage.places, _reached(stage)
         ):
             break
         stage = stage.tighter()
@@ -171,17 +171,10 @@ def _play(stage: Stage) -> Stage:
     return stage
 
 
-def _walked_to(stage: Stage) -> dict[str, tuple[float, float]]:
-    """Where those end that walk about and stop by themselves: x, y [m]."""
-    out: dict[str, tuple[float, float]] = {}
-    for actor, track in stage.tracks.items():
-        last = stage.story.phases[actor][-1]
-        walks = stage.held(actor) and last.edge.event is EdgeEvent.UNIFORM_MOTION
-        if walks and last.end.event is NodeEvent.TRIGGER and actor in stage.frames:
-            way = comes_to_rest(stage, actor)[0]
-            x, y = track.x + way * math.cos(track.heading), track.y + way * math.sin(track.heading)
-            out[actor] = stage.frames[actor].apply(x, y)
-    return {actor: end for actor, end in out.items() if actor in stage.places}
+def _reached(stage: Stage) -> list[tuple[str, float, float]]:
+    """Where those get that stay on their table: key, x, y [m]."""
+    actors = [actor for actor in stage.tracks if actor in stage.places]
+    return [(actor, *p) for actor in actors for p in reaches(stage, actor)]
 
 
 def _tell(stage: Stage) -> None:

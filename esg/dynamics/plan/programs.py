@@ -45,7 +45,7 @@ from esg.dynamics.story.paces import (
     usual_brake,
     usual_halt,
 )
-from esg.dynamics.story.stagecraft import coasting_drag, prop, stacked_with, support_of
+from esg.dynamics.story.stagecraft import coasting_drag, prop, stacked_with, stays_on, support_of
 from esg.dynamics.story.story import (
     UNDISTURBED,
     Phase,
@@ -74,8 +74,8 @@ STRAIGHT_S = 1.0
 """How long an actor drives on straight after a turn that nothing follows [s]."""
 SHAKEN_S = 0.15
 """From the hit of a support until something on it sets off to fall [s]."""
-LEAST_S = 0.05
-"""Least time of a segment."""
+LEAST_S, LEAST_MPS = 0.05, 0.05
+"""Least time and speed of a segment."""
 RUN_OUT_MPS2 = 5.0
 """How fast a jumper comes to rest after it has landed."""
 HELD_ON_S = 8.0
@@ -584,6 +584,8 @@ class Composer:
         steep = climbs_at(edge) if soars else 0.0
         if leg.last and self._holds_on(phase, steep, upright=descends and not down):
             end = math.inf
+        if (beyond := self.nominal.get(f"{edge.id}/beyond")) is not None:
+            end = min(end, self.told(phase.end, end) + beyond / max(abs(speed), LEAST_MPS))
         ahead = np.array([math.cos(course.heading), math.sin(course.heading), 0.0])
         if leg.first and not acceleration and math.isinf(ride.rate):
             course.out += self._with_riders(actor, start, abs(speed) * ahead)
@@ -611,7 +613,7 @@ class Composer:
         course.heading += rate * (end - start) if turns else 0.0
         lasted = min(end, leg.duration) - start
         course.speed = max(0.0, ride.left(lasted) + acceleration * lasted)
-        if leg.last and turns:
+        if leg.last and turns and (soars or not self._stays_up(actor)):
             course.out.append(self._straight_on(course, end, roll_radius))
             end += 0.0 if soars else STRAIGHT_S
         # What follows a hit follows it when it happens, not when the hold would have ended.
@@ -643,6 +645,10 @@ class Composer:
         degrees, sign = turn_of(leg.phase)
         rate = sign * self._turn_rate(leg, speed)
         return rate, leg.start + math.radians(degrees) / abs(rate)
+
+    def _stays_up(self, actor: str) -> bool:
+        """Whether it moves on a table that it does not leave, so that it stops there."""
+        return stays_on(self.doc, actor) is not None and not self.story.soars(actor)
 
     def _holds_on(self, phase: Phase, steep: float, *, upright: bool) -> bool:
         """Whether what it does last has no end.
@@ -731,6 +737,7 @@ class Composer:
         """What a driver does at the end of its part: it brakes, or hovers."""
         actor, node = course.actor, leg.phase.end
         stays = node.event in (NodeEvent.REACH, NodeEvent.STOP) or arrives(self.doc, actor)
+        stays = stays or self._stays_up(actor)
         if self.story.soars(actor):
             if stays:
                 course.out.append(self._hover(actor, end, course.speed, course.heading))

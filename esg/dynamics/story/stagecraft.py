@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 import math
 
@@ -295,6 +296,10 @@ def lies_on(doc: EsgDocument, thing: str, host: str) -> bool:
     )
 
 
+ON_TABLE, TABLE_S = 2.5, 0.1
+"""Damping [1/s] of what rolls along a table and stays there, as on a cloth, and from when [s]."""
+
+
 def stays_on(doc: EsgDocument, thing: str) -> str | None:
     """The table or shelf that a thing moves on and does not leave, None if nobody says so."""
     host = support_of(doc, thing)
@@ -314,7 +319,7 @@ def fit_to_surface(
     doc: EsgDocument,
     anchor: str,
     places: dict[str, tuple[float, float, float | None]],
-    ends: dict[str, tuple[float, float]] | None = None,
+    reached: Sequence[tuple[str, float, float]] = (),
 ) -> bool:
     """Centres a choreography on its support's surface, along its longer side; False if too large.
 
@@ -322,7 +327,7 @@ def fit_to_surface(
         doc: The document.
         anchor: Supporting node.
         places: Positions [m] and yaws [rad] by key, changed in place on success.
-        ends: Where those come to rest that stay on it [m], by key.
+        reached: Where those get that stay on it: key, x, y [m].
     """
     surface = broadest_surface(doc, anchor)
     half = np.array(surface.half_extents_cm) / 100.0
@@ -330,7 +335,7 @@ def fit_to_surface(
     turn = half[1] > half[0]
     room = half[::-1] if turn else half
     points: list[tuple[float, float]] = []
-    last = [(key, (*end, places[key][2])) for key, end in (ends or {}).items()]
+    last = [(key, (x, y, places[key][2])) for key, x, y in reached]
     for key, (x, y, yaw) in [*places.items(), *last]:
         name = key[6:] if key.startswith("group:") else key
         nodes = doc.spatial_relation_graph.nodes

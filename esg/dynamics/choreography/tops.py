@@ -1,0 +1,68 @@
+"""What moves about on a table and stays there: how far it gets after all that is told of it."""
+
+from __future__ import annotations
+
+import math
+
+from esg.dynamics.choreography.placing import comes_to_rest
+from esg.dynamics.choreography.stage import Encounter, Stage
+from esg.dynamics.story.kinematics import half_along
+from esg.dynamics.story.stagecraft import ON_TABLE, TABLE_S, coasting_drag, stays_on
+from esg.graph.models import EdgeEvent, NodeEvent
+
+BEYOND_M = 0.04
+"""Gap behind what has been passed, measured along the way."""
+FASTER = 1.1
+"""Most that the search may have it go faster than was planned for."""
+Point = tuple[float, float]
+
+
+def keeps_to_its_top(stage: Stage, actor: str) -> bool:
+    """Whether something moves on the table that carries all of this, and shall not leave it."""
+    return stage.anchor is not None and stays_on(stage.doc, stage.member(actor)) == stage.anchor
+
+
+def go_past(stage: Stage, e: Encounter) -> None:
+    """Leads a way past a thing on, until that is behind, where it ends with that."""
+    phase = e.phase
+    passes = e.node.event is NodeEvent.MISS and phase is not None and e.b in stage.places
+    if not passes or phase is None or not keeps_to_its_top(stage, e.a):
+        return
+    name, track = phase.edge.id, stage.tracks[e.a]
+    stage.nominal[f"{name}/at_most"] = FASTER * stage.nominal.get(f"{name}/speed", track.speed)
+    if phase is not stage.story.phases[e.a][-1] or track.speed <= 0.0:
+        return
+    body, its, frame = stage.prop(e.a), stage.prop(e.b), stage.frames[e.a]
+    turned = (stage.places[e.b][2] or 0.0) - track.heading - frame.angle
+    more = body.half_length + half_along(its.length, its.width, turned) + BEYOND_M
+    if phase.edge.event is EdgeEvent.TOWARD and not body.rolls:
+        return  # friction alone ends it
+    track.straight(more, more / track.speed, track.speed)
+    stage.nominal[f"{name}/beyond"] = more
+
+
+def reaches(stage: Stage, actor: str) -> list[Point]:
+    """Where something gets that stays on its table: all corners of its way, and where it rests [m].
+
+    Who walks about and stops by himself rests so, too, whatever is said of his table.
+    """
+    track, last = stage.tracks[actor], stage.story.phases[actor][-1]
+    frame = stage.frames.get(actor)
+    stays = keeps_to_its_top(stage, actor)
+    walks = stage.held(actor) and last.edge.event is EdgeEvent.UNIFORM_MOTION
+    walks = walks and last.end.event is NodeEvent.TRIGGER
+    if frame is None or not (stays or walks):
+        return []
+    way = _runs_out(stage, actor)
+    end = (track.x + way * math.cos(track.heading), track.y + way * math.sin(track.heading))
+    return [frame.apply(*p) for p in ([*track.points, end] if stays else [end])]
+
+
+def _runs_out(stage: Stage, actor: str) -> float:
+    """How far [m] something gets behind the end of its way."""
+    last, track, body = stage.story.phases[actor][-1], stage.tracks[actor], stage.prop(actor)
+    if last.edge.event is not EdgeEvent.TOWARD:
+        return comes_to_rest(stage, actor)[0]
+    if body.rolls:
+        return FASTER * track.speed * (TABLE_S + 1.0 / ON_TABLE)
+    return track.speed**2 / (2.0 * max(coasting_drag(body), 0.1))
