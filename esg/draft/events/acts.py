@@ -16,7 +16,6 @@ from esg.draft.discourse.core import (
     quantity_of,
     structural,
 )
-from esg.draft.discourse.decks import is_deck
 from esg.draft.discourse.event_coreference import goes_on, time_of_told, told_before
 from esg.draft.discourse.places import carries, elevated, fits_on, holds, place, set_free
 from esg.draft.discourse.record import Discourse, Time
@@ -182,8 +181,7 @@ def _along(d: Discourse, actor: str, way: Way) -> None:
 def _to_the_edge(d: Discourse, actor: str, way: Way) -> None:
     """ "rolls toward the edge of the desk": it is on the desk."""
     other = way.others[0]
-    broad = fits_on(d, actor, other) or is_deck(entity_of(d, other))
-    if way.m.part in EDGES and elevated(d, other) and broad:
+    if way.m.part in EDGES and elevated(d, other) and fits_on(d, actor, other):
         place(d, [actor], [other], "on")
 
 
@@ -196,6 +194,8 @@ def _past(d: Discourse, actor: str, way: Way) -> None:
 
 def _to(d: Discourse, actor: str, way: Way) -> None:
     other = way.others[0]
+    if way.m.part in EDGES and d.scene.supported_by.get(actor) == other:
+        return  # "rolls to the edge of a desk": it is on it
     if not structural(d, other):
         if not way.m.attribute:
             heads_for(d, way.f, actor, other, way.time)

@@ -9,7 +9,8 @@ from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.decks import is_deck
 from esg.draft.discourse.places import carries, elevated, fits_on, place, raised
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import GROUND, LIVING, SELF_POWERED
+from esg.draft.discourse.scene import GROUND, LIVING, SELF_POWERED, SPEEDS
+from esg.draft.events.ends import EDGES
 from esg.draft.events.gaits import gaits
 from esg.draft.events.motions import flies_itself
 from esg.draft.events.timing import PUSHING
@@ -19,10 +20,13 @@ from esg.graph.models import EdgeEvent, NodeEvent, Quantity
 from esg.graph.rules_segments import LEAST_SPEED_CM_S
 from esg.units import GRAVITY_MPS2
 
-_MOTIONS = frozenset({"own", "roll", "slide", "coast", "continue", "cross", "pass", "approach"})
+_MOTIONS = frozenset(
+    {"own", "roll", "slide", "coast", "continue", "cross", "pass", "overtake", "approach"}
+)
 """Senses of moving about."""
 _PAST = frozenset({"past", "by", "around", "round", "between", "alongside"})
 _TOWARD = frozenset({"toward", "towards", "to", "up to"})
+_BESIDE = frozenset({"in front of", "next to", "beside", "near", "before", "behind"})
 _OVER = frozenset({"over", "across", "along"})
 _LEAVING = frozenset({"off", "from", "out of", "down", "onto", "into", "under", "through"})
 """Prepositions of ways that begin or end elsewhere than beside what they are about."""
@@ -40,6 +44,8 @@ _ABOUT_S = 2.5
 """How long what moves about on something shall need for half of its length [s]."""
 _SEEN_CM_S = 30.0
 """Speed at which what moves by itself is surely seen to."""
+_GAIT = 1.2
+"""Least of the speeds that a gait leaves, over the slowest that it has."""
 _RUBS, _ROOM = 0.4, 0.4
 """Usual friction of what slides along a table, and the share of that which it slides at most."""
 
@@ -55,9 +61,6 @@ def stays_up(d: Discourse, mover: str) -> str | None:
         return None
     met = [n for n in d.timeline.nodes if mover in n.participants]
     hosts = d.scene.supported_by
-    fallen = {n.participants[0] for n in d.timeline.nodes if n.event is NodeEvent.FALL}
-    if any(n.event is NodeEvent.COLLISION and fallen & {*n.participants} for n in met):
-        return None  # "pushes a block off a desk"
     for n in met:
         others = [i for i in n.participants if i != mover]
         if n.event not in _STAYING or any(hosts.get(i) != host and i != host for i in others):
@@ -93,8 +96,8 @@ def join_on_top(d: Discourse, f: Frame) -> None:
         return
     if pushed:
         return
-    host = _host_of_landmarks(d, f, movers)
-    if host is not None and all(fits_on(d, a, host) for a in movers):
+    host = _whose_edge(d, f, movers) or _host_of_landmarks(d, f, movers)
+    if host is not None and all(fits_on(d, a, host) or _broad(d, host) for a in movers):
         place(d, movers, [host], "on")
         d.moves.on_top.update((a, host) for a in movers)
 
@@ -134,10 +137,25 @@ def _crossed(d: Discourse, f: Frame, p: Phrase, movers: list[str]) -> bool:
     return raised(d, host) and all(fits_on(d, a, host) for a in movers)
 
 
+def _whose_edge(d: Discourse, f: Frame, movers: list[str]) -> str | None:
+    """What carries those that go to its edge: "rolls to the edge of a stage and stops"."""
+    for p in f.phrases:
+        hosts = [h for h in things(p) if h in d.world.entities and h not in movers]
+        part = p.mention.part if p.mention is not None else ""
+        if part in EDGES and p.prep in _TOWARD and len(hosts) == 1 and elevated(d, hosts[0]):
+            return hosts[0]
+    return None
+
+
+def _broad(d: Discourse, host: str) -> bool:
+    """Whether a thing is as large as what goes about on it asks for: a stage, a pier."""
+    return is_deck(entity_of(d, host))
+
+
 def _host_of_landmarks(d: Discourse, f: Frame, movers: list[str]) -> str | None:
     """What carries everything that a clause has its movers pass, go round or go to."""
     named = [i for p in f.phrases if p.prep in _PAST for i in things(p)]
-    if f.verb.sense == "pass" and f.object is not None:
+    if f.verb.sense in ("pass", "overtake") and f.object is not None:
         named += f.object.entities
     if all(kind_of(d, a) not in LIVING or max(size_of(d, a)) <= _SMALL_CM for a in movers):
         named += [i for p in f.phrases if p.prep in _TOWARD for i in things(p)]
@@ -196,9 +214,11 @@ def _landmarks(d: Discourse, mover: str) -> Iterator[str]:
             for i in n.participants[1:]:
                 group = d.world.entities[i].group if i in d.world.entities else None
                 yield from d.world.groups.get(group or "", [i])
-    for c in d.scene.clauses:
-        if mover in c.movers and c.frame.verb.sense in _MOTIONS:
-            beside = (p for p in c.frame.phrases if p.prep in _PAST | _TOWARD | {"in front of"})
+    for f in d.told:
+        if f.subject is None or mover not in f.subject.entities or f.unreal or f.verb.negated:
+            continue
+        if f.verb.sense in _MOTIONS | {"stop", "brake"}:
+            beside = (p for p in f.phrases if p.prep in _PAST | _TOWARD | _BESIDE)
             yield from (i for p in beside for i in things(p) if i != GROUND)
 
 
@@ -228,12 +248,16 @@ def _slow_enough(
         return speed
     length = max(size_of(d, host)[:2])
     alone = kind_of(d, actor) in SELF_POWERED
+    kind = kind_of(d, actor)
+    afoot = kind in LIVING and speed != SPEEDS.get(kind)  # whose gait has its speeds
     if slides:
         most = 100.0 * math.sqrt(2.0 * _RUBS * GRAVITY_MPS2 * 0.01 * _ROOM * length)
     else:
         # Who goes by himself starts at one end and stops; what rolls starts in the middle.
         least = _SEEN_CM_S if alone else LEAST_SPEED_CM_S
         most = max(length * (1.0 if alone else 0.5) / _ABOUT_S, least)
+    most = max(most, _GAIT * speed[0]) if afoot else most
     if most >= speed[1]:
         return speed
-    return (min(speed[0], round(0.5 * most, 4)), round(most, 4))
+    least = speed[0] if afoot else min(speed[0], 0.5 * most)
+    return (round(least, 4), round(most, 4))

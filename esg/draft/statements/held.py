@@ -6,6 +6,7 @@ from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.referents.entities import is_toy
 from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED
+from esg.draft.events.ends import EDGES
 from esg.draft.events.stated import comes_later, start_of
 from esg.draft.events.told import things
 from esg.draft.events.tops import movers_on_top, stays_up
@@ -20,6 +21,7 @@ _POSTURES = {
 }
 """What verbs of posture say of what holds something."""
 _LENGTHWISE = ("along", "across")
+_AT_THE_END = ("to", "up to", "at", "near")
 _CARRYING = (Predicate.SUPPORTED_BY, Predicate.CARRIED_BY, Predicate.ENDS_ON)
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
@@ -133,6 +135,19 @@ def support(book: Book, clause: Clause, p: Phrase) -> None:
             when = "throughout"  # who is past a thing on a table is on it still
         book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
                  target=(host,), when=when)  # fmt: skip
+
+
+def short_of_edges(told: Told) -> None:
+    """ "Rolls to the edge of a stage and stops": it stops on it, nothing sees to where."""
+    d, book = told.d, told.book
+    fallen = {n.participants[0] for n in d.timeline.nodes if n.event is NodeEvent.FALL}
+    for clause in d.scene.clauses:
+        for p in clause.frame.phrases:
+            m = p.mention
+            who = tuple(i for i in clause.movers if i not in fallen)
+            if m is not None and m.part in EDGES and p.prep in _AT_THE_END and who:
+                book.add(Predicate.NOT_REPRESENTED, start_of(p, d.text), m.end, object=who,
+                         note="nothing sees to it that it ends there")  # fmt: skip
 
 
 def kept_on_top(told: Told) -> None:

@@ -13,7 +13,15 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.account import Account
 from esg.draft.statements.book import Book, Told, span
 from esg.draft.statements.climbed import climbed, climbs_told
-from esg.draft.statements.held import carried, driver, kept_on_top, posture, support, tow
+from esg.draft.statements.held import (
+    carried,
+    driver,
+    kept_on_top,
+    posture,
+    short_of_edges,
+    support,
+    tow,
+)
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
 from esg.draft.statements.looks.postures import postures
 from esg.draft.statements.looks.shown import shown
@@ -205,6 +213,7 @@ WRITTEN: tuple[Callable[[Told], None], ...] = (
     _clauses,
     _dropped,
     kept_on_top,
+    short_of_edges,
     *BESIDE_MOTIONS,
     _in_order,
     _own_up,

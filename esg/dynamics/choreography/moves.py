@@ -11,6 +11,7 @@ from esg.dynamics.choreography.falls import goes_over_edge, over_edge, tip_over
 from esg.dynamics.choreography.placing import comes_to_rest, gap_left, join
 from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.choreography.tops import length_of_top
 from esg.dynamics.story.kinematics import Frame, sliding_travel
 from esg.dynamics.story.paces import LASTS_S, turns_at
 from esg.dynamics.story.stagecraft import (
@@ -43,13 +44,14 @@ SHORT_S = (1.2, 1.8)
 """Time of a run to nowhere [s]."""
 LEAST_MPS = 0.2
 """Speed below which nothing is waited for until it has passed something."""
+LONGEST_RUN_S, SHORTEST_RUN_S = 4.0, 0.8
+"""Longest and shortest time of a run along a table."""
 USUAL_S = 2.0
 """Time of a segment where nothing says how long it lasts."""
 SLIDES_ON = 0.4
 """Share of the time to rest after which something that slides is acted upon at the latest."""
-ROOM_ON_TOP = 0.75
-"""Share of the way from the middle of a table to its far edge, along which the layout turns what
-moves on it, that what stays on it may use."""
+ROOM_ON_TOP = 0.6
+"""Share of the length of a table that the way of what stays on it may have."""
 MOST_ON_TOP_MPS = 4.0
 ROLLS_ON_TOP = 2.0
 """Speed [m/s] over the way [m] of what rolls along a table, where it is soon slowed."""
@@ -87,6 +89,7 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
             duration = float(stage.rng.uniform(least, most)) * stage.tight
             if phase.edge.params.duration is None:
                 duration = max(duration, _passes_in(stage, actor, phase))
+                duration = _along_its_top(stage, actor, phase, duration)
         if turns_back(stage.story, phase, lambda name: stage.prop(name).fixed):
             track.heading += math.pi
         _advance(stage, actor, phase, duration)
@@ -96,6 +99,15 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
         arrived = [prescribed if prescribed is not None else max(low, min(high, low + 0.5))]
     stage.time[node.id] = max(arrived)
     stage.nominal[f"{node.id}/time"] = stage.time[node.id]
+
+
+def _along_its_top(stage: Stage, actor: str, phase: Phase, otherwise: float) -> float:
+    """How long [s] what moves by itself goes along its table, if it does nothing else there."""
+    alone = len(stage.story.phases[actor]) == 1 and phase.edge.event is EdgeEvent.UNIFORM_MOTION
+    way = length_of_top(stage, actor) if alone else 0.0
+    if way <= 0.0:
+        return otherwise
+    return max(min(way / stage.speed(actor, phase), LONGEST_RUN_S) * stage.tight, SHORTEST_RUN_S)
 
 
 def _passes_in(stage: Stage, actor: str, phase: Phase) -> float:
@@ -117,7 +129,8 @@ def turned(stage: Stage, node: TimelineNode) -> None:
         usual = min(max(45.0, low), high, steady)
         wide = widest_turn(stage, actor)
         if wide and not fixed:
-            usual = max(low, min(usual, math.degrees(ride.speed / wide)))
+            steady = steady if stage.keeps_to_its_top(actor) else usual
+            usual = max(low, min(high, steady, math.degrees(ride.speed / wide)))
         rate = math.radians(low if fixed else usual)
         degrees, sign = turn_of(phase)
         stage.nominal[f"{phase.edge.id}/turn_rate"] = rate
@@ -183,7 +196,8 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float | None) -> 
     most = _fastest_on_top(stage, actor, phase)
     if most is not None:
         # Slower it would be seen to go nowhere.
-        speed = stage.nominal[f"{edge.id}/most"] = min(most, MOST_ON_TOP_MPS)
+        speed = min(most, MOST_ON_TOP_MPS)
+        speed = stage.nominal[f"{edge.id}/most"] = max(speed * stage.tight, LEAST_MPS)
     stage.nominal[f"{edge.id}/speed"] = speed
     if edge.event is EdgeEvent.TOWARD and drag > 0.0 and not stage.story.flies(actor):
         if not phase.end.time_is_prescribed:
@@ -230,7 +244,7 @@ def _fastest_on_top(stage: Stage, actor: str, phase: Phase) -> float | None:
         return None
     x, y = top_surface(stage.doc, host).half_extents_cm
     body = stage.prop(actor)
-    room = ROOM_ON_TOP * (max(x, y) / 100.0 - body.half_length)
+    room = ROOM_ON_TOP * (max(x, y) / 50.0 - body.length)
     if room <= 0.0 or body.wheeled:
         return None
     rubs = 0.5 * (body.friction + prop(stage.doc, host).friction) * GRAVITY_MPS2

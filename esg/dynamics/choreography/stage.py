@@ -25,6 +25,7 @@ from esg.dynamics.story.stagecraft import (
     default_speed,
     ground_friction,
     prop,
+    stays_on,
     support_of,
     top_surface,
 )
@@ -38,6 +39,8 @@ if TYPE_CHECKING:
 
 CLEARANCE_M = 0.35
 RUN_OUT_M = 1.0
+SEEN_MPS = 0.22
+"""What moves on a short table is no slower than what is surely seen to move."""
 APART_M = 4.0
 """From one way to another that does not touch it; a tenth of that on a table."""
 FASTEST_MPS = 22.0
@@ -290,11 +293,25 @@ class Stage:
         """Whether an actor stays where it ran into something fixed until another one comes."""
         return stranded(self.story, phase, lambda name: self.prop(self.key(name)).fixed)
 
+    def keeps_to_its_top(self, actor: str) -> bool:
+        """Whether it moves on the table that carries all of this, and shall not leave it."""
+        name = self.member(actor)
+        return self.anchor is not None and stays_on(self.doc, name) == self.anchor
+
     def speed(self, actor: str, phase: Phase, least: float = 0.0, needed: float = 0.0) -> float:
         """A plausible speed [m/s] of at least `least` within the segment's bounds.
 
-        Guessed bounds give way to `needed`, without which an event cannot happen.
+        Guessed bounds give way to `needed`, without which an event cannot happen; on a table that
+        is short it is slower.
         """
+        speed = self._speed(actor, phase, least, needed)
+        if self.tight >= 1.0 or phase.edge.speed_is_prescribed or not self.keeps_to_its_top(actor):
+            return speed
+        low, _, _ = bounds(phase.edge.params.speed, (100.0 * SEEN_MPS, 0.0))
+        return min(speed, max(speed * self.tight, SEEN_MPS, 0.01 * low, least, needed))
+
+    def _speed(self, actor: str, phase: Phase, least: float, needed: float) -> float:
+        """That speed where there is room enough."""
         who, backward = self.member(actor), phase.edge.params.backward is True
         top = top_speed(self.doc, who, backward)
         usual = min(default_speed(self.prop(actor)), EVERYDAY * top)

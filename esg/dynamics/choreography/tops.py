@@ -7,26 +7,31 @@ import math
 from esg.dynamics.choreography.placing import comes_to_rest
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import half_along
-from esg.dynamics.story.stagecraft import ON_TABLE, TABLE_S, coasting_drag, stays_on
+from esg.dynamics.story.stagecraft import ON_TABLE, TABLE_S, broadest_surface, coasting_drag
 from esg.graph.models import EdgeEvent, NodeEvent
 
 BEYOND_M = 0.04
 """Gap behind what has been passed, measured along the way."""
+ALONG = 0.75
+"""Share of a table's length along which something goes about on it that goes nowhere."""
 FASTER = 1.1
 """Most that the search may have it go faster than was planned for."""
 Point = tuple[float, float]
 
 
-def keeps_to_its_top(stage: Stage, actor: str) -> bool:
-    """Whether something moves on the table that carries all of this, and shall not leave it."""
-    return stage.anchor is not None and stays_on(stage.doc, stage.member(actor)) == stage.anchor
+def length_of_top(stage: Stage, actor: str) -> float:
+    """How far [m] something may go along the table that it stays on, its own length left out."""
+    if not stage.keeps_to_its_top(actor) or stage.anchor is None:
+        return 0.0
+    half = max(broadest_surface(stage.doc, stage.anchor).half_extents_cm) / 100.0
+    return max(ALONG * 2.0 * half - stage.prop(actor).length, 0.0)
 
 
 def go_past(stage: Stage, e: Encounter) -> None:
     """Leads a way past a thing on, until that is behind, where it ends with that."""
     phase = e.phase
     passes = e.node.event is NodeEvent.MISS and phase is not None and e.b in stage.places
-    if not passes or phase is None or not keeps_to_its_top(stage, e.a):
+    if not passes or phase is None or not stage.keeps_to_its_top(e.a):
         return
     name, track = phase.edge.id, stage.tracks[e.a]
     stage.nominal[f"{name}/at_most"] = FASTER * stage.nominal.get(f"{name}/speed", track.speed)
@@ -48,7 +53,7 @@ def reaches(stage: Stage, actor: str) -> list[Point]:
     """
     track, last = stage.tracks[actor], stage.story.phases[actor][-1]
     frame = stage.frames.get(actor)
-    stays = keeps_to_its_top(stage, actor)
+    stays = stage.keeps_to_its_top(actor)
     walks = stage.held(actor) and last.edge.event is EdgeEvent.UNIFORM_MOTION
     walks = walks and last.end.event is NodeEvent.TRIGGER
     if frame is None or not (stays or walks):

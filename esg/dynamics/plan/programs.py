@@ -745,7 +745,10 @@ class Composer:
         if self.cast.brakes_after(actor, leg.phase):
             hit = end if pushes else self.nominal.get(f"{node.id}/event_time", leg.duration)
             course.out.append(AdjustProperties(actor, hit, braking=self._brakes(course)))
-        if on_foot(prop(self.doc, actor)) and (stays or end < leg.duration):
+        slides = self._stays_up(actor) and not prop(self.doc, actor).wheeled
+        if slides and end < leg.duration:
+            course.out.append(self._halts(course, end))
+        elif on_foot(prop(self.doc, actor)) and (stays or end < leg.duration):
             # Let go on its feet, it would fall over them.
             course.out.append(self._halts(course, end))
         elif stays:
