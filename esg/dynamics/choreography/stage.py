@@ -30,7 +30,7 @@ from esg.dynamics.story.stagecraft import (
     top_surface,
 )
 from esg.dynamics.story.story import CRUISES, UNDISTURBED, Phase, Story, bounds, stranded
-from esg.graph.models import EdgeEvent, EsgDocument, TimelineNode
+from esg.graph.models import EdgeEvent, EsgDocument, Predicate, TimelineNode
 from esg.layout.problem.hints import Constellation, Corridor, Placement
 
 if TYPE_CHECKING:
@@ -307,7 +307,9 @@ class Stage:
         speed = self._speed(actor, phase, least, needed)
         if self.tight >= 1.0 or phase.edge.speed_is_prescribed or not self.keeps_to_its_top(actor):
             return speed
-        low, _, _ = bounds(phase.edge.params.speed, (100.0 * SEEN_MPS, 0.0))
+        said = {i for s in self.doc.statements or () if s.predicate is Predicate.FASTER_THAN
+                for i in s.object}  # fmt: skip
+        low = bounds(phase.edge.params.speed, (0.0, 0.0))[0] if self.member(actor) in said else 0.0
         return min(speed, max(speed * self.tight, SEEN_MPS, 0.01 * low, least, needed))
 
     def _speed(self, actor: str, phase: Phase, least: float, needed: float) -> float:

@@ -81,8 +81,9 @@ def choreograph(doc: EsgDocument, *, seed: int = 0) -> Choreography:
     constellations: list[Constellation] = []
     nominal: dict[str, float] = {}
     told: dict[str, float] = tell_guided(story, {})
-    for component in _in_order(story, _components(doc, story)):
-        stage = _play(Stage(doc, story, component, rng.spawn(1)[0], elsewhere=dict(told)))
+    components = _in_order(story, _components(doc, story))
+    for component, lane in zip(components, _lanes(doc, story, components), strict=True):
+        stage = _play(Stage(doc, story, component, rng.spawn(1)[0], elsewhere=dict(told)), lane)
         told.update(stage.time)
         constellations.append(stage.constellation())
         nominal.update(stage.nominal)
@@ -147,7 +148,7 @@ def _region_parent(node: TimelineNode) -> set[str]:
     return {node.region.split("/")[0]} if node.region else set()
 
 
-def _play(stage: Stage) -> Stage:
+def _play(stage: Stage, lane: tuple[int, int] = (0, 1)) -> Stage:
     """Tells a component's story; on a table, in ever less room until it fits.
 
     What fits nowhere is left to the layout: the stage that is returned is then empty.
@@ -162,7 +163,7 @@ def _play(stage: Stage) -> Stage:
             if stage.start_at_edge():
                 break
         elif stage.anchor is None or fit_to_surface(
-            stage.doc, stage.anchor, stage.places, _reached(stage)
+            stage.doc, stage.anchor, stage.places, _reached(stage), lane
         ):
             break
         stage = stage.tighter()
@@ -171,10 +172,21 @@ def _play(stage: Stage) -> Stage:
     return stage
 
 
-def _reached(stage: Stage) -> list[tuple[str, float, float]]:
-    """Where those get that stay on their table: key, x, y [m]."""
+def _reached(stage: Stage) -> list[tuple[str, float, float, float]]:
+    """Where those get that stay on their table: key, x, y [m], heading [rad]."""
     actors = [actor for actor in stage.tracks if actor in stage.places]
     return [(actor, *p) for actor in actors for p in reaches(stage, actor)]
+
+
+def _lanes(doc: EsgDocument, story: Story, components: list[set[str]]) -> list[tuple[int, int]]:
+    """Which lane each component takes on its table, of how many, for those that share one."""
+    rng = np.random.default_rng(0)
+    anchors = [Stage(doc, story, c, rng).anchor for c in components]
+    shares = [a is not None and anchors.count(a) > 1 for a in anchors]
+    return [
+        (anchors[:k].count(a), anchors.count(a)) if shared else (0, 1)
+        for k, (a, shared) in enumerate(zip(anchors, shares, strict=True))
+    ]
 
 
 def _tell(stage: Stage) -> None:

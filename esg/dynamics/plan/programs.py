@@ -74,6 +74,10 @@ STRAIGHT_S = 1.0
 """How long an actor drives on straight after a turn that nothing follows [s]."""
 SHAKEN_S = 0.15
 """From the hit of a support until something on it sets off to fall [s]."""
+GRIPS = 0.6
+"""Share of its grip with which something slows down on a table that is on no feet or wheels."""
+LEAST_BRAKE_MPS2 = 0.3
+"""What stops on a table brakes as hard at least."""
 LEAST_S, LEAST_MPS = 0.05, 0.05
 """Least time and speed of a segment."""
 RUN_OUT_MPS2 = 5.0
@@ -746,8 +750,11 @@ class Composer:
             hit = end if pushes else self.nominal.get(f"{node.id}/event_time", leg.duration)
             course.out.append(AdjustProperties(actor, hit, braking=self._brakes(course)))
         slides = self._stays_up(actor) and not prop(self.doc, actor).wheeled
-        if slides and end < leg.duration:
-            course.out.append(self._halts(course, end))
+        if node.event is NodeEvent.COLLISION and stays and not slides:
+            hit = self.nominal.get(f"{node.id}/event_time", leg.duration)
+            course.out.append(AdjustProperties(actor, hit, braking=self._brakes(course)))
+        elif slides and end < leg.duration:
+            course.out.append(self._halts(course, end, GRIPS * grip(self.doc, actor)))
         elif on_foot(prop(self.doc, actor)) and (stays or end < leg.duration):
             # Let go on its feet, it would fall over them.
             course.out.append(self._halts(course, end))
@@ -779,10 +786,16 @@ class Composer:
             until_contact=tuple(n for n in free if n not in met), gains=rate, loses=rate,
         )  # fmt: skip
 
-    def _halts(self, course: _Course, time: float) -> HoldVelocity:
-        """It slows down within a step or two, and stands on its feet until something touches it."""
+    def _halts(self, course: _Course, time: float, most: float = math.inf) -> HoldVelocity:
+        """It slows down within a step or two, and stands on its feet until something touches it.
+
+        Args:
+            course: Where its program stands.
+            time: When that begins [s].
+            most: Rate at which it slows down at most [m/s^2].
+        """
         actor, speed = course.actor, abs(course.speed)
-        rate = usual_halt(self.doc, actor, speed, held=True)
+        rate = min(usual_halt(self.doc, actor, speed, held=True), most)
         lasts = max(speed / rate, LEAST_S)
         ends = time + lasts + STANDS_S
         others = tuple(n for n in self._others(actor) if not self.scene.body(n).static)
@@ -792,8 +805,14 @@ class Composer:
         )  # fmt: skip
 
     def _brakes(self, course: _Course) -> float:
-        """How hard an actor usually brakes [m/s^2]."""
-        return usual_brake(self.doc, course.actor, course.speed)
+        """How hard an actor usually brakes [m/s^2]; what rubs on a table brakes by that, too."""
+        usual = usual_brake(self.doc, course.actor, course.speed)
+        host = stays_on(self.doc, course.actor)
+        if host is None:
+            return usual
+        body, top = prop(self.doc, course.actor), prop(self.doc, host)
+        rubs = 0.5 * (body.friction + top.friction) * GRAVITY_MPS2
+        return max(usual + coasting_drag(body) - rubs, LEAST_BRAKE_MPS2)
 
     def _hover(self, actor: str, time: float, speed: float, heading: float) -> HoldVelocity:
         """Slows down in the air, and stays there."""
