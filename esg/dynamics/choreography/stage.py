@@ -30,7 +30,7 @@ from esg.dynamics.story.stagecraft import (
     top_surface,
 )
 from esg.dynamics.story.story import CRUISES, UNDISTURBED, Phase, Story, bounds, stranded
-from esg.graph.models import EdgeEvent, EsgDocument, Predicate, TimelineNode
+from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, Predicate, TimelineNode
 from esg.layout.problem.hints import Constellation, Corridor, Placement
 
 if TYPE_CHECKING:
@@ -39,7 +39,9 @@ if TYPE_CHECKING:
 
 CLEARANCE_M = 0.35
 RUN_OUT_M = 1.0
-SEEN_MPS = 0.22
+HIT_ON_TOP = 1.25
+"""Speed of a hit on a table over the least one that will do."""
+SEEN_MPS = 0.32
 """What moves on a short table is no slower than what is surely seen to move."""
 APART_M = 4.0
 """From one way to another that does not touch it; a tenth of that on a table."""
@@ -305,7 +307,11 @@ class Stage:
         is short it is slower.
         """
         speed = self._speed(actor, phase, least, needed)
-        if self.tight >= 1.0 or phase.edge.speed_is_prescribed or not self.keeps_to_its_top(actor):
+        if phase.edge.speed_is_prescribed or not self.keeps_to_its_top(actor):
+            return speed
+        if phase.end.event is NodeEvent.COLLISION:  # no harder than it has to: it stays
+            speed = min(speed, max(HIT_ON_TOP * max(least, needed), SEEN_MPS))
+        if self.tight >= 1.0:
             return speed
         said = {i for s in self.doc.statements or () if s.predicate is Predicate.FASTER_THAN
                 for i in s.object}  # fmt: skip

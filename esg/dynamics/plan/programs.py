@@ -710,7 +710,7 @@ class Composer:
         the end the body would point a degree beside its way, and slide on like that.
         """
         body = self.scene.body(actor)
-        if body.tyre_friction <= 0.0:
+        if body.tyre_friction <= 0.0 and not self._stays_up(actor):
             return []
         return [
             AdjustProperties(actor, start, friction=0.0),
