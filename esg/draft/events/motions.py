@@ -17,7 +17,7 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.places import carries, elevated, fits_on, place
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import LIVING, SELF_POWERED, SPEEDS
+from esg.draft.discourse.scene import GROUND, LIVING, SELF_POWERED, SPEEDS
 from esg.draft.discourse.timeline import LAUNCHES, START
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.gaits import gaits, on_legs
@@ -414,13 +414,19 @@ def _said_behind(d: Discourse, p: Phrase | None) -> bool:
 def moves_on_it(d: Discourse, f: Frame, fresh: list[str]) -> list[str]:
     """ "A ball rolls on a table", "drives out on the pier": it is on that from the start."""
     on = None if f.verb.lemma in _COMES_ONTO else _what_carries(f)
-    if on is None:
+    if on is None or _crosses_the_floor(d, f):
         return []
     hosts = [h for h in things(on) if aimable(d, h) and all(carries(d, h, a) for a in fresh)]
     if not fresh or not hosts or any(a in d.scene.supported_by for a in fresh):
         return [h for h in hosts if all(d.scene.supported_by.get(a) == h for a in fresh)]
     place(d, fresh, hosts, "on")
     return hosts[:1]
+
+
+def _crosses_the_floor(d: Discourse, f: Frame) -> bool:
+    """ "Rolls across the floor past a lamp on a table": the lamp is on the table."""
+    floors = [i for p in f.phrases if p.prep in ("across", "along") for i in things(p)]
+    return GROUND in floors
 
 
 def mounts_of(d: Discourse, f: Frame, actors: list[str]) -> list[str]:

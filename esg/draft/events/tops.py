@@ -89,6 +89,8 @@ def join_on_top(d: Discourse, f: Frame) -> None:
         return
     if any(p.prep in _LEAVING or (p.prep in _STANDS and not pushed) for p in f.phrases):
         return
+    if any(p.prep in _OVER | _STANDS | {"in", "down"} and _is_floor(d, p) for p in f.phrases):
+        return
     over = next((p for p in f.phrases if p.prep in _OVER and _crossed(d, f, p, movers)), None)
     if over is not None:
         place(d, movers, things(over), "on")
@@ -100,6 +102,12 @@ def join_on_top(d: Discourse, f: Frame) -> None:
     if host is not None and all(fits_on(d, a, host) or _broad(d, host) for a in movers):
         place(d, movers, [host], "on")
         d.moves.on_top.update((a, host) for a in movers)
+
+
+def _is_floor(d: Discourse, p: Phrase) -> bool:
+    """Whether a phrase names the ground, or what lies on it: "rolls across the floor"."""
+    named = [i for i in things(p) if i == GROUND or i in d.world.entities]
+    return bool(named) and all(i == GROUND or structural(d, i) for i in named)
 
 
 def _movers(d: Discourse, f: Frame) -> tuple[list[str], bool]:
