@@ -261,9 +261,11 @@ def _slow_enough(
     if slides:
         most = 100.0 * math.sqrt(2.0 * _RUBS * GRAVITY_MPS2 * 0.01 * _ROOM * length)
     else:
-        # Who goes by himself starts at one end and stops; what rolls starts in the middle.
+        # What starts at one end stops before the other; what rolls off to nowhere has half.
         least = _SEEN_CM_S if alone else LEAST_SPEED_CM_S
-        most = max(length * (1.0 if alone else 0.5) / _ABOUT_S, least)
+        met = (n for n in d.timeline.nodes if actor in n.participants)
+        passes = any(n.event is NodeEvent.MISS for n in met)
+        most = max(length * (1.0 if alone or passes else 0.5) / _ABOUT_S, least)
     most = max(most, _GAIT * speed[0]) if afoot else most
     if most >= speed[1]:
         return speed

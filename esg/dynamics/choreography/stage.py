@@ -44,7 +44,9 @@ HIT_ON_TOP = 1.25
 SEEN_MPS = 0.32
 """What moves on a short table is no slower than what is surely seen to move."""
 APART_M = 4.0
-"""From one way to another that does not touch it; a tenth of that on a table."""
+"""From one way to another that does not touch it."""
+ON_TOP_M, LEAST_GAP_M = 0.14, 0.05
+"""Gap to what is passed, gone round or gone to on a table, and the least one."""
 FASTEST_MPS = 22.0
 """A guessed speed is raised up to here where an event needs it."""
 
@@ -300,6 +302,13 @@ class Stage:
         name = self.member(actor)
         return self.anchor is not None and stays_on(self.doc, name) == self.anchor
 
+    def gap(self, actor: str, usual: float) -> float:
+        """Gap [m] from an actor's way to what stands beside it: less on a table."""
+        if self.anchor is None:
+            return usual
+        most = min(usual, ON_TOP_M) if self.keeps_to_its_top(actor) else usual
+        return max(most * self.tight, LEAST_GAP_M)
+
     def speed(self, actor: str, phase: Phase, least: float = 0.0, needed: float = 0.0) -> float:
         """A plausible speed [m/s] of at least `least` within the segment's bounds.
 
@@ -391,7 +400,8 @@ class Stage:
 
     def free_frame(self) -> Frame:
         """A start beside everything placed so far, for an unrelated second path."""
-        apart = APART_M * (1.0 if self.anchor is None else 0.1)
+        wide = max((self.prop(a).width for a in self.tracks), default=0.0)
+        apart = APART_M if self.anchor is None else 2.0 * wide + LEAST_GAP_M
         return Frame(0.0, max(y for _, y, _ in self.places.values()) + apart, 0.0)
 
     def free_heading(self, x: float, y: float) -> float:

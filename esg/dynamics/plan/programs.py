@@ -76,7 +76,7 @@ SHAKEN_S = 0.15
 """From the hit of a support until something on it sets off to fall [s]."""
 GRIPS = 0.6
 """Share of its grip with which something slows down on a table that is on no feet or wheels."""
-LEAST_BRAKE_MPS2 = 0.3
+LEAST_BRAKE_MPS2 = 0.05
 """What stops on a table brakes as hard at least."""
 LEAST_S, LEAST_MPS = 0.05, 0.05
 """Least time and speed of a segment."""
@@ -243,7 +243,8 @@ class Composer:
         if target is not None and straight and not self.cast.look_ahead:
             offset = np.array(self.scene.body(target).position) - np.array(body.position)
             return math.atan2(offset[1], offset[0])
-        if target is None or (self.cast.drives(actor) and first.end.event is NodeEvent.MISS):
+        passes = self.cast.drives(actor) or self._stays_up(actor)  # beside the way, not ahead
+        if target is None or (passes and first.end.event is NodeEvent.MISS):
             return yaw
         heading = aim_heading(self.scene, self.story, body, first, target)
         if self.cast.drives(actor) and abs(wrap_angle(heading - yaw)) > math.radians(12.0):

@@ -15,8 +15,6 @@ BENDS_RAD = 0.02
 _STEEP = ("up", "down")
 ROOM_M = 0.4
 """Way that is left before and behind what is gone through or over."""
-ON_TOP_M, LEAST_ROOM_M = 0.12, 0.06
-"""Gap to what is gone around on a table, and where space is short."""
 
 
 def ways_of(stage: Stage, actor: str) -> Iterator[Statement]:
@@ -96,6 +94,5 @@ def widest_turn(stage: Stage, actor: str) -> float:
         if s.direction == "around":
             its = stage.prop(stage.key(s.target[0]))
             reach = 0.5 * math.hypot(its.length, its.width)
-            room = ON_TOP_M if stage.keeps_to_its_top(actor) else ROOM_M
-            most = max(most, reach + mine.half_width + max(room * stage.tight, LEAST_ROOM_M))
+            most = max(most, reach + mine.half_width + stage.gap(actor, ROOM_M))
     return most
