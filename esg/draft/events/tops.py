@@ -9,7 +9,7 @@ from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.decks import is_deck
 from esg.draft.discourse.places import carries, elevated, fits_on, place, raised
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import GROUND, LIVING, SELF_POWERED, SPEEDS
+from esg.draft.discourse.scene import GROUND, LIMBED, LIVING, SELF_POWERED, SPEEDS
 from esg.draft.events.ends import EDGES
 from esg.draft.events.gaits import gaits
 from esg.draft.events.motions import flies_itself
@@ -33,6 +33,8 @@ _LEAVING = frozenset({"off", "from", "out of", "down", "onto", "into", "under", 
 _STANDS = frozenset({"on", "upon", "atop", "on top of"})
 _BEDS = frozenset({"cart", "sliding"})
 """Kinds of low platforms on which something slides about."""
+_CARRYING = frozenset({"cart", "vehicle", "building", "wall"})
+"""Kinds of other things on whose top something may go about."""
 _SMALL_CM = 35.0
 """Longest side of an animal that goes to a thing on a table on the table."""
 _STAYING = frozenset(
@@ -57,7 +59,10 @@ def stays_up(d: Discourse, mover: str) -> str | None:
         return None
     if host in d.timeline.tracks and not at_rest(d, host):
         return None
-    if not elevated(d, host) and d.moves.on_top.get(mover) != host:
+    on_a_bed = kind_of(d, host) in _CARRYING and kind_of(d, mover) not in LIMBED
+    if not elevated(d, host) and not (on_a_bed and d.moves.on_top.get(mover) == host):
+        return None
+    if "incline" in entity_of(d, host).noun.traits:
         return None
     met = [n for n in d.timeline.nodes if mover in n.participants]
     hosts = d.scene.supported_by
@@ -206,7 +211,9 @@ def share_their_top(d: Discourse) -> None:
 
 
 def _is_top(d: Discourse, host: str) -> bool:
-    return not structural(d, host) and elevated(d, host) and host not in d.timeline.tracks
+    slopes = "incline" in entity_of(d, host).noun.traits
+    flat = not structural(d, host) and elevated(d, host) and not slopes
+    return flat and host not in d.timeline.tracks
 
 
 def _on_the_floor(d: Discourse, thing: str) -> bool:
@@ -241,7 +248,8 @@ def keep_on(d: Discourse) -> None:
             slides = motion.mode == "slide"
             motion.speed = _slow_enough(d, actor, host, motion.speed, slides=slides)
         for k, e in enumerate(d.timeline.edges):
-            if e.actor == actor and not e.speed_is_prescribed:
+            flies = e.params.elevation_deg is not None
+            if e.actor == actor and not (e.speed_is_prescribed or flies):
                 slides = e.params.spin == "slide"
                 speed = _slow_enough(d, actor, host, e.params.speed, slides=slides)
                 params = e.params.model_copy(update={"speed": speed})

@@ -21,7 +21,7 @@ _POSTURES = {
 }
 """What verbs of posture say of what holds something."""
 _LENGTHWISE = ("along", "across")
-_AT_THE_END = ("to", "up to", "at", "near")
+_TO, _AT = ("to", "up to"), ("at", "on", "near")
 _CARRYING = (Predicate.SUPPORTED_BY, Predicate.CARRIED_BY, Predicate.ENDS_ON)
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
@@ -142,10 +142,12 @@ def short_of_edges(told: Told) -> None:
     d, book = told.d, told.book
     fallen = {n.participants[0] for n in d.timeline.nodes if n.event is NodeEvent.FALL}
     for clause in d.scene.clauses:
+        sense = clause.frame.verb.sense
+        preps = _TO if sense in (*_LASTING, "coast") else _AT if sense == "stop" else ()
         for p in clause.frame.phrases:
             m = p.mention
             who = tuple(i for i in clause.movers if i not in fallen)
-            if m is not None and m.part in EDGES and p.prep in _AT_THE_END and who:
+            if m is not None and m.part in EDGES and p.prep in preps and who:
                 book.add(Predicate.NOT_REPRESENTED, start_of(p, d.text), m.end, object=who,
                          note="nothing sees to it that it ends there")  # fmt: skip
 

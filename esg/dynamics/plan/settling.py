@@ -88,7 +88,9 @@ def comes_to_lie(cast: Cast, body: Body, done: Sequence[Primitive]) -> list[Prim
     if most in cast.nominal:
         return [_damped(body.name, TABLE_S, ON_TABLE)]
     if kept:
-        return [_damped(body.name, max(times, default=0.0) + TABLE_S, ON_TABLE)]
+        hits = cast.story.phases[body.name][-1].end.event is NodeEvent.COLLISION
+        begins = max(times, default=0.0) + (CAUGHT_S if hits else TABLE_S)
+        return [_damped(body.name, begins, CAUGHT if hits else ON_TABLE)]
     if caught:
         return [_damped(body.name, max(times, default=0.0) + CAUGHT_S, CAUGHT)]
     high = max(body.position[2] - body.half_extents[2], 0.0)
