@@ -36,7 +36,7 @@ def test_who_passes_what_stands_on_a_table_stays_on_it(prompt: str, mover: str, 
     """It drove off the table, or past it on the floor, solved."""
     doc = draft(prompt)
     assert _host(doc, mover) == host
-    assert _kept(doc)[mover] == (host, "throughout")
+    assert _kept(doc)[mover] in ((host, "throughout"), (host, "end"))
 
 
 @pytest.mark.parametrize(

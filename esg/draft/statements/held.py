@@ -131,10 +131,18 @@ def support(book: Book, clause: Clause, p: Phrase) -> None:
             continue
         met = [n.event.value for n in d.timeline.nodes if mover in n.participants]
         when = "start" if {*met} & {"Fall", "EnterRegion"} else period(d, clause, mover)
-        if stays_up(d, mover) is not None:
-            when = "throughout"  # who is past a thing on a table is on it still
-        book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
-                 target=(host,), when=when)  # fmt: skip
+        whens = _on_top_when(d, mover) if stays_up(d, mover) is not None else [when]
+        for when in whens:
+            book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
+                     target=(host,), when=when)  # fmt: skip
+
+
+def _on_top_when(d: Discourse, mover: str) -> list[str]:
+    """When what stays on a table is on it: throughout; a hit may make it hop."""
+    hits = (n.id for n in d.timeline.nodes
+            if n.event is NodeEvent.COLLISION and mover in n.participants)  # fmt: skip
+    hit = next(hits, None)
+    return ["throughout"] if hit is None else [f"start..{hit}", "end"]
 
 
 def short_of_edges(told: Told) -> None:
@@ -159,5 +167,6 @@ def kept_on_top(told: Told) -> None:
     for mover, host in movers_on_top(d):
         named = [m for m in d.mentions if host in m.entities and not m.pronoun]
         for m in named[:1] if (mover, (host,)) not in stated else ():
-            book.add(Predicate.SUPPORTED_BY, m.start, m.end, object=(mover,), target=(host,),
-                     when="throughout")  # fmt: skip
+            for when in _on_top_when(d, mover):
+                book.add(Predicate.SUPPORTED_BY, m.start, m.end, object=(mover,), target=(host,),
+                         when=when)  # fmt: skip
