@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
+from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import is_toy
 from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED
 from esg.draft.events.ends import EDGES
