@@ -57,6 +57,8 @@ def stays_up(d: Discourse, mover: str) -> str | None:
     host = d.scene.supported_by.get(mover)
     if host is None or host not in d.world.entities or structural(d, host):
         return None
+    if d.world.billiards or kind_of(d, mover) == "billiard":
+        return None  # cushions keep it on
     if host in d.timeline.tracks and not at_rest(d, host):
         return None
     on_a_bed = kind_of(d, host) in _CARRYING and kind_of(d, mover) not in LIMBED

@@ -162,6 +162,8 @@ class Stage:
         end = first.end
         if first.edge.event is EdgeEvent.DRIVE:
             return  # where its joint holds it
+        if end.event is NodeEvent.MISS:
+            return  # who only passes a thing goes past what carries it
         body = self.prop(self.lead)
         for name in end.participants:
             support = None if name == self.lead else support_of(self.doc, name)
@@ -318,7 +320,8 @@ class Stage:
         speed = self._speed(actor, phase, least, needed)
         if phase.edge.speed_is_prescribed or not self.keeps_to_its_top(actor):
             return speed
-        if phase.end.event is NodeEvent.COLLISION:  # no harder than it has to: it stays
+        last = not self.story.after(phase.end.id)
+        if phase.end.event is NodeEvent.COLLISION and last:  # no harder than it has to: it stays
             speed = min(speed, max(HIT_ON_TOP * max(least, needed), SEEN_MPS))
         if self.tight >= 1.0:
             return speed
