@@ -34,8 +34,6 @@ _ENDS = ("end", "side")
 _LEVEL = frozenset({"adjacent", "near", "left_of", "right_of", "in_front_of", "behind", "between"})
 """Relations of things at one height."""
 _RAISED_CM = 20.0
-_MATCHBOX_CM = 40.0
-"""A vehicle that is no longer is a model, whatever it is called."""
 TOPS = lex.word_set("tops of slopes")
 """Parts of a slope from which things come down it."""
 _HANDS = {"left side": "left_of", "right side": "right_of"}
@@ -248,11 +246,9 @@ def fits_on(d: Discourse, node: str, host: str) -> bool:
     top = entity_of(d, host).noun
     if "support" not in top.traits or "incline" in top.traits or not movable(d, node):
         return False
-    if kind_of(d, node) == "person" or structural(d, node):
+    if kind_of(d, node) in ("person", "vehicle") or structural(d, node):
         return False
     size = entity_of(d, node).dimensions_cm or entity_of(d, node).noun.dimensions_cm
-    if kind_of(d, node) == "vehicle" and max(size) > _MATCHBOX_CM:
-        return False
     return max(size) <= 0.5 * max(top.dimensions_cm[:2])
 
 

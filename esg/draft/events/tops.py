@@ -57,7 +57,7 @@ def stays_up(d: Discourse, mover: str) -> str | None:
     host = d.scene.supported_by.get(mover)
     if host is None or host not in d.world.entities or structural(d, host):
         return None
-    if d.world.billiards or kind_of(d, mover) == "billiard":
+    if entity_of(d, host).noun.name == "billiard table":
         return None  # cushions keep it on
     if host in d.timeline.tracks and not at_rest(d, host):
         return None
