@@ -42,6 +42,7 @@ _STAYING = frozenset(
     | {NodeEvent.HEADING_REACHED, NodeEvent.TOPPLE, NodeEvent.COLLISION}
 )
 """Events after which something is where it was, on what carried it."""
+_ALOFT = frozenset({"throw", "fly", "drop"})
 _ABOUT_S = 2.5
 """How long what moves about on something shall need for half of its length [s]."""
 _SEEN_CM_S = 30.0
@@ -59,6 +60,11 @@ def stays_up(d: Discourse, mover: str) -> str | None:
         return None
     if entity_of(d, host).noun.name == "billiard table":
         return None  # cushions keep it on
+    track = d.timeline.tracks.get(mover)
+    aloft = track is not None and track.motion is not None and track.motion.mode in _ALOFT
+    flown = (e for e in d.timeline.edges if e.actor == mover and e.params.elevation_deg is not None)
+    if aloft or any(flown):
+        return None  # "throws a ball across a table"
     if host in d.timeline.tracks and not at_rest(d, host):
         return None
     on_a_bed = kind_of(d, host) in _CARRYING and kind_of(d, mover) not in LIMBED
