@@ -44,7 +44,7 @@ SHORT_S = (1.2, 1.8)
 """Time of a run to nowhere [s]."""
 LEAST_MPS = 0.2
 """Speed below which nothing is waited for until it has passed something."""
-LONGEST_RUN_S, SHORTEST_RUN_S = 4.0, 0.6
+LONGEST_RUN_S, SHORTEST_RUN_S = 4.0, 0.8
 """Longest and shortest time of a run along a table."""
 USUAL_S = 2.0
 """Time of a segment where nothing says how long it lasts."""
