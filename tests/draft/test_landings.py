@@ -68,7 +68,7 @@ def test_the_way_of_what_comes_is_its_own() -> None:
     ],
 )
 def test_what_is_pushed_along_a_table_stays_on_it(prompt: str) -> None:
-    (on,) = stated(draft(prompt), Predicate.SUPPORTED_BY)
+    on = stated(draft(prompt), Predicate.SUPPORTED_BY)[0]
     assert on.when != "start"
     assert not _missing(prompt)
 

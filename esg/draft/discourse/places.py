@@ -153,13 +153,13 @@ def share_tops(d: Discourse) -> None:
         near = [i for i in (r.source, *mates) if i in d.world.entities]
         near = [i for i in near if kind_of(d, i) not in LIMBED and not links(d.world, [i])]
         hosts = [scene.supported_by[i] for i in near if i in scene.supported_by]
-        host = next((h for h in hosts if h not in near and _raised(d, h)), None)
+        host = next((h for h in hosts if h not in near and raised(d, h)), None)
         for i in near if host is not None and {*hosts} == {host} else []:
             if host is not None and i not in taken | {*scene.supported_by} and fits_on(d, i, host):
                 place(d, [i], [host], "on")
 
 
-def _raised(d: Discourse, host: str) -> bool:
+def raised(d: Discourse, host: str) -> bool:
     """Whether a thing has a top over the floor: a table, and no rug."""
     e = entity_of(d, host)
     height = (e.dimensions_cm or e.noun.dimensions_cm)[2]

@@ -224,6 +224,8 @@ def _past(d: Discourse, actor: str, way: Way) -> None:
 
 def _to(d: Discourse, actor: str, way: Way) -> None:
     other = way.others[0]
+    if way.m.part in EDGES and d.scene.supported_by.get(actor) == other:
+        return  # "rolls to the edge of a desk": it is on it
     if not structural(d, other):
         if not way.m.attribute:
             heads_for(d, way.f, actor, other, way.time)

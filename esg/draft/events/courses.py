@@ -12,15 +12,14 @@ from esg.draft.discourse.core import entity_of, kind_of, movable
 from esg.draft.discourse.proposition import Clause, Said
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import head_of
-from esg.draft.discourse.scene import LIVING, SPEEDS
+from esg.draft.discourse.scene import SPEEDS
 from esg.draft.discourse.tracks import Motion
 from esg.draft.discourse.windows import START
 from esg.draft.events.motions import flies_itself, own, paced
 from esg.draft.events.stated import said, said_before
-from esg.draft.events.told import size_of, things
+from esg.draft.events.told import things
 from esg.draft.grammar.clauses.frames import Frame
 from esg.graph.models import EdgeEvent, ForceDirection, NodeEvent, Predicate, TimelineEdge
-from esg.graph.rules_segments import LEAST_SPEED_CM_S
 from esg.thresholds import BRAKING_DRY_G, GENTLE_BRAKING_MPS2, HARD_BRAKING_MPS2
 
 _TRANSITIVE = frozenset(
@@ -280,20 +279,6 @@ def come_on(d: Discourse, frames: list[Frame]) -> None:
     for _, _, who in _called_oncoming(d):
         if who not in doers:
             own(d, who, SPEEDS.get(kind_of(d, who), (50.0, 400.0)), False)
-
-
-def keep_on(d: Discourse) -> None:
-    """Slows down what moves about on a table or board, so that it does not get to its edge."""
-    for actor, host in d.moves.on_top.items():
-        motion = d.timeline.tracks[actor].motion if actor in d.timeline.tracks else None
-        told = any(actor in n.participants for n in d.timeline.nodes)
-        if motion is None or motion.prescribed or told or not isinstance(motion.speed, tuple):
-            continue
-        # Who walks starts at one end and stops by itself; what rolls starts in the middle.
-        room = max(size_of(d, host)[:2]) * (1.0 if kind_of(d, actor) in LIVING else 0.5)
-        most = max(room / _ABOUT_S, LEAST_SPEED_CM_S)
-        if most < motion.speed[1]:
-            motion.speed = (min(motion.speed[0], 0.5 * most), round(most, 4))
 
 
 def measurable(kind: NodeEvent) -> bool:

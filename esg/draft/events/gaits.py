@@ -22,6 +22,9 @@ HIPS = 0.5
 SMALL_CM = 40.0
 """Lower animals go at their own size's speeds whatever the verb; larger ones at any animal's."""
 
+SEEN_CM_S = (20.0, 30.0)
+"""Speeds of what is so small that its own gait would hardly be seen."""
+
 
 @cache
 def gaits() -> dict[str, tuple[float, float] | None]:
@@ -50,4 +53,6 @@ def on_legs(e: Entity, lemma: str) -> tuple[float, float] | None:
     if share is None:
         return None
     unit = 100.0 * math.sqrt(GRAVITY_MPS2 * 0.01 * HIPS * height)
-    return (round(share[0] * unit, 1), round(share[1] * unit, 1))
+    least, most = round(share[0] * unit, 1), round(share[1] * unit, 1)
+    # A beetle is seen to go, and no slower than what counts as motion.
+    return (least, most) if most >= SEEN_CM_S[1] else (max(least, SEEN_CM_S[0]), SEEN_CM_S[1])

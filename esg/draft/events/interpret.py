@@ -48,7 +48,6 @@ from esg.draft.events.courses import (
     by_its_participle,
     come_on,
     follow,
-    keep_on,
     snapshot,
 )
 from esg.draft.events.cupboards import out_of_a_cupboard
@@ -91,6 +90,7 @@ from esg.draft.events.told import (
     traits_of,
     unread,
 )
+from esg.draft.events.tops import join_on_top, keep_on, share_their_top
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.grammar.clauses.modality import NOBODY_DOES
 from esg.draft.text.elements import Mention
@@ -207,9 +207,11 @@ def interpret(
     for f in frames:
         d.now.telling = (f.sentence, before, f.verb.sense)
         for g in one_time_each(f):
+            join_on_top(d, g)
             read_frame(d, g)
         before = f.verb.start
     settle(d, None, None)
+    share_their_top(d)
     share_tops(d)
     keep_on(d)
     hold_back(d)
@@ -383,6 +385,8 @@ def _goes_round_in(d: Discourse, f: Frame, bodies: list[str]) -> None:
     hosts = [h for h in hosts if {*entity_of(d, h).head.split()} & _GONE_ROUND_IN]
     inner = [i for i in bodies if at_rest(d, i) and i not in d.scene.supported_by]
     inner = [i for i in inner if hosts and max(size_of(d, i)) <= max(size_of(d, hosts[0]))]
+    if any(h in d.scene.supported_by for h in hosts) or f.phrase("across", "over", "on"):
+        return  # "drives around a plate on a table": there it goes
     if hosts:
         place(d, inner, hosts[:1], "in" if holds(d, hosts[0]) else "on")
 

@@ -17,7 +17,7 @@ from esg.draft.discourse.core import (
 )
 from esg.draft.discourse.places import carries, elevated, fits_on, place
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import LIVING, SELF_POWERED, SPEEDS
+from esg.draft.discourse.scene import GROUND, LIVING, SELF_POWERED, SPEEDS
 from esg.draft.discourse.timeline import LAUNCHES, START
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.gaits import gaits, on_legs
@@ -53,6 +53,8 @@ _SLOWEST_CM_S = 25.0
 
 _FLOATERS = lex.word_set("floaters")
 _CARRYING = ("on", "atop", "on top of")
+_TOPS = ("top", "roof", "bed", "ridge", "deck")
+"""Parts of a thing that something goes along or across on it."""
 _COMES_ONTO = lex.word_set("comes onto")
 _IN_THE_AIR = lex.word_set("in the air")
 _WINGED = lex.word_set("winged")
@@ -427,13 +429,19 @@ def _said_behind(d: Discourse, p: Phrase | None) -> bool:
 def moves_on_it(d: Discourse, f: Frame, fresh: list[str]) -> list[str]:
     """ "A ball rolls on a table", "drives out on the pier": it is on that from the start."""
     on = None if f.verb.lemma in _COMES_ONTO else _what_carries(f)
-    if on is None:
+    if on is None or _crosses_the_floor(d, f):
         return []
     hosts = [h for h in things(on) if aimable(d, h) and all(carries(d, h, a) for a in fresh)]
     if not fresh or not hosts or any(a in d.scene.supported_by for a in fresh):
         return [h for h in hosts if all(d.scene.supported_by.get(a) == h for a in fresh)]
     place(d, fresh, hosts, "on")
     return hosts[:1]
+
+
+def _crosses_the_floor(d: Discourse, f: Frame) -> bool:
+    """ "Rolls across the floor past a lamp on a table": the lamp is on the table."""
+    floors = [i for p in f.phrases if p.prep in ("across", "along") for i in things(p)]
+    return GROUND in floors
 
 
 def mounts_of(d: Discourse, f: Frame, actors: list[str]) -> list[str]:
@@ -592,7 +600,7 @@ def paced(speed: Quantity, pace: str) -> Quantity:
 
 def _what_carries(f: Frame) -> Phrase | None:
     """The phrase of what a clause goes on: on it, on top of it, or across it from end to end."""
-    top = next((p for p in f.phrases if p.mention and p.mention.part in ("top", "roof")), None)
+    top = next((p for p in f.phrases if p.mention and p.mention.part in _TOPS), None)
     if top is not None and top.prep in (*_CARRYING, "along", "across"):
         return top
     on = f.phrase(*_CARRYING) or f.phrase("from")

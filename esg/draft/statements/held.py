@@ -4,12 +4,15 @@ from __future__ import annotations
 
 from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.proposition import Clause, Said
+from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.entities import is_toy
 from esg.draft.discourse.scene import GROUND, LIMBED, SELF_POWERED
+from esg.draft.events.ends import EDGES
 from esg.draft.events.stated import comes_later, start_of
 from esg.draft.events.told import things
+from esg.draft.events.tops import movers_on_top, stays_up
 from esg.draft.grammar.clauses.frames import Phrase
-from esg.draft.statements.book import Book, ids, span
+from esg.draft.statements.book import Book, Told, ids, span
 from esg.draft.statements.periods import hurled, period
 from esg.graph.models import NodeEvent, Predicate
 
@@ -19,6 +22,8 @@ _POSTURES = {
 }
 """What verbs of posture say of what holds something."""
 _LENGTHWISE = ("along", "across")
+_TO, _AT = ("to", "up to"), ("at", "on", "near")
+_CARRYING = (Predicate.SUPPORTED_BY, Predicate.CARRIED_BY, Predicate.ENDS_ON)
 _LASTING = ("own", "roll", "slide", "spin", "coast", "continue", "accelerate", "brake", "swerve")
 """Senses of moving on something, and not onto it."""
 
@@ -131,7 +136,42 @@ def support(book: Book, clause: Clause, p: Phrase) -> None:
             continue
         met = [n.event.value for n in d.timeline.nodes if mover in n.participants]
         when = "start" if {*met} & {"Fall", "EnterRegion"} else period(d, clause, mover)
-        if met[-1:] == ["Miss"] and when != "start":
-            when = "throughout"  # who is past a thing on a table is on it still
-        book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
-                 target=(host,), when=when)  # fmt: skip
+        whens = _on_top_when(d, mover) if stays_up(d, mover) is not None else [when]
+        for when in whens:
+            book.add(Predicate.SUPPORTED_BY, p.mention.start, p.mention.end, object=(mover,),
+                     target=(host,), when=when)  # fmt: skip
+
+
+def _on_top_when(d: Discourse, mover: str) -> list[str]:
+    """When what stays on a table is on it: throughout; a hit may make it hop."""
+    hits = (n.id for n in d.timeline.nodes
+            if n.event is NodeEvent.COLLISION and mover in n.participants)  # fmt: skip
+    hit = next(hits, None)
+    return ["throughout"] if hit is None else [f"start..{hit}", "end"]
+
+
+def short_of_edges(told: Told) -> None:
+    """ "Rolls to the edge of a stage and stops": it stops on it, nothing sees to where."""
+    d, book = told.d, told.book
+    fallen = {n.participants[0] for n in d.timeline.nodes if n.event is NodeEvent.FALL}
+    for clause in d.scene.clauses:
+        sense = clause.frame.verb.sense
+        preps = _TO if sense in (*_LASTING, "coast") else _AT if sense == "stop" else ()
+        for p in clause.frame.phrases:
+            m = p.mention
+            who = tuple(i for i in clause.movers if i not in fallen)
+            if m is not None and m.part in EDGES and p.prep in preps and who:
+                book.add(Predicate.NOT_REPRESENTED, start_of(p, d.text), m.end, object=who,
+                         note="nothing sees to it that it ends there")  # fmt: skip
+
+
+def kept_on_top(told: Told) -> None:
+    """ "On a desk, a marble rolls past a cup": on the desk throughout, in whatever words."""
+    d, book = told.d, told.book
+    stated = {(i, s.target) for s in book.items for i in s.object if s.predicate in _CARRYING}
+    for mover, host in movers_on_top(d):
+        named = [m for m in d.mentions if host in m.entities and not m.pronoun]
+        for m in named[:1] if (mover, (host,)) not in stated else ():
+            for when in _on_top_when(d, mover):
+                book.add(Predicate.SUPPORTED_BY, m.start, m.end, object=(mover,), target=(host,),
+                         when=when)  # fmt: skip

@@ -14,7 +14,15 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.account import Account
 from esg.draft.statements.book import Book, Told, span
 from esg.draft.statements.climbed import climbed, climbs_told
-from esg.draft.statements.held import carried, driver, posture, support, tow
+from esg.draft.statements.held import (
+    carried,
+    driver,
+    kept_on_top,
+    posture,
+    short_of_edges,
+    support,
+    tow,
+)
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
 from esg.draft.statements.looks.gestures import gestures
 from esg.draft.statements.looks.postures import postures
@@ -207,6 +215,8 @@ WRITTEN: tuple[Callable[[Told], None], ...] = (
     gestures,
     _clauses,
     _dropped,
+    kept_on_top,
+    short_of_edges,
     *BESIDE_MOTIONS,
     _in_order,
     _own_up,

@@ -162,7 +162,8 @@ def _by_others(book: Book, clause: Clause, s: Said, mover: str, where: str) -> N
         return  # "around the yard": its course bends
     if direction in _ABOUT and d.scene.supported_by.get(mover) in targets:
         return
-    if not targets:
+    on_it = direction == "toward" and d.scene.supported_by.get(mover) in targets
+    if not targets or on_it:  # "rolls toward the edge of a table": it is on it
         return
     some = tuple(targets) if direction == "between" else tuple(targets[:1])
     where = "throughout" if direction == "around" else where  # its course bends, that is all

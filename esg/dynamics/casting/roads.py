@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.casting.changes import Configs, resized
-from esg.graph.models import Choreography, EsgDocument
+from esg.graph.models import Choreography, EsgDocument, Predicate
 from esg.layout.problem.streets import PAVEMENTS, streets_in, words_of
 
 CROSSROADS = "crossroads"
@@ -18,6 +18,8 @@ STEP_CM = 1000.0
 """Streets grow in steps, so that scenes alike share one."""
 LONGEST_CM = 40000.0
 """Longest street that is drawn."""
+BESIDE_CM = 150.0
+"""Deck that is left around the ways on it."""
 RUN_OUT_S = 2.0
 """Ground reaches so far beyond all ways as the fastest goes on in this time [s]."""
 
@@ -47,7 +49,7 @@ def fit_roads(doc: EsgDocument, told: Choreography) -> Configs:
     apart = [w for w, c in zip(lengths, told.constellations, strict=True) if c.corridors]
     along = max(way, sum(apart) + APART_CM * (len(apart) - 1))
     length = min(STEP_CM * math.ceil((along + 2.0 * SIGHT_CM) / STEP_CM), LONGEST_CM)
-    out = _wider_ground(doc, way, max(_speeds(told), default=0.0))
+    out = _wider_ground(doc, way, max(_speeds(told), default=0.0)) | _wider_decks(doc, told)
     for name in lengthened:
         key = nodes[name].asset_id
         config, wanted = doc.asset_configurations[key], doc.asset_requirement[key]
@@ -57,6 +59,43 @@ def fit_roads(doc: EsgDocument, told: Choreography) -> Configs:
             size = (length, length if crosses else width, height)
             out[key] = resized(doc, key, config, 1.0, dimensions=size)
     return out
+
+
+def _wider_decks(doc: EsgDocument, told: Choreography) -> Configs:
+    """Stages and piers so large that those who are said to be on them stay over them."""
+    nodes, out = doc.spatial_relation_graph.nodes, Configs()
+    for s in doc.statements or ():
+        decks = [n for n in s.target if n in nodes and nodes[n].is_structural]
+        if s.predicate is not Predicate.SUPPORTED_BY or len(decks) != 1:
+            continue
+        key = nodes[decks[0]].asset_id
+        config, wanted = doc.asset_configurations[key], doc.asset_requirement[key]
+        if wanted.dimensions_are_prescribed or config.proxies or decks[0] in streets_in(doc):
+            continue
+        length, width, height = config.dimensions_cm
+        for who in s.object:
+            long, aside = _extent(told, who)
+            length, width = max(length, long + BESIDE_CM), max(width, 2.0 * aside + BESIDE_CM)
+        if (length, width) != config.dimensions_cm[:2] and length <= LONGEST_CM:
+            out[key] = resized(doc, key, config, 1.0, dimensions=(length, width, height))
+    return out
+
+
+def _extent(told: Choreography, who: str) -> tuple[float, float]:
+    """How long somebody's way is and how far it leads aside of how it begins [cm]."""
+    for c in told.constellations:
+        start = next((p for p in c.placements if p.node == who), None)
+        points = [p for k in c.corridors if who in k.participants for p in k.points_cm]
+        if start is not None and points:
+            yaw = math.radians(start.yaw_deg or 0.0)
+            turned = [
+                ((x - start.x_cm) * math.cos(yaw) + (y - start.y_cm) * math.sin(yaw),
+                 (y - start.y_cm) * math.cos(yaw) - (x - start.x_cm) * math.sin(yaw))
+                for x, y in points
+            ]  # fmt: skip
+            along = [x for x, _ in turned]
+            return max(along) - min(along), max(abs(y) for _, y in turned)
+    return 0.0, 0.0
 
 
 def _speeds(told: Choreography) -> list[float]:

@@ -36,6 +36,7 @@ from esg.dynamics.casting.passages import fit_passages
 from esg.dynamics.casting.reach import fit_reach
 from esg.dynamics.casting.surfaces import fit_ground, fit_ice, fit_snow
 from esg.dynamics.casting.toppling import fit_toppled
+from esg.dynamics.casting.tops import fit_tops
 from esg.dynamics.casting.upright import fit_upright
 from esg.dynamics.casting.walkers import fit_balanced
 from esg.dynamics.choreography.bounces import let_go_sideways, lively_tops
@@ -107,6 +108,7 @@ RULES = (
     _of_assets("what is run into goes on to the next thing", fit_pushes),
     _of_assets("the blow breaks it", fit_fragile),
     _of_assets("it is as long as the way along it", fit_along),
+    _of_assets("what goes about on it has room", fit_tops),
     _of_assets("it walks about, and keeps its balance", fit_balanced),
     Rule("the hit knocks over or off what it shall", fit_toppled),
 )

@@ -26,6 +26,7 @@ from esg.dynamics.choreography.hits import impacts
 from esg.dynamics.choreography.hits.caroms import carom, is_carom
 from esg.dynamics.choreography.moves import plain
 from esg.dynamics.choreography.stage import Encounter, Stage
+from esg.dynamics.choreography.tops import go_past
 from esg.graph.models import NodeEvent, TimelineNode
 
 
@@ -196,6 +197,7 @@ def collision(stage: Stage, node: TimelineNode) -> None:
     fresh = e.phase is not None and e.b not in stage.places
     if _take_place(stage, e, MEETINGS) is not OVERTAKING:
         _afterwards(stage, e, fresh=fresh)
+        go_past(stage, e)
 
 
 def _afterwards(stage: Stage, e: Encounter, *, fresh: bool) -> None:

@@ -11,9 +11,17 @@ from esg.dynamics.choreography.falls import goes_over_edge, over_edge, tip_over
 from esg.dynamics.choreography.placing import comes_to_rest, gap_left, join
 from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.stage import Stage
+from esg.dynamics.choreography.tops import hold_to, length_of_top
 from esg.dynamics.story.kinematics import Frame, sliding_travel
 from esg.dynamics.story.paces import LASTS_S, turns_at
-from esg.dynamics.story.stagecraft import coasting_drag, prop, stays_on, top_surface
+from esg.dynamics.story.stagecraft import (
+    ON_TABLE,
+    TABLE_S,
+    coasting_drag,
+    prop,
+    stays_on,
+    top_surface,
+)
 from esg.dynamics.story.story import (
     CRUISES,
     ON_THE_SPOT,
@@ -36,13 +44,14 @@ SHORT_S = (1.2, 1.8)
 """Time of a run to nowhere [s]."""
 LEAST_MPS = 0.2
 """Speed below which nothing is waited for until it has passed something."""
+LONGEST_RUN_S, SHORTEST_RUN_S = 4.0, 0.8
+"""Longest and shortest time of a run along a table."""
 USUAL_S = 2.0
 """Time of a segment where nothing says how long it lasts."""
 SLIDES_ON = 0.4
 """Share of the time to rest after which something that slides is acted upon at the latest."""
-ROOM_ON_TOP = 0.75
-"""Share of the way from the middle of a table to its far edge, along which the layout turns what
-moves on it, that what stays on it may use."""
+ROOM_ON_TOP = 0.6
+"""Share of the length of a table that the way of what stays on it may have."""
 MOST_ON_TOP_MPS = 4.0
 ROLLS_ON_TOP = 2.0
 """Speed [m/s] over the way [m] of what rolls along a table, where it is soon slowed."""
@@ -67,6 +76,10 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
             climbed(stage, node, actor, phase)
             arrived.append(track.time)
             continue
+        if phase.edge.event is EdgeEvent.TURN and stage.keeps_to_its_top(actor):
+            _turn(stage, actor, phase)  # "in circles"
+            arrived.append(track.time)
+            continue
         if prescribed is not None:
             duration = max(0.2, prescribed - track.time)
         elif phase.edge.event is EdgeEvent.BRAKE:
@@ -80,6 +93,9 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
             duration = float(stage.rng.uniform(least, most)) * stage.tight
             if phase.edge.params.duration is None:
                 duration = max(duration, _passes_in(stage, actor, phase))
+                duration = _along_its_top(stage, actor, phase, duration)
+            if stage.keeps_to_its_top(actor):
+                duration = max(duration, SHORTEST_RUN_S)
         if turns_back(stage.story, phase, lambda name: stage.prop(name).fixed):
             track.heading += math.pi
         _advance(stage, actor, phase, duration)
@@ -89,6 +105,15 @@ def controlled(stage: Stage, node: TimelineNode) -> None:
         arrived = [prescribed if prescribed is not None else max(low, min(high, low + 0.5))]
     stage.time[node.id] = max(arrived)
     stage.nominal[f"{node.id}/time"] = stage.time[node.id]
+
+
+def _along_its_top(stage: Stage, actor: str, phase: Phase, otherwise: float) -> float:
+    """How long [s] what moves by itself goes along its table, if it does nothing else there."""
+    alone = len(stage.story.phases[actor]) == 1 and phase.edge.event is EdgeEvent.UNIFORM_MOTION
+    way = length_of_top(stage, actor) if alone else 0.0
+    if way <= 0.0:
+        return otherwise
+    return min(way / stage.speed(actor, phase), LONGEST_RUN_S) * stage.tight
 
 
 def _passes_in(stage: Stage, actor: str, phase: Phase) -> float:
@@ -101,23 +126,30 @@ def turned(stage: Stage, node: TimelineNode) -> None:
     """HeadingReached: an arc at a plausible turn rate."""
     lead = 0.0
     for actor, phase in stage.incoming(node):
-        track = stage.tracks[actor]
-        speed = stage.speed(actor, phase) if phase.edge.params.speed else track.speed
-        ride = ride_of(stage, actor, phase, speed or stage.speed(actor, phase))
-        stage.nominal[f"{phase.edge.id}/speed"] = ride.speed
-        low, high, fixed = bounds(phase.edge.params.turn_rate_deg_s, (25.0, 70.0))
-        steady = math.degrees(turns_at(stage.doc, stage.member(actor)) / max(ride.speed, 0.1))
-        usual = min(max(45.0, low), high, steady)
-        wide = widest_turn(stage, actor)
-        if wide and not fixed:
-            usual = max(low, min(usual, math.degrees(ride.speed / wide)))
-        rate = math.radians(low if fixed else usual)
-        degrees, sign = turn_of(phase)
-        stage.nominal[f"{phase.edge.id}/turn_rate"] = rate
-        track.arc(sign * math.radians(degrees), rate, ride)
-        lead = TURNED_RAD / rate
+        lead = TURNED_RAD / _turn(stage, actor, phase)
     times = [stage.tracks[a].time for a in stage.tracks if a in node.participants]
     stage.time[node.id] = max(times, default=1.0) - lead
+
+
+def _turn(stage: Stage, actor: str, phase: Phase) -> float:
+    """Leads an actor through an arc; how fast that turns [rad/s]."""
+    track = stage.tracks[actor]
+    speed = stage.speed(actor, phase) if phase.edge.params.speed else track.speed
+    ride = ride_of(stage, actor, phase, speed or stage.speed(actor, phase))
+    stage.nominal[f"{phase.edge.id}/speed"] = ride.speed
+    hold_to(stage, actor, phase, ride.speed)
+    low, high, fixed = bounds(phase.edge.params.turn_rate_deg_s, (25.0, 70.0))
+    steady = math.degrees(turns_at(stage.doc, stage.member(actor)) / max(ride.speed, 0.1))
+    usual = min(max(45.0, low), high, steady)
+    wide = widest_turn(stage, actor)
+    if wide and not fixed:
+        steady = min(high, steady) if stage.keeps_to_its_top(actor) else usual
+        usual = max(low, min(steady, math.degrees(ride.speed / wide)))
+    rate = math.radians(low if fixed else usual)
+    degrees, sign = turn_of(phase)
+    stage.nominal[f"{phase.edge.id}/turn_rate"] = rate
+    track.arc(sign * math.radians(degrees), rate, ride)
+    return rate
 
 
 def plain(stage: Stage, node: TimelineNode) -> None:
@@ -176,8 +208,10 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float | None) -> 
     most = _fastest_on_top(stage, actor, phase)
     if most is not None:
         # Slower it would be seen to go nowhere.
-        speed = stage.nominal[f"{edge.id}/most"] = min(most, MOST_ON_TOP_MPS)
+        speed = min(most, MOST_ON_TOP_MPS)
+        speed = stage.nominal[f"{edge.id}/most"] = max(speed * stage.tight, LEAST_MPS)
     stage.nominal[f"{edge.id}/speed"] = speed
+    hold_to(stage, actor, phase, speed)
     if edge.event is EdgeEvent.TOWARD and drag > 0.0 and not stage.story.flies(actor):
         if not phase.end.time_is_prescribed:
             # What shall stop slides to rest; what is acted upon later is not at rest by then.
@@ -185,6 +219,11 @@ def _advance(stage: Stage, actor: str, phase: Phase, duration: float | None) -> 
             duration = speed / drag if halts else min(duration, SLIDES_ON * speed / drag)
         left = max(0.0, speed - drag * duration)
         track.straight(sliding_travel(speed, drag, duration), duration, left)
+        return
+    if most is not None and body.rolls:
+        track.straight(
+            speed * (TABLE_S + (1.0 - math.exp(-ON_TABLE * duration)) / ON_TABLE), duration, 0.0
+        )
         return
     ride = ride_of(stage, actor, phase, speed)
     node = phase.end
@@ -218,7 +257,7 @@ def _fastest_on_top(stage: Stage, actor: str, phase: Phase) -> float | None:
         return None
     x, y = top_surface(stage.doc, host).half_extents_cm
     body = stage.prop(actor)
-    room = ROOM_ON_TOP * (max(x, y) / 100.0 - body.half_length)
+    room = ROOM_ON_TOP * (max(x, y) / 50.0 - body.length)
     if room <= 0.0 or body.wheeled:
         return None
     rubs = 0.5 * (body.friction + prop(stage.doc, host).friction) * GRAVITY_MPS2

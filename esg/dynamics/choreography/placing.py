@@ -30,6 +30,8 @@ from esg.graph.models import (
 
 BESIDE_M, WIDE = 0.3, 1.2
 """Gap between two that come to the same thing side by side, and how much wider than both it is."""
+BESIDE_PASSED_M = 0.25
+"""Gap to what is passed."""
 SHORT_OF_M = 0.15
 """Gap that is left to what is reached."""
 
@@ -266,7 +268,7 @@ def _place_target(
     passed = node.event is NodeEvent.MISS
     kerb = kerb_passed(stage, a, b) if passed or ahead > 0.0 else None
     if passed:
-        gap = asked_distance(stage, node, a) or 0.25
+        gap = asked_distance(stage, node, a) or stage.gap(a, BESIDE_PASSED_M)
         lateral = pa.half_width + pb.half_lateral(yaw - heading) + gap
         front = 0.0
     if kerb is not None:

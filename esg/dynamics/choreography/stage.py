@@ -25,11 +25,12 @@ from esg.dynamics.story.stagecraft import (
     default_speed,
     ground_friction,
     prop,
+    stays_on,
     support_of,
     top_surface,
 )
 from esg.dynamics.story.story import CRUISES, UNDISTURBED, Phase, Story, bounds, stranded
-from esg.graph.models import EdgeEvent, EsgDocument, TimelineNode
+from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, Predicate, TimelineNode
 from esg.layout.problem.hints import Constellation, Corridor, Placement
 
 if TYPE_CHECKING:
@@ -38,6 +39,14 @@ if TYPE_CHECKING:
 
 CLEARANCE_M = 0.35
 RUN_OUT_M = 1.0
+HIT_ON_TOP = 1.25
+"""Speed of a hit on a table over the least one that will do."""
+SEEN_MPS = 0.32
+"""What moves on a short table is no slower than what is surely seen to move."""
+APART_M = 4.0
+"""From one way to another that does not touch it."""
+ON_TOP_M, LEAST_GAP_M = 0.14, 0.05
+"""Gap to what is passed, gone round or gone to on a table, and the least one."""
 FASTEST_MPS = 22.0
 """A guessed speed is raised up to here where an event needs it."""
 
@@ -153,6 +162,8 @@ class Stage:
         end = first.end
         if first.edge.event is EdgeEvent.DRIVE:
             return  # where its joint holds it
+        if end.event is NodeEvent.MISS:
+            return  # who only passes a thing goes past what carries it
         body = self.prop(self.lead)
         for name in end.participants:
             support = None if name == self.lead else support_of(self.doc, name)
@@ -288,11 +299,39 @@ class Stage:
         """Whether an actor stays where it ran into something fixed until another one comes."""
         return stranded(self.story, phase, lambda name: self.prop(self.key(name)).fixed)
 
+    def keeps_to_its_top(self, actor: str) -> bool:
+        """Whether it moves on the table that carries all of this, and shall not leave it."""
+        name = self.member(actor)
+        return self.anchor is not None and stays_on(self.doc, name) == self.anchor
+
+    def gap(self, actor: str, usual: float) -> float:
+        """Gap [m] from an actor's way to what stands beside it: less on a table."""
+        if self.anchor is None:
+            return usual
+        most = min(usual, ON_TOP_M) if self.keeps_to_its_top(actor) else usual
+        return max(most * self.tight, LEAST_GAP_M)
+
     def speed(self, actor: str, phase: Phase, least: float = 0.0, needed: float = 0.0) -> float:
         """A plausible speed [m/s] of at least `least` within the segment's bounds.
 
-        Guessed bounds give way to `needed`, without which an event cannot happen.
+        Guessed bounds give way to `needed`, without which an event cannot happen; on a table that
+        is short it is slower.
         """
+        speed = self._speed(actor, phase, least, needed)
+        if phase.edge.speed_is_prescribed or not self.keeps_to_its_top(actor):
+            return speed
+        last = not self.story.after(phase.end.id)
+        if phase.end.event is NodeEvent.COLLISION and last:  # no harder than it has to: it stays
+            speed = min(speed, max(HIT_ON_TOP * max(least, needed), SEEN_MPS))
+        if self.tight >= 1.0:
+            return speed
+        said = {i for s in self.doc.statements or () if s.predicate is Predicate.FASTER_THAN
+                for i in s.object}  # fmt: skip
+        low = bounds(phase.edge.params.speed, (0.0, 0.0))[0] if self.member(actor) in said else 0.0
+        return min(speed, max(speed * self.tight, SEEN_MPS, 0.01 * low, least, needed))
+
+    def _speed(self, actor: str, phase: Phase, least: float, needed: float) -> float:
+        """That speed where there is room enough."""
         who, backward = self.member(actor), phase.edge.params.backward is True
         top = top_speed(self.doc, who, backward)
         usual = min(default_speed(self.prop(actor)), EVERYDAY * top)
@@ -364,7 +403,9 @@ class Stage:
 
     def free_frame(self) -> Frame:
         """A start beside everything placed so far, for an unrelated second path."""
-        return Frame(0.0, max(y for _, y, _ in self.places.values()) + 4.0, 0.0)
+        wide = max((self.prop(a).width for a in self.tracks), default=0.0)
+        apart = APART_M if self.anchor is None else 2.0 * wide + LEAST_GAP_M
+        return Frame(0.0, max(y for _, y, _ in self.places.values()) + apart, 0.0)
 
     def free_heading(self, x: float, y: float) -> float:
         """An approach direction towards (x, y) far from those already in use."""

@@ -10,7 +10,6 @@ told when the scene is cast; the document keeps it (`record`), and it is read fr
 from __future__ import annotations
 
 from dataclasses import dataclass
-import math
 
 import numpy as np
 
@@ -19,11 +18,12 @@ from esg.dynamics.choreography.courses.passages import lead_through, let_go_down
 from esg.dynamics.choreography.handling import bounced, jumped, spun, taken, tell_guided
 from esg.dynamics.choreography.meetings import collision, enters
 from esg.dynamics.choreography.moves import controlled, plain, shattered, turned
-from esg.dynamics.choreography.placing import comes_to_rest, enter_beside
+from esg.dynamics.choreography.placing import enter_beside
 from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.swings import moved_by_joint, swung
 from esg.dynamics.choreography.throws import stand_behind
+from esg.dynamics.choreography.tops import reaches
 from esg.dynamics.choreography.ways import (
     crossing_together,
     pairs_passed,
@@ -36,7 +36,7 @@ from esg.dynamics.story.story import Story, read_story
 from esg.graph import models
 from esg.graph.canonical import entropy
 from esg.graph.casting import effective
-from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, TimelineNode
+from esg.graph.models import EsgDocument, NodeEvent, TimelineNode
 from esg.layout.problem.hints import Constellation, StartHints, stored_hints
 
 HANDLERS = {
@@ -81,8 +81,9 @@ def choreograph(doc: EsgDocument, *, seed: int = 0) -> Choreography:
     constellations: list[Constellation] = []
     nominal: dict[str, float] = {}
     told: dict[str, float] = tell_guided(story, {})
-    for component in _in_order(story, _components(doc, story)):
-        stage = _play(Stage(doc, story, component, rng.spawn(1)[0], elsewhere=dict(told)))
+    components = _in_order(story, _components(doc, story))
+    for component, lane in zip(components, _lanes(doc, story, components), strict=True):
+        stage = _play(Stage(doc, story, component, rng.spawn(1)[0], elsewhere=dict(told)), lane)
         told.update(stage.time)
         constellations.append(stage.constellation())
         nominal.update(stage.nominal)
@@ -147,7 +148,7 @@ def _region_parent(node: TimelineNode) -> set[str]:
     return {node.region.split("/")[0]} if node.region else set()
 
 
-def _play(stage: Stage) -> Stage:
+def _play(stage: Stage, lane: tuple[int, int] = (0, 1)) -> Stage:
     """Tells a component's story; on a table, in ever less room until it fits.
 
     What fits nowhere is left to the layout: the stage that is returned is then empty.
@@ -162,7 +163,7 @@ def _play(stage: Stage) -> Stage:
             if stage.start_at_edge():
                 break
         elif stage.anchor is None or fit_to_surface(
-            stage.doc, stage.anchor, stage.places, _walked_to(stage)
+            stage.doc, stage.anchor, stage.places, _reached(stage), lane
         ):
             break
         stage = stage.tighter()
@@ -171,17 +172,21 @@ def _play(stage: Stage) -> Stage:
     return stage
 
 
-def _walked_to(stage: Stage) -> dict[str, tuple[float, float]]:
-    """Where those end that walk about and stop by themselves: x, y [m]."""
-    out: dict[str, tuple[float, float]] = {}
-    for actor, track in stage.tracks.items():
-        last = stage.story.phases[actor][-1]
-        walks = stage.held(actor) and last.edge.event is EdgeEvent.UNIFORM_MOTION
-        if walks and last.end.event is NodeEvent.TRIGGER and actor in stage.frames:
-            way = comes_to_rest(stage, actor)[0]
-            x, y = track.x + way * math.cos(track.heading), track.y + way * math.sin(track.heading)
-            out[actor] = stage.frames[actor].apply(x, y)
-    return {actor: end for actor, end in out.items() if actor in stage.places}
+def _reached(stage: Stage) -> list[tuple[str, float, float, float]]:
+    """Where those get that stay on their table: key, x, y [m], heading [rad]."""
+    actors = [actor for actor in stage.tracks if actor in stage.places]
+    return [(actor, *p) for actor in actors for p in reaches(stage, actor)]
+
+
+def _lanes(doc: EsgDocument, story: Story, components: list[set[str]]) -> list[tuple[int, int]]:
+    """Which lane each component takes on its table, of how many, for those that share one."""
+    rng = np.random.default_rng(0)
+    anchors = [Stage(doc, story, c, rng).anchor for c in components]
+    shares = [a is not None and anchors.count(a) > 1 for a in anchors]
+    return [
+        (anchors[:k].count(a), anchors.count(a)) if shared else (0, 1)
+        for k, (a, shared) in enumerate(zip(anchors, shares, strict=True))
+    ]
 
 
 def _tell(stage: Stage) -> None:

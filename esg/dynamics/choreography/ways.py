@@ -116,7 +116,7 @@ def _gates_and_pairs(stage: Stage) -> None:
             continue
         start, end, heading = way
         middle = (0.5 * (start[0] + end[0]), 0.5 * (start[1] + end[1]))
-        room = stage.prop(s.object[0]).half_width + _BETWEEN_M
+        room = stage.prop(s.object[0]).half_width + stage.gap(s.object[0], _BETWEEN_M)
         for key, side in zip(keys, (1.0, -1.0), strict=True):
             its = stage.prop(key)
             reach = room + 0.5 * min(its.length, its.width)
@@ -206,7 +206,7 @@ def _spot(
         yaw = stage.yaw or 0.0
         x, y = SIDES[s.predicate]
         side = math.atan2(y, x) - yaw
-        reach = half_along(its.length, its.width, -yaw - side) + _BESIDE_M
+        reach = half_along(its.length, its.width, -yaw - side) + stage.gap(mover, _BESIDE_M)
         reach += half_along(mine.length, mine.width, heading - side)
         return _beside(_rest(stage, mover, way), side + math.pi, reach, -yaw)
     if s.predicate is Predicate.UNDER:
@@ -219,10 +219,14 @@ def _spot(
     if s.direction == "up":
         return lead_up(stage, mover, other)
     if s.direction == "toward":
-        reach = mine.half_length + half_along(its.length, its.width, 0.0) + _AHEAD_M
+        reach = (
+            mine.half_length + half_along(its.length, its.width, 0.0) + stage.gap(mover, _AHEAD_M)
+        )
         return _beside(end, heading, reach, None)
     if s.direction == "away_from":
-        reach = mine.half_length + half_along(its.length, its.width, 0.0) + _BEHIND_M
+        reach = (
+            mine.half_length + half_along(its.length, its.width, 0.0) + stage.gap(mover, _BEHIND_M)
+        )
         return _beside(start, heading + math.pi, reach, None)
     if s.direction == "across" and (over := thrown_over(stage, mover, other)) is not None:
         return over
@@ -230,7 +234,7 @@ def _spot(
         return (*middle, None)
     if s.direction in ("past", "along"):
         lengthwise = 0.0 if its.length >= its.width else math.pi / 2
-        reach = mine.half_width + 0.5 * min(its.length, its.width) + _BESIDE_M
+        reach = mine.half_width + 0.5 * min(its.length, its.width) + stage.gap(mover, _BESIDE_M)
         kerb = kerb_passed(stage, mover, other)
         if kerb is not None:
             reach = mine.half_width + its.half_lateral(kerb.turned) + kerb.gap_m(mine)

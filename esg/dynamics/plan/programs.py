@@ -45,7 +45,7 @@ from esg.dynamics.story.paces import (
     usual_brake,
     usual_halt,
 )
-from esg.dynamics.story.stagecraft import coasting_drag, prop, stacked_with, support_of
+from esg.dynamics.story.stagecraft import coasting_drag, prop, stacked_with, stays_on, support_of
 from esg.dynamics.story.story import (
     UNDISTURBED,
     Phase,
@@ -74,8 +74,12 @@ STRAIGHT_S = 1.0
 """How long an actor drives on straight after a turn that nothing follows [s]."""
 SHAKEN_S = 0.15
 """From the hit of a support until something on it sets off to fall [s]."""
-LEAST_S = 0.05
-"""Least time of a segment."""
+GRIPS = 0.6
+"""Share of its grip with which something slows down on a table that is on no feet or wheels."""
+LEAST_BRAKE_MPS2 = 0.05
+"""What stops on a table brakes as hard at least."""
+LEAST_S, LEAST_MPS = 0.05, 0.05
+"""Least time and speed of a segment."""
 RUN_OUT_MPS2 = 5.0
 """How fast a jumper comes to rest after it has landed."""
 HELD_ON_S = 8.0
@@ -239,7 +243,8 @@ class Composer:
         if target is not None and straight and not self.cast.look_ahead:
             offset = np.array(self.scene.body(target).position) - np.array(body.position)
             return math.atan2(offset[1], offset[0])
-        if target is None or (self.cast.drives(actor) and first.end.event is NodeEvent.MISS):
+        passes = self.cast.drives(actor) or self._stays_up(actor)  # beside the way, not ahead
+        if target is None or (passes and first.end.event is NodeEvent.MISS):
             return yaw
         heading = aim_heading(self.scene, self.story, body, first, target)
         if self.cast.drives(actor) and abs(wrap_angle(heading - yaw)) > math.radians(12.0):
@@ -584,6 +589,8 @@ class Composer:
         steep = climbs_at(edge) if soars else 0.0
         if leg.last and self._holds_on(phase, steep, upright=descends and not down):
             end = math.inf
+        if (beyond := self.nominal.get(f"{edge.id}/beyond")) is not None:
+            end = min(end, self.told(phase.end, end) + beyond / max(abs(speed), LEAST_MPS))
         ahead = np.array([math.cos(course.heading), math.sin(course.heading), 0.0])
         if leg.first and not acceleration and math.isinf(ride.rate):
             course.out += self._with_riders(actor, start, abs(speed) * ahead)
@@ -611,7 +618,7 @@ class Composer:
         course.heading += rate * (end - start) if turns else 0.0
         lasted = min(end, leg.duration) - start
         course.speed = max(0.0, ride.left(lasted) + acceleration * lasted)
-        if leg.last and turns:
+        if leg.last and turns and (soars or not self._stays_up(actor)):
             course.out.append(self._straight_on(course, end, roll_radius))
             end += 0.0 if soars else STRAIGHT_S
         # What follows a hit follows it when it happens, not when the hold would have ended.
@@ -643,6 +650,10 @@ class Composer:
         degrees, sign = turn_of(leg.phase)
         rate = sign * self._turn_rate(leg, speed)
         return rate, leg.start + math.radians(degrees) / abs(rate)
+
+    def _stays_up(self, actor: str) -> bool:
+        """Whether it moves on a table that it does not leave, so that it stops there."""
+        return stays_on(self.doc, actor) is not None and not self.story.soars(actor)
 
     def _holds_on(self, phase: Phase, steep: float, *, upright: bool) -> bool:
         """Whether what it does last has no end.
@@ -700,7 +711,7 @@ class Composer:
         the end the body would point a degree beside its way, and slide on like that.
         """
         body = self.scene.body(actor)
-        if body.tyre_friction <= 0.0:
+        if body.tyre_friction <= 0.0 and not self._stays_up(actor):
             return []
         return [
             AdjustProperties(actor, start, friction=0.0),
@@ -731,6 +742,7 @@ class Composer:
         """What a driver does at the end of its part: it brakes, or hovers."""
         actor, node = course.actor, leg.phase.end
         stays = node.event in (NodeEvent.REACH, NodeEvent.STOP) or arrives(self.doc, actor)
+        stays = stays or self._stays_up(actor)
         if self.story.soars(actor):
             if stays:
                 course.out.append(self._hover(actor, end, course.speed, course.heading))
@@ -738,7 +750,13 @@ class Composer:
         if self.cast.brakes_after(actor, leg.phase):
             hit = end if pushes else self.nominal.get(f"{node.id}/event_time", leg.duration)
             course.out.append(AdjustProperties(actor, hit, braking=self._brakes(course)))
-        if on_foot(prop(self.doc, actor)) and (stays or end < leg.duration):
+        slides = self._stays_up(actor) and not prop(self.doc, actor).wheeled
+        if node.event is NodeEvent.COLLISION and stays and not slides:
+            hit = self.nominal.get(f"{node.id}/event_time", leg.duration)
+            course.out.append(AdjustProperties(actor, hit, braking=self._brakes(course)))
+        elif slides and end < leg.duration:
+            course.out.append(self._halts(course, end, GRIPS * grip(self.doc, actor)))
+        elif on_foot(prop(self.doc, actor)) and (stays or end < leg.duration):
             # Let go on its feet, it would fall over them.
             course.out.append(self._halts(course, end))
         elif stays:
@@ -769,10 +787,16 @@ class Composer:
             until_contact=tuple(n for n in free if n not in met), gains=rate, loses=rate,
         )  # fmt: skip
 
-    def _halts(self, course: _Course, time: float) -> HoldVelocity:
-        """It slows down within a step or two, and stands on its feet until something touches it."""
+    def _halts(self, course: _Course, time: float, most: float = math.inf) -> HoldVelocity:
+        """It slows down within a step or two, and stands on its feet until something touches it.
+
+        Args:
+            course: Where its program stands.
+            time: When that begins [s].
+            most: Rate at which it slows down at most [m/s^2].
+        """
         actor, speed = course.actor, abs(course.speed)
-        rate = usual_halt(self.doc, actor, speed, held=True)
+        rate = min(usual_halt(self.doc, actor, speed, held=True), most)
         lasts = max(speed / rate, LEAST_S)
         ends = time + lasts + STANDS_S
         others = tuple(n for n in self._others(actor) if not self.scene.body(n).static)
@@ -782,8 +806,14 @@ class Composer:
         )  # fmt: skip
 
     def _brakes(self, course: _Course) -> float:
-        """How hard an actor usually brakes [m/s^2]."""
-        return usual_brake(self.doc, course.actor, course.speed)
+        """How hard an actor usually brakes [m/s^2]; what rubs on a table brakes by that, too."""
+        usual = usual_brake(self.doc, course.actor, course.speed)
+        host = stays_on(self.doc, course.actor)
+        if host is None:
+            return usual
+        body, top = prop(self.doc, course.actor), prop(self.doc, host)
+        rubs = 0.5 * (body.friction + top.friction) * GRAVITY_MPS2
+        return max(usual + coasting_drag(body) - rubs, LEAST_BRAKE_MPS2)
 
     def _hover(self, actor: str, time: float, speed: float, heading: float) -> HoldVelocity:
         """Slows down in the air, and stays there."""

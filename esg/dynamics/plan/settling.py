@@ -7,7 +7,7 @@ import math
 
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.story.paces import grip
-from esg.dynamics.story.stagecraft import lies_on
+from esg.dynamics.story.stagecraft import ON_TABLE, TABLE_S, lies_on, stays_on
 from esg.dynamics.story.story import Phase
 from esg.engines.program import AdjustProperties, Lasting, Primitive
 from esg.engines.scene import Body
@@ -26,8 +26,6 @@ LANDED_S = 0.5
 CAUGHT, CAUGHT_S = 8.0, 0.05
 """Damping [1/s] of what shall lie on the thing that it lands on, as of a fruit on a sack, and when
 it sets in after the touch: at 1 m/s it rolls 12 cm."""
-ON_TABLE, TABLE_S = 2.5, 0.1
-"""Damping [1/s] of what rolls along a table and stays there, as on a cloth, and from when [s]."""
 _LIES = frozenset({Predicate.ENDS_ON, Predicate.ENDS_IN, Predicate.ENDS_NEAR, Predicate.AT_REST})
 
 
@@ -67,8 +65,10 @@ def comes_to_lie(cast: Cast, body: Body, done: Sequence[Primitive]) -> list[Prim
         done: The primitives so far.
     """
     most = f"{cast.story.phases[body.name][-1].edge.id}/most"
+    kept = _kept_on_top(cast, body.name)
     told = (
         most in cast.nominal
+        or kept
         or _stops_by_itself(cast, body.name)
         or any(
             s.predicate in _LIES and s.when == "end" and body.name in s.object
@@ -87,11 +87,23 @@ def comes_to_lie(cast: Cast, body: Body, done: Sequence[Primitive]) -> list[Prim
     ]
     if most in cast.nominal:
         return [_damped(body.name, TABLE_S, ON_TABLE)]
+    if kept:
+        hits = cast.story.phases[body.name][-1].end.event is NodeEvent.COLLISION
+        begins = max(times, default=0.0) + (CAUGHT_S if hits else TABLE_S)
+        return [_damped(body.name, begins, CAUGHT if hits else ON_TABLE)]
     if caught:
         return [_damped(body.name, max(times, default=0.0) + CAUGHT_S, CAUGHT)]
     high = max(body.position[2] - body.half_extents[2], 0.0)
     begins = max(times, default=0.0) + math.sqrt(2.0 * high / GRAVITY_MPS2) + LANDED_S
     return [_damped(body.name, begins, ROLLING_OUT)]
+
+
+def _kept_on_top(cast: Cast, actor: str) -> bool:
+    """Whether it rolls on after what is told of it, on a table that it does not leave."""
+    last = cast.story.phases[actor][-1]
+    ended = last.end.event in (NodeEvent.MISS, NodeEvent.COLLISION, NodeEvent.REACH)
+    rolls = last.edge.event is EdgeEvent.TOWARD and not cast.story.flies(actor)
+    return ended and rolls and stays_on(cast.doc, actor) is not None
 
 
 def _stops_by_itself(cast: Cast, actor: str) -> bool:

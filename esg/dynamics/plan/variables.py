@@ -60,6 +60,8 @@ ASIDE_M = 0.25
 """Most that a driven body starts aside of its line; what is narrow at most half its width."""
 SOFTEST_BRAKE_MPS2 = 0.5
 """Nothing that is said to brake does so more gently."""
+TIGHTER = 0.97, 1.1
+"""Rates of a turn on a table, over the one that was planned for."""
 AFTER_EVENT_S = 0.12
 """What follows an outcome is planned for this long after it."""
 
@@ -230,6 +232,9 @@ class Declarations:
             usual = TURN_RATE_DEG_S if edge.event is EdgeEvent.SPIN else (20.0, 80.0)
             low, high, fixed = bounds(params.turn_rate_deg_s, usual)
             start = nominal.get(f"{edge.id}/turn_rate", math.radians(45.0))
+            if not fixed and f"{edge.id}/at_most" in nominal:  # as wide as its table allows
+                told = math.degrees(start)
+                low, high = max(low, TIGHTER[0] * told), min(high, TIGHTER[1] * told)
             self.add(
                 f"{edge.id}/turn_rate",
                 math.radians(low),

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 import math
 
@@ -295,6 +296,10 @@ def lies_on(doc: EsgDocument, thing: str, host: str) -> bool:
     )
 
 
+ON_TABLE, TABLE_S = 2.5, 0.1
+"""Damping [1/s] of what rolls along a table and stays there, as on a cloth, and from when [s]."""
+
+
 def stays_on(doc: EsgDocument, thing: str) -> str | None:
     """The table or shelf that a thing moves on and does not leave, None if nobody says so."""
     host = support_of(doc, thing)
@@ -314,7 +319,8 @@ def fit_to_surface(
     doc: EsgDocument,
     anchor: str,
     places: dict[str, tuple[float, float, float | None]],
-    ends: dict[str, tuple[float, float]] | None = None,
+    reached: Sequence[tuple[str, float, float, float]] = (),
+    lane: tuple[int, int] = (0, 1),
 ) -> bool:
     """Centres a choreography on its support's surface, along its longer side; False if too large.
 
@@ -322,34 +328,38 @@ def fit_to_surface(
         doc: The document.
         anchor: Supporting node.
         places: Positions [m] and yaws [rad] by key, changed in place on success.
-        ends: Where those come to rest that stay on it [m], by key.
+        reached: Where those get that stay on it: key, x, y [m], heading [rad].
+        lane: Which lane it takes, of how many along the longer side.
     """
     surface = broadest_surface(doc, anchor)
     half = np.array(surface.half_extents_cm) / 100.0
     center = np.array(surface.center_cm[:2]) / 100.0
     turn = half[1] > half[0]
-    room = half[::-1] if turn else half
+    room = half[::-1].copy() if turn else half.copy()
+    room[1] /= lane[1]
     points: list[tuple[float, float]] = []
-    last = [(key, (*end, places[key][2])) for key, end in (ends or {}).items()]
-    for key, (x, y, yaw) in [*places.items(), *last]:
-        name = key[6:] if key.startswith("group:") else key
-        nodes = doc.spatial_relation_graph.nodes
-        if name not in nodes:
-            name = next(n for n, v in nodes.items() if v.group == name)
-        body = prop(doc, name)
-        along = half_along(body.length, body.width, yaw or 0.0)
-        across = body.half_lateral(yaw or 0.0)
+    for key, x, y, yaw in [*((k, *at[:2], at[2] or 0.0) for k, at in places.items()), *reached]:
+        body = prop(doc, _one_of(doc, key))
+        along, across = half_along(body.length, body.width, yaw), body.half_lateral(yaw)
         points += [(x - along, y - across), (x + along, y + across)]
     low, high = np.min(points, axis=0), np.max(points, axis=0)
     if np.any(high - low > 2.0 * room - 0.04):
         return False
     shift = -0.5 * (low + high)
+    shift[1] += (2 * lane[0] + 1 - lane[1]) * room[1]
     for key, (x, y, yaw) in places.items():
         x, y = x + shift[0], y + shift[1]
         if turn:
             x, y, yaw = -y, x, None if yaw is None else yaw + math.pi / 2
         places[key] = (float(center[0] + x), float(center[1] + y), yaw)
     return True
+
+
+def _one_of(doc: EsgDocument, key: str) -> str:
+    """A node of what is placed under a key ("group:name" for a pattern)."""
+    nodes = doc.spatial_relation_graph.nodes
+    name = key[6:] if key.startswith("group:") else key
+    return name if name in nodes else next(n for n, v in nodes.items() if v.group == name)
 
 
 OFF_TABLE = 0.1

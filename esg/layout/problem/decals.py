@@ -114,7 +114,7 @@ def lay_decals(
         ]
         under = [m for e, m in links if e.relation_type in UNDERFOOT]
         beside = [(e, m) for e, m in links if e.relation_type not in UNDERFOOT]
-        riders = [n for n in unit.members if supports.of[n].parent == name]
+        riders = [n for n in unit.members if supports.of[n].parent == name or n in _told(doc, name)]
         taken_elsewhere = any(
             supports.of[n].parent == name and n not in unit.members for n in supports.of
         )
@@ -135,15 +135,22 @@ def lay_decals(
     return out
 
 
-def _crossed(doc: EsgDocument, name: str, unit: Unit) -> Pose2 | None:
-    """The middle and the direction of the way on which somebody goes across a decal.
+def _told(doc: EsgDocument, name: str) -> set[str]:
+    """Who is said to move about on a decal that is no road: a stage, a pier."""
+    told = (s for s in doc.statements or () if s.predicate is Predicate.SUPPORTED_BY)
+    return {who for s in told if name in s.target for who in s.object if not is_road(doc, name)}
 
-    What is gone across from end to end, as a bridge is, lies the other way.
+
+def _crossed(doc: EsgDocument, name: str, unit: Unit) -> Pose2 | None:
+    """The middle and the direction of the way on which somebody goes across or along a decal.
+
+    What is gone across from end to end, as a bridge is, or along, as a pier, lies the other way.
     """
     told = doc.statements or ()
     lengthwise = {(s.object, s.target) for s in told if s.direction == "along"}
     for s in told:
-        if s.predicate is not Predicate.MOVES or s.direction != "across" or name not in s.target:
+        ways = s.predicate is Predicate.MOVES and s.direction in ("across", "along")
+        if not ways or name not in s.target:
             continue
         for who in s.object:
             for c in unit.corridors if who in unit.members else ():

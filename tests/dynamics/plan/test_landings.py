@@ -73,8 +73,8 @@ def test_what_slides_along_a_table_stays_on_it_and_is_seen_to_move(prompt: str, 
     assert node.semantic_region is not None
     host = doc.spatial_relation_graph.semantic_regions[node.semantic_region].parent_object
     mu = 0.5 * (body.friction + plan.scene.body(host).friction)
-    room = 0.01 * max(top_surface(doc, host).half_extents_cm)
-    assert speed.upper**2 / (2.0 * mu * GRAVITY_MPS2) < room
+    room = 0.02 * max(top_surface(doc, host).half_extents_cm)
+    assert speed.upper**2 / (2.0 * mu * GRAVITY_MPS2) < 0.65 * room
     assert speed.lower**2 / (2.0 * mu * GRAVITY_MPS2) > 0.3 * room
 
 
@@ -86,7 +86,7 @@ def test_what_rolls_along_a_table_is_slowed_before_its_edge() -> None:
     (speed,) = [v for v in plan.variables if v.name.endswith("/speed")]
     assert held.linear_damping is not None
     way = speed.upper * (held.time + 1.0 / held.linear_damping)
-    assert way < 0.01 * max(top_surface(doc, "desk_1").half_extents_cm)
+    assert way < 0.013 * max(top_surface(doc, "desk_1").half_extents_cm)
 
 
 @pytest.mark.parametrize(

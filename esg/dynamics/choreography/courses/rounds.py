@@ -94,5 +94,5 @@ def widest_turn(stage: Stage, actor: str) -> float:
         if s.direction == "around":
             its = stage.prop(stage.key(s.target[0]))
             reach = 0.5 * math.hypot(its.length, its.width)
-            most = max(most, reach + mine.half_width + ROOM_M)
+            most = max(most, reach + mine.half_width + stage.gap(actor, ROOM_M))
     return most
