@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from esg.engines.scene import Rollout, SimScene
 from esg.units import quat_rotate
 from esg.view.framing import told_side
-from esg.view.moments import INTO, as_seen, cast_of, fixed_to, openings_of
+from esg.view.moments import INTO, as_seen, cast_of, fixed_to, openings_of, set_off
 
 if TYPE_CHECKING:
     from esg.graph.models import EsgDocument
@@ -34,6 +34,8 @@ AFTERMATH = 2.5
 """What leads may be so many times as far from what it struck, and both are still seen."""
 FAR_M = 30.0
 """A body that has left everybody else so far behind no longer acts."""
+SET_OFF = "sets_off"
+"""Type of a beat in which somebody throws, kicks or shoots something: no event of a document."""
 
 
 @dataclass(frozen=True)
@@ -201,11 +203,22 @@ def _beats(
     events = [e for e in verdict.events if e.completed and e.time_s is not None] if verdict else []
     events.sort(key=lambda e: e.time_s or 0.0)
     found = [beat for e in events if (beat := _beat(scene, rollout, doc, e))]
+    begun = _set_off(scene, rollout, doc)
     if found:
-        return tuple(found)
+        first = found[0].time_s
+        return tuple(sorted((*(b for b in begun if b.time_s < first), *found), key=_time))
     cast = cast_of(scene, rollout, verdict)
     moving = tuple(i for i in cast if not scene.bodies[i].static) or cast
-    return (Beat("", "", min(1.0, float(rollout.time[-1])), moving),)
+    return (*begun, Beat("", "", min(1.0, float(rollout.time[-1])), moving))
+
+
+def _time(beat: Beat) -> float:
+    return beat.time_s
+
+
+def _set_off(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Beat]:
+    """Who throws, kicks or shoots something, when that sets off: the doer is seen with it."""
+    return [Beat("", SET_OFF, time, (body, *by)) for time, body, by in set_off(scene, rollout, doc)]
 
 
 def _beat(scene: SimScene, rollout: Rollout, doc: EsgDocument, event: EventVerdict) -> Beat | None:
