@@ -219,9 +219,9 @@ def set_off(
     doers: dict[str, list[int]] = {}
     for edge in graph.edges.binary_relations:
         faces = edge.relation_type is RelationType.FACE and {edge.from_, edge.to} <= names
-        if faces and edge.to in acts and edge.from_ not in acts:
-            if not scene.body(edge.from_).static:
-                doers.setdefault(edge.to, []).append(scene.index(edge.from_))
+        by = faces and edge.to in acts and edge.from_ not in acts
+        if by and not scene.body(edge.from_).static:
+            doers.setdefault(edge.to, []).append(scene.index(edge.from_))
     out: list[tuple[float, int, tuple[int, ...]]] = []
     for name, by in doers.items():
         body = scene.index(name)

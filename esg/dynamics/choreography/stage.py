@@ -38,6 +38,11 @@ if TYPE_CHECKING:
 
 CLEARANCE_M = 0.35
 RUN_OUT_M = 1.0
+APART_M, BESIDE = 4.0, 1.5
+"""Between two paths of which none knows the other; of those who go side by side so many times the
+size of one of them, if that is less."""
+FLAT_M = 0.05
+"""What is fixed and no higher is ground."""
 FASTEST_MPS = 22.0
 """A guessed speed is raised up to here where an event needs it."""
 
@@ -362,9 +367,24 @@ class Stage:
         """Yaw added for a body that drives backwards."""
         return math.pi if self.story.reverses(actor) else 0.0
 
-    def free_frame(self) -> Frame:
-        """A start beside everything placed so far, for an unrelated second path."""
-        return Frame(0.0, max(y for _, y, _ in self.places.values()) + 4.0, 0.0)
+    def free_frame(self, actor: str) -> Frame:
+        """A start beside everything placed so far, for an unrelated second path.
+
+        As far off as the two are large where all that stands there goes by itself, so that small
+        things that go together are seen together.
+        """
+        far = max(y for _, y, _ in self.places.values()) + APART_M
+        own = self.prop(actor)
+        span, side = max(own.length, own.width), -math.inf
+        for key, (_, y, _) in self.places.items():
+            there = self.prop(key)
+            if there.fixed and there.height < FLAT_M:
+                continue
+            if key not in self.tracks:
+                return Frame(0.0, far, 0.0)
+            side = max(side, y + 0.5 * max(there.length, there.width))
+        beside = side + (0.5 + BESIDE) * span + CLEARANCE_M
+        return Frame(0.0, min(far, beside) if side > -math.inf else far, 0.0)
 
     def free_heading(self, x: float, y: float) -> float:
         """An approach direction towards (x, y) far from those already in use."""

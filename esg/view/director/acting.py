@@ -34,6 +34,8 @@ AFTERMATH = 2.5
 """What leads may be so many times as far from what it struck, and both are still seen."""
 FAR_M = 30.0
 """A body that has left everybody else so far behind no longer acts."""
+SMALL_M, SWEEP_S, SWEEP_M = 0.5, 0.05, 2.0
+"""What is smaller is seen with where it is so long before and after, if that is not farther."""
 SET_OFF = "sets_off"
 """Type of a beat in which somebody throws, kicks or shoots something: no event of a document."""
 
@@ -162,6 +164,8 @@ class Action:
         leads = leads[np.linalg.norm(centers - middle, axis=1) <= FAR_M]
         points = leads.reshape(-1, 3)
         low, high, reach = _around(points)
+        if float((high - low).max()) < SMALL_M:
+            points = self._swept(beat.leads, frame, points)
         if beat.others and self.time[frame] >= beat.time_s:
             reach *= AFTERMATH
         out = [points]
@@ -174,6 +178,14 @@ class Action:
         whole = np.concatenate(out)
         whole[:, 2] = np.maximum(whole[:, 2], 0.0)
         return whole
+
+    def _swept(self, leads: Sequence[int], frame: int, points: Floats) -> Floats:
+        """Corners of small things a moment before and after, too: what they fly through is seen."""
+        time = float(self.time[frame])
+        ends = [self.frame(time - SWEEP_S), self.frame(time + SWEEP_S)]
+        around = [self.corners(k, leads).reshape(-1, 3) for k in ends]
+        near = [p for p in around if float(np.abs(p - points).max()) < SWEEP_M]
+        return np.concatenate([points, *near])
 
     @property
     def human(self) -> bool:
@@ -206,10 +218,13 @@ def _beats(
     begun = _set_off(scene, rollout, doc)
     if found:
         first = found[0].time_s
-        return tuple(sorted((*(b for b in begun if b.time_s < first), *found), key=_time))
+        return tuple(sorted((*(b for b in begun if b.time_s <= first), *found), key=_time))
     cast = cast_of(scene, rollout, verdict)
-    moving = tuple(i for i in cast if not scene.bodies[i].static) or cast
-    return (*begun, Beat("", "", min(1.0, float(rollout.time[-1])), moving))
+    time = min(1.0, float(rollout.time[-1]))
+    moving = _moving(rollout, cast, 0.0, max(time, 2.0 * BEFORE_S))
+    moving = moving or tuple(i for i in cast if not scene.bodies[i].static) or cast
+    rest = tuple(i for i in cast if i not in moving)
+    return (*begun, Beat("", "", time, moving, rest))
 
 
 def _time(beat: Beat) -> float:

@@ -20,7 +20,6 @@ from esg.assets.builders.living.headwear import Piece
 from esg.assets.builders.living.outfits import Outfit, outfit
 from esg.assets.builders.living.poses import POSES, Pose, Skeleton, skeleton
 from esg.assets.geometry.sketch import (
-    Limb,
     DARK,
     ORANGE,
     RED,
@@ -28,6 +27,7 @@ from esg.assets.geometry.sketch import (
     WHITE,
     YELLOW,
     Color,
+    Limb,
     Sketch,
     rgb,
 )

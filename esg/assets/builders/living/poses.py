@@ -207,7 +207,7 @@ class Skeleton:
     @property
     def spine(self) -> Point:
         """Where the trunk bends, the neck and the crown [cm], shape [3, 3]."""
-        crown = NECK + [0.0, 0.0, 26.0]
+        crown = NECK + np.array((0.0, 0.0, 26.0))
         above = turned_about(np.array([NECK, crown]), PIVOT, self.pose.lean, self.pose.twist)
         return np.array([PIVOT, *above])
 
