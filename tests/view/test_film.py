@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from esg.view.director.acting import Beat
+from esg.view.director.review import PROBE_PX
 from esg.view.film.cutting import (
     FPS,
     MAX_FRAMES,
@@ -91,7 +92,7 @@ def opened(path: Path) -> dict[str, Any]:
 
 def test_a_film_opens_with_its_rate_duration_and_pictures(tmp_path: Path) -> None:
     """H.264 in 4:2:0, its index in front; the same scene gives the same bytes."""
-    finder = finder_of(DROP)
+    finder = finder_of(DROP, PROBE_PX)
     shots = shots_of(finder)
     drawn = list(frames_of(finder, shots))
     one = write_scene_film(action_of(DROP), document_of(DROP), parts_of(DROP), tmp_path / "one.mp4")

@@ -8,6 +8,7 @@ to; the word set "qualities that pass" has what shows nothing of its own or is t
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
@@ -59,6 +60,12 @@ _SAYS_SO = frozenset({"be", "noop", "left_so", "posture"})
 """Senses of verbs that a quality may follow ("is empty", "looks sad", "lies upside down")."""
 
 
+_AMONG_THINGS = re.compile(
+    r"(?P<thing>\w+)-(?:lined|strewn|studded|flanked|dotted|shaded|fringed|littered)$"
+)
+"""Words before a noun that ask for many other things."""
+
+
 def qualities(a: Account) -> Iterator[Gap]:
     """ "A curious sloth", "a hot pan", and "a moving vehicle" that does not move."""
     moving = {e.actor for e in a.d.timeline.edges}
@@ -100,6 +107,9 @@ def _lost(a: Account, t: Token, later: str, e: Entity, moving: set[str]) -> bool
         return not _shaped(e, word)
     if word in lex.STRETCHES:
         return noun.shape == "sphere" and not e.dimensions_prescribed
+    of_things = _AMONG_THINGS.match(word)
+    if of_things and of_things["thing"] in lex.nouns():
+        return True  # "a tree-lined avenue"
     last = word.rpartition(" ")[2]
     kind = word in lex.nouns() or no_things().get(word, "") in _OF_A_KIND  # "a castle wall"
     return t.tag in _OF_A_QUALITY and last not in _TOLD | _PASS and not kind and "-" not in word

@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from esg.engines.scene import Rollout, SimScene
 from esg.units import quat_rotate
 from esg.view.framing import told_side
-from esg.view.moments import INTO, as_seen, cast_of, fixed_to, openings_of, set_off
+from esg.view.moments import INTO, LASTING, as_seen, cast_of, fixed_to, openings_of, set_off
 
 if TYPE_CHECKING:
     from esg.graph.models import EsgDocument
@@ -34,6 +34,8 @@ AFTERMATH = 2.5
 """What leads may be so many times as far from what it struck, and both are still seen."""
 FAR_M = 30.0
 """A body that has left everybody else so far behind no longer acts."""
+AT_ONCE_S = 0.15
+"""Motions that begin within this are one beat."""
 SMALL_M, SWEEP_S, SWEEP_M = 0.5, 0.05, 2.0
 """What is smaller is seen with where it is so long before and after, if that is not farther."""
 SET_OFF = "sets_off"
@@ -214,7 +216,7 @@ def _beats(
 ) -> tuple[Beat, ...]:
     events = [e for e in verdict.events if e.completed and e.time_s is not None] if verdict else []
     events.sort(key=lambda e: e.time_s or 0.0)
-    found = [beat for e in events if (beat := _beat(scene, rollout, doc, e))]
+    found = _together([beat for e in events if (beat := _beat(scene, rollout, doc, e))])
     begun = _set_off(scene, rollout, doc)
     if found:
         first = found[0].time_s
@@ -225,6 +227,24 @@ def _beats(
     moving = moving or tuple(i for i in cast if not scene.bodies[i].static) or cast
     rest = tuple(i for i in cast if i not in moving)
     return (*begun, Beat("", "", time, moving, rest))
+
+
+def _together(beats: list[Beat]) -> list[Beat]:
+    """Those who set off at once are seen together."""
+    out: list[Beat] = []
+    for beat in beats:
+        last = out[-1] if out else None
+        if last is None or beat.type not in LASTING or last.type != beat.type:
+            out.append(beat)
+        elif beat.time_s - last.time_s > AT_ONCE_S:
+            out.append(beat)
+        else:
+            leads = tuple(dict.fromkeys((*last.leads, *beat.leads)))
+            mates = tuple(dict.fromkeys((*last.company, *beat.company)))
+            others = tuple(i for i in (*last.others, *beat.others) if i not in leads)
+            mates = tuple(i for i in mates if i not in leads)
+            out[-1] = replace(last, leads=leads, others=others, company=mates)
+    return out
 
 
 def _time(beat: Beat) -> float:

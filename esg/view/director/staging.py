@@ -35,6 +35,8 @@ LEFT_OUT = 0.07
 """Worth that a thing costs which a camera can only look past if it is left out, up to three."""
 FAR_SIDE = 0.06
 """Worth that it costs to stand on the other side of a way."""
+LARGER = 0.15
+"""Share of the worth of an instant that goes with the size of who acts, up to 30% of the picture."""
 CONTENT = 0.6
 """Worth beyond that of keeping all rules at the events with which the search ends."""
 FULL = 1.3
@@ -190,12 +192,13 @@ def _lacks(seen: Seen) -> float:
 
 
 def _steady(action: Action, take: Take, aspect: float) -> float:
-    """Share of the instants at which who acts is in view and large enough."""
-    good = 0
+    """Share of the instants at which who acts is in view and large enough; larger is a bit more."""
+    good = 0.0
     steps = range(0, len(take), 4)
     for k in steps:
         found = extent(take.camera(k), action.acting(float(take.time_s[k])), aspect)
-        good += found.inside >= 0.8 and 0.8 * FILL_LEAST <= found.fill <= FILL_MOST
+        large = 1.0 - LARGER + LARGER * min(1.0, found.fill / 0.3)
+        good += large * (found.inside >= 0.8 and 0.8 * FILL_LEAST <= found.fill <= FILL_MOST)
     return good / len(steps)
 
 

@@ -50,6 +50,8 @@ LAP = 0.055
 """Halves of a limb lap over at its joint by this share of its length."""
 UPRIGHT = 0.8
 """Who leans more (37 degrees) does not step."""
+THICK, LEAST_STEP = 0.33, 0.4
+"""Legs wider than this share of their length take shorter steps, at least so much of the usual."""
 FREE = frozenset({"", "stand", "walk", "run", "play", "laden"})
 """Poses in which nothing is held, so that the arms swing."""
 STEPPING = FREE | {"push", "hold", "bear", "throw", "kick", "swing"}
@@ -223,7 +225,18 @@ def _rig(
     joints = {limb.name: placed(limb) for limb in limbs}
     pitches = {limb.name: limb.pitch for limb in limbs}
     reach = min(limb.reach for limb in limbs)
+    if plan == "beasts":
+        reach *= _slender(limbs, members)
     return Rig(index, plan, look.pose, joints, pitches, members, origin, reach)
+
+
+def _slender(limbs: Sequence[Limb], members: Sequence[Member]) -> float:
+    """Share of the usual step that legs take which are thick for their length: an elephant's."""
+    name, joints = limbs[0].name, np.asarray(limbs[0].joints)
+    long = float(np.linalg.norm(np.diff(joints, axis=0), axis=1).sum())
+    own = [m.surface.vertices[:, 1] for m in members if m.limb == name]
+    wide = max(float(np.ptp(y)) for y in own) if own else 0.0
+    return float(np.clip(THICK * long / max(wide, 1e-6), LEAST_STEP, 1.0))
 
 
 def _bearing(
@@ -477,7 +490,7 @@ def _beasts(rig: Rig, bearing: Bearing) -> dict[tuple[str, int], Piece]:
     out: dict[tuple[str, int], Piece] = {("", 0): (np.zeros(3), np.zeros((count, 3)), still)}
     for name in rig.legs:
         joints = rig.limbs[name]
-        swing, fold = (v * bearing.go.much for v in beast(name, bearing.go))
+        swing, fold = (rig.reach * v * bearing.go.much for v in beast(name, bearing.go))
         first, second = about_y(-np.radians(swing)), about_y(-np.radians(swing + fold))
         root = np.broadcast_to(joints[0], (count, 3))
         knee = root + quat_rotate(first, np.broadcast_to(joints[1] - joints[0], (count, 3)))
