@@ -66,6 +66,12 @@ _AMONG_THINGS = re.compile(
 """Words before a noun that ask for many other things."""
 
 
+def _among_things(word: str) -> bool:
+    """ "A tree-lined avenue": trees that no document has."""
+    found = _AMONG_THINGS.match(word)
+    return found is not None and found["thing"] in lex.nouns()
+
+
 def qualities(a: Account) -> Iterator[Gap]:
     """ "A curious sloth", "a hot pan", and "a moving vehicle" that does not move."""
     moving = {e.actor for e in a.d.timeline.edges}
@@ -82,7 +88,7 @@ def qualities(a: Account) -> Iterator[Gap]:
         for k, t in enumerate(words):
             later = words[k + 1].low if k + 1 < len(words) else ""
             lost = t.low in ASLANT if laid else _lost(a, t, later, entity_of(a.d, ids[0]), moving)
-            if lost:
+            if lost or _among_things(t.low):
                 yield Gap(t.start, t.end, NOTHING, tuple(ids))
 
 
@@ -107,9 +113,6 @@ def _lost(a: Account, t: Token, later: str, e: Entity, moving: set[str]) -> bool
         return not _shaped(e, word)
     if word in lex.STRETCHES:
         return noun.shape == "sphere" and not e.dimensions_prescribed
-    of_things = _AMONG_THINGS.match(word)
-    if of_things and of_things["thing"] in lex.nouns():
-        return True  # "a tree-lined avenue"
     last = word.rpartition(" ")[2]
     kind = word in lex.nouns() or no_things().get(word, "") in _OF_A_KIND  # "a castle wall"
     return t.tag in _OF_A_QUALITY and last not in _TOLD | _PASS and not kind and "-" not in word

@@ -234,9 +234,12 @@ def _together(beats: list[Beat]) -> list[Beat]:
     out: list[Beat] = []
     for beat in beats:
         last = out[-1] if out else None
-        if last is None or beat.type not in LASTING or last.type != beat.type:
-            out.append(beat)
-        elif beat.time_s - last.time_s > AT_ONCE_S:
+        if (
+            last is None
+            or beat.type not in LASTING
+            or last.type != beat.type
+            or beat.time_s - last.time_s > AT_ONCE_S
+        ):
             out.append(beat)
         else:
             leads = tuple(dict.fromkeys((*last.leads, *beat.leads)))
