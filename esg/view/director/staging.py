@@ -36,7 +36,7 @@ LEFT_OUT = 0.07
 FAR_SIDE = 0.06
 """Worth that it costs to stand on the other side of a way."""
 LARGER = 0.15
-"""Share of the worth of an instant that goes with the size of who acts, up to 30% of the picture."""
+"""Share of the worth of an instant that goes with the size of who acts, up to a fill of 30%."""
 CONTENT = 0.6
 """Worth beyond that of keeping all rules at the events with which the search ends."""
 FULL = 1.3

@@ -37,7 +37,7 @@ LEADS = {
     "leg_rear_right": 0.5,
     "leg_front_right": 0.75,
 }
-"""Share of a cycle by which a limb is ahead; animals walk in lateral sequence (Hildebrand 1965)."""
+"""Share of a cycle by which a limb is ahead; animals walk so: Hildebrand (1965)."""
 GALLOP = {
     "leg_rear_left": 0.0,
     "leg_rear_right": 0.1,

@@ -9,7 +9,7 @@ to sit gets there in `EASE_S` before the engine swaps his body, and up again aft
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 import math
 from typing import TYPE_CHECKING
 
@@ -110,7 +110,6 @@ class Bearing:
         eased: How much he is in it, 0 to 1, shape [T].
         away: Where he is on the way to his place in it, in his frame [m], shape [T, 3].
         turned: By how much he has turned on the way [rad], shape [T].
-        low: Height of his seat in it [m]; None for who ends on the ground.
     """
 
     go: Going
@@ -120,7 +119,6 @@ class Bearing:
     eased: Floats
     away: Floats
     turned: Floats
-    low: float | None
 
 
 def stepping(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> frozenset[int]:
@@ -194,10 +192,9 @@ def limb_parts(
         if rig is None:
             continue
         acts = [t for t, by in begun if index in by]
-        bearing = _bearing(
-            rig, scene, rollout, postures.get(scene.bodies[index].name, ()), acts[:1]
-        )
-        out += _parts(rig, rollout, bearing)
+        own = postures.get(scene.bodies[index].name, ())
+        bearing = _bearing(rig, scene, rollout, own, acts[:1])
+        out += _parts(rig, rollout, bearing, _there(index, scene, rollout))
     return tuple(out)
 
 
@@ -211,8 +208,6 @@ def _rig(
         return None
     plan, look = PLANS[entry.builder], looks[body.name]
     if plan == "beasts" and look.pose:
-        from dataclasses import replace
-
         look = replace(look, pose="")
     limbs, members = limbed(config, look)
     if not limbs:
@@ -266,9 +261,8 @@ def _bearing(
     nothing, still = np.zeros(len(time)), np.zeros((len(time), 3))
     eased = _eased_into(rig, scene, rollout, postures, (p, q))
     if eased is None:
-        return Bearing(go, stands, upright, None, nothing, still, nothing, None)
-    pose, share, away, turned, low = eased
-    return Bearing(go, stands, upright, pose, share, away, turned, low)
+        return Bearing(go, stands, upright, None, nothing, still, nothing)
+    return Bearing(go, stands, upright, *eased)
 
 
 def _eased_into(
@@ -277,7 +271,7 @@ def _eased_into(
     rollout: Rollout,
     postures: Sequence[Held],
     own: tuple[Floats, Floats],
-) -> tuple[Pose, Floats, Floats, Floats, float | None] | None:
+) -> tuple[Pose, Floats, Floats, Floats] | None:
     """The posture of a body, how much it is in it, and its way there and back."""
     body = scene.bodies[rig.index]
     if not body.postures or rig.plan != "people":
@@ -287,7 +281,6 @@ def _eased_into(
     rows = {h.name: h.row for h in postures}
     share, away, turned = np.zeros(len(time)), np.zeros((len(time), 3)), np.zeros(len(time))
     pose: Pose | None = None
-    low: float | None = None
     for name in body.postures:
         there = ~gone[:, scene.index(name)]
         row = rows.get(name)
@@ -317,12 +310,28 @@ def _eased_into(
             share = np.maximum(share, e)
             away = away + e[:, None] * np.array([jump[0], jump[1], jump[2] * found.seated])
             turned = turned + e * spin
-    return None if pose is None else (pose, share, away, turned, low)
+    return None if pose is None else (pose, share, away, turned)
 
 
-def _parts(rig: Rig, rollout: Rollout, bearing: Bearing) -> list[Part]:
+def _there(index: int, scene: SimScene, rollout: Rollout) -> tuple[tuple[float, float], ...] | None:
+    """When a body is the one of its postures that is there [s]; None for always."""
+    if not scene.bodies[index].postures:
+        return None
+    gone = absent(scene, rollout.position[0], rollout.quaternion[0])[:, index]
+    edges = np.diff(np.concatenate([[True], gone, [True]]).astype(int))
+    time = np.append(np.asarray(rollout.time, float), math.inf)
+    starts, ends = np.flatnonzero(edges < 0), np.flatnonzero(edges > 0)
+    return tuple((float(time[a]), float(time[b])) for a, b in zip(starts, ends, strict=True))
+
+
+def _parts(
+    rig: Rig,
+    rollout: Rollout,
+    bearing: Bearing,
+    there: tuple[tuple[float, float], ...] | None,
+) -> list[Part]:
     tracks = _tracks(rig, np.asarray(rollout.time, float), bearing)
-    acts = {key: Act(track=track) for key, track in tracks.items()}
+    acts = {key: Act(there=there, track=track) for key, track in tracks.items()}
     out: list[Part] = []
     for member in rig.members:
         vertices = member.surface.vertices / CM_PER_M + rig.origin
