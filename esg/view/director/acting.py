@@ -225,7 +225,7 @@ def _beats(
     time = min(1.0, float(rollout.time[-1]))
     moving = _moving(rollout, cast, 0.0, max(time, 2.0 * BEFORE_S))
     moving = moving or tuple(i for i in cast if not scene.bodies[i].static) or cast
-    rest = tuple(i for i in cast if i not in moving)
+    rest = tuple(i for i in cast if i not in moving and not scene.bodies[i].static)
     return (*begun, Beat("", "", time, moving, rest))
 
 

@@ -456,7 +456,7 @@ def _people(rig: Rig, bearing: Bearing) -> dict[tuple[str, int], Piece]:
             told = (posture.arms if arm else posture.legs)[k]
             ends = (told.swing, told.out, told.bend, told.turn)
             angles = [a + eased * (b - a) for a, b in zip(angles, ends, strict=True)]
-            if not arm and not posture.gathers:
+            if not arm and not posture.gathers and rig.reach == 1.0:
                 # Who goes down bends his knees ahead of him before they are on the ground.
                 down = 4.0 * eased * (1.0 - eased) * min(1.0, told.bend / 90.0)
                 angles[0] = angles[0] + CROUCH_DEG * down

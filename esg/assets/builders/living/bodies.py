@@ -440,6 +440,15 @@ def at_rest(points: Point, skeleton: Skeleton) -> Point:
     return points
 
 
+def on_ground(mesh: Any) -> Any:
+    """A mesh of which nothing is below the ground: what hangs lies on it."""
+    vertices = np.array(mesh.vertices)
+    if vertices[:, 2].min() < 0.0:
+        vertices[:, 2] = np.maximum(vertices[:, 2], 0.0)
+        mesh.vertices = vertices
+    return mesh
+
+
 def scaled(mesh: Any, factor: float) -> Any:
     """A mesh scaled about the origin."""
     mesh.vertices = np.asarray(mesh.vertices) * factor

@@ -160,7 +160,9 @@ class _Drawer:
         self.s.limb(Limb(name, (a, b, c), pitch, reach), since, tip=tip)
 
     def _led(self, make: Callable[[], Any], move: Callable[[Any], Any]) -> Callable[[], Any]:
-        return lambda: self._placed(bodies.posed(make(), move))
+        if self.skeleton.pose.seated or self.skeleton.pose.lies:
+            return lambda: self._placed(bodies.posed(make(), move))
+        return lambda: bodies.on_ground(self._placed(bodies.posed(make(), move)))
 
     def _placed(self, mesh: Any) -> Any:
         return bodies.scaled(bodies.raised(mesh, self.skeleton), self.size)
