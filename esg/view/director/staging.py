@@ -35,7 +35,7 @@ LEFT_OUT = 0.07
 """Worth that a thing costs which a camera can only look past if it is left out, up to three."""
 FAR_SIDE = 0.06
 """Worth that it costs to stand on the other side of a way."""
-LARGER = 0.15
+LARGER = 0.06
 """Share of the worth of an instant that goes with the size of who acts, up to a fill of 30%."""
 CONTENT = 0.6
 """Worth beyond that of keeping all rules at the events with which the search ends."""
