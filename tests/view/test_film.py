@@ -151,3 +151,10 @@ def test_without_pyav_or_on_a_full_disk_there_is_a_reason(
     monkeypatch.setattr(builtins, "__import__", without)
     with pytest.raises(NoFilmError, match="no av here"):
         write_film(tmp_path / "film.mp4", frames, SIZE_PX)
+
+
+def test_who_passes_is_seen_to_come_and_to_go() -> None:
+    """Longer than a hit, and at its own speed."""
+    (cut,) = cuts_of([beat(3.0, "misses")], 8.0)
+    assert (cut.speed == 1.0).all()
+    assert cut.time_s[0] < 1.9 and cut.time_s[-1] > 3.9
