@@ -38,6 +38,8 @@ AT_ONCE_S = 0.15
 """Motions that begin within this are one beat."""
 SMALL_M, SWEEP_S, SWEEP_M = 0.5, 0.05, 2.0
 """What is smaller is seen with where it is so long before and after, if that is not farther."""
+PASSES = "misses"
+"""Type of the event of who passes something: nothing of that is struck and goes away."""
 SET_OFF = "sets_off"
 """Type of a beat in which somebody throws, kicks or shoots something: no event of a document."""
 
@@ -168,7 +170,8 @@ class Action:
         low, high, reach = _around(points)
         if float((high - low).max()) < SMALL_M:
             points = self._swept(beat.leads, frame, points)
-        if beat.others and self.time[frame] >= beat.time_s:
+        struck = beat.others and beat.type != PASSES
+        if struck and self.time[frame] >= beat.time_s:
             reach *= AFTERMATH
         out = [points]
         mates = (*beat.others, *beat.company)
