@@ -20,8 +20,6 @@ from esg.assets.appearance import Appearance
 from esg.assets.appearances import appearances
 from esg.assets.builders.living.poses import POSES, Pose
 from esg.assets.configuration import parametric_entry
-from esg.assets.geometry.mesh import Member, limbed
-from esg.assets.geometry.sketch import Limb
 from esg.assets.postures import Held, config_of, taken
 from esg.engines.breaking.stances import absent
 from esg.engines.scene import Rollout, SimScene
@@ -33,6 +31,8 @@ from esg.view.pieces import Act, Part, Track
 from esg.view.seeing.gaits import Going, beast, going, person
 
 if TYPE_CHECKING:
+    from esg.assets.geometry.mesh import Member
+    from esg.assets.geometry.sketch import Limb
     from esg.graph.models import EsgDocument
 
 Floats = NDArray[np.float64]
@@ -201,6 +201,9 @@ def limb_parts(
 def _rig(
     index: int, scene: SimScene, doc: EsgDocument, looks: Mapping[str, Appearance]
 ) -> Rig | None:
+    # Meshes load their libraries: only where somebody steps.
+    from esg.assets.geometry.mesh import limbed
+
     body = scene.bodies[index]
     config = config_of(doc, body.name)
     entry = parametric_entry(config)
