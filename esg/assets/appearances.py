@@ -59,15 +59,18 @@ _NODE = re.compile(r"/spatial_relation_graph/nodes/([^/]+)")
 class _Postures:
     on: dict[str, str]
     does: dict[str, str]
+    plays: frozenset[str]
+    played: dict[str, str]
 
 
 @cache
 def _postures() -> _Postures:
-    tables: dict[str, dict[str, str]] = {"on": {}, "does": {}}
+    tables: dict[str, dict[str, str]] = {"on": {}, "does": {}, "plays": {}, "played": {}}
     with (_DATA / "postures.csv").open(encoding="utf-8", newline="") as file:
         for row in csv.DictReader(file):
             tables[row["says"]] |= dict.fromkeys(row["words"].split(";"), row["pose"])
-    return _Postures(tables["on"], tables["does"])
+    plays = frozenset(tables["plays"])
+    return _Postures(tables["on"], tables["does"], plays, tables["played"])
 
 
 @cache
@@ -342,14 +345,24 @@ def _doing(doc: EsgDocument, actors: set[str]) -> dict[str, str]:
     for k, item in enumerate(items):
         if item.kind != "event":
             continue
-        pose = next((p for w in item.text.lower().split() if (p := pose_of(w))), None)
+        words = item.text.lower().split()
+        pose = next((p for w in words if (p := pose_of(w))), None)
         before = next((i for i in reversed(items[:k]) if i.kind == "object"), None)
         after = next((i for i in items[k + 1 :] if i.kind == "object"), None)
+        if any(_postures().plays.intersection(stems_of(w)) for w in words):
+            pose = _played(doc, after) or pose
         passive = after is not None and re.search(r"\bby\b", prompt[item.end : after.start])
         for name in _named(doc, after if passive else before):
             if pose is not None and name in actors:
                 out[name] = pose
     return out
+
+
+def _played(doc: EsgDocument, item: CoverageItem | None) -> str | None:
+    """The pose of who plays with what an item of the prompt became; None where any would do."""
+    nodes, configs = doc.spatial_relation_graph.nodes, doc.asset_configurations
+    kinds = [configs[nodes[n].asset_id].category for n in _named(doc, item)]
+    return next((_postures().played[k] for k in kinds if k in _postures().played), None)
 
 
 def _named(doc: EsgDocument, item: CoverageItem | None) -> list[str]:
@@ -366,12 +379,18 @@ def _named(doc: EsgDocument, item: CoverageItem | None) -> list[str]:
 def pose_of(word: str) -> str | None:
     """The pose that a form of a verb asks for: "throws", "throwing", "threw"; None if none does."""
     table = _postures().does
+    return next((table[s] for s in stems_of(word) if s in table), None)
+
+
+def stems_of(word: str) -> tuple[str, ...]:
+    """What a form of a verb may be a form of."""
     irregular = {
         "threw": "throw",
         "thrown": "throw",
         "ran": "run",
         "held": "hold",
         "shot": "shoot",
+        "struck": "strike",
         "swung": "swing",
         "flung": "fling",
         "fled": "flee",
@@ -382,4 +401,4 @@ def pose_of(word: str) -> str | None:
         if word.endswith(ending):
             stem = word[: -len(ending)]
             stems += [stem, stem + "e", stem[:-1] if stem[-2:-1] == stem[-1:] else stem]
-    return next((table[s] for s in stems if s in table), None)
+    return tuple(stems)

@@ -30,6 +30,7 @@ from esg.compile.visuals.setting import (
     View,
     by_surface,
     by_thing,
+    by_track,
     facing,
     ground_mesh,
     seen_at,
@@ -101,10 +102,11 @@ def scene_glb(
         key, data = mesh_of(body, folder, wholes.get(body.name))
         if data is None:
             continue
-        if key not in library:
+        redrawn = setting is not None and body.name in setting.redrawn
+        if key not in library and not redrawn:
             library[key] = document.merge(data)
         poses = rollout.position[world, :, i], rollout.quaternion[world, :, i]
-        mesh = ([], []) if setting is not None and body.name in setting.redrawn else library[key]
+        mesh = ([], []) if redrawn else library[key]
         roots.append(_body(document, body, mesh, poses, rollout.time, scene, lifts.get(i)))
         _shows(document, roots[-1], i, setting, rollout.time)
         document.show(roots[-1], ~absent[:, i], rollout.time)
@@ -162,14 +164,15 @@ def _shows(
 ) -> list[int]:
     """Adds what moves by the time alone, below the node of its body; returns the new nodes."""
     made: list[int] = []
-    for part in () if setting is None else setting.shows:
+    for alike in () if setting is None else by_track(setting.shows):
+        part = alike[0]
         if part.body != body or part.act is None:
             continue
         at, turn = part.act.local(time)
         at, turn = gltf_vector(at), continuous(to_gltf_quaternion(turn))
         node = {
             "name": part.name or "part",
-            "mesh": _dressing(document, part.name or "part", [part]),
+            "mesh": _dressing(document, part.name or "part", [*alike]),
             "translation": at[0].astype(np.float32).tolist(),
             "rotation": unit(turn[0]),
         }

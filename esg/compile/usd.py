@@ -32,7 +32,7 @@ from esg.compile.usd_physx import (
 from esg.compile.usd_program import write_program
 from esg.compile.visuals.decals import drawn_lifts
 from esg.compile.visuals.ropes import Rope, ropes_of
-from esg.compile.visuals.setting import Setting, View, seen_at
+from esg.compile.visuals.setting import Setting, View, by_track, seen_at
 from esg.compile.visuals.usd_files import (
     LOOKS_FILE,
     UsdForm,
@@ -69,6 +69,8 @@ GROUNDED = ("roll_radius", "wheeled", "tyre_friction", "tyre_drop", "tyre_foot")
 """Fields of a body that a player asks for who lets brakes and tyres act (docs/read_traction.py)."""
 _RESERVED = ("Ground", "VehicleGround", "Looks", "PhysicsScene", "Program")
 _SURROUNDINGS = ("Surroundings", "Cameras")
+LIMBS_HZ = 30.0
+"""Limbs have so many poses a second; there is no physics in them."""
 JOINTS_PATH, ROPES_PATH, SHOWS_PATH = "/World/Joints", "/World/Ropes", "/World/Shows"
 SURROUNDINGS_PATH, CAMERAS_PATH = "/World/Surroundings", "/World/Cameras"
 _GONE = 1e-6
@@ -240,12 +242,13 @@ def _seen(
         place(form, rope.position[0], rope.quaternion[0])
         form.AddScaleOp(UsdGeom.XformOp.PrecisionDouble).Set(_rope_scale(rope, 0))
         out.append((path, looks.rope(rope.kind)))
-    for number, part in enumerate(() if setting is None else setting.shows):
+    for number, alike in enumerate(() if setting is None else by_track(setting.shows)):
+        part = alike[0]
         UsdGeom.Scope.Define(stage, SHOWS_PATH)
         at, turn = _acted(part, (positions, quaternions), np.zeros(1))
         path = f"{SHOWS_PATH}/Show{number}"
         place(UsdGeom.Xform.Define(stage, path), at[0], turn[0])
-        out.append((path, looks.show(number, part)))
+        out.append((path, looks.show(number, alike)))
     if setting is not None:
         looks.surroundings(setting)
         UsdGeom.Xform.Define(stage, SURROUNDINGS_PATH)
@@ -616,11 +619,13 @@ def _animation_layer(
         for frame in range(len(rope.length)):
             scale.Set(_rope_scale(rope, frame), float(frame))
     poses = rollout.position[0], rollout.quaternion[0]
-    for number, part in enumerate(() if setting is None else setting.shows):
+    for number, (part, *_) in enumerate(() if setting is None else by_track(setting.shows)):
         prim = stage.OverridePrim(f"{SHOWS_PATH}/Show{number}")
         at, turn = _acted(part, poses, rollout.time)
-        _move(prim, at, continuous(turn))
         assert part.act is not None
+        tracked = part.act.track is not None and len(rollout.time) > 1
+        rate = 1.0 / max(float(np.median(np.diff(rollout.time))), 1e-6) if tracked else 0.0
+        _move(prim, at, continuous(turn), max(1, round(rate / LIMBS_HZ)))
         there = part.act.seen(rollout.time)
         if not there.all():
             _show(prim, there)
@@ -652,12 +657,14 @@ def _let_go(animation: Any, physics: Any) -> None:
             Sdf.CreatePrimInLayer(animation, spec.path).SetInfo("apiSchemas", gone)
 
 
-def _move(prim: Any, positions: Any, quaternions: Any) -> None:
-    """Time samples of a prim's pose, shapes [T, 3] and [T, 4]."""
+def _move(prim: Any, positions: Any, quaternions: Any, every: int = 1) -> None:
+    """Time samples of a prim's pose, shapes [T, 3] and [T, 4]; of every so many frames."""
     from pxr import Sdf
 
     translate = prim.CreateAttribute("xformOp:translate", Sdf.ValueTypeNames.Double3)
     orient = prim.CreateAttribute("xformOp:orient", Sdf.ValueTypeNames.Quatd)
     for frame, (at, turn) in enumerate(zip(positions, quaternions, strict=True)):
+        if frame % every and frame != len(positions) - 1:
+            continue
         translate.Set(tuple(map(float, at)), float(frame))
         orient.Set(quatd(turn), float(frame))

@@ -9,10 +9,13 @@ import re
 
 import numpy as np
 
+from esg.assets.configuration import parametric_entry
+from esg.dressing.clearance import WATER, WATERS
 from esg.engines.scene import SimScene
 from esg.graph.models import EsgDocument, Predicate
 from esg.lexicon import kinds, singular
 from esg.lexicon.places import Place, SkyRow, places, skies, surfaces
+from esg.lexicon.postures import PLANS
 
 WHERE = 10.0
 BARE = 2.0
@@ -68,6 +71,8 @@ def choose(doc: EsgDocument, scene: SimScene, extent: float, rng: np.random.Gene
     place, why = _place(doc, scene, text, extent, rng)
     sky, light = _sky(place, text, rng)
     ground, below = _ground(doc, place, text)
+    if ground == WATER and _ashore(doc, scene):
+        ground, below = place.surface, ""
     return Choice(place, sky, ground, tuple(r for r in (why, light, below) if r))
 
 
@@ -103,12 +108,32 @@ _AIRY = frozenset({Predicate.WEATHER, Predicate.SWAYS})
 """Weather and wind: they are in no room, unless words say so."""
 
 
+def _ashore(doc: EsgDocument, scene: SimScene) -> bool:
+    """Whether somebody walks or drives on the ground beside a water of the scene."""
+    graph = doc.spatial_relation_graph
+    if not any(b.category in WATERS and not b.collides for b in scene.bodies):
+        return False
+    for body in scene.bodies:
+        node = graph.nodes.get(body.name)
+        config = None if node is None else doc.asset_configurations.get(node.asset_id)
+        entry = None if config is None else parametric_entry(config)
+        if node is None or entry is None or body.static:
+            continue
+        region = graph.semantic_regions.get(node.semantic_region or "")
+        below = None if region is None else graph.nodes.get(region.parent_object)
+        lands = entry.builder in PLANS or bool(body.wheels)
+        if lands and (below is None or below.is_structural):
+            return True
+    return False
+
+
 def _place(
     doc: EsgDocument, scene: SimScene, text: str, extent: float, rng: np.random.Generator
 ) -> tuple[Place, str]:
     told = doc.scene_definition.scene_parameters
     found = categories(scene)
     airy = any(s.predicate in _AIRY for s in doc.statements or ())
+    ashore = _ashore(doc, scene)
     best: tuple[float, Place, str] | None = None
     for row in places().values():
         luck = LUCK * float(rng.random())
@@ -121,6 +146,8 @@ def _place(
         if score <= 0.0 and row.name not in ("meadow", "room"):
             continue
         if airy and row.setting == "indoor" and said < WHERE:
+            continue
+        if ashore and row.surface == WATER:
             continue
         if row.setting != told.scene_type and told.environment != GENERIC and said < WHERE:
             continue

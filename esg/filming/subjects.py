@@ -176,13 +176,19 @@ def _unit(v: Floats) -> Floats:
     return v / np.maximum(np.linalg.norm(v, axis=-1, keepdims=True), 1e-9)
 
 
-def soft(values: Floats, width: float) -> Floats:
-    """Values smoothed by a bell along their first axis; ends are held.
+def soft(values: Floats, width: float, *, goes_on: bool = False) -> Floats:
+    """Values smoothed by a bell along their first axis.
 
     Args:
         values: Shape [K, ...].
         width: Of the bell, in steps.
+        goes_on: Whether what comes to an end goes on beyond it, rather than being held.
     """
     from scipy.ndimage import gaussian_filter1d
 
+    reach = min(len(values) - 1, int(4.0 * width + 0.5))
+    if goes_on and reach > 0:
+        sides = [(reach, reach), *((0, 0) for _ in values.shape[1:])]
+        padded = np.pad(values, sides, mode="reflect", reflect_type="odd")
+        return gaussian_filter1d(padded, max(width, 1e-3), axis=0)[reach:-reach]
     return gaussian_filter1d(values, max(width, 1e-3), axis=0, mode="nearest")

@@ -468,7 +468,7 @@ def _first_person(poses: Poses, subject: Subject) -> Way:
         reach = 0.5 * np.abs(front * sides[:, :2]).sum(axis=1) + 0.02
         eye[:, :2] += reach[:, None] * front
         eye[:, 2] = subject.low[:, 2] + HEAD * sides[:, 2]
-    eye = soft(eye, SOFT_S[1] / step)
+    eye = soft(eye, SOFT_S[1] / step, goes_on=True)
     ahead = max(4.0, 4.0 * float(subject.size.max()))
     drop = 0.12 * ahead
     target = eye + np.concatenate([ahead * front, np.full((len(eye), 1), -drop)], axis=1)

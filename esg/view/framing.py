@@ -139,6 +139,15 @@ def camera_for(
     return frame_points(corners, azimuth, elevation, PANEL_PX[0] / PANEL_PX[1])
 
 
+_SIDE_WORDS = {
+    "left_of": ("left",),
+    "right_of": ("right",),
+    "in_front_of": ("front", "before", "ahead"),
+    "behind": ("behind", "back", "rear"),
+}
+"""How the sides of the viewer are called, by the relation."""
+
+
 def told_side(doc: EsgDocument) -> float | None:
     """Azimuth from which left, right, front and back are as the prompt says; None if it does not.
 
@@ -148,7 +157,10 @@ def told_side(doc: EsgDocument) -> float | None:
     ways = (s for s in told if s.predicate is Predicate.MOVES and s.direction in _VIEWERS_WAYS)
     sides = (s for s in told if s.predicate.value in _VIEWERS_SIDES)
     relations = doc.spatial_relation_graph.edges.binary_relations
-    places = (r for r in relations if r.relation_type.value in _VIEWERS_SIDES)
+    # What a verb implies ("overtakes": it begins behind) is said of no viewer.
+    prompt = doc.scene_definition.original_description.lower()
+    words = (_SIDE_WORDS.get(r.relation_type.value, ()) for r in relations)
+    places = (own for own in words if any(word in prompt for word in own))
     said = any(True for _ in itertools.chain(ways, sides, places))
     return math.pi / 2 if said else None
 

@@ -37,6 +37,7 @@ AT_HAND_M = 3.0
 HAND_REACH = 8.0
 """Room around a small thing to which an event happens: who threw the ball is seen, too, while it
 is not much smaller than the picture."""
+SETS_OFF_MPS = 0.05
 _UNITS = {"mps": "m/s", "m": "m", "s": "s", "deg": "deg", "ns": "N s", "kg": "kg"}
 
 
@@ -197,6 +198,40 @@ def openings_of(scene: SimScene, doc: EsgDocument, cast: Sequence[int]) -> tuple
     return tuple(
         sorted(scene.index(n) for n in owners if n in scene.names and scene.body(n).collides)
     )
+
+
+def set_off(
+    scene: SimScene, rollout: Rollout, doc: EsgDocument
+) -> list[tuple[float, int, tuple[int, ...]]]:
+    """Who throws, kicks or shoots something: when it sets off [s], what that is, and who it is.
+
+    He stands beside it and faces it, and has no motion of his own.
+
+    Args:
+        scene: The bodies.
+        rollout: Their motion; its first world.
+        doc: Relations and the timeline.
+    """
+    timeline, graph = doc.timeline_system, doc.spatial_relation_graph
+    if timeline is None:
+        return []
+    acts, names = {e.actor for e in timeline.sequence_graph.edges}, frozenset(scene.names)
+    doers: dict[str, list[int]] = {}
+    for edge in graph.edges.binary_relations:
+        faces = edge.relation_type is RelationType.FACE and {edge.from_, edge.to} <= names
+        by = faces and edge.to in acts and edge.from_ not in acts
+        if by and not scene.body(edge.from_).static:
+            doers.setdefault(edge.to, []).append(scene.index(edge.from_))
+    out: list[tuple[float, int, tuple[int, ...]]] = []
+    for name, by in doers.items():
+        body = scene.index(name)
+        speed = np.linalg.norm(np.nan_to_num(rollout.linear_velocity[0, :, body]), axis=-1)
+        k = int((speed > SETS_OFF_MPS).argmax())
+        at = np.nan_to_num(rollout.position[0, k, :, :2]).astype(float)
+        near = tuple(i for i in by if math.dist(at[i], at[body]) <= AT_HAND_M)
+        if near and speed[k] > SETS_OFF_MPS:
+            out.append((float(rollout.time[k]), body, near))
+    return sorted(out)
 
 
 def _name(scene: SimScene, name: str) -> str:

@@ -17,6 +17,7 @@ from esg.units import CM_PER_M
 from esg.view.geometries import Piece, fixed, mesh_parts
 from esg.view.ground import plane, span
 from esg.view.pieces import Part, Turning
+from esg.view.seeing.limbs import with_limbs
 from esg.view.seeing.shows import with_shows
 from esg.view.surroundings import GROUND, Surroundings, surroundings_of, thing_of
 
@@ -28,7 +29,8 @@ def scene_parts(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Par
     is in a camera's way.
     """
     around = surroundings_of(doc, scene, rollout)
-    bodies = with_shows(body_parts(scene, doc), scene, rollout, doc)
+    bodies = with_limbs(body_parts(scene, doc), scene, rollout, doc)
+    bodies = with_shows(bodies, scene, rollout, doc)
     return [*bodies, *ground_parts(rollout, around)]
 
 

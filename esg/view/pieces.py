@@ -49,6 +49,28 @@ class Strand:
     longest: float
 
 
+@dataclass(frozen=True, eq=False)
+class Track:
+    """Poses in a body's frame at instants, straight from one to the next.
+
+    Args:
+        time_s: Ascending [s], shape [T].
+        at: Where the frame's origin goes [m], shape [T, 3].
+        turn: How it is turned (x, y, z, w), shape [T, 4]; neighbours are of one sign.
+    """
+
+    time_s: NDArray[np.float64]
+    at: NDArray[np.float64]
+    turn: NDArray[np.float64]
+
+    def of(self, time: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
+        """Poses at times [s], shapes [..., 3] and [..., 4]."""
+        both = np.concatenate([self.at, self.turn], axis=1)
+        found = np.stack([np.interp(time, self.time_s, column) for column in both.T], axis=-1)
+        turn = found[..., 3:]
+        return found[..., :3], turn / np.linalg.norm(turn, axis=-1, keepdims=True)
+
+
 @dataclass(frozen=True)
 class Act:
     """How a part moves in its body's frame by the time alone, and when it is there.
@@ -61,6 +83,7 @@ class Act:
         pivot: In the body's frame [m].
         shift: Largest way that it is moved by [m].
         drift: Velocity [m/s], over and over for `period_s`.
+        track: Where it is instead of all that; None for what repeats itself.
     """
 
     there: tuple[tuple[float, float], ...] | None = None
@@ -71,6 +94,7 @@ class Act:
     pivot: tuple[float, float, float] = (0.0, 0.0, 0.0)
     shift: tuple[float, float, float] = (0.0, 0.0, 0.0)
     drift: tuple[float, float, float] = (0.0, 0.0, 0.0)
+    track: Track | None = None
 
     def seen(self, time: NDArray[Any]) -> NDArray[np.bool_]:
         """Whether it is there at times [s], shape [...]."""
@@ -81,6 +105,8 @@ class Act:
     def local(self, time: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
         """Poses in the body's frame [m] at times [s], shapes [..., 3] and [..., 4]."""
         time = np.asarray(time, float)
+        if self.track is not None:
+            return self.track.of(time)
         wave = np.sin(2.0 * np.pi * time / self.period_s + self.phase)[..., None]
         turn = about_axle(self.lean + self.angle * wave[..., 0])
         pivot = np.asarray(self.pivot)

@@ -15,6 +15,7 @@ from esg.view.framing import corners_of
 from esg.view.parts import body_parts
 from esg.view.renderers.records import Scenery
 from esg.view.ropes import rope_parts
+from esg.view.seeing.limbs import with_limbs
 from esg.view.seeing.shows import with_shows
 from esg.view.skies import sun_behind
 from esg.view.surroundings import GROUND, surroundings_of, thing_of
@@ -42,7 +43,8 @@ def scenery_of(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> Scenery:
         replace(p, vertices=p.vertices * flat) if thing_of(p) == GROUND else p for p in around.parts
     )
     around = replace(around, parts=parts)
-    bodies = with_shows(body_parts(scene, doc), scene, rollout, doc)
+    bodies = with_limbs(body_parts(scene, doc), scene, rollout, doc)
+    bodies = with_shows(bodies, scene, rollout, doc)
     bodies += rope_parts(scene, rollout)
     return Scenery(tuple(bodies), len(scene.bodies), around)
 

@@ -22,6 +22,7 @@ from esg.view.ground import span
 from esg.view.parts import body_parts, ground_bodies
 from esg.view.renderers.records import Scenery
 from esg.view.scenery import seen_from
+from esg.view.seeing.limbs import limb_parts, stepping
 from esg.view.seeing.shows import redrawn, shown, shown_parts
 from esg.view.surroundings import surroundings_of
 
@@ -60,6 +61,8 @@ def setting_of(
         seen = seen_from(Scenery((), 0, around), cameras, scene, rollout).surroundings
         around = around if seen is None else seen
     shows = shown_parts(body_parts(scene, doc), scene, rollout, doc) if shown(scene) else ()
+    steps = stepping(scene, rollout, doc)
+    limbs = limb_parts(steps, scene, rollout, doc) if steps else ()
     low, high = span(rollout) if scene.bodies else (np.zeros(2), np.zeros(2))
     x, y = (float(v) for v in 0.5 * (low + high))
     away = max((math.dist(camera.eye, camera.target) for camera in cameras), default=0.0)
@@ -71,8 +74,12 @@ def setting_of(
         covered=frozenset(scene.bodies[i].name for i in ground_bodies(scene, doc)),
         parts=tuple(spread(around.parts)),
         views=views,
-        shows=shows,
-        redrawn=frozenset(b.name for b in scene.bodies if redrawn(b)),
+        shows=(*shows, *limbs),
+        redrawn=frozenset(
+            b.name
+            for i, b in enumerate(scene.bodies)
+            if redrawn(b) or any(p.body == i for p in limbs)
+        ),
     )
 
 

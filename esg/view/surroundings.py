@@ -90,6 +90,8 @@ COVERS = 0.03
 """Share of a picture from which on a thing before it is left out."""
 FLAT_M = 0.4
 """What is thinner hides as its whole plane does: a fence of wires, a row of posts."""
+SIGHTS, MOST_SIGHT_M = 4.5, 95.0
+"""In any air one sees so many times as far as what is named is tall, at most so far [m]."""
 NEAR_M = 0.6
 """A camera stands in what is nearer to it than this."""
 
@@ -237,7 +239,11 @@ def in_weather(sky: Sky, scene: SimScene) -> Sky:
     """A sky with the air of what falls or hangs in it."""
     told = [found for noun in scene.weather if (found := weather_of(noun)) is not None]
     sights = [row.sight_m / much for row, much in told]
-    return replace(sky, sight_m=min(sights)) if sights else sky
+    if not sights:
+        return sky
+    # What is tall is filmed from farther off, and is not to be lost in the air before that.
+    tall = max((2.0 * b.half_extents[2] for b in scene.bodies if b.mentioned), default=0.0)
+    return replace(sky, sight_m=max(min(sights), min(SIGHTS * tall, MOST_SIGHT_M)))
 
 
 _last: list[tuple[Dressing, tuple[Part, ...]]] = []

@@ -135,3 +135,19 @@ def test_who_is_seen_from_somewhere_acts(prompt, other):
     ways = [s for s in doc.statements or () if s.predicate is Predicate.MOVES]
     assert ("across", (f"{other}_1",)) in [(s.direction, s.target) for s in ways]
     assert not [n for n in doc.spatial_relation_graph.nodes if n.startswith("cross")]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "ways"),
+    [
+        ("From above, two cars race along a road.", ["aerial"]),
+        ("From a distance, a dog runs across a lawn.", ["wide"]),
+        ("From a low angle, a horse gallops past a barn.", ["low_angle"]),
+        ("From above, a rock falls onto a car.", []),
+        ("From behind, a van hits a car.", []),
+        ("From a distance of 3 m, a ball rolls toward a box.", []),
+    ],
+)
+def test_what_opens_a_sentence(prompt, ways):
+    """Read where one sees it from, but not where something comes from."""
+    assert [way for way, _, _ in filmed(prompt)] == ways

@@ -118,3 +118,18 @@ def test_who_follows_goes_behind_whom_the_clause_before_is_about(prompt: str) ->
     behind = {r.from_ for r in pairs if r.relation_type.value == "behind" and r.to == ahead}
     assert behind
     assert behind <= {e.actor for e in doc.timeline_system.sequence_graph.edges}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "goes"),
+    [
+        ("A truck overtakes a cyclist.", ["truck_1", "cyclist_1"]),
+        ("A motorcycle overtakes a tractor on a road.", ["motorcycle_1", "tractor_1"]),
+        ("A boy outruns a dog.", ["boy_1", "dog_1"]),
+        ("A truck overtakes a parked car.", ["truck_1"]),
+        ("A truck passes a car.", ["truck_1"]),
+    ],
+)
+def test_who_is_overtaken_goes_the_same_way(prompt, goes):
+    timeline = draft(prompt).timeline_system
+    assert {e.actor for e in timeline.sequence_graph.edges} == {*goes}

@@ -202,3 +202,16 @@ def test_who_pulls_a_door_runs_into_it_and_says_so() -> None:
     assert doc.timeline_system is not None
     kinds = {e.event for e in doc.timeline_system.sequence_graph.edges}
     assert EdgeEvent.INERTIAL_CONNECTOR in kinds
+
+
+@pytest.mark.parametrize(
+    ("prompt", "word"),
+    [
+        ("A car drives down a tree-lined avenue.", "tree-lined"),
+        ("A dog runs along a leaf-strewn path.", "leaf-strewn"),
+        ("A cart rolls over a rock-strewn field.", "rock-strewn"),
+    ],
+)
+def test_things_that_line_a_way_are_owned_up_to(prompt, word):
+    told = [s for s in draft(prompt).statements or () if s.predicate is Predicate.NOT_REPRESENTED]
+    assert word in {s.text for s in told}

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -173,3 +175,23 @@ def test_toys_are_in_no_street_and_on_no_lake() -> None:
         assert found.place.name == "room", found.reasons
     large = ("boat", (4.0, 1.5, 1.0))
     assert chosen("A boat drifts.", large, setting="outdoor").place.name == "water"
+
+
+def test_who_walks_beside_a_river_of_the_scene_is_on_land() -> None:
+    """The lake or river is a thing of the scene there, and not all of the ground."""
+    from esg.assets import resolve
+    from esg.draft import draft
+
+    for prompt in ("An elephant pushes a log into the river.", "A man throws a stone into a lake."):
+        doc = resolve(draft(prompt))
+        kinds = {
+            n: doc.asset_configurations[v.asset_id]
+            for n, v in doc.spatial_relation_graph.nodes.items()
+        }
+        bodies = [
+            body(c.category, (1.0, 1.0, 1.0), name=n) for n, c in kinds.items() if n != "ground_1"
+        ]
+        flat = [replace(b, shapes=()) if b.category in ("pool", "pond") else b for b in bodies]
+        scene = scene_of(ground(), *flat)
+        found = choose(doc, scene, 4.0, np.random.default_rng(0))
+        assert found.place.name != "water" and found.ground != "water"

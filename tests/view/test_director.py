@@ -9,6 +9,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from esg.draft import draft
 from esg.view import scenery as sceneries
 from esg.view.camera import Camera
 from esg.view.cameras import Takes, directed
@@ -26,10 +27,11 @@ from esg.view.director.paths import (
     knots,
     motion_of,
 )
-from esg.view.director.review import IN_VIEW, UNOBSCURED
+from esg.view.director.review import BEFORE, IN_VIEW, UNOBSCURED
 from esg.view.director.staging import azimuth_of, direct
 from esg.view.director.takes import Take, standing
 from esg.view.film.shooting import shots_of
+from esg.view.framing import told_side
 from esg.view.seeing.wanted import Settings
 from esg.view.truth import Pinhole, flow
 from tests.view.plays import (
@@ -262,3 +264,47 @@ def test_who_comes_from_afar_and_rolls_away_is_in_every_picture(seed: int) -> No
     away = np.linalg.norm(take.eye - take.target, axis=1)
     late = take.time_s > 2.0 + AFTER_S
     assert away[late].min() > 0.8 * away[late][0]
+
+
+def test_motions_that_begin_at_once_are_one_beat() -> None:
+    """Two that set off together are seen together, a third later."""
+    play = Play(
+        "convoy",
+        (
+            Thing("car", (2.2, 0.9, 0.7), lambda t: (5 * t, 0, 0.7)),
+            Thing("van", (2.7, 1.0, 1.1), lambda t: (5 * t, 4, 1.1)),
+            Thing("bus", (4.0, 1.2, 1.4), lambda t: (5 * max(0.0, t - 2), 8, 1.4)),
+        ),
+        (("moves", 0.0, ("car",)), ("moves", 0.1, ("van",)), ("moves", 2.0, ("bus",))),
+        4.0,
+    )
+    beats = action_of(play).beats
+    assert [b.leads for b in beats] == [(0, 1), (2,)]
+
+
+def test_what_a_verb_implies_tells_no_side() -> None:
+    """A relation "behind" is the viewer's where the prompt says so."""
+    sides = []
+    for prompt in ("A car stands behind a van.", "A car overtakes a van."):
+        sides.append(told_side(draft(prompt)))
+    assert sides[0] == pytest.approx(math.pi / 2) and sides[1] is None
+
+
+def test_a_crowd_before_the_action_is_not_good() -> None:
+    """Bodies that cover much of a picture and are nearer than who acts are walked around."""
+    play = Play(
+        "legs",
+        (
+            Thing("egg", (0.03,) * 3, lambda t: (0.0, 0.0, max(0.03, 1.0 - 4.9 * t * t))),
+            Thing("pan", (0.15, 0.15, 0.02), lambda t: (0.0, 0.0, 0.02)),
+            Thing("leg", (0.1, 0.1, 0.8), lambda t: (0.0, 0.45, 0.8)),
+        ),
+        (("collision", 0.44, ("egg", "pan")),),
+        2.0,
+    )
+    finder = finder_of(play)
+    (beat,) = finder.action.beats
+    behind = Camera((0.25, 1.0, 0.5), (0.0, 0.0, 0.05), math.radians(45))
+    assert finder.seen(beat, behind).before > BEFORE
+    (seen,) = finder.review(direct(finder, 0.0, 1.0))
+    assert seen.before <= BEFORE

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 
 from esg.view.director.acting import Beat
+from esg.view.director.review import PROBE_PX
 from esg.view.film.cutting import (
     FPS,
     MAX_FRAMES,
@@ -91,7 +92,7 @@ def opened(path: Path) -> dict[str, Any]:
 
 def test_a_film_opens_with_its_rate_duration_and_pictures(tmp_path: Path) -> None:
     """H.264 in 4:2:0, its index in front; the same scene gives the same bytes."""
-    finder = finder_of(DROP)
+    finder = finder_of(DROP, PROBE_PX)
     shots = shots_of(finder)
     drawn = list(frames_of(finder, shots))
     one = write_scene_film(action_of(DROP), document_of(DROP), parts_of(DROP), tmp_path / "one.mp4")
@@ -150,3 +151,10 @@ def test_without_pyav_or_on_a_full_disk_there_is_a_reason(
     monkeypatch.setattr(builtins, "__import__", without)
     with pytest.raises(NoFilmError, match="no av here"):
         write_film(tmp_path / "film.mp4", frames, SIZE_PX)
+
+
+def test_who_passes_is_seen_to_come_and_to_go() -> None:
+    """Longer than a hit, and at its own speed."""
+    (cut,) = cuts_of([beat(3.0, "misses")], 8.0)
+    assert (cut.speed == 1.0).all()
+    assert cut.time_s[0] < 1.9 and cut.time_s[-1] > 3.9

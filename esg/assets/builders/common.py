@@ -87,6 +87,9 @@ def shift(s: Sketch, dx: float = 0.0, dy: float = 0.0, dz: float = 0.0) -> None:
 
     s.parts[:] = [replace(p, mesh=moved(p.mesh)) for p in s.parts]
     s.axles[:] = [replace(a, point=at(a.point)) for a in s.axles]
+    s.limbs[:] = [
+        replace(m, joints=(at(m.joints[0]), at(m.joints[1]), at(m.joints[2]))) for m in s.limbs
+    ]
     s.proxies[:] = [p.model_copy(update={"position_cm": at(p.position_cm)}) for p in s.proxies]
     if s.weighed is not None:
         s.weighed = [p.model_copy(update={"position_cm": at(p.position_cm)}) for p in s.weighed]

@@ -30,7 +30,7 @@ from esg.assets.geometry.finishing import (
 )
 from esg.assets.geometry.rolling import drawn_size, is_rolling_form, rolling
 from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
-from esg.assets.geometry.sketch import Sketch
+from esg.assets.geometry.sketch import Limb, Sketch
 from esg.assets.geometry.wheels import wheels_of
 from esg.assets.gltf.asset import asset_glb, models_glb
 from esg.assets.imports.imported import load_imported
@@ -224,6 +224,63 @@ def _models(
         model = Model(_free_name(name, color, taken), tuple(pieces), look, color, axle, at)
         out.append(model)
     return tuple(out), wheels
+
+
+@dataclass(frozen=True)
+class Member:
+    """What is of one look on one limb.
+
+    Args:
+        limb: Name of the limb; empty for what is on none.
+        tip: Whether it is beyond the limb's last joint.
+        surface: In the asset's frame [cm]; it cannot be written to.
+        look: How it looks.
+        color: sRGB in [0, 1] of the surface on average.
+    """
+
+    limb: str
+    tip: bool
+    surface: Surface
+    look: Look
+    color: Color
+
+
+def limbed(
+    config: AssetConfiguration, appearance: Appearance = USUAL
+) -> tuple[tuple[Limb, ...], tuple[Member, ...]]:
+    """The limbs of an asset's drawing, and its geometry apart for each; none of what has none.
+
+    Args:
+        config: Which asset, and how large.
+        appearance: How it looks.
+    """
+    entry = parametric_entry(config)
+    if entry is None:
+        return (), ()
+    return _limbed(entry, config.dimensions_cm, config.color_rgb, config.rolls, appearance)
+
+
+@lru_cache(maxsize=_KEPT_FILES)
+def _limbed(
+    entry: Entry, dimensions_cm: Vec3, color: Color, rolls: bool, appearance: Appearance
+) -> tuple[tuple[Limb, ...], tuple[Member, ...]]:
+    sketch = _sketch(entry, dimensions_cm, color, rolls, appearance)
+    if not sketch.limbs:
+        return (), ()
+    drawings = [Drawing(part.mesh) for part in sketch.parts]
+    smallest = _BEVELLED * max((d.outline.extent_cm for d in drawings), default=0.0)
+    groups: dict[tuple[str, bool, Look, Color], list[Surface]] = {}
+    for part, drawing in zip(sketch.parts, drawings, strict=True):
+        look = look_of(part.material, part.color, roughness=part.roughness, alpha=part.alpha)
+        piece = _Piece(drawing, 100.0 * look.tile_m, has_grain(look.texture), smallest)
+        red, green, blue = (round(c, 4) for c in part.color)
+        key = (part.limb, part.tip, look, (red, green, blue))
+        groups.setdefault(key, []).append(piece.surface())
+    members = tuple(
+        Member(limb, tip, joined(surfaces), look, color)
+        for (limb, tip, look, color), surfaces in groups.items()
+    )
+    return tuple(sketch.limbs), members
 
 
 def _free_name(name: str, color: Color, taken: set[str]) -> str:

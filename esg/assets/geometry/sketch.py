@@ -70,6 +70,23 @@ class Axle:
 
 
 @dataclass(frozen=True)
+class Limb:
+    """A leg, an arm or the trunk: what swings about its first joint, and bends at its second.
+
+    Args:
+        name: leg_left, arm_right, leg_front_left, trunk.
+        joints: From the top to the tip [cm]: hip, knee and ankle; pelvis, neck and crown.
+        pitch: Of what is beyond the last joint, forwards and down [deg].
+        reach: Share of its usual swing that what is worn allows.
+    """
+
+    name: str
+    joints: tuple[Vec3, Vec3, Vec3]
+    pitch: float = 0.0
+    reach: float = 1.0
+
+
+@dataclass(frozen=True)
 class Part:
     """One closed mesh with one material; `mesh` makes it (cm, local frame).
 
@@ -82,6 +99,8 @@ class Part:
         material: Key of the table of materials.
         roughness, alpha: In [0, 1]; None for the material's own.
         axle: Of the wheel it belongs to.
+        limb: Name of the limb it belongs to; empty for none.
+        tip: Whether it is at the limb's end, beyond its last joint: a shoe.
     """
 
     name: str
@@ -91,6 +110,8 @@ class Part:
     roughness: float | None = None
     alpha: float | None = None
     axle: int | None = None
+    limb: str = ""
+    tip: bool = False
 
 
 class Style(TypedDict, total=False):
@@ -116,6 +137,7 @@ class Sketch(Collider):
 
     parts: list[Part] = field(default_factory=list)
     axles: list[Axle] = field(default_factory=list)
+    limbs: list[Limb] = field(default_factory=list)
     material: str = "plastic_hard"
     appearance: Appearance = USUAL
 
@@ -138,6 +160,14 @@ class Sketch(Collider):
         self.axles.append(Axle(point, radius))
         number = len(self.axles) - 1
         self.parts[-parts:] = [replace(p, axle=number) for p in self.parts[-parts:]]
+
+    def limb(self, limb: Limb, since: int, *, tip: int | None = None) -> None:
+        """Says that the parts from number `since` on are a limb, those from `tip` on its end."""
+        if limb not in self.limbs:
+            self.limbs.append(limb)
+        for k in range(since, len(self.parts)):
+            end = tip is not None and k >= tip
+            self.parts[k] = replace(self.parts[k], limb=limb.name, tip=end)
 
     def box(
         self,

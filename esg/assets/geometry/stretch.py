@@ -78,6 +78,7 @@ def stretched(sketch: Sketch, factors: Vec3) -> Sketch:
             for m in sketch.mounts
         ],
         axles=[Axle(vec(a.point), a.radius * factors[2]) for a in sketch.axles if turns],
+        limbs=[replace(m, joints=tuple(vec(j) for j in m.joints)) for m in sketch.limbs],
     )
 
 

@@ -186,6 +186,15 @@ def by_thing(parts: Iterable[Part]) -> dict[str, list[Part]]:
     return groups
 
 
+def by_track(parts: Iterable[Part]) -> list[tuple[Part, ...]]:
+    """Parts that move as one are together: those of one limb."""
+    out: dict[object, list[Part]] = {}
+    for number, part in enumerate(parts):
+        tracked = part.act is not None and part.act.track is not None
+        out.setdefault((part.body, part.act) if tracked else number, []).append(part)
+    return [tuple(own) for own in out.values()]
+
+
 def by_surface(parts: Iterable[Part]) -> list[tuple[Surface, Corners]]:
     """Parts of one surface together: vertices [m], faces, normals and texture coordinates."""
     groups: dict[tuple[Surface, bool, bool], list[Part]] = {}

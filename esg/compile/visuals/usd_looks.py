@@ -7,7 +7,7 @@ asset holds its materials below itself, because a reference brings nothing from 
 
 from __future__ import annotations
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 from dataclasses import replace
 import math
 from typing import TYPE_CHECKING, Any
@@ -104,14 +104,14 @@ class UsdLooks:
             self._mesh(f"{path}/Mesh", (vertices, faces, normals, None), look, path)
         return path
 
-    def show(self, number: int, part: Part) -> str:
-        """Writes the mesh of a part that moves by the time alone; returns its path."""
+    def show(self, number: int, parts: Sequence[Part]) -> str:
+        """Writes the meshes of what moves as one by the time alone; returns its path."""
         from pxr import UsdGeom
 
         path = f"{ROOT}/Show{number}"
         UsdGeom.Xform.Define(self._stage, path)
-        for surface, corners in by_surface([part]):
-            self._mesh(f"{path}/Mesh", corners, surface, path)
+        for k, (surface, corners) in enumerate(by_surface(parts)):
+            self._mesh(f"{path}/Mesh{k or ''}", corners, surface, path)
         return path
 
     def _free(self, parent: str, name: str) -> str:

@@ -8,6 +8,7 @@ to; the word set "qualities that pass" has what shows nothing of its own or is t
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
@@ -59,6 +60,18 @@ _SAYS_SO = frozenset({"be", "noop", "left_so", "posture"})
 """Senses of verbs that a quality may follow ("is empty", "looks sad", "lies upside down")."""
 
 
+_AMONG_THINGS = re.compile(
+    r"(?P<thing>\w+)-(?:lined|strewn|studded|flanked|dotted|shaded|fringed|littered)$"
+)
+"""Words before a noun that ask for many other things."""
+
+
+def _among_things(word: str) -> bool:
+    """ "A tree-lined avenue": trees that no document has."""
+    found = _AMONG_THINGS.match(word)
+    return found is not None and found["thing"] in lex.nouns()
+
+
 def qualities(a: Account) -> Iterator[Gap]:
     """ "A curious sloth", "a hot pan", and "a moving vehicle" that does not move."""
     moving = {e.actor for e in a.d.timeline.edges}
@@ -75,7 +88,7 @@ def qualities(a: Account) -> Iterator[Gap]:
         for k, t in enumerate(words):
             later = words[k + 1].low if k + 1 < len(words) else ""
             lost = t.low in ASLANT if laid else _lost(a, t, later, entity_of(a.d, ids[0]), moving)
-            if lost:
+            if lost or _among_things(t.low):
                 yield Gap(t.start, t.end, NOTHING, tuple(ids))
 
 

@@ -21,7 +21,7 @@ _PICTURES = r"(?:shots?|views?|footage|angles?|perspectives?|videos?|clips?|poin
 _MARKS = re.compile(
     r"camera|\bshot|\bview|footage|\bangle|perspective|\bpov\b|person|zoom|close|motion|slow|slo-?mo"
     r"|lapse|\b(?:seen|filmed|viewed|captured|taken|recorded|watched)\b|hand-?held|macro|\bclip|video"
-    r"|\bpan|\btilt|\bdolly",
+    r"|\bpan|\btilt|\bdolly|(?:^|[.!?;\n])\s*from\s[\w\s]{4,24},",
     re.IGNORECASE,
 )
 """A text without any of these says nothing of it."""
@@ -149,6 +149,25 @@ def _moves(r: dict[str, str]) -> str:
     return rf"{_ADVERBS}{_AIDS}{_ADVERBS}{verb}{gap}{way}"
 
 
+_OPENS = re.compile(r"from_.*(?:above|overhead|air|distance|far|afar|angle)$")
+_COMES_DOWN = (
+    r"(?:falls?|falling|fell|drops?|dropp|lands?|rains?|descend|swoop|plummet|lower|pour|hits?|"
+    r"throw|toss|shoot|crash|comes?|dives?|jumps?|tumbl|hang|pounce|strikes?)"
+)
+"""What comes from above in a story does not say how it is filmed."""
+
+
+def _opening(words: str) -> str:
+    """Of words that stand before a sentence, with a comma: "From above, two cars race"."""
+    told = "/".join(w for w in words.split("/") if _OPENS.match(w))
+    if not told:
+        return ""
+    return (
+        rf"|(?:(?<=[.!?;\n]\s)|(?<![\s\S]))(?:{_listed(told)})"
+        rf"(?=,(?![^.!?;\n]*\b{_COMES_DOWN})),?"
+    )
+
+
 _PATTERNS: dict[str, Callable[[dict[str, str]], str]] = {
     "view": lambda r: (
         rf"\b(?P<words>{_listed(r['words'])})(?=(?:[\s-]+{_BETWEEN}){{0,3}}?[\s-]+"
@@ -157,7 +176,7 @@ _PATTERNS: dict[str, Callable[[dict[str, str]], str]] = {
     "alone": lambda r: rf"\b(?:{_listed(r['words'])})\b",
     "seen": lambda r: (
         r"\b(?:seen|viewed|filmed|shot|captured|taken|recorded|watched|shown|view|footage|"
-        rf"perspective|looking)\s+(?:\w+ly\s+)?(?:{_listed(r['words'])})\b"
+        rf"perspective|looking)\s+(?:\w+ly\s+)?(?:{_listed(r['words'])})\b{_opening(r['words'])}"
     ),
     "camera": _moves,
 }

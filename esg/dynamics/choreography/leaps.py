@@ -259,7 +259,7 @@ def _put(
             by - middle * math.sin(heading) + aside * math.cos(heading),
         )
         stage.frames[actor] = frame_mapping((track.x, track.y), track.heading, end, heading)
-    frame = stage.frames.setdefault(actor, Frame() if not stage.places else stage.free_frame())
+    frame = stage.frames.setdefault(actor, Frame() if not stage.places else stage.free_frame(actor))
     if on is not None:
         heading = track.heading + frame.angle
         x, y = frame.apply(track.x, track.y)

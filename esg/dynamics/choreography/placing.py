@@ -110,7 +110,7 @@ def join(stage: Stage, a: str, b: str, node: TimelineNode, gap: float = 0.0) -> 
     """
     track, pa = stage.tracks[a], stage.prop(a)
     if b not in stage.places:
-        frame = stage.frames.setdefault(a, Frame() if not stage.places else stage.free_frame())
+        frame = stage.frames.setdefault(a, Frame() if not stage.places else stage.free_frame(a))
         x, y = frame.apply(track.x, track.y)
         _place_target(stage, a, b, x, y, track.heading + frame.angle, pa, node, gap)
     elif a not in stage.frames:
@@ -170,7 +170,7 @@ def _come_beside(stage: Stage, a: str, mate: str) -> None:
 
 def enter_beside(stage: Stage, actor: str) -> None:
     """Places an actor that meets nobody beside everything placed so far."""
-    frame = stage.free_frame() if stage.places else Frame()
+    frame = stage.free_frame(actor) if stage.places else Frame()
     stage.frames[actor] = frame
     x, y = frame.apply(0.0, 0.0)
     stage.places[actor] = (x, y, frame.angle)

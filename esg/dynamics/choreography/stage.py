@@ -43,8 +43,11 @@ HIT_ON_TOP = 1.25
 """Speed of a hit on a table over the least one that will do."""
 SEEN_MPS = 0.32
 """What moves on a short table is no slower than what is surely seen to move."""
-APART_M = 4.0
-"""From one way to another that does not touch it."""
+APART_M, BESIDE = 4.0, 1.5
+"""Between two paths of which none knows the other; of those who go side by side so many times the
+size of one of them, if that is less."""
+FLAT_M = 0.05
+"""What is fixed and no higher is ground."""
 ON_TOP_M, LEAST_GAP_M = 0.14, 0.05
 """Gap to what is passed, gone round or gone to on a table, and the least one."""
 FASTEST_MPS = 22.0
@@ -401,11 +404,28 @@ class Stage:
         """Yaw added for a body that drives backwards."""
         return math.pi if self.story.reverses(actor) else 0.0
 
-    def free_frame(self) -> Frame:
-        """A start beside everything placed so far, for an unrelated second path."""
-        wide = max((self.prop(a).width for a in self.tracks), default=0.0)
-        apart = APART_M if self.anchor is None else 2.0 * wide + LEAST_GAP_M
-        return Frame(0.0, max(y for _, y, _ in self.places.values()) + apart, 0.0)
+    def free_frame(self, actor: str) -> Frame:
+        """A start beside everything placed so far, for an unrelated second path.
+
+        As far off as the two are large on a table, and where all that stands there goes by itself,
+        so that small things that go together are seen together.
+        """
+        if self.anchor is not None:
+            wide = max((self.prop(a).width for a in self.tracks), default=0.0)
+            apart = 2.0 * wide + LEAST_GAP_M
+            return Frame(0.0, max(y for _, y, _ in self.places.values()) + apart, 0.0)
+        far = max(y for _, y, _ in self.places.values()) + APART_M
+        own = self.prop(actor)
+        span, side = max(own.length, own.width), -math.inf
+        for key, (_, y, _) in self.places.items():
+            there = self.prop(key)
+            if there.fixed and there.height < FLAT_M:
+                continue
+            if key not in self.tracks:
+                return Frame(0.0, far, 0.0)
+            side = max(side, y + 0.5 * max(there.length, there.width))
+        beside = side + (0.5 + BESIDE) * span + CLEARANCE_M
+        return Frame(0.0, min(far, beside) if side > -math.inf else far, 0.0)
 
     def free_heading(self, x: float, y: float) -> float:
         """An approach direction towards (x, y) far from those already in use."""

@@ -52,7 +52,7 @@ def sweep_in(stage: Stage, e: Encounter) -> None:
     met = _met(stage, a)
     arm = AT_REACH[met % len(AT_REACH)] * leaf.reach
     share = _share(leaf, here, way, arm, half) + BEHIND * (met // len(AT_REACH))
-    frame = stage.frames.setdefault(a, Frame() if not stage.places else stage.free_frame())
+    frame = stage.frames.setdefault(a, Frame() if not stage.places else stage.free_frame(a))
     stage.places[a] = (*frame.apply(0.0, 0.0), frame.angle)
 
     at = leaf.arm + leaf.sense * (here + share * way - leaf.here)

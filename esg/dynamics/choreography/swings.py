@@ -63,7 +63,7 @@ def _past(stage: Stage, e: Encounter, hangs: Suspension) -> float:
 
 def _come_down(stage: Stage, e: Encounter) -> None:
     """What hangs and is held no more falls straight on b."""
-    frame = stage.frames.setdefault(e.a, Frame() if not stage.places else stage.free_frame())
+    frame = stage.frames.setdefault(e.a, Frame() if not stage.places else stage.free_frame(e.a))
     x, y = frame.apply(0.0, 0.0)
     stage.places[e.a] = (x, y, frame.angle)
     stage.places.setdefault(e.b, (x, y, frame.angle + math.pi))

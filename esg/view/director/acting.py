@@ -14,7 +14,7 @@ from esg.engines.plumes import rises_m, trails_m
 from esg.engines.scene import Rollout, SimScene
 from esg.units import quat_rotate
 from esg.view.framing import gestures_side, told_side
-from esg.view.moments import INTO, as_seen, cast_of, fixed_to, openings_of
+from esg.view.moments import INTO, LASTING, as_seen, cast_of, fixed_to, openings_of, set_off
 
 if TYPE_CHECKING:
     from esg.graph.models import EsgDocument
@@ -35,6 +35,14 @@ AFTERMATH = 2.5
 """What leads may be so many times as far from what it struck, and both are still seen."""
 FAR_M = 30.0
 """A body that has left everybody else so far behind no longer acts."""
+AT_ONCE_S = 0.15
+"""Motions that begin within this are one beat."""
+SMALL_M, SWEEP_S, SWEEP_M = 0.5, 0.05, 2.0
+"""What is smaller is seen with where it is so long before and after, if that is not farther."""
+PASSES = "misses"
+"""Type of the event of who passes something: nothing of that is struck and goes away."""
+SET_OFF = "sets_off"
+"""Type of a beat in which somebody throws, kicks or shoots something: no event of a document."""
 
 
 @dataclass(frozen=True)
@@ -163,7 +171,10 @@ class Action:
         leads = leads[np.linalg.norm(centers - middle, axis=1) <= FAR_M]
         points = leads.reshape(-1, 3)
         low, high, reach = _around(points)
-        if beat.others and self.time[frame] >= beat.time_s:
+        if float((high - low).max()) < SMALL_M:
+            points = self._swept(beat.leads, frame, points)
+        struck = beat.others and beat.type != PASSES
+        if struck and self.time[frame] >= beat.time_s:
             reach *= AFTERMATH
         out = [points]
         mates = (*beat.others, *beat.company)
@@ -175,6 +186,14 @@ class Action:
         whole = np.concatenate(out)
         whole[:, 2] = np.maximum(whole[:, 2], 0.0)
         return whole
+
+    def _swept(self, leads: Sequence[int], frame: int, points: Floats) -> Floats:
+        """Corners of small things a moment before and after, too: what they fly through is seen."""
+        time = float(self.time[frame])
+        ends = [self.frame(time - SWEEP_S), self.frame(time + SWEEP_S)]
+        around = [self.corners(k, leads).reshape(-1, 3) for k in ends]
+        near = [p for p in around if float(np.abs(p - points).max()) < SWEEP_M]
+        return np.concatenate([points, *near])
 
     @property
     def human(self) -> bool:
@@ -203,12 +222,47 @@ def _beats(
 ) -> tuple[Beat, ...]:
     events = [e for e in verdict.events if e.completed and e.time_s is not None] if verdict else []
     events.sort(key=lambda e: e.time_s or 0.0)
-    found = [beat for e in events if (beat := _beat(scene, rollout, doc, e))]
+    found = _together([beat for e in events if (beat := _beat(scene, rollout, doc, e))])
+    begun = _set_off(scene, rollout, doc)
     if found:
-        return tuple(found)
+        first = found[0].time_s
+        return tuple(sorted((*(b for b in begun if b.time_s <= first), *found), key=_time))
     cast = cast_of(scene, rollout, verdict)
-    moving = tuple(i for i in cast if not scene.bodies[i].static) or cast
-    return (Beat("", "", min(1.0, float(rollout.time[-1])), moving),)
+    time = min(1.0, float(rollout.time[-1]))
+    moving = _moving(rollout, cast, 0.0, max(time, 2.0 * BEFORE_S))
+    moving = moving or tuple(i for i in cast if not scene.bodies[i].static) or cast
+    rest = tuple(i for i in cast if i not in moving and not scene.bodies[i].static)
+    return (*begun, Beat("", "", time, moving, rest))
+
+
+def _together(beats: list[Beat]) -> list[Beat]:
+    """Those who set off at once are seen together."""
+    out: list[Beat] = []
+    for beat in beats:
+        last = out[-1] if out else None
+        if (
+            last is None
+            or beat.type not in LASTING
+            or last.type != beat.type
+            or beat.time_s - last.time_s > AT_ONCE_S
+        ):
+            out.append(beat)
+        else:
+            leads = tuple(dict.fromkeys((*last.leads, *beat.leads)))
+            mates = tuple(dict.fromkeys((*last.company, *beat.company)))
+            others = tuple(i for i in (*last.others, *beat.others) if i not in leads)
+            mates = tuple(i for i in mates if i not in leads)
+            out[-1] = replace(last, leads=leads, others=others, company=mates)
+    return out
+
+
+def _time(beat: Beat) -> float:
+    return beat.time_s
+
+
+def _set_off(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> list[Beat]:
+    """Who throws, kicks or shoots something, when that sets off: the doer is seen with it."""
+    return [Beat("", SET_OFF, time, (body, *by)) for time, body, by in set_off(scene, rollout, doc)]
 
 
 def _beat(scene: SimScene, rollout: Rollout, doc: EsgDocument, event: EventVerdict) -> Beat | None:

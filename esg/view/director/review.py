@@ -26,6 +26,8 @@ CLEAR_SHARE, CLEAR_M = 0.12, 0.25
 """Nothing is closer to an eye than this share of its distance to the target, at most so far."""
 UNOBSCURED = 0.6
 """Share of its pixels that must be seen of an event."""
+BEFORE, NEARER = 0.25, 1.15
+"""At most so much of a picture do bodies cover that are nearer than who acts, so many times."""
 IN_VIEW = 0.95
 """Share of the rectangle around who acts that must be inside the picture."""
 
@@ -41,6 +43,7 @@ class Seen:
             a participant: they may hide each other.
         least: The same of the participant of which least is seen, also by other participants.
         fill: See `Extent.fill`.
+        before: Share of the picture that other bodies cover which are nearer than who acts.
     """
 
     beat: Beat
@@ -48,11 +51,12 @@ class Seen:
     unobscured: float
     least: float
     fill: float
+    before: float = 0.0
 
     @property
     def good(self) -> bool:
         """Whether it is in view, unobscured and neither too small nor too large."""
-        shown = self.inside >= IN_VIEW and self.unobscured >= UNOBSCURED
+        shown = self.inside >= IN_VIEW and self.unobscured >= UNOBSCURED and self.before <= BEFORE
         return shown and FILL_LEAST <= self.fill <= FILL_MOST
 
 
@@ -121,16 +125,20 @@ class Viewfinder:
     def seen(self, beat: Beat, camera: Camera) -> Seen:
         """What a camera shows of an event."""
         self.pose(beat.time_s)
-        shown, _ = self.scan.look(camera, self.size)
+        shown, near = self.scan.look(camera, self.size)
         who = beat.participants[:6]
         alone, _ = self.scan.look(camera, self.size, who)
         shares = []
         for body in who:
             own = alone if len(who) == 1 else self.scan.look(camera, self.size, (body,))[0]
             shares.append(_share(np.count_nonzero(shown == body), np.count_nonzero(own == body)))
-        found = extent(camera, self.action.acting(beat.time_s, beat), self.aspect)
+        points = self.action.acting(beat.time_s, beat)
+        found = extent(camera, points, self.aspect)
         union = _share(np.count_nonzero(np.isin(shown, who)), np.count_nonzero(alone >= 0))
-        return Seen(beat, found.inside, union, min(shares, default=0.0), found.fill)
+        away = float(np.linalg.norm(points.mean(axis=0) - np.asarray(camera.eye)))
+        others = (shown >= 0) & ~np.isin(shown, (*who, *beat.company)) & (near * away > NEARER)
+        before = float(np.count_nonzero(others)) / others.size
+        return Seen(beat, found.inside, union, min(shares, default=0.0), found.fill, before)
 
     def sight(self, take: Take, time: float) -> float:
         """Share of the pixels of who acts at a time [s] that nothing else hides."""

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from esg.view.director.acting import Action, Beat
 from esg.view.director.lens import FILL_LEAST, FILL_MOST, View, extent, framed
 from esg.view.director.paths import KINDS, beats_in, is_smooth, knots
-from esg.view.director.review import IN_VIEW, UNOBSCURED, Seen, Viewfinder
+from esg.view.director.review import BEFORE, IN_VIEW, UNOBSCURED, Seen, Viewfinder
 from esg.view.director.takes import Take
 from esg.view.surroundings import in_the_way
 
@@ -33,6 +33,10 @@ TRIED = 5
 """So many of the best places are looked at in full."""
 LEFT_OUT = 0.07
 """Worth that a thing costs which a camera can only look past if it is left out, up to three."""
+FAR_SIDE = 0.06
+"""Worth that it costs to stand on the other side of a way."""
+LARGER = 0.06
+"""Share of the worth of an instant that goes with the size of who acts, up to a fill of 30%."""
 CONTENT = 0.6
 """Worth beyond that of keeping all rules at the events with which the search ends."""
 FULL = 1.3
@@ -101,6 +105,7 @@ def _places(
     told = action.side if not apart else None
     side = _beside(way) if told is None else told
     turns = TURNS_DEG if told is None else TURNS_DEG[:3]
+    travels = float(np.linalg.norm(way)) >= 0.2 and told is None
     first = RISES_DEG[action.human][0] or 6.0
     options: list[tuple[float, View]] = []
     for turn, rise in itertools.product(turns, RISES_DEG[action.human]):
@@ -112,7 +117,10 @@ def _places(
             finder.aspect,
             _lead(way, azimuth),
         )
-        cost = 0.0016 * abs(turn) + 0.004 * ((rise or 6.0) - first)
+        # Who goes somewhere is seen from one side or the other rather than along his way.
+        off = min(abs(turn), 180 - abs(turn)) if travels else abs(turn)
+        cost = 0.0016 * off + FAR_SIDE * (travels and abs(turn) > 90)
+        cost += 0.004 * ((rise or 6.0) - first)
         if any(math.cos(azimuth - other) > math.cos(APART_RAD) for other in apart):
             cost += 1.0
         options.append((cost, view))
@@ -142,7 +150,8 @@ def _left_out(finder: Viewfinder, beat: Beat, view: View) -> int:
 def _shown(finder: Viewfinder, beat: Beat, view: View) -> float:
     """How well a picture of a beat shows it: 1 if nothing of it is hidden."""
     seen = finder.seen(beat, framed(finder.action.acting(beat.time_s, beat), view))
-    return min(seen.unobscured, 0.55 + 0.45 * seen.least) * (seen.inside >= 0.9)
+    clear = 1.0 - max(0.0, seen.before - BEFORE)
+    return clear * min(seen.unobscured, 0.55 + 0.45 * seen.least) * (seen.inside >= 0.9)
 
 
 def _lead(way: Floats, azimuth: float) -> float:
@@ -177,16 +186,19 @@ def _lacks(seen: Seen) -> float:
         lack += 0.4 + (1.0 - seen.unobscured)
     if not FILL_LEAST <= seen.fill <= FILL_MOST:
         lack += 0.3 + abs(seen.fill - np.clip(seen.fill, FILL_LEAST, FILL_MOST))
+    if seen.before > BEFORE:
+        lack += 0.3 + (seen.before - BEFORE)
     return lack + 0.1 * max(0.0, 0.3 - seen.least)
 
 
 def _steady(action: Action, take: Take, aspect: float) -> float:
-    """Share of the instants at which who acts is in view and large enough."""
-    good = 0
+    """Share of the instants at which who acts is in view and large enough; larger is a bit more."""
+    good = 0.0
     steps = range(0, len(take), 4)
     for k in steps:
         found = extent(take.camera(k), action.acting(float(take.time_s[k])), aspect)
-        good += found.inside >= 0.8 and 0.8 * FILL_LEAST <= found.fill <= FILL_MOST
+        large = 1.0 - LARGER + LARGER * min(1.0, found.fill / 0.3)
+        good += large * (found.inside >= 0.8 and 0.8 * FILL_LEAST <= found.fill <= FILL_MOST)
     return good / len(steps)
 
 

@@ -29,6 +29,8 @@ MAX_SAID_FRAMES = 192
 """Of a film whose camera the prompt tells, which has no cuts: eight seconds."""
 GOES_ON = 4.0
 """What lasts is followed so many times as long as what happens in an instant."""
+PASSING, PASSES = "misses", 1.8
+"""Who passes something is seen to come and to go: so many times as long."""
 STILL_S = 2.0
 """Of a scene without events."""
 
@@ -94,7 +96,10 @@ def _spans(
     for beat in beats:
         lasting = after if beat.event else STILL_S
         lasting *= GOES_ON if beat.type in LASTING else 1.0
-        a, b = max(0.0, beat.time_s - before), min(end, beat.time_s + lasting)
+        ahead = before
+        if beat.type == PASSING:
+            ahead, lasting = PASSES * before, PASSES * lasting
+        a, b = max(0.0, beat.time_s - ahead), min(end, beat.time_s + lasting)
         if out and a - out[-1][1] <= JOIN_S:
             out[-1] = (out[-1][0], max(b, out[-1][1]))
         else:
@@ -103,7 +108,8 @@ def _spans(
 
 
 def _slow(beats: Sequence[Beat]) -> list[tuple[float, float]]:
-    return [(b.time_s - SLOW_BEFORE_S, b.time_s + SLOW_AFTER_S) for b in beats]
+    brief = (b for b in beats if b.type != PASSING)
+    return [(b.time_s - SLOW_BEFORE_S, b.time_s + SLOW_AFTER_S) for b in brief]
 
 
 def _timed(start: float, end: float, slow: Sequence[tuple[float, float]], fast: float) -> Cut:

@@ -51,3 +51,14 @@ def test_who_has_a_plan() -> None:
     assert posture_of("beasts", "bends") is None
     seat = posture_of("people", "sits", "seat")
     assert seat is not None and seat.pose == "sit"
+
+
+@pytest.mark.parametrize("name", ["king", "monk", "woman"])
+@pytest.mark.parametrize("pose", ["kneel", "crouch", "floor"])
+def test_what_is_worn_lies_on_the_ground(name: str, pose: str) -> None:
+    """No robe, cloak or skirt of who is down is in the ground."""
+    entry = entries_by_name()[name]
+    look = replace(USUAL, pose=pose)
+    parts = build_sketch(entry, entry.dimensions_cm, entry.color_rgb, look).parts
+    worn = [p for p in parts if p.limb == "trunk"]
+    assert min(float(p.mesh().bounds[0, 2]) for p in worn) >= -1e-6

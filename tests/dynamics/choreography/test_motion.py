@@ -281,3 +281,22 @@ def test_two_that_are_dropped_and_meet_are_planned_at_all() -> None:
 )
 def test_stories_that_go_on_after_their_usual_end_are_planned(prompt: str) -> None:
     assert places(cast(prompt))
+
+
+@pytest.mark.parametrize(
+    ("prompt", "least", "most"),
+    [
+        ("Three toy cars drive across a floor.", 20.0, 100.0),
+        ("Four dogs run across a lawn.", 60.0, 300.0),
+        ("Two elephants walk across a meadow.", 399.0, 401.0),
+    ],
+)
+def test_small_things_that_go_together_are_near_each_other(
+    prompt: str, least: float, most: float
+) -> None:
+    """As far apart as they are large, at most four metres."""
+    doc = cast(prompt)
+    movers = {e.actor for e in doc.timeline_system.sequence_graph.edges}
+    starts = sorted(p.y_cm for p in places(doc).values() if p.node in movers)
+    assert len(starts) > 1
+    assert all(least <= b - a <= most for a, b in itertools.pairwise(starts))

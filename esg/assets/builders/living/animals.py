@@ -22,7 +22,7 @@ from esg.assets.builders.living.headwear import adorn
 from esg.assets.builders.living.marks import HAIR, MARKS
 from esg.assets.builders.living.poses import turned_about
 from esg.assets.builders.living.wild_marks import BLACK, WILD_MARKS
-from esg.assets.geometry.sketch import DARK, Color, Sketch, rgb
+from esg.assets.geometry.sketch import DARK, Color, Limb, Sketch, rgb
 from esg.assets.lazy import forms
 from esg.lexicon.gestures import Gesture, State, told_by
 
@@ -93,6 +93,7 @@ def _legs(s: Sketch, b: Beast, c: Color) -> None:
                 if s.appearance.pose in RESTING and (row == "rear" or s.appearance.pose == "lie"):
                     hip = z - _drop(b) if s.appearance.pose == "lie" else 0.9 * b.trunk[2]
                     path = _folded(path, foot, row, hip)
+            since = len(s.parts)
             toe, lifted = path[-1][0] + 0.2 * foot, path[-1][2] - 1.6 * foot
             if "sprawl" in b.marks or (name not in gait and s.appearance.pose not in RESTING):
                 toe, lifted = x, 0.0
@@ -125,6 +126,8 @@ def _legs(s: Sketch, b: Beast, c: Color) -> None:
                     of=_coat(b),
                     name=f"paw_{name}",
                 )
+            middle = len(path) // 2
+            s.limb(Limb(f"leg_{name}", (path[0], path[middle], path[-1])), since)
 
 
 RESTING = frozenset({"lie", "sit"})

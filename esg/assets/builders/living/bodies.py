@@ -427,10 +427,25 @@ _HALF, _BACK = 86.0, 10.9
 
 def raised(mesh: Any, skeleton: Skeleton) -> Any:
     """A mesh on the ground, or on the seat, that its body is on."""
-    mesh.vertices = np.asarray(mesh.vertices) + skeleton.lift
+    mesh.vertices = at_rest(np.asarray(mesh.vertices), skeleton)
+    return mesh
+
+
+def at_rest(points: Point, skeleton: Skeleton) -> Point:
+    """Points on the ground, or on the seat, that their body is on, shape [n, 3]."""
+    points = points + skeleton.lift
     if skeleton.pose.lies:
-        x, y, z = np.asarray(mesh.vertices).T
-        mesh.vertices = np.stack([z - _HALF, -y, x + _BACK], axis=1)
+        x, y, z = points.T
+        points = np.stack([z - _HALF, -y, x + _BACK], axis=1)
+    return points
+
+
+def on_ground(mesh: Any) -> Any:
+    """A mesh of which nothing is below the ground: what hangs lies on it."""
+    vertices = np.array(mesh.vertices)
+    if vertices[:, 2].min() < 0.0:
+        vertices[:, 2] = np.maximum(vertices[:, 2], 0.0)
+        mesh.vertices = vertices
     return mesh
 
 

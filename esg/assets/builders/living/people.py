@@ -19,7 +19,18 @@ from esg.assets.builders.living.clothes import SHIRT
 from esg.assets.builders.living.headwear import Piece
 from esg.assets.builders.living.outfits import Outfit, outfit
 from esg.assets.builders.living.poses import Pose, Skeleton, pose_of, skeleton
-from esg.assets.geometry.sketch import DARK, ORANGE, RED, STEEL, WHITE, YELLOW, Color, Sketch, rgb
+from esg.assets.geometry.sketch import (
+    DARK,
+    ORANGE,
+    RED,
+    STEEL,
+    WHITE,
+    YELLOW,
+    Color,
+    Limb,
+    Sketch,
+    rgb,
+)
 from esg.assets.lazy import forms
 from esg.lexicon.gestures import MARK
 
@@ -135,8 +146,24 @@ class _Drawer:
         """Draws what follows the joints by itself."""
         self.s.add(lambda: self._placed(make()), c, of=of, name=name)
 
+    def limb(
+        self,
+        name: str,
+        joints: Any,
+        since: int,
+        tip: int | None = None,
+        pitch: float = 0.0,
+        reach: float = 1.0,
+    ) -> None:
+        """Says that what was drawn from a part on is a limb through joints of the skeleton."""
+        placed = bodies.at_rest(joints, self.skeleton) * self.size
+        a, b, c = (tuple(float(v) for v in j) for j in placed)
+        self.s.limb(Limb(name, (a, b, c), pitch, reach), since, tip=tip)
+
     def _led(self, make: Callable[[], Any], move: Callable[[Any], Any]) -> Callable[[], Any]:
-        return lambda: self._placed(bodies.posed(make(), move))
+        if self.skeleton.pose.seated or self.skeleton.pose.lies:
+            return lambda: self._placed(bodies.posed(make(), move))
+        return lambda: bodies.on_ground(self._placed(bodies.posed(make(), move)))
 
     def _placed(self, mesh: Any) -> Any:
         return bodies.scaled(bodies.raised(mesh, self.skeleton), self.size)
@@ -146,7 +173,7 @@ def _legs(body: _Drawer, marks: frozenset[str], d: Dress, c: Color, o: Outfit) -
     legs = o.legs or Piece("trousers", d.legs or c)
     bare = o.bare_legs or bool(marks & {"shorts", "skirt", "shorts_own"})
     for k, word in enumerate(SIDES):
-        joints = body.skeleton.legs[k]
+        joints, since = body.skeleton.legs[k], len(body.s.parts)
         if bare:
             body.add(
                 lambda j=joints: bodies.limb(j, (8.4, 8.0, 6.6, 5.4, 5.9, 4.8, 3.5)),
@@ -178,7 +205,9 @@ def _legs(body: _Drawer, marks: frozenset[str], d: Dress, c: Color, o: Outfit) -
                 sock.surface,
                 f"{sock.name}_{word}",
             )
+        tip = len(body.s.parts)
         _foot(body, k, marks, d, o)
+        body.limb(f"leg_{word}", joints, since, tip, body.skeleton.feet[k], _hem(marks | o.hems))
 
 
 def _foot(body: _Drawer, k: int, marks: frozenset[str], d: Dress, o: Outfit) -> None:
@@ -228,6 +257,7 @@ def _arms(body: _Drawer, marks: frozenset[str], d: Dress, top: Piece, o: Outfit)
     grip = body.skeleton.pose.grip
     for k, word in enumerate(SIDES):
         _, elbow, wrist = joints = body.skeleton.arms[k]
+        since = len(body.s.parts)
         side = 1 if k == 0 else -1
         sleeve = f"{top.name}_sleeve_{word}" if o.top is not None else f"sleeve_{word}"
         if bare or short:
@@ -265,6 +295,7 @@ def _arms(body: _Drawer, marks: frozenset[str], d: Dress, top: Piece, o: Outfit)
         )
         if o.hands is not None:
             _gloved(body, joints, o.hands, word, padded=o.padded)
+        body.limb(f"arm_{word}", joints, since)
 
 
 def _gloved(body: _Drawer, joints: Any, glove: Piece, word: str, *, padded: bool) -> None:
@@ -318,9 +349,14 @@ def _varied(d: Dress, a: Appearance) -> Dress:
     return replace(d, skin=skin, hair=hair, legs=legs, shoes=shoes)
 
 
+def _hem(marks: frozenset[str]) -> float:
+    """Share of the usual step that what is worn allows."""
+    return 0.3 if "robe" in marks else 0.5 if marks & {"skirt", "coat"} else 1.0
+
+
 def _in_hem(pose: Pose, marks: frozenset[str]) -> Pose:
     """The pose with steps as short as what is worn allows."""
-    share = 0.3 if "robe" in marks else 0.5 if marks & {"skirt", "coat"} else 1.0
+    share = _hem(marks)
     stride = max(abs(leg.swing) for leg in pose.legs)
     if share == 1.0 or pose.gathers or stride < _STRIDE:
         return pose
@@ -382,7 +418,9 @@ def draw_person(
         for draw in o.on_trunk:
             draw(flat, seated)
 
+    since = len(s.parts)
     body.on(body.skeleton.trunk, trunk)
+    body.limb("trunk", body.skeleton.spine, since)
     _arms(body, marks, d, top, o)
     style = o.style or (
         "long" if "long_hair" in marks else _CUTS[s.appearance.pick("cut", len(_CUTS))]
@@ -396,7 +434,9 @@ def draw_person(
         for draw in o.on_head:
             draw(flat)
 
+    since = len(s.parts)
     body.on(body.skeleton.head, head)
+    body.limb("trunk", body.skeleton.spine, since)
 
 
 def posed_by(pose: str, usual: str) -> str:

@@ -229,6 +229,13 @@ class Skeleton:
     lift: Point
     head_size: float = 1.0
 
+    @property
+    def spine(self) -> Point:
+        """Where the trunk bends, the neck and the crown [cm], shape [3, 3]."""
+        crown = NECK + np.array((0.0, 0.0, 26.0))
+        above = turned_about(np.array([NECK, crown]), PIVOT, self.pose.lean, self.pose.twist)
+        return np.array([PIVOT, *above])
+
     def trunk(self, points: Point) -> Point:
         """Where the trunk's leaning takes points of a straight one: the waist bends smoothly."""
         share = np.clip((points[:, 2] - (PIVOT[2] - 6)) / 26, 0, 1)

@@ -5,10 +5,11 @@ from __future__ import annotations
 from esg.draft.discourse.core import amounts_of, kind_of, mark_used, movable, structural
 from esg.draft.discourse.places import place
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.scene import SELF_POWERED
+from esg.draft.discourse.referents.record import all_rest
+from esg.draft.discourse.scene import SELF_POWERED, SPEEDS
 from esg.draft.discourse.tracks import Motion
 from esg.draft.events.acts import add_event, outcomes
-from esg.draft.events.motions import direction_of, each_passed, motion, reverse, start_motion
+from esg.draft.events.motions import direction_of, each_passed, motion, own, reverse, start_motion
 from esg.draft.events.roles import doer_and_done
 from esg.draft.events.table import read_as, sense
 from esg.draft.events.timing import settle, time_of
@@ -175,6 +176,16 @@ def read_swerve(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
         outcomes(d, f, s)
 
 
+_SPEEDS_PAST = frozenset({"overtake", "outrun", "outpace", "outdistance"})
+"""Verbs of which what is passed goes the same way, more slowly."""
+
+
+def _rides_along(d: Discourse, other: str) -> bool:
+    """ "Overtakes a cyclist": it goes by itself, and is not said to be parked."""
+    self_powered = kind_of(d, other) in SELF_POWERED and movable(d, other)
+    return self_powered and at_rest(d, other) and not all_rest(d.world, [other])
+
+
 @sense("overtake")
 def read_overtake(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
     s, o = doer_and_done(f, s, o)
@@ -185,6 +196,8 @@ def read_overtake(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
             if other != actor and not structural(d, other):
                 if other == o[0]:
                     place(d, [actor], [other], "behind")
+                if f.verb.lemma in _SPEEDS_PAST and _rides_along(d, other):
+                    own(d, other, SPEEDS.get(kind_of(d, other)), False)
                 add_event(d, NodeEvent.MISS, (actor, other), f, time_of(d, f), stem="overtakes")
     mark_used(d, f, "overtaking")
 

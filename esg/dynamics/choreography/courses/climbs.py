@@ -156,7 +156,7 @@ def _put(stage: Stage, actor: str, other: str, along: float, heading: float) -> 
         x = bx + along * math.cos(way) - aside * math.sin(way)
         y = by + along * math.sin(way) + aside * math.cos(way)
         stage.frames.setdefault(actor, Frame(x, y, way))
-    frame = stage.frames.setdefault(actor, Frame() if not stage.places else stage.free_frame())
+    frame = stage.frames.setdefault(actor, Frame() if not stage.places else stage.free_frame(actor))
     x, y = frame.apply(-along, 0.0)
     stage.places.setdefault(other, (x, y, frame.angle - heading))
     stage.landed[other] = stage.landed.get(other, 0) + 1
