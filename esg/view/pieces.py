@@ -98,9 +98,10 @@ class Act:
 
     def seen(self, time: NDArray[Any]) -> NDArray[np.bool_]:
         """Whether it is there at times [s], shape [...]."""
-        if self.there is None:
-            return np.ones(np.shape(time), bool)
-        return np.any([(time >= a - 1e-9) & (time < b - 1e-9) for a, b in self.there], axis=0)
+        out = np.full(np.shape(time), self.there is None)
+        for a, b in self.there or ():
+            out |= (time >= a - 1e-9) & (time < b - 1e-9)
+        return out
 
     def local(self, time: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any]]:
         """Poses in the body's frame [m] at times [s], shapes [..., 3] and [..., 4]."""

@@ -215,3 +215,18 @@ def test_who_pulls_a_door_runs_into_it_and_says_so() -> None:
 def test_things_that_line_a_way_are_owned_up_to(prompt, word):
     told = [s for s in draft(prompt).statements or () if s.predicate is Predicate.NOT_REPRESENTED]
     assert word in {s.text for s in told}
+
+
+@pytest.mark.parametrize(
+    ("prompt", "word"),
+    [
+        ("A car races down a dirt road.", "dirt"),
+        ("A boy walks along a sandy forest trail.", "sandy"),
+        ("A dog runs down an unpaved road.", "unpaved"),
+        ("A car drives along a country road.", ""),
+        ("A ball rolls over a muddy field.", ""),
+    ],
+)
+def test_roads_that_are_not_of_asphalt_are_owned_up_to(prompt, word):
+    told = [s for s in draft(prompt).statements or () if s.predicate is Predicate.NOT_REPRESENTED]
+    assert {s.text for s in told} == ({word} if word else set())

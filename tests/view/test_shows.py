@@ -132,3 +132,11 @@ def test_scenes_without_shows_keep_their_parts() -> None:
     assert with_shows([part], scene, still(scene), EsgDocument.model_construct()) == [part]
     assert part.act is None
     assert Act().seen(TIME).all()
+
+
+def test_what_is_never_there_is_seen_at_no_time() -> None:
+    """Who kneels from the start on never stands: a scene with him could not be written to GLB."""
+    assert not Act(there=()).seen(TIME).any() and Act(there=()).seen(TIME).shape == TIME.shape
+    assert Act(there=((TIME[0], TIME[1]),)).seen(TIME).tolist() == [True] + [False] * (
+        len(TIME) - 1
+    )

@@ -38,6 +38,8 @@ _TOLD = (
 )  # fmt: skip
 """Words of which a thing is made as they say."""
 _ROUND, _ANGULAR = lex.word_set("round shapes"), lex.word_set("angular shapes")
+_UNMADE, _MADE = lex.word_set("unmade"), frozenset({"asphalt", "concrete"})
+"""What a road may be called, and the materials of those that are drawn."""
 _OF_A_QUALITY = frozenset({"ADJ", "VERB"})
 """Parts of speech of words that tell a quality; a noun before a noun tells its kind."""
 _TILTED = frozenset({"raised", "lowered", "upper", "lower"})
@@ -87,9 +89,18 @@ def qualities(a: Account) -> Iterator[Gap]:
         words = [t for t in a.tokens if m.start <= t.start < m.end and t.low in m.adjectives]
         for k, t in enumerate(words):
             later = words[k + 1].low if k + 1 < len(words) else ""
-            lost = t.low in ASLANT if laid else _lost(a, t, later, entity_of(a.d, ids[0]), moving)
+            lost = (
+                _laid_lost(t.low, entity_of(a.d, ids[0]))
+                if laid
+                else _lost(a, t, later, entity_of(a.d, ids[0]), moving)
+            )
             if lost or _among_things(t.low):
                 yield Gap(t.start, t.end, NOTHING, tuple(ids))
+
+
+def _laid_lost(word: str, e: Entity) -> bool:
+    """ "A dirt road", which is drawn of asphalt; what is laid does not lean."""
+    return word in ASLANT or (word in _UNMADE and e.noun.material in _MADE)
 
 
 def _lost(a: Account, t: Token, later: str, e: Entity, moving: set[str]) -> bool:

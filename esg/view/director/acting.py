@@ -100,7 +100,10 @@ class Action:
         half = np.array([b.half_extents for b in scene.bodies])
         offset = np.array([b.origin_offset for b in scene.bodies])
         self._corners = signs[None] * half[:, None] + offset[:, None]
-        self._corners[:, :4, 0] -= np.array([trails_m(b) for b in scene.bodies])[:, None]
+        trails = np.array([trails_m(b) for b in scene.bodies])
+        self._corners[:, :4, 0] -= trails[:, None]
+        self.trails = bool(trails.any())
+        """Whether something leaves a cloud behind it, which it hides from who stands ahead."""
         self._corners[:, 1::2, 2] += np.array([rises_m(b) for b in scene.bodies])[:, None]
         self.still = tuple(
             i

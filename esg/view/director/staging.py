@@ -37,6 +37,8 @@ FAR_SIDE = 0.06
 """Worth that it costs to stand on the other side of a way."""
 LARGER = 0.06
 """Share of the worth of an instant that goes with the size of who acts, up to a fill of 30%."""
+AHEAD, AHEAD_COS = 0.5, 0.6
+"""Worth that it costs to stand nearer to straight ahead than so of what leaves a cloud behind."""
 CONTENT = 0.6
 """Worth beyond that of keeping all rules at the events with which the search ends."""
 FULL = 1.3
@@ -121,6 +123,7 @@ def _places(
         off = min(abs(turn), 180 - abs(turn)) if travels else abs(turn)
         cost = 0.0016 * off + FAR_SIDE * (travels and abs(turn) > 90)
         cost += 0.004 * ((rise or 6.0) - first)
+        cost += AHEAD * (action.trails and _ahead(way, azimuth) > AHEAD_COS)
         if any(math.cos(azimuth - other) > math.cos(APART_RAD) for other in apart):
             cost += 1.0
         options.append((cost, view))
@@ -160,6 +163,12 @@ def _lead(way: Floats, azimuth: float) -> float:
     # Right of the picture is a quarter turn on from the camera's arm.
     right = np.array([-math.sin(azimuth), math.cos(azimuth)])
     return 0.0 if length < 0.2 else float(np.clip(way @ right / length, -1.0, 1.0))
+
+
+def _ahead(way: Floats, azimuth: float) -> float:
+    """Cosine of the angle between a way and the direction of a camera; 0 where nobody goes."""
+    length = float(np.linalg.norm(way))
+    return 0.0 if length < 0.2 else float(way @ (math.cos(azimuth), math.sin(azimuth)) / length)
 
 
 def _worth(finder: Viewfinder, take: Take, aspect: float) -> float:
