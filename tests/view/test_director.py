@@ -35,6 +35,7 @@ from esg.view.framing import told_side
 from esg.view.seeing.wanted import Settings
 from esg.view.truth import Pinhole, flow
 from tests.view.plays import (
+    CAR,
     PLAYS,
     Play,
     Thing,
@@ -308,3 +309,17 @@ def test_a_crowd_before_the_action_is_not_good() -> None:
     assert finder.seen(beat, behind).before > BEFORE
     (seen,) = finder.review(direct(finder, 0.0, 1.0))
     assert seen.before <= BEFORE
+
+
+def test_a_cloud_behind_what_drives_off_is_not_looked_at_from_ahead() -> None:
+    """Walls hide the street from both sides: from ahead nothing but the car would be seen."""
+    walls = [
+        Thing(f"wall{k}", (30.0, 0.3, 5.0), at(0.0, y, 5.0)) for k, y in enumerate((-3.5, 3.5))
+    ]
+    car = Thing("car", CAR, until(9.0, (6.0, 0.0, 0.7), (-6.0, 0.0, 0.0)))
+    finder = finder_of(Play("drives_off", (car, *walls), (("reach", 1.5, ("car",)),)))
+    assert not finder.action.trails
+    before = -math.cos(azimuth_of(direct(finder, 0.0, 2.0)))
+    finder.action.trails = True
+    after = -math.cos(azimuth_of(direct(finder, 0.0, 2.0)))
+    assert before > 0.6 > after
