@@ -67,7 +67,7 @@ SOURCES: dict[str, tuple[str, ...]] = {
         "draft/document/coverage.py",
         "assets/colors.py",
     ),
-    "dress": ("dressing", "engines", "assets/configuration.py", "assets/looks.py"),
+    "dress": ("dressing", "engines", "assets"),
     "record": (
         "machine",
         "view",

@@ -236,7 +236,12 @@ def staged(monkeypatch: pytest.MonkeyPatch) -> Any:
     monkeypatch.setattr("esg.view.scenery.body_parts", lambda *_: parts)
     monkeypatch.setattr("esg.view.scenery.surroundings_of", lambda *_: around)
     definition = SimpleNamespace(original_description="A ball falls.")
-    return SimpleNamespace(scene_definition=definition, statements=None)
+    return SimpleNamespace(
+        scene_definition=definition,
+        statements=None,
+        casting=None,
+        spatial_relation_graph=SimpleNamespace(nodes={}),
+    )
 
 
 def test_both_containers_hold_the_same(tmp_path: Path, staged: Any) -> None:

@@ -22,7 +22,7 @@ from esg.assets.builders.living.poses import POSES, Pose
 from esg.assets.configuration import parametric_entry
 from esg.assets.postures import Held, config_of, taken
 from esg.engines.breaking.stances import absent
-from esg.engines.scene import Rollout, SimScene
+from esg.engines.scene import Body, Rollout, SimScene
 from esg.graph.casting import effective
 from esg.lexicon.postures import PLANS
 from esg.units import CM_PER_M, GRAVITY_MPS2, quat_multiply, quat_rotate
@@ -129,23 +129,17 @@ def stepping(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> frozenset[i
         rollout: Their motion.
         doc: What they look like.
     """
-    nodes = doc.spatial_relation_graph.nodes
-    if not any(b.name in nodes for b in scene.bodies):
-        return frozenset()
     doc = effective(doc)
+    plans = {i: plan for i in range(len(scene.bodies)) if (plan := _plan(scene.bodies[i], doc))}
+    if not plans:
+        return frozenset()
     looks = appearances(doc)
     doers = {i for _, _, by in set_off(scene, rollout, doc) for i in by}
     out: set[int] = set()
-    for index, body in enumerate(scene.bodies):
-        if body.name not in nodes or body.static or not body.collides or body.wheels:
-            continue
-        if body.gestures:  # drawn in the poses of those
-            continue
-        config = doc.asset_configurations.get(nodes[body.name].asset_id)
-        entry = None if config is None else parametric_entry(config)
-        plan = None if entry is None else PLANS.get(entry.builder)
+    for index, plan in plans.items():
+        body = scene.bodies[index]
         pose = looks[body.name].pose
-        if plan is None or (plan == "people" and pose not in STEPPING):
+        if plan == "people" and pose not in STEPPING:
             continue
         way = np.nan_to_num(rollout.position[0, :, index, :2]).astype(float)
         goes = float(np.linalg.norm(way - way[0], axis=1).max()) > GOES_M
@@ -154,6 +148,16 @@ def stepping(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> frozenset[i
     held = {j.child for j in scene.joints if j.kind == "fixed"}
     held |= {j.parent for j in scene.joints if j.kind == "fixed"}
     return frozenset(i for i in out if scene.bodies[i].name not in held)
+
+
+def _plan(body: Body, doc: EsgDocument) -> str:
+    """What limbs a body has: people or beasts; empty for none that step."""
+    node = doc.spatial_relation_graph.nodes.get(body.name)
+    if node is None or body.static or not body.collides or body.wheels or body.gestures:
+        return ""  # gestures are drawn in poses of their own
+    config = doc.asset_configurations.get(node.asset_id)
+    entry = None if config is None else parametric_entry(config)
+    return "" if entry is None else PLANS.get(entry.builder, "")
 
 
 def with_limbs(
