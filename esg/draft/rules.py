@@ -41,7 +41,7 @@ from esg.draft.statements import state
 from esg.draft.statements.filmed import how_filmed, set_filming_apart, with_filming
 from esg.draft.statements.looks.contents import as_told, fill
 from esg.draft.statements.looks.drawn import drawn_otherwise
-from esg.draft.text.elements import Element
+from esg.draft.text.elements import Element, Token
 from esg.draft.text.fillings import take_out
 from esg.draft.text.filming import without_heading
 from esg.draft.text.misspelt import spelled
@@ -83,6 +83,17 @@ def _fit_what_is_climbed(d: Discourse) -> None:
     fit(d.scene, d.moves.upon | onto, climbed)
 
 
+def _told_plainly(written: list[Token], text: str) -> list[Token]:
+    tokens = join_compounds(join_modifiers(written, text))
+    return straight_verbs(name_relatives(some_of_them(tokens)))
+
+
+def _put_plainly(elements: list[Element], text: str) -> list[Element]:
+    for _, straighten in _REWRITES:
+        elements = straighten(elements)
+    return join_results(elements, text)
+
+
 def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     """Drafts a document from a prompt (the paper's stage 1, without a language model).
 
@@ -103,12 +114,8 @@ def draft_rules(prompt: str, *, seed: int = 0) -> EsgDocument:
     if meant != text:
         text, tags = meant, pos_tags(meant)
     written, respelled = spelled(tokenize(text, tags))
-    tokens = join_compounds(join_modifiers(written, text))
-    tokens = straight_verbs(name_relatives(some_of_them(tokens)))
-    elements = chunk(text, tokens)
-    for _, put_plainly in _REWRITES:
-        elements = put_plainly(elements)
-    elements = join_results(elements, text)
+    tokens = _told_plainly(written, text)
+    elements = _put_plainly(chunk(text, tokens), text)
     clauses = build_clauses(elements)
     count(clauses.attachments)
     mark_unreal(clauses.frames, text)

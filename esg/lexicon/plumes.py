@@ -58,8 +58,8 @@ def plumes() -> dict[str, Plume]:
         return {
             r["name"]: Plume(
                 r["name"], tuple(r["words"].split(";")), _place(r["from"]), r["moving"] == "yes",
-                *(float(r[k]) for k in numbers), rgb(r["color"]), float(r["alpha"]),
-                float(r["glow"]),
+                color=rgb(r["color"]), alpha=float(r["alpha"]), glow=float(r["glow"]),
+                **{k: float(r[k]) for k in numbers},
             )
             for r in csv.DictReader(file)
         }  # fmt: skip

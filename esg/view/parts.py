@@ -14,9 +14,9 @@ from esg.graph.casting import effective
 from esg.graph.models import EsgDocument
 from esg.lexicon.places import places
 from esg.units import CM_PER_M
-from esg.view.geometries import Piece, fixed, mesh_parts
 from esg.view.ground import plane, span
 from esg.view.pieces import Part, Turning
+from esg.view.seeing.geometries import Piece, fixed, mesh_parts
 from esg.view.seeing.limbs import with_limbs
 from esg.view.seeing.shows import with_shows
 from esg.view.surroundings import GROUND, Surroundings, surroundings_of, thing_of

@@ -9,8 +9,8 @@ import pytest
 
 from esg.assets import resolve
 from esg.draft import draft
-from esg.engines.plumes import MOST, puffs
 from esg.engines.scene import Body, ContactLog, Gesture, GivesOff, Rollout, Shape, SimScene
+from esg.filming.plumes import MOST, puffs
 from esg.layout import solve
 from esg.view.parts import body_parts
 from esg.view.pieces import Part

@@ -22,11 +22,11 @@ from esg.dynamics.choreography import (
     throws,
 )
 from esg.dynamics.choreography.courses import chutes
+from esg.dynamics.choreography.courses.tops import go_past
 from esg.dynamics.choreography.hits import impacts
 from esg.dynamics.choreography.hits.caroms import carom, is_carom
 from esg.dynamics.choreography.moves import plain
 from esg.dynamics.choreography.stage import Encounter, Stage
-from esg.dynamics.choreography.tops import go_past
 from esg.graph.models import NodeEvent, TimelineNode
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.plumes import MOVES_MPS, Puff, puffs, row_of
+from esg.filming.plumes import MOVES_MPS, Puff, puffs, row_of
 from esg.metrics.replay import Replay
 from esg.metrics.statements.query import Kept, StatementQuery
 from esg.thresholds import MOST, PUFFS

@@ -10,8 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.engines.plumes import rises_m, trails_m
 from esg.engines.scene import Rollout, SimScene
+from esg.filming.plumes import rises_m, trails_m
 from esg.units import quat_rotate
 from esg.view.framing import gestures_side, told_side
 from esg.view.moments import INTO, LASTING, as_seen, cast_of, fixed_to, openings_of, set_off

@@ -18,8 +18,8 @@ from esg.engines.wheels import gesturing
 from esg.graph.casting import effective
 from esg.lexicon.gestures import NONE, posed
 from esg.units import CM_PER_M
-from esg.view.geometries import mesh_parts
 from esg.view.pieces import Act, Part
+from esg.view.seeing.geometries import mesh_parts
 
 if TYPE_CHECKING:
     from esg.engines.scene import Body

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from esg.assets.looks import Look
-from esg.engines.plumes import Puff, puffs, row_of
+from esg.filming.plumes import Puff, puffs, row_of
 from esg.view.pieces import Act, Part
 
 if TYPE_CHECKING:
@@ -41,7 +41,10 @@ def plume_parts(
     for index, body in enumerate(scene.bodies):
         for gives in body.gives_off:
             row = row_of(gives)
-            way = rollout.position[0, :, index], rollout.quaternion[0, :, index]
+            way = (
+                rollout.position[0, :, index].astype(float),
+                rollout.quaternion[0, :, index].astype(float),
+            )
             for k, puff in enumerate(puffs(gives, body, time, *way, events)):
                 out += _drawn(row, puff, k)
     return out

@@ -157,7 +157,7 @@ class _Drawer:
     ) -> None:
         """Says that what was drawn from a part on is a limb through joints of the skeleton."""
         placed = bodies.at_rest(joints, self.skeleton) * self.size
-        a, b, c = (tuple(float(v) for v in j) for j in placed)
+        a, b, c = ((float(x), float(y), float(z)) for x, y, z in placed)
         self.s.limb(Limb(name, (a, b, c), pitch, reach), since, tip=tip)
 
     def _led(self, make: Callable[[], Any], move: Callable[[Any], Any]) -> Callable[[], Any]:

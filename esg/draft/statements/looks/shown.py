@@ -133,8 +133,9 @@ def _doers(t: Told, s: Shown) -> list[str]:
         who = [i for i in who if not structural(t.d, i)]
         if who:
             return who
+    nobody: list[str] = []
     named = (own for own in _bearers(t.d, s) if own and not structural(t.d, own[0]))
-    return next(named, [])
+    return next(named, nobody)
 
 
 def _after_a_hit(t: Told, s: Shown) -> str:
