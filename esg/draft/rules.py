@@ -89,8 +89,8 @@ def _told_plainly(written: list[Token], text: str) -> list[Token]:
 
 
 def _put_plainly(elements: list[Element], text: str) -> list[Element]:
-    for _, straighten in _REWRITES:
-        elements = straighten(elements)
+    for _, plainer in _REWRITES:
+        elements = plainer(elements)
     return join_results(elements, text)
 
 
