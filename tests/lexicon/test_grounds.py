@@ -77,7 +77,8 @@ def _owned_up(prompt: str) -> list[str]:
     ("prompt", "words"),
     [
         ("A child runs on the wet tiles and hits a bucket.", []),
-        ("A van slides on a muddy track and hits a fence.", []),
+        ("A van slides on a muddy field and hits a fence.", []),
+        ("A van slides on a muddy track and hits a fence.", ["muddy"]),  # drawn of asphalt
         ("A car brakes on an oily road.", ["oily"]),
         ("A truck drives along a bumpy road and stops.", ["bumpy"]),
         ("A cart rolls over the dusty floor into a box.", ["dusty"]),
