@@ -32,6 +32,19 @@ class Held:
         return replace(look, pose=self.row.pose)
 
 
+def plan_drawn(doc: EsgDocument, name: str) -> str | None:
+    """The plan of the body that is drawn for a node (`PLANS`); None for no person or animal.
+
+    Args:
+        doc: A resolved document.
+        name: Id of a node, or of a body that is none.
+    """
+    node = doc.spatial_relation_graph.nodes.get(name)
+    config = None if node is None else doc.asset_configurations.get(node.asset_id)
+    entry = None if config is None else parametric_entry(config)
+    return None if entry is None else PLANS.get(entry.builder)
+
+
 def held(doc: EsgDocument, name: str, posture: str, on: str | None) -> Held | None:
     """A node in a posture; None if it has none of the kind.
 
@@ -41,17 +54,14 @@ def held(doc: EsgDocument, name: str, posture: str, on: str | None) -> Held | No
         posture: Which.
         on: Id of what it sits or lies on; None for the ground.
     """
-    node = doc.spatial_relation_graph.nodes[name]
-    config = doc.asset_configurations.get(node.asset_id)
-    entry = None if config is None else parametric_entry(config)
-    plan = PLANS.get(entry.builder) if entry is not None else None
+    plan = plan_drawn(doc, name)
     row = None if plan is None else posture_of(plan, posture, "seat" if on else "ground")
-    if row is None or config is None:
+    if row is None:
         return None
     if posture == STANDS:
         return Held(name, row, name, "")
     own = f"{name}_{posture}" + ("_on" if row.on == "seat" else "")
-    return Held(name, row, own, node_mesh_path(config.mesh_path, own))
+    return Held(name, row, own, node_mesh_path(config_of(doc, name).mesh_path, own))
 
 
 def seat_of(doc: EsgDocument, name: str) -> str | None:

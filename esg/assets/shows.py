@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
+from esg.assets.appearance import Appearance
 from esg.assets.appearances import appearances
 from esg.assets.colors import find_color
 from esg.assets.configuration import parametric_entry
@@ -107,11 +108,15 @@ def plumes_of(doc: EsgDocument) -> dict[str, tuple[GivesOff, ...]]:
     out: dict[str, tuple[GivesOff, ...]] = {}
     for s in doc.statements or ():
         if s.predicate is Predicate.GIVES_OFF and s.noun in plumes():
-            first = s.when.split("..")[0]
-            begins = "" if first in ("start", "throughout", "end") else first
             for name in s.object:
-                out[name] = (*out.get(name, ()), GivesOff(s.noun, begins))
+                out[name] = (*out.get(name, ()), GivesOff(s.noun, since(s)))
     return out
+
+
+def since(s: Statement) -> str:
+    """The event from which on a statement holds; empty if it does from the start."""
+    first = s.when.partition("..")[0]
+    return "" if first in ("start", "throughout", "end") else first
 
 
 def weather_of_scene(doc: EsgDocument) -> tuple[str, ...]:
@@ -129,12 +134,18 @@ def named(parts: list[SketchPart], name: str) -> list[SketchPart]:
     return [p for p in own if float(p.mesh().bounds[1, 2]) >= max(tops) - 0.1]
 
 
-def sketched(doc: EsgDocument, name: str) -> list[SketchPart]:
-    """The parts of a node's model before it is finished; none of what no builder draws."""
+def sketched(doc: EsgDocument, name: str, look: Appearance | None = None) -> list[SketchPart]:
+    """The parts of a node's model before it is finished; none of what no builder draws.
+
+    Args:
+        doc: A resolved document.
+        name: Id of the node.
+        look: What it looks like; default as in the document.
+    """
     doc = effective(doc)
     config = doc.asset_configurations[doc.spatial_relation_graph.nodes[name].asset_id]
     entry = parametric_entry(config)
     if entry is None:
         return []
-    look = appearances(doc)[name]
+    look = appearances(doc)[name] if look is None else look
     return build_sketch(entry, config.dimensions_cm, config.color_rgb, look).parts

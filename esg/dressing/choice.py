@@ -9,13 +9,12 @@ import re
 
 import numpy as np
 
-from esg.assets.configuration import parametric_entry
+from esg.assets.postures import plan_drawn
 from esg.dressing.clearance import WATER, WATERS
 from esg.engines.scene import SimScene
 from esg.graph.models import EsgDocument, Predicate
 from esg.lexicon import kinds, singular
 from esg.lexicon.places import Place, SkyRow, places, skies, surfaces
-from esg.lexicon.postures import PLANS
 
 WHERE = 10.0
 BARE = 2.0
@@ -68,10 +67,11 @@ def choose(doc: EsgDocument, scene: SimScene, extent: float, rng: np.random.Gene
         rng: Draws what nothing speaks for.
     """
     text = _said_of_places(doc).lower()
-    place, why = _place(doc, scene, text, extent, rng)
+    ashore = _ashore(doc, scene)
+    place, why = _place(doc, scene, text, extent, rng, ashore=ashore)
     sky, light = _sky(place, text, rng)
     ground, below = _ground(doc, place, text)
-    if ground == WATER and _ashore(doc, scene):
+    if ground == WATER and ashore:
         ground, below = place.surface, ""
     return Choice(place, sky, ground, tuple(r for r in (why, light, below) if r))
 
@@ -115,25 +115,27 @@ def _ashore(doc: EsgDocument, scene: SimScene) -> bool:
         return False
     for body in scene.bodies:
         node = graph.nodes.get(body.name)
-        config = None if node is None else doc.asset_configurations.get(node.asset_id)
-        entry = None if config is None else parametric_entry(config)
-        if node is None or entry is None or body.static:
+        if node is None or body.static or not (plan_drawn(doc, body.name) or body.wheels):
             continue
         region = graph.semantic_regions.get(node.semantic_region or "")
         below = None if region is None else graph.nodes.get(region.parent_object)
-        lands = entry.builder in PLANS or bool(body.wheels)
-        if lands and (below is None or below.is_structural):
+        if below is None or below.is_structural:
             return True
     return False
 
 
 def _place(
-    doc: EsgDocument, scene: SimScene, text: str, extent: float, rng: np.random.Generator
+    doc: EsgDocument,
+    scene: SimScene,
+    text: str,
+    extent: float,
+    rng: np.random.Generator,
+    *,
+    ashore: bool,
 ) -> tuple[Place, str]:
     told = doc.scene_definition.scene_parameters
     found = categories(scene)
     airy = any(s.predicate in _AIRY for s in doc.statements or ())
-    ashore = _ashore(doc, scene)
     best: tuple[float, Place, str] | None = None
     for row in places().values():
         luck = LUCK * float(rng.random())

@@ -262,12 +262,7 @@ def _on_what_has_it(
     for m, p in attachments:
         if p.prep == "with" and p.mention is not None:
             _lies_on_it(d, frames, m, p.mention)
-    placed = {id(m) for m, _ in attachments}
-    for k, (m, p) in enumerate(attachments):
-        had = p.mention if p.prep == "with" else None
-        if had is not None and id(had) not in placed and _on_board(d, frames, m, had):
-            on = m.noun is not None and m.noun.name in _TWO_WHEELED
-            attachments[k] = (had, Phrase("on" if on else "in", m))  # "a boat with three people"
+    _put_aboard(d, frames, attachments)
     for m, p in attachments:
         owner = owners.get(id(m))
         if owner is None or p.mention is None:
@@ -283,6 +278,18 @@ def _on_what_has_it(
         p.mention.entities = d.world.resolved[id(p.mention)] = [*owner.entities]
         for f in frames:
             f.phrases[:] = [q for q in f.phrases if q.mention is not p.mention]
+
+
+def _put_aboard(
+    d: Discourse, frames: list[Frame], attachments: list[tuple[Mention, Phrase]]
+) -> None:
+    """ "A boat with three people": they are in it."""
+    placed = {id(m) for m, _ in attachments}
+    for k, (m, p) in enumerate(attachments):
+        had = p.mention if p.prep == "with" else None
+        if had is not None and id(had) not in placed and _on_board(d, frames, m, had):
+            on = m.noun is not None and m.noun.name in _TWO_WHEELED
+            attachments[k] = (had, Phrase("on" if on else "in", m))
 
 
 def _on_board(d: Discourse, frames: list[Frame], owner: Mention, had: Mention) -> bool:

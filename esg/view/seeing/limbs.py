@@ -20,9 +20,9 @@ from esg.assets.appearance import Appearance
 from esg.assets.appearances import appearances
 from esg.assets.builders.living.poses import POSES, Pose
 from esg.assets.configuration import parametric_entry
-from esg.assets.postures import Held, config_of, taken
+from esg.assets.postures import Held, config_of, plan_drawn, taken
 from esg.engines.breaking.stances import absent
-from esg.engines.scene import Body, Rollout, SimScene
+from esg.engines.scene import Rollout, SimScene
 from esg.graph.casting import effective
 from esg.lexicon.postures import PLANS
 from esg.units import CM_PER_M, GRAVITY_MPS2, quat_multiply, quat_rotate
@@ -130,7 +130,12 @@ def stepping(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> frozenset[i
         doc: What they look like.
     """
     doc = effective(doc)
-    plans = {i: plan for i in range(len(scene.bodies)) if (plan := _plan(scene.bodies[i], doc))}
+    plans = {
+        i: plan
+        for i, b in enumerate(scene.bodies)
+        if not (b.static or b.wheels or b.gestures) and b.collides  # gestures have their own poses
+        if (plan := plan_drawn(doc, b.name))
+    }
     if not plans:
         return frozenset()
     looks = appearances(doc)
@@ -148,16 +153,6 @@ def stepping(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> frozenset[i
     held = {j.child for j in scene.joints if j.kind == "fixed"}
     held |= {j.parent for j in scene.joints if j.kind == "fixed"}
     return frozenset(i for i in out if scene.bodies[i].name not in held)
-
-
-def _plan(body: Body, doc: EsgDocument) -> str:
-    """What limbs a body has: people or beasts; empty for none that step."""
-    node = doc.spatial_relation_graph.nodes.get(body.name)
-    if node is None or body.static or not body.collides or body.wheels or body.gestures:
-        return ""  # gestures are drawn in poses of their own
-    config = doc.asset_configurations.get(node.asset_id)
-    entry = None if config is None else parametric_entry(config)
-    return "" if entry is None else PLANS.get(entry.builder, "")
 
 
 def with_limbs(

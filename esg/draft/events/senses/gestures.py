@@ -58,23 +58,12 @@ def makes_gesture(d: Discourse, f: Frame, s: list[str]) -> bool:
     row = _row(d, f)
     if row is None or not s or f.unreal or f.verb.negated or f.verb.passive:
         return False
-    m = f.subject
-    if m is not None and m.pronoun:  # "a person sits on a chair. They stretch"
+    if f.subject is not None and f.subject.pronoun:  # "a person sits on a chair. They stretch"
         s = [a for a in s if kind_of(d, a) in LIVING] or s
-    if any(not _can(d, actor, row) for actor in s):
-        return False
     target = _target(d, f, s, row)
-    mutual = MUTUAL in f.adverbs and len(s) == 2
-    if mutual and not target:
-        target = s[1]
-    if row.gesture in ("", "points") and not target and (not row.gesture or _aimed(f)):
+    if not _may(d, f, s, row, target):
         return False
     end = _end(d, f, row)
-    if m is not None and m.plural and not m.pronoun and len(s) == 1:
-        return False  # "the crowd", where one boy is named
-    told = [g for g in d.moves.gestures if g.actor in s and g.gesture]
-    if row.gesture and any(not _between(d, g.words[1], f.verb.start, s) for g in told):
-        return False  # "cheers and claps": the hands do one of them
     meanwhile = f.link in _MEANWHILE or f.subordinate in _MEANWHILE
     for actor in s:
         to = s[0] if actor == target else target
@@ -86,6 +75,20 @@ def makes_gesture(d: Discourse, f: Frame, s: list[str]) -> bool:
     _use(d, f, row, end, target)
     stands_there(d, f, s)
     return True
+
+
+def _may(d: Discourse, f: Frame, s: list[str], row: _Row, target: str) -> bool:
+    """Whether all of them can, and what the gesture is meant for is there where it is told."""
+    m = f.subject
+    if m is not None and m.plural and not m.pronoun and len(s) == 1:
+        return False  # "the crowd", where one boy is named
+    if any(not _can(d, actor, row) for actor in s):
+        return False
+    lost = not target and (not row.gesture or (row.gesture == "points" and _aimed(f)))
+    told = [g for g in d.moves.gestures if g.actor in s and g.gesture]
+    # "Cheers and claps": the hands do one of them.
+    busy = row.gesture and any(not _between(d, g.words[1], f.verb.start, s) for g in told)
+    return not lost and not busy
 
 
 def _row(d: Discourse, f: Frame) -> _Row | None:
@@ -148,7 +151,8 @@ def _target(d: Discourse, f: Frame, s: list[str], row: _Row) -> str:
         found = [i for i in f.object.entities if i in d.world.entities]
     else:
         found = [i for p in f.phrases if p.prep in _AIMS for i in things(p)]
-    return next((i for i in found if i not in s and not structural(d, i)), "")
+    mutual = s[1] if MUTUAL in f.adverbs and len(s) == 2 else ""
+    return next((i for i in found if i not in s and not structural(d, i)), mutual)
 
 
 def _between(d: Discourse, start: int, end: int, s: list[str]) -> bool:

@@ -26,7 +26,7 @@ _WITH = frozenset({"with", ".", ";", "!", "?", ":"})
 _ALSO_OF_VERBS = lex.word_set("senses with the place of their object")
 
 
-_LETS = frozenset({"have", "let", "make", "see", "watch"})
+_LETS = lex.word_set("letting (noun questions)")
 """Verbs of which the object does what the next verb says."""
 
 
