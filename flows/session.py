@@ -13,7 +13,7 @@ from typing import Any, TypeVar
 
 from esg.api.warming import load_usd, warm_up
 from esg.limits import stage_limits
-from esg.machine.forked import RENEWED_AFTER, begin, context
+from esg.machine.forked import RENEWED_AFTER, SHARES_BEFORE_RENEWAL, begin, context
 from esg.settings import check_limits
 from esg.workers import RECYCLE_AFTER, WorkerPool, asked_bound
 from flows.embedded import prefect_api
@@ -51,7 +51,8 @@ def session(
     if forks:
         begin(forked)
     niceness, how = BEHIND_SEARCHES if searchers else 0, context if forks else None
-    renewed = RENEWED_AFTER if forks else RECYCLE_AFTER
+    in_shares = SHARES_BEFORE_RENEWAL if searchers else RENEWED_AFTER
+    renewed = in_shares if forks else RECYCLE_AFTER
     with (
         prefect_api() as api,
         WorkerPool(processes, renewed, niceness=niceness, context=how) as pool,
@@ -61,7 +62,7 @@ def session(
         run_context(pool, watch, searchers=apart),
     ):
         if processes:
-            apart.warm(warm_up)
+            apart.warm(warm_up, True)
             if not forks:
                 pool.warm(warm_up)
         # Batches import the engines in threads of this process, with workers too.

@@ -24,8 +24,16 @@ def load_usd() -> None:
             importlib.import_module(f"pxr.{library}")
 
 
-def warm_up() -> None:
-    """Imports what scenes need and silences it; results do not depend on it."""
+def warm_up(shared_cores: bool = False) -> None:
+    """Imports what scenes need and silences it; results do not depend on it.
+
+    Args:
+        shared_cores: Others need the cores while this process waits for a GPU.
+    """
+    if shared_cores:
+        from esg.machine.waiting import sleep_for_gpus
+
+        sleep_for_gpus()
     with contextlib.suppress(Exception):  # a missing library is reported by the stage that needs it
         from esg.engines.newton import quiet_warp
 

@@ -26,6 +26,9 @@ DRAFTING = "drafting"
 RENEWED_AFTER = 12
 """Calls after which a worker that was forked off is replaced: the next one costs little, and what
 bounded caches, modules of kernels and holes between them take up grows slowly, but for weeks."""
+SHARES_BEFORE_RENEWAL = 96
+"""The same for workers beside a GPU, whose calls are half of a batch's work or less, and which load
+six seconds of libraries each that the process they are forked off had no time for."""
 _TOLD = ("ESG_", "PYTHON", "HOME", "XDG_", "TMPDIR", "LANG", "LC_")
 """What starts so in the environment may decide what is loaded, or where from."""
 _OWN = {

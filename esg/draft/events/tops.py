@@ -73,11 +73,14 @@ def stays_up(d: Discourse, mover: str) -> str | None:
     if "incline" in entity_of(d, host).noun.traits:
         return None
     met = [n for n in d.timeline.nodes if mover in n.participants]
+    fallen = {n.participants[0] for n in d.timeline.nodes if n.event is NodeEvent.FALL}
     hosts = d.scene.supported_by
     for n in met:
         others = [i for i in n.participants if i != mover]
         if n.event not in _STAYING or any(hosts.get(i) != host and i != host for i in others):
             return None
+        if fallen.intersection(others):
+            return None  # what knocks something off may well follow it
     return host
 
 

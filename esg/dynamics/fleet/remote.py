@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from contextlib import suppress
+import gc
 import multiprocessing
 import os
 from threading import Semaphore, Thread
@@ -17,6 +18,7 @@ from esg.engines.jobs import Job, Played
 
 
 def _crew_process(task: Task, shifts: Any, memory: Any, pipe: Any) -> None:
+    gc.freeze()  # no search for garbage need touch, and copy, what the parent has
     crew = Crew(task, shifts, memory)
     begin = time.process_time()
     answered = Semaphore(0)

@@ -304,7 +304,8 @@ def stays_on(doc: EsgDocument, thing: str) -> str | None:
     """The table or shelf that a thing moves on and does not leave, None if nobody says so."""
     host = support_of(doc, thing)
     said = (s for s in doc.statements or () if s.predicate is Predicate.SUPPORTED_BY)
-    stays = any(thing in s.object and host in s.target and s.when != "start" for s in said)
+    to_the_end = (s for s in said if s.when in ("throughout", "end"))
+    stays = any(thing in s.object and host in s.target for s in to_the_end)
     return host if stays else None
 
 
