@@ -47,6 +47,8 @@ from esg.dataset.plan import DatasetSpec, plan_scenes
 from esg.paths import kernel_cache_dir
 
 RESULTS = Path(__file__).parents[1] / "results"
+PRODUCTS = ("annotations", "meshes", "recordings")
+"""What a dataset holds beside what its stages make."""
 
 
 def cpu_s() -> float:
@@ -170,12 +172,13 @@ def wall_facts(watch: Watch, out: Path, args: argparse.Namespace) -> dict[str, A
     whole = watch.wall_s * args.workers
     inside = sum(spent.values())
     stages = {s: spent[s] for s in running.SCENE_STAGES}
+    products = {name: spent.get(name, 0.0) for name in PRODUCTS}
     # Starting the processes, waiting for the last batch, putting the dataset together.
-    parts = {**stages, "recordings": spent["recordings"], "in batches beside stages":
+    parts = {**stages, **products, "in batches beside them":
              spent["overhead"], "outside of batches": whole - inside}  # fmt: skip
     times = sorted(t for t, _ in watch.marks.values())
     n, good = statistics["scenes"], statistics["verified"]
-    beside = whole - sum(stages.values()) - spent["recordings"]
+    beside = whole - sum(stages.values()) - sum(products.values())
     step = max(1, len(watch.samples) // 200)
     memory = watch.memory(warm=max(1, n // 10))
     return {

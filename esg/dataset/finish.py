@@ -133,7 +133,10 @@ def clean(out: Path) -> None:
 
 
 def timings(results: Mapping[int, BatchResult]) -> dict[str, Any]:
-    """Seconds of work by stage, in all and a scene; `overhead` is everything but stages.
+    """Seconds of work by stage, in all and a scene.
+
+    What is asked for beside the stages (annotations, meshes, recordings, clips) has its own names;
+    `overhead` is the rest.
 
     Processor time likewise, with `cost`, what `esg dataset` ends with.
     """

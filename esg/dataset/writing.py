@@ -27,7 +27,7 @@ def write_batch(job: BatchJob, made: Made, rendered: Rendered, spent: Meter) -> 
         job: The batch.
         made: Its scenes.
         rendered: Their clips.
-        spent: What the recordings take is added.
+        spent: What annotations, meshes and recordings take is added.
     """
     from esg.dataset.annotations.rows import annotated
     from esg.store.records import SceneRecord, record_of
@@ -49,11 +49,13 @@ def write_batch(job: BatchJob, made: Made, rendered: Rendered, spent: Meter) -> 
             family=scene.family,
             extra=_columns(scene, state),
         )
-        rows = annotated(job, state, other, dict(record.rows))
+        with spent.on("annotations"):
+            rows = annotated(job, state, other, dict(record.rows))
         # Everything but `timings` is the same whenever and however often a scene is made.
         row = {**rows["scenes"][0], "seconds": None, "cached_stages": None, "artifacts": None}
         if job.spec.meshes and row["manifest"]:
-            rows["meshes"], buffers = _meshes(job, state, row)
+            with spent.on("meshes"):
+                rows["meshes"], buffers = _meshes(job, state, row)
             packed |= dict.fromkeys(buffers)
         met.append(bool(row["verified"]))
         row["verified"] = met[-1] and _as_said(state, rows["statements"])
