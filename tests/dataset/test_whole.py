@@ -63,6 +63,8 @@ def test_scenes_searched_together_end_as_those_searched_alone(
     }
     timings = json.loads((other / "meta" / "timings.json").read_bytes())
     assert timings["seconds"]["optimize"] > 0
+    assert {"annotations", "meshes", "recordings", "overhead"} <= {*timings["seconds"]}
+    assert timings["seconds"]["meshes"] > 0
 
 
 def test_datasets_reads_every_table_and_split(small: Path) -> None:

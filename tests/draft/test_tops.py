@@ -5,6 +5,7 @@ from __future__ import annotations
 import pytest
 
 from esg.draft import draft
+from esg.dynamics.story.stagecraft import stays_on
 from esg.graph.models import EsgDocument, Predicate
 
 
@@ -77,6 +78,26 @@ def test_who_is_on_the_floor_stays_there(prompt: str, mover: str) -> None:
 def test_what_is_told_to_leave_may(prompt: str) -> None:
     """It is no longer on what it has left."""
     assert all(when != "throughout" for _, when in _kept(draft(prompt)).values())
+
+
+@pytest.mark.parametrize(
+    ("prompt", "mover"),
+    [
+        ("A ball rolls across a table, hits a mug and knocks it off the table.", "ball_1"),
+        (
+            "An orange rolls along a shelf into a vase, and the vase falls off the shelf.",
+            "orange_1",
+        ),
+        ("A puck slides across a desk and pushes a cup off it.", "puck_1"),
+    ],
+)
+def test_what_knocks_something_off_a_table_may_follow_it(prompt: str, mover: str) -> None:
+    """Made slow enough to stay on the table, a ball does not get the mug off it."""
+    doc = draft(prompt)
+    said = [s for s in doc.statements or () if s.predicate is Predicate.SUPPORTED_BY]
+    assert any(mover in s.object for s in said)
+    assert all(s.when not in ("throughout", "end") for s in said if mover in s.object)
+    assert stays_on(doc, mover) is None
 
 
 @pytest.mark.parametrize(
