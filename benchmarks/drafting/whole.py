@@ -34,6 +34,7 @@ _LATER = frozenset(
         Predicate.LIT,
         Predicate.WEATHER,
         Predicate.SWAYS,
+        Predicate.LIES,
         Predicate.POSTURE,
         Predicate.GESTURES,
         Predicate.FACES,

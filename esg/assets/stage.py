@@ -214,7 +214,8 @@ def _parametric(
     rolled: bool | None = None,
 ) -> AssetConfiguration:
     if rolled is None:
-        rolled = "rim" in entry.flags and on_its_rim(requirement)
+        stands = "rim" in entry.flags and on_its_rim(requirement)
+        rolled = stands and requirement.lies is None
     rolled = rolled and bool(entry.flags & FLAGS.keys())
     requirement = as_drawn(entry, requirement)
     dimensions = choose_dimensions(entry, requirement)

@@ -69,7 +69,7 @@ _FIELDS: dict[str, _Fields] = {
     "count": _Fields(("noun", "value")),
     "absent": _Fields(("noun",)),
     **dict.fromkeys(
-        ("wears", "looks", "lit", "posture", "gives_off"), _Fields(("object", "noun"))
+        ("wears", "looks", "lit", "lies", "posture", "gives_off"), _Fields(("object", "noun"))
     ),
     "gestures": _Fields(("object", "noun"), ("target",)),
     "faces": _Fields(("object", "target")),

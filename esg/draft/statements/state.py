@@ -25,6 +25,7 @@ from esg.draft.statements.held import (
 )
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
 from esg.draft.statements.looks.gestures import gestures
+from esg.draft.statements.looks.lying import lying
 from esg.draft.statements.looks.postures import postures
 from esg.draft.statements.looks.shown import shown
 from esg.draft.statements.looks.worn import USED, worn
@@ -211,6 +212,7 @@ WRITTEN: tuple[Callable[[Told], None], ...] = (
     worn,
     _sides,
     shown,
+    lying,
     postures,
     gestures,
     _clauses,
