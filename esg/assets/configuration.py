@@ -54,8 +54,7 @@ def finish(
     """
     lying = None
     if requirement.lies is not None and "rolls" not in entry.flags:
-        round_ = requirement.shape in ("sphere", "cylinder", "capsule")
-        lying = lain(sketch, requirement.lies, dimensions, is_round=round_)
+        lying = lain(sketch, requirement.lies, dimensions)
     factor = uniform_factor(entry.dimensions_cm, dimensions)
     if lying is not None:
         sketch, dimensions = turned(sketch, lying), lying.dimensions_cm

@@ -109,6 +109,8 @@ def configure(
         retrieval_only: Take the closest asset of the library, whatever it is.
     """
     empty = _empty(key, requirement, generator, seed, failures, rolled, retrieval_only)
+    if empty.lying is not None:
+        return empty  # what was in it has run out
     if requirement.contents is not None and not is_open(empty):
         empty = _open(key, requirement, empty)
     return filled(empty, requirement)

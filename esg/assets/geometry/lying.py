@@ -33,6 +33,8 @@ _TURNS: dict[Up, Quat] = {
     (1, -1): turn("x", -90.0),
 }
 """What leads an end of an own axis up."""
+_SQUARE = 0.02
+"""Up to this share as wide as long."""
 _ROUND = 24
 """Points about a rim, for its hull."""
 _FLAT_DEG = 0.5
@@ -43,19 +45,20 @@ _INSIDE = 1e-3
 """How far from the edge of a face the centre of mass has to be, over the size of the asset."""
 
 
-def lain(sketch: Sketch, pose: str, dimensions_cm: Vec3, *, is_round: bool) -> Lying | None:
+def lain(sketch: Sketch, pose: str, dimensions_cm: Vec3) -> Lying | None:
     """How an asset is turned to lie or stand so; None if it does as it is drawn.
 
     Args:
         sketch: As it is drawn.
         pose: Row of the table of poses (`esg.lexicon.lying`).
         dimensions_cm: Of the sketch.
-        is_round: It has no front: its length then lies along the front axis.
     """
     allowed = ups(pose, dimensions_cm)
     if AS_DRAWN in allowed[:1] or not sketch.proxies:
         return None
-    best = next((up for up in allowed if is_round and up[0] == 0), allowed[0])
+    length, width, _ = dimensions_cm
+    square = abs(length - width) <= _SQUARE * length  # it has no sides: its height lies along X
+    best = next((up for up in allowed if square and up[0] == 0), allowed[0])
     first = _TURNS[best]
     com, _ = mass_properties(sketch.weighed or sketch.proxies, 1.0, sketch.densities)
     points = quat_rotate(first, np.concatenate([_points(p) for p in sketch.proxies]))
