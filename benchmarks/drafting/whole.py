@@ -35,6 +35,7 @@ _LATER = frozenset(
         Predicate.WEATHER,
         Predicate.SWAYS,
         Predicate.LIES,
+        Predicate.WOBBLES,
         Predicate.POSTURE,
         Predicate.GESTURES,
         Predicate.FACES,

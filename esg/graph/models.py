@@ -199,7 +199,8 @@ class AssetRequirement(Model):
     linear_damping: float = 0.1
     contents: Contents | None = None
     lies: str | None = None
-    """How it lies or stands where that is not as it is drawn (`esg/lexicon/lying.csv`)."""
+    """How it lies or stands where that is not as it is drawn (`esg/lexicon/lying.csv`), or
+    "tipped up": on the edge of its foot."""
 
 
 class ProxyKind(str, enum.Enum):
@@ -643,6 +644,8 @@ class Predicate(str, enum.Enum):
     SWAYS = "sways"
     LIES = "lies"
     """How a thing lies or stands (`noun`: a row of `esg/lexicon/lying.csv`)."""
+    WOBBLES = "wobbles"
+    """It tilts to and fro and does not fall."""
     POSTURE = "posture"
     """How somebody holds his body (`noun`: stands, sits, lies, kneels, crouches, bends)."""
     GESTURES = "gestures"

@@ -17,6 +17,8 @@ Size = tuple[float, float, float]
 Up = tuple[int, int]
 """Index of an own axis, front, left or up, and 1 or -1: the end of it that points up."""
 AS_DRAWN: Up = (2, 1)
+TIPPED_UP = "tipped up"
+"""Stands on the edge of its foot at first, and is let go: it wobbles. No row: no words say it."""
 LONG, THIN, ALIKE, ROUND = 3.0, 0.5, 1.3, 1.2
 """Ratios from which on a thing is long as a log or thin as a coin, up to which two sides are as
 good as equal, and those of what is round about its length."""

@@ -52,8 +52,8 @@ _FIELDS: dict[str, _Fields] = {
         _PLACED,
     ),
     **dict.fromkeys(
-        ("rolls", "slides", "spins", "tumbles", "airborne", "stays_upright", "stays_still",
-         "at_rest"),
+        ("rolls", "slides", "spins", "tumbles", "wobbles", "airborne", "stays_upright",
+         "stays_still", "at_rest"),
         _OWN,
     ),
     **dict.fromkeys(("touches", "never_touches", "same_time", "before"), _PAIR),

@@ -21,7 +21,7 @@ from esg.assets.geometry.massprops import mass_properties
 from esg.assets.geometry.rotations import turn
 from esg.assets.geometry.sketch import Sketch
 from esg.graph.models import Lying, Mount, NamedRegion, Proxy, ProxyKind, Quat, Vec3
-from esg.lexicon.lying import AS_DRAWN, Up, ups
+from esg.lexicon.lying import AS_DRAWN, TIPPED_UP, Up, ups
 from esg.units import quat_inverse, quat_multiply, quat_rotate
 
 Floats = NDArray[np.float64]
@@ -39,6 +39,11 @@ _ROUND = 24
 """Points about a rim, for its hull."""
 _FLAT_DEG = 0.5
 """Faces less far off than this are level already."""
+_FOOT_CM = 0.5
+"""Shapes that end so near to the lowest one are of the foot."""
+_SLENDER_DEG, _LEAN, _LEANS_DEG = 35.0, 0.5, 12.0
+"""What is let go wobbles if it tips over at this lean or a lesser one; at which share of it, and
+at which lean at most, it is let go."""
 _SAME = 1e-3
 """Normals that agree so far are of one face."""
 _INSIDE = 1e-3
@@ -53,20 +58,43 @@ def lain(sketch: Sketch, pose: str, dimensions_cm: Vec3) -> Lying | None:
         pose: Row of the table of poses (`esg.lexicon.lying`).
         dimensions_cm: Of the sketch.
     """
+    if not sketch.proxies:
+        return None
+    com, _ = mass_properties(sketch.weighed or sketch.proxies, 1.0, sketch.densities)
+    if pose == TIPPED_UP:
+        quat = _tipped_up(sketch.proxies, com)
+        return None if quat is None else _lying(sketch, pose, quat, dimensions_cm)
     allowed = ups(pose, dimensions_cm)
-    if AS_DRAWN in allowed[:1] or not sketch.proxies:
+    if AS_DRAWN in allowed[:1]:
         return None
     length, width, _ = dimensions_cm
     square = abs(length - width) <= _SQUARE * length  # it has no sides: its height lies along X
     best = next((up for up in allowed if square and up[0] == 0), allowed[0])
     first = _TURNS[best]
-    com, _ = mass_properties(sketch.weighed or sketch.proxies, 1.0, sketch.densities)
     points = quat_rotate(first, np.concatenate([_points(p) for p in sketch.proxies]))
     x, y, z, w = (
         float(v) for v in quat_multiply(_settling(points, quat_rotate(first, com)), first)
     )
     norm = math.sqrt(x * x + y * y + z * z + w * w)
-    quat: Quat = (x / norm, y / norm, z / norm, w / norm)
+    return _lying(sketch, pose, (x / norm, y / norm, z / norm, w / norm), dimensions_cm)
+
+
+def _tipped_up(proxies: Sequence[Proxy], com: Vec3) -> Quat | None:
+    """A lean towards the nearest edge of its foot; None if it is too squat to wobble."""
+    bounds = [_bounds(p) for p in proxies]
+    low = min(b[0][2] for b in bounds)
+    feet = [b for b in bounds if b[0][2] < low + _FOOT_CM]
+    reach = [max(b[1][k] for b in feet) - com[k] for k in (0, 1)]
+    nearest = 0 if reach[0] <= reach[1] else 1
+    edge = math.degrees(math.atan2(reach[nearest], com[2] - low))
+    if not 0.0 < edge <= _SLENDER_DEG:
+        return None
+    lean = min(_LEAN * edge, _LEANS_DEG)
+    return turn("y", lean) if nearest == 0 else turn("x", -lean)
+
+
+def _lying(sketch: Sketch, pose: str, quat: Quat, dimensions_cm: Vec3) -> Lying:
+    """A turn with what sets the turned asset on the ground."""
     lows, highs = zip(*(_bounds(_placed(p, quat, (0.0, 0.0, 0.0))) for p in sketch.proxies),
                       strict=True)  # fmt: skip
     low, high = np.min(lows, axis=0), np.max(highs, axis=0)

@@ -28,6 +28,7 @@ from esg.draft.statements.looks.gestures import gestures
 from esg.draft.statements.looks.lying import lying
 from esg.draft.statements.looks.postures import postures
 from esg.draft.statements.looks.shown import shown
+from esg.draft.statements.looks.wobbling import wobbling
 from esg.draft.statements.looks.worn import USED, worn
 from esg.draft.statements.manners import flown, gains, paced, rolled, slid
 from esg.draft.statements.order import ALONE, UNKEPT, orders, started_alone
@@ -213,6 +214,7 @@ WRITTEN: tuple[Callable[[Told], None], ...] = (
     _sides,
     shown,
     lying,
+    wobbling,
     postures,
     gestures,
     _clauses,

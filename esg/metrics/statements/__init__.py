@@ -26,6 +26,7 @@ from esg.metrics.statements import (
     postures,
     shown,
     sides,
+    wobbling,
     worn,
 )
 from esg.metrics.statements.query import Kept, StatementQuery, window_of
@@ -69,6 +70,7 @@ OF_BODIES: dict[Predicate, OfBody] = {
     Predicate.SINKS: liquids.sinks,
     Predicate.SIZE: facts.size,
     Predicate.LIES: lying.lies,
+    Predicate.WOBBLES: wobbling.wobbles,
     Predicate.POSTURE: postures.posture,
     Predicate.WEARS: worn.wears,
     Predicate.LOOKS: worn.wears,

@@ -34,7 +34,7 @@ def lying(t: Told) -> None:
     for lain in d.scene.fillings.lain:
         who = tuple(i for i in _bearers(t, lain) if not structural(d, i))
         said.update(who)
-        why = _cannot(d, who)
+        why = cannot(d, who)
         if why:
             book.add(Predicate.NOT_REPRESENTED, lain.start, lain.end, object=who, note=why)
             continue
@@ -74,7 +74,7 @@ def _state(t: Told, lain: Lain, who: tuple[str, ...]) -> None:
     t.book.add(Predicate.LIES, lain.start, lain.end, object=who, noun=lain.pose, when=when)
 
 
-def _cannot(d: Discourse, who: tuple[str, ...]) -> str:
+def cannot(d: Discourse, who: tuple[str, ...]) -> str:
     """Why things are not drawn so; empty if they are."""
     if not who:
         return NOBODY
@@ -123,7 +123,7 @@ def _lie_about(t: Told) -> Iterator[tuple[Frame, tuple[str, ...]]]:
         who = tuple(i for i in nodes_of(d, f.subject) if i in d.world.entities)
         if _OF_THEM.search(d.text[: f.verb.start]):
             continue
-        if who and not _cannot(d, who) and all(_lies_down(d, i) for i in who):
+        if who and not cannot(d, who) and all(_lies_down(d, i) for i in who):
             yield f, who
 
 
