@@ -64,8 +64,10 @@ def state(
 def _clauses(told: Told) -> None:
     """What each clause that was read moves or holds, and what was lost of it."""
     d, book = told.d, told.book
+    shown = (Predicate.WOBBLES, Predicate.AT_REST)
+    said = {(s.start, s.end) for s in book.items if s.predicate in shown}
     for clause in d.scene.clauses:
-        why = missing(d, clause)
+        why = "" if span(clause.frame) in said else missing(d, clause)
         if why:
             _unkept(book, clause.frame, why)
         tow(book, clause)
