@@ -109,6 +109,12 @@ def test_other_sides_and_what_is_drawn_so_anyway(prompt: str) -> None:
     assert not _told(draft(prompt))
 
 
+def test_nothing_gets_into_a_bucket_from_the_side() -> None:
+    doc = draft("A bucket lies on its side in the grass and a ball rolls into it.")
+    assert _told(doc) == [("bucket_1", "on its side", "start")]
+    assert _owned(doc) == "into it"
+
+
 def test_one_of_two_alike_lies() -> None:
     doc = draft("Two bottles stand on a table and a third one lies next to them.")
     assert list(_lain(doc)) == ["third_bottle_1"]
@@ -120,3 +126,39 @@ def test_the_words_keep_their_place() -> None:
     for s in doc.statements or ():
         assert prompt[s.start : s.end] == s.text
     assert "roof_1" not in doc.spatial_relation_graph.nodes
+
+
+def _wobbles(doc: EsgDocument) -> list[tuple[str, str]]:
+    told = (s for s in doc.statements or () if s.predicate is Predicate.WOBBLES)
+    return [(",".join(s.object), s.when) for s in told]
+
+
+@pytest.mark.parametrize(
+    ("prompt", "told", "lain"),
+    [
+        (
+            "A vase wobbles on the table and then settles.",
+            [("vase_1", "throughout")],
+            {"vase_1": "tipped up"},
+        ),
+        (
+            "A ball hits a tall bottle; the bottle teeters and stays upright.",
+            [("bottle_1", "ball_1_bottle_1_collision..end")],
+            {},
+        ),
+        (
+            "The refrigerator wobbles as a forklift bumps into it.",
+            [("refrigerator_1", "forklift_1_refrigerator_1_collision..end")],
+            {},
+        ),
+        ("The plate wobbles on the table.", [], {}),
+        ("A domino teeters on its edge and falls.", [], {}),
+        ("A tennis ball lands on a net, wobbles and falls back.", [], {}),
+        ("The vase wobbles when the dog bumps into the cabinet, then it falls onto a rug.", [], {}),
+    ],
+)
+def test_what_wobbles(prompt: str, told: list[tuple[str, str]], lain: dict[str, str]) -> None:
+    doc = draft(prompt)
+    assert _wobbles(doc) == told
+    assert _lain(doc) == lain
+    assert bool(told) is not any(w in _owned(doc) for w in ("wobbles", "teeters"))

@@ -25,6 +25,7 @@ from esg.draft.statements.held import (
 )
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
 from esg.draft.statements.looks.gestures import gestures
+from esg.draft.statements.looks.lying import USED as LIES
 from esg.draft.statements.looks.lying import lying
 from esg.draft.statements.looks.postures import postures
 from esg.draft.statements.looks.shown import shown
@@ -131,7 +132,7 @@ def _own_up(t: Told) -> None:
     d, book = t.d, t.book
     owned = [s for s in book.items if s.predicate is Predicate.NOT_REPRESENTED]
     lost = [(s.start, s.end) for s in owned]
-    lost += [at for at, why in d.scene.used.items() if why in (USED, GESTURE)]
+    lost += [at for at, why in d.scene.used.items() if why in (USED, GESTURE, LIES)]
     gone = [(s.start, s.end) for s in owned if s.note not in _CAUSES]
     told = [f for f in t.frames if not f.unreal and not f.verb.negated]
     lost_clauses = [f for f in told if _is_lost(d, f, gone)]

@@ -70,6 +70,9 @@ _ADJECTIVES = (
 )
 _SMALL = lex.PREPOSITIONS | lex.DETERMINERS
 _AGENT = re.compile(r"\s+(?:by|from|into|when|as|because)\b", re.I)
+_HELD = frozenset({"on its edge", "on end", "upright"})
+"""Poses that nothing falls into."""
+_UNTIL = re.compile(r"\buntil\b[^.,;]*$", re.I)
 _LATER = re.compile(r"\b(?:after|when|once|until|if|because|since|before)\b[^.,;]*$", re.I)
 
 
@@ -146,11 +149,16 @@ def _after_verbs(text: str, nouns: Sequence[int]) -> Iterator[tuple[Lain, Places
             continue
         onto = m["words"].lower().startswith("onto")
         so = not onto and re.fullmatch(_IS_SO, verb, re.IGNORECASE) is not None
-        lain = Lain(pose, *m.span("words"), at_last=not so)
-        if verb in _BE:
+        rolls = re.match(r"(?:roll|turn)", verb) is not None and "over" not in verb
+        if _ACTS.match(verb) and not onto and (rolls or pose in _HELD):
+            continue  # "rolls on its edge" is how it rolls
+        lain = Lain(
+            pose, *m.span("words"), at_last=not so or bool(_UNTIL.search(text[: m.start()]))
+        )
+        if verb in _BE and so:
             yield lain, [(m.start("verb"), m.end("words"), _BE[verb])]
-        elif _ACTS.match(verb):
-            yield lain, []
+        elif _ACTS.match(verb) or (pose == "on its side" and not so):
+            yield lain, []  # that it falls over is read from it
         else:
             up = re.fullmatch(r"\w+\s+up", verb) is not None
             yield lain, [(*m.span("words"), "lying" if up else "")]
@@ -180,10 +188,9 @@ def _after_nouns(text: str, nouns: Sequence[int]) -> Iterator[tuple[Lain, Places
         told = text[: m.start()]
         puts = _compiled(rf"\b{_PUTS}\s+(?:over\s+)?$").search(told)
         onto = m["words"].lower().startswith("onto")
-        by_its_place = pose in ("on its side", "on its edge")
         shows = not told.strip() or told.rstrip()[-1] in ".;:" or _FINDS.search(told[-14:])
-        if puts is None and (onto or (by_its_place and not shows)):
-            continue  # "hits a car on its side", "with a sign on its side" is of the side
+        if puts is None and (onto or not shows):
+            continue  # "hits a car on its side", "drops it on a car upside down"
         lain = Lain(pose, *m.span("words"), m.start("noun"), at_last=puts is not None)
         yield lain, [(*m.span("words"), "")]
 

@@ -11,15 +11,19 @@ from esg.draft.discourse.core import entity_of, kind_of, structural
 from esg.draft.discourse.record import Discourse
 from esg.draft.discourse.referents.sizes import dimensions_of
 from esg.draft.discourse.scene import LIVING
+from esg.draft.events.stated import start_of
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.account import nodes_of
 from esg.draft.statements.book import Told
 from esg.draft.statements.looks.contents import named_at
 from esg.draft.text.lying import Lain
 from esg.draft.text.shown import BEFORE
-from esg.graph.models import Predicate
+from esg.graph.models import NodeEvent, Predicate
 from esg.lexicon.lying import AS_DRAWN, ups
 
+USED = "how it lies"
+"""What became of words of a pose that is held."""
+AGAINST = "it runs against it, and does not get in"
 NOBODY = "nothing in the scene lies so"
 ALIVE = "bodies keep their pose"
 FIXED = "what it is part of keeps it as it is"
@@ -38,7 +42,7 @@ def lying(t: Told) -> None:
         if why:
             book.add(Predicate.NOT_REPRESENTED, lain.start, lain.end, object=who, note=why)
             continue
-        d.scene.used.setdefault((lain.start, lain.end), "how it lies")
+        d.scene.used.setdefault((lain.start, lain.end), USED)
         if _afterwards(t, lain.start, who):
             lain = replace(lain, at_last=True)
         if not lain.at_last:
@@ -49,6 +53,23 @@ def lying(t: Told) -> None:
         if not said & {*who}:
             late = _ENDS.match(d.text, f.verb.start) or _afterwards(t, f.verb.start, who)
             _state(t, Lain("flat", f.verb.start, f.verb.end, at_last=bool(late)), who)
+    _run_into(t)
+
+
+def _run_into(t: Told) -> None:
+    """ "A ball rolls into a bucket that lies on its side": no entry is planned from the side."""
+    d = t.d
+    into = [n for n in d.timeline.nodes if n.event is NodeEvent.ENTER_REGION]
+    entered = {str(n.extra.get("region", "")).partition("/")[0] for n in into}
+    for f in t.frames:
+        for p in f.phrases:
+            if p.prep not in ("into", "inside") or p.mention is None or f.unreal:
+                continue
+            goals = [i for i in nodes_of(d, p.mention) if d.world.entities[i].lies is not None]
+            open_ = [i for i in goals if "container" in entity_of(d, i).noun.traits]
+            if open_ and not entered & {*open_}:
+                at = (start_of(p, d.text), p.mention.end)
+                t.book.add(Predicate.NOT_REPRESENTED, *at, object=tuple(open_), note=AGAINST)
 
 
 def _afterwards(t: Told, at: int, who: tuple[str, ...]) -> bool:
