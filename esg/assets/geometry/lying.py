@@ -41,7 +41,7 @@ _FLAT_DEG = 0.5
 """Faces less far off than this are level already."""
 _FOOT_CM = 0.5
 """Shapes that end so near to the lowest one are of the foot."""
-_SLENDER_DEG, _LEAN, _LEANS_DEG = 28.0, 0.5, 12.0
+_SLENDER_DEG, _LEAN, _LEANS_DEG = 26.0, 0.5, 12.0
 """What is let go wobbles if it tips over at this lean or a lesser one; at which share of it, and
 at which lean at most, it is let go."""
 _SAME = 1e-3
