@@ -146,7 +146,10 @@ def _flat(size: Size) -> tuple[Up, ...]:
 
 
 def _overturned(size: Size) -> tuple[Up, ...]:
-    return tuple(dict.fromkeys(((2, -1), *_tipped(size))))
+    """What is low lies on its top, what is tall on its side."""
+    over: tuple[Up, ...] = ((2, -1),)
+    tall = size[2] > TALL * min(size[:2])
+    return tuple(dict.fromkeys((*_tipped(size), *over) if tall else (*over, *_tipped(size))))
 
 
 def _tipped(size: Size) -> tuple[Up, ...]:

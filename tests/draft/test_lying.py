@@ -41,6 +41,8 @@ def _lain(doc: EsgDocument) -> dict[str, str]:
         ("A truck hits a barrel that is lying on its side.", "barrel_1", "on its side", "start"),
         ("A man walks past a fallen bicycle.", "bicycle_1", "tipped over", "start"),
         ("A bicycle is lying on the sidewalk.", "bicycle_1", "flat", "throughout"),
+        ("A street lamp lies across the road.", "street_lamp_1", "flat", "throughout"),
+        ("A tree lies across the road.", "tree_1", "flat", "throughout"),
         ("Two books stand upright on a shelf.", "book_1,book_2", "upright", "throughout"),
         ("A phone lies face down on a table.", "phone_1", "face down", "throughout"),
         ("A bottle is placed on its side on a table.", "bottle_1", "on its side", "throughout"),
@@ -102,6 +104,8 @@ def test_what_does_not_lie_so_is_owned_up_to(prompt: str, words: str) -> None:
         "A vase stands upright on a table.",
         "A hammer lies next to a nail.",
         "A ball lies on a box.",
+        "A mountain lies behind a house.",
+        "A tower lies ahead of a car.",
         "Five bottles in a row, one of them lying down.",
     ],
 )

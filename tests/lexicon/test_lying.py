@@ -24,6 +24,8 @@ CRATE = (60, 60, 60)
         ("flat", BICYCLE, 1),
         ("flat", BOTTLE, 1),
         ("tipped over", CAR, 1),
+        ("overturned", CAR, 2),
+        ("overturned", BOTTLE, 1),
     ],
 )
 def test_another_axis_points_up(pose: str, size: tuple[float, float, float], index: int) -> None:

@@ -69,6 +69,7 @@ def lain(sketch: Sketch, pose: str, dimensions_cm: Vec3) -> Lying | None:
         return None
     length, width, _ = dimensions_cm
     square = abs(length - width) <= _SQUARE * length  # it has no sides: its height lies along X
+    square &= allowed[0][0] != 2
     best = next((up for up in allowed if square and up[0] == 0), allowed[0])
     first = _TURNS[best]
     points = quat_rotate(first, np.concatenate([_points(p) for p in sketch.proxies]))

@@ -27,7 +27,9 @@ AGAINST = "it runs against it, and does not get in"
 NOBODY = "nothing in the scene lies so"
 ALIVE = "bodies keep their pose"
 FIXED = "what it is part of keeps it as it is"
-_NOT_DROPPED = frozenset({"building", "structure", "ground", "wall", "post", "door"})
+_NOT_DROPPED = frozenset({"building", "structure", "ground", "water", "wall", "door", "place"})
+_FELLED = frozenset({"plant", "post", "street"})
+"""Kinds of what is fixed where it stands, and lies about once it has come down."""
 """Kinds that do not lie about for being said to lie somewhere."""
 
 
@@ -116,6 +118,8 @@ def _differs(d: Discourse, node: str, pose: str) -> bool:
 _OF_THEM = re.compile(r"\b(?:one|two|some)\s+of\s+(?:them|which|these)\s+$", re.IGNORECASE)
 """Before what only some of several do."""
 _ENDS = re.compile(r"(?:ends?|ended|winds?|wound|comes?\s+to)\s+(?:up\s+)?", re.IGNORECASE)
+_AWAY = re.compile(r"\s+(?:ahead|beyond|behind|before|opposite|outside|between)\b", re.IGNORECASE)
+"""After "lies" that tells where something is, and not how."""
 _STRONG = frozenset({"on its edge", "on its side", "on end", "tipped over", "overturned"})
 """Poses that a table of sizes alone does not settle: they are stated, and measured."""
 
@@ -142,7 +146,7 @@ def _lie_about(t: Told) -> Iterator[tuple[Frame, tuple[str, ...]]]:
         if f.verb.lemma.split()[0] != "lie" or f.verb.negated or f.unreal or f.object is not None:
             continue
         who = tuple(i for i in nodes_of(d, f.subject) if i in d.world.entities)
-        if _OF_THEM.search(d.text[: f.verb.start]):
+        if _OF_THEM.search(d.text[: f.verb.start]) or _AWAY.match(d.text, f.verb.end):
             continue
         if who and not cannot(d, who) and all(_lies_down(d, i) for i in who):
             yield f, who
@@ -150,6 +154,7 @@ def _lie_about(t: Told) -> Iterator[tuple[Frame, tuple[str, ...]]]:
 
 def _lies_down(d: Discourse, node: str) -> bool:
     e = entity_of(d, node)
-    fixed = "fixed" in e.noun.traits or e.noun.kind in _NOT_DROPPED or structural(d, node)
+    stays = e.noun.kind in _NOT_DROPPED or structural(d, node)
+    stays |= "fixed" in e.noun.traits and e.noun.kind not in _FELLED
     known = e.noun in lex.nouns().values() and not e.noun.stand_in
-    return known and not fixed and ups("flat", dimensions_of(e))[0] != AS_DRAWN
+    return known and not stays and ups("flat", dimensions_of(e))[0] != AS_DRAWN
