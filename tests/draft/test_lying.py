@@ -41,8 +41,8 @@ def _lain(doc: EsgDocument) -> dict[str, str]:
         ("A truck hits a barrel that is lying on its side.", "barrel_1", "on its side", "start"),
         ("A man walks past a fallen bicycle.", "bicycle_1", "tipped over", "start"),
         ("A bicycle is lying on the sidewalk.", "bicycle_1", "flat", "throughout"),
-        ("A street lamp lies across the road.", "street_lamp_1", "flat", "throughout"),
-        ("A tree lies across the road.", "tree_1", "flat", "throughout"),
+        ("A street lamp lies beside the road.", "street_lamp_1", "flat", "throughout"),
+        ("A tree lies across a path.", "tree_1", "flat", "throughout"),
         ("Two books stand upright on a shelf.", "book_1,book_2", "upright", "throughout"),
         ("A phone lies face down on a table.", "phone_1", "face down", "throughout"),
         ("A bottle is placed on its side on a table.", "bottle_1", "on its side", "throughout"),
@@ -117,6 +117,12 @@ def test_nothing_gets_into_a_bucket_from_the_side() -> None:
     doc = draft("A bucket lies on its side in the grass and a ball rolls into it.")
     assert _told(doc) == [("bucket_1", "on its side", "start")]
     assert _owned(doc) == "into it"
+
+
+def test_what_lies_across_a_street_is_set_beside_it() -> None:
+    doc = draft("A tree lies across the road.")
+    assert _told(doc) == [("tree_1", "flat", "throughout")]
+    assert _owned(doc) == "across the road"
 
 
 def test_one_of_two_alike_lies() -> None:

@@ -24,6 +24,7 @@ from esg.lexicon.lying import AS_DRAWN, ups
 USED = "how it lies"
 """What became of words of a pose that is held."""
 AGAINST = "it runs against it, and does not get in"
+AT_THE_KERB = "it lies beside the street"
 NOBODY = "nothing in the scene lies so"
 ALIVE = "bodies keep their pose"
 FIXED = "what it is part of keeps it as it is"
@@ -56,6 +57,7 @@ def lying(t: Told) -> None:
             late = _ENDS.match(d.text, f.verb.start) or _afterwards(t, f.verb.start, who)
             _state(t, Lain("flat", f.verb.start, f.verb.end, at_last=bool(late)), who)
     _run_into(t)
+    _across_roads(t)
 
 
 def _run_into(t: Told) -> None:
@@ -72,6 +74,18 @@ def _run_into(t: Told) -> None:
             if open_ and not entered & {*open_}:
                 at = (start_of(p, d.text), p.mention.end)
                 t.book.add(Predicate.NOT_REPRESENTED, *at, object=tuple(open_), note=AGAINST)
+
+
+def _across_roads(t: Told) -> None:
+    """ "A tree lies across the road": what no motion places is set at the kerb of a street."""
+    d = t.d
+    for f in t.frames:
+        who = [i for i in nodes_of(d, f.subject) if d.world.entities[i].lies is not None]
+        for p in f.phrases if who else ():
+            streets = [i for i in nodes_of(d, p.mention) if entity_of(d, i).noun.name == "road"]
+            if p.prep == "across" and streets and p.mention is not None:
+                at = (start_of(p, d.text), p.mention.end)
+                t.book.add(Predicate.NOT_REPRESENTED, *at, object=tuple(who), note=AT_THE_KERB)
 
 
 def _afterwards(t: Told, at: int, who: tuple[str, ...]) -> bool:
