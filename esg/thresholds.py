@@ -159,6 +159,8 @@ steep is a walking surface, not a ramp (ADA Standards 403.3)."""
 CLIMBED_SHARE, CLIMBED_SIZE = 0.5, 0.6
 """Who climbs something gets up so much of its height, or so much of its own size: lower is a
 step."""
+WOBBLES_DEG, WOBBLES_TIMES = 1.0, 3
+"""What wobbles leans by so much [degrees] to so many sides on end."""
 POSTURE_S = 0.3
 """Who is said to sit, lie or crouch between two moments does so for so long [s]."""
 CLIMBED_TOLERANCE = 0.15

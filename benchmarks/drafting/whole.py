@@ -34,6 +34,8 @@ _LATER = frozenset(
         Predicate.LIT,
         Predicate.WEATHER,
         Predicate.SWAYS,
+        Predicate.LIES,
+        Predicate.WOBBLES,
         Predicate.POSTURE,
         Predicate.GESTURES,
         Predicate.FACES,

@@ -6,6 +6,7 @@ from dataclasses import replace
 import re
 
 from esg.assets.contents import content_of
+from esg.assets.geometry.lying import lain, turned
 from esg.assets.geometry.massprops import mass_properties
 from esg.assets.geometry.sketch import Color, Sketch
 from esg.assets.geometry.wheels import wheels_of
@@ -46,11 +47,20 @@ def finish(
     decision: Decision,
     source: str,
 ) -> AssetConfiguration:
-    """Assembles a configuration; the same schema whatever the source of the geometry."""
+    """Assembles a configuration; the same schema whatever the source of the geometry.
+
+    What lies or stands otherwise than it is drawn is turned here, `sketch` and `dimensions` are as
+    it is drawn.
+    """
+    lying = None
+    if requirement.lies is not None and "rolls" not in entry.flags:
+        lying = lain(sketch, requirement.lies, dimensions)
+    factor = uniform_factor(entry.dimensions_cm, dimensions)
+    if lying is not None:
+        sketch, dimensions = turned(sketch, lying), lying.dimensions_cm
     com, inertia = mass_properties(sketch.weighed or sketch.proxies, mass, sketch.densities)
     rolls = "rolls" in entry.flags
-    wheeled = "wheeled" in entry.flags
-    factor = uniform_factor(entry.dimensions_cm, dimensions)
+    wheeled = "wheeled" in entry.flags and lying is None
     return AssetConfiguration(
         asset_name=entry.name if entry.library == "parametric" else f"{entry.library}/{entry.name}",
         source=source,  # type: ignore[arg-type]
@@ -73,6 +83,7 @@ def finish(
         rolls=rolls,
         wheels=wheels_of(sketch),
         mounts=tuple(sketch.mounts) or None,
+        lying=lying,
         color_rgb=color,
         license=entry.license,
         attribution=entry.attribution,
@@ -126,6 +137,5 @@ def parametric_entry(config: AssetConfiguration) -> Entry | None:
     if known is not None or not config.asset_name.startswith("plain_"):
         return known
     shape = config.asset_name.removeprefix("plain_")
-    return plain_entry(
-        shape, config.dimensions_cm, config.mass_kg, "plastic_hard", config.color_rgb
-    )
+    size = config.dimensions_cm if config.lying is None else config.lying.drawn_cm
+    return plain_entry(shape, size, config.mass_kg, "plastic_hard", config.color_rgb)

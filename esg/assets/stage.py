@@ -109,6 +109,8 @@ def configure(
         retrieval_only: Take the closest asset of the library, whatever it is.
     """
     empty = _empty(key, requirement, generator, seed, failures, rolled, retrieval_only)
+    if empty.lying is not None:
+        return empty  # what was in it has run out
     if requirement.contents is not None and not is_open(empty):
         empty = _open(key, requirement, empty)
     return filled(empty, requirement)
@@ -214,7 +216,8 @@ def _parametric(
     rolled: bool | None = None,
 ) -> AssetConfiguration:
     if rolled is None:
-        rolled = "rim" in entry.flags and on_its_rim(requirement)
+        stands = "rim" in entry.flags and on_its_rim(requirement)
+        rolled = stands and requirement.lies is None
     rolled = rolled and bool(entry.flags & FLAGS.keys())
     requirement = as_drawn(entry, requirement)
     dimensions = choose_dimensions(entry, requirement)

@@ -287,6 +287,9 @@ class BodyModel(_Model):
     sways: SwayModel | None = Field(None, description="In the wind; absent: it does not")
     gestures: tuple[GestureModel, ...] = Field((), description="That it makes; absent: none")
     gives_off: tuple[GivesOffModel, ...] = Field((), description="Plumes; absent: none")
+    turned: Quat | None = Field(
+        None, description="From its model as it is usually drawn to how it lies; absent: not at all"
+    )
 
     @model_serializer(mode="wrap")
     def _without_what_it_lacks(self, handler: SerializerFunctionWrapHandler) -> dict[str, Any]:
@@ -294,7 +297,7 @@ class BodyModel(_Model):
         data = handler(self)
         for name in ("tyre_friction", "tyre_drop", "tyre_foot", "wheels", "break_impulse",
                      "fragments", "postures", "drawn", "shines", "sways", "gestures",
-                     "gives_off"):  # fmt: skip
+                     "gives_off", "turned"):  # fmt: skip
             if not data[name]:
                 del data[name]
         return data

@@ -165,6 +165,7 @@ class Body:
         sways: How it sways, where it is stated that it does.
         gestures: That it makes, where it is stated that it does.
         gives_off: Smoke, steam, dust and sparks, where it is stated that it does.
+        turned: From its model as it is usually drawn to how it lies (x, y, z, w); None: not at all.
     """
 
     name: str
@@ -202,6 +203,7 @@ class Body:
     sways: Sway | None = None
     gestures: tuple[Gesture, ...] = ()
     gives_off: tuple[GivesOff, ...] = ()
+    turned: tuple[float, float, float, float] | None = None
 
     @property
     def collides(self) -> bool:

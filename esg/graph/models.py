@@ -198,6 +198,9 @@ class AssetRequirement(Model):
     shape: Literal["sphere", "box", "cylinder", "capsule", "compound"] | None = None
     linear_damping: float = 0.1
     contents: Contents | None = None
+    lies: str | None = None
+    """How it lies or stands where that is not as it is drawn (`esg/lexicon/lying.csv`), or
+    "tipped up": on the edge of its foot."""
 
 
 class ProxyKind(str, enum.Enum):
@@ -271,6 +274,21 @@ class Mount(Model):
     """Of any length but 0: a hinge turns about it, a slider moves along it."""
 
 
+class Lying(Model):
+    """How an asset is turned that lies or stands otherwise than it is drawn (docs/lying.md)."""
+
+    pose: str
+    """Row of `esg/lexicon/lying.csv`."""
+    turned_xyzw: Quat
+    """From its local frame as it is drawn to that as it lies."""
+    moved_cm: Vec3
+    """After the turn: the origin is its bottom centre again."""
+    drawn_cm: Vec3
+    """Its extents as it is drawn."""
+    dimensions_cm: Vec3
+    """Its extents as it lies."""
+
+
 class AssetConfiguration(Model):
     """What is used (stage 2): geometry, proxies and physics of one requirement."""
 
@@ -304,6 +322,8 @@ class AssetConfiguration(Model):
     """What turns as the asset travels (docs/assets.md); None if nothing does."""
     contents: Contents | None = None
     """What it is filled with; the region of that kind says up to where."""
+    lying: Lying | None = None
+    """How it is turned; None: it lies or stands as it is drawn."""
     mounts: tuple[Mount, ...] | None = None
     """Where joints take hold of it (docs/joints.md); None if none can."""
     color_rgb: tuple[float, float, float] = (0.6, 0.6, 0.6)
@@ -622,6 +642,10 @@ class Predicate(str, enum.Enum):
     LIT = "lit"
     WEATHER = "weather"
     SWAYS = "sways"
+    LIES = "lies"
+    """How a thing lies or stands (`noun`: a row of `esg/lexicon/lying.csv`)."""
+    WOBBLES = "wobbles"
+    """It tilts to and fro and does not fall."""
     POSTURE = "posture"
     """How somebody holds his body (`noun`: stands, sits, lies, kneels, crouches, bends)."""
     GESTURES = "gestures"

@@ -6,6 +6,7 @@ from esg.graph.context import Context
 from esg.graph.models import Predicate, Statement
 from esg.graph.violations import listing, pointer
 from esg.lexicon.gestures import gestures
+from esg.lexicon.lying import poses
 from esg.lexicon.plumes import plumes
 from esg.lexicon.postures import postures
 
@@ -17,6 +18,7 @@ _NAMING = (
     Predicate.WEARS,
     Predicate.LOOKS,
     Predicate.LIT,
+    Predicate.LIES,
     Predicate.POSTURE,
     Predicate.GESTURES,
     Predicate.GIVES_OFF,
@@ -113,6 +115,7 @@ def _needs(ctx: Context, here: str, statement: Statement) -> None:
                 f"Give its {name}, or leave the statement out.",
             )
     tables = {
+        Predicate.LIES: [*poses()],
         Predicate.POSTURE: [r.posture for r in postures()],
         Predicate.GESTURES: [name for name, _ in gestures()],
         Predicate.GIVES_OFF: [*plumes()],

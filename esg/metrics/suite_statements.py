@@ -52,8 +52,8 @@ _FIELDS: dict[str, _Fields] = {
         _PLACED,
     ),
     **dict.fromkeys(
-        ("rolls", "slides", "spins", "tumbles", "airborne", "stays_upright", "stays_still",
-         "at_rest"),
+        ("rolls", "slides", "spins", "tumbles", "wobbles", "airborne", "stays_upright",
+         "stays_still", "at_rest"),
         _OWN,
     ),
     **dict.fromkeys(("touches", "never_touches", "same_time", "before"), _PAIR),
@@ -69,7 +69,7 @@ _FIELDS: dict[str, _Fields] = {
     "count": _Fields(("noun", "value")),
     "absent": _Fields(("noun",)),
     **dict.fromkeys(
-        ("wears", "looks", "lit", "posture", "gives_off"), _Fields(("object", "noun"))
+        ("wears", "looks", "lit", "lies", "posture", "gives_off"), _Fields(("object", "noun"))
     ),
     "gestures": _Fields(("object", "noun"), ("target",)),
     "faces": _Fields(("object", "target")),

@@ -28,6 +28,7 @@ from esg.assets.geometry.finishing import (
     finished_key,
     joined,
 )
+from esg.assets.geometry.lying import turned
 from esg.assets.geometry.rolling import drawn_size, is_rolling_form, rolling
 from esg.assets.geometry.rotations import GLTF_FROM_LOCAL
 from esg.assets.geometry.sketch import Limb, Sketch
@@ -40,7 +41,7 @@ from esg.assets.materials import look_of
 from esg.assets.postures import config_of, taken
 from esg.assets.textures import has_grain
 from esg.graph.casting import effective
-from esg.graph.models import AssetConfiguration, EsgDocument, Vec3, Wheel
+from esg.graph.models import AssetConfiguration, EsgDocument, Lying, Vec3, Wheel
 from esg.outcomes import UserError
 
 if TYPE_CHECKING:
@@ -119,6 +120,15 @@ _FOREIGN_TILE_CM = 100.0
 """Edge of one tile of the coordinates that an imported mesh without any is given."""
 
 
+Form = bool | Lying
+"""Whether an asset is the form that rolls on its rim, or how it lies otherwise than it is drawn."""
+
+
+def form_of(config: AssetConfiguration) -> Form:
+    """The form of an asset that is drawn."""
+    return config.rolls if config.lying is None else config.lying
+
+
 def build_mesh(config: AssetConfiguration, appearance: Appearance = USUAL) -> trimesh.Scene:
     """The asset's geometry [cm] in its local frame, one mesh a look, apart for every wheel.
 
@@ -131,18 +141,18 @@ def build_mesh(config: AssetConfiguration, appearance: Appearance = USUAL) -> tr
     entry = parametric_entry(config)
     if entry is None:
         return _completed(load_imported(config))
-    return _drawn(entry, config.dimensions_cm, config.color_rgb, config.rolls, appearance)
+    return _drawn(entry, config.dimensions_cm, config.color_rgb, form_of(config), appearance)
 
 
 def _drawn(
-    entry: Entry, dimensions_cm: Vec3, color: Color, rolls: bool, appearance: Appearance
+    entry: Entry, dimensions_cm: Vec3, color: Color, form: Form, appearance: Appearance
 ) -> trimesh.Scene:
     import trimesh
     from trimesh.visual import TextureVisuals
     from trimesh.visual.material import PBRMaterial
 
     scene = trimesh.Scene()
-    models, wheels = _models(entry, dimensions_cm, color, rolls, appearance)
+    models, wheels = _models(entry, dimensions_cm, color, form, appearance)
     for wheel in wheels:
         scene.graph.update(frame_to=wheel.name, matrix=_moved(wheel.axle_cm))
     for model in models:
@@ -197,13 +207,13 @@ def closed_mesh(config: AssetConfiguration) -> trimesh.Trimesh:
 
 @lru_cache(maxsize=_KEPT)
 def _models(
-    entry: Entry, dimensions_cm: Vec3, color: Color, rolls: bool, appearance: Appearance
+    entry: Entry, dimensions_cm: Vec3, color: Color, form: Form, appearance: Appearance
 ) -> tuple[tuple[Model, ...], tuple[Wheel, ...]]:
     """What an entry draws, together what is of one look and turns together, and its wheels.
 
     A scene's record asks for each of its assets more than once: for files, exports and pictures.
     """
-    sketch = _sketch(entry, dimensions_cm, color, rolls, appearance)
+    sketch = _sketch(entry, dimensions_cm, color, form, appearance)
     wheels = wheels_of(sketch) or ()
     drawings = [Drawing(part.mesh) for part in sketch.parts]
     smallest = _BEVELLED * max((d.outline.extent_cm for d in drawings), default=0.0)
@@ -257,14 +267,14 @@ def limbed(
     entry = parametric_entry(config)
     if entry is None:
         return (), ()
-    return _limbed(entry, config.dimensions_cm, config.color_rgb, config.rolls, appearance)
+    return _limbed(entry, config.dimensions_cm, config.color_rgb, form_of(config), appearance)
 
 
 @lru_cache(maxsize=_KEPT_FILES)
 def _limbed(
-    entry: Entry, dimensions_cm: Vec3, color: Color, rolls: bool, appearance: Appearance
+    entry: Entry, dimensions_cm: Vec3, color: Color, form: Form, appearance: Appearance
 ) -> tuple[tuple[Limb, ...], tuple[Member, ...]]:
-    sketch = _sketch(entry, dimensions_cm, color, rolls, appearance)
+    sketch = _sketch(entry, dimensions_cm, color, form, appearance)
     if not sketch.limbs:
         return (), ()
     drawings = [Drawing(part.mesh) for part in sketch.parts]
@@ -303,14 +313,16 @@ def _moved(by: Vec3 | NDArray[np.float64]) -> NDArray[np.float64]:
 def configured_sketch(
     entry: Entry, config: AssetConfiguration, appearance: Appearance = USUAL
 ) -> Sketch:
-    """What an entry draws for a configuration: lying, or on its rim."""
-    return _sketch(entry, config.dimensions_cm, config.color_rgb, config.rolls, appearance)
+    """What an entry draws for a configuration: as it is drawn, as it lies, or on its rim."""
+    return _sketch(entry, config.dimensions_cm, config.color_rgb, form_of(config), appearance)
 
 
 def _sketch(
-    entry: Entry, dimensions_cm: Vec3, color: Color, rolls: bool, appearance: Appearance
+    entry: Entry, dimensions_cm: Vec3, color: Color, form: Form, appearance: Appearance
 ) -> Sketch:
-    if not is_rolling_form(entry, rolls):
+    if isinstance(form, Lying):
+        return turned(build_sketch(entry, form.drawn_cm, color, appearance), form)
+    if not is_rolling_form(entry, form):
         return build_sketch(entry, dimensions_cm, color, appearance)
     size = drawn_size(entry, dimensions_cm)
     return rolling(entry, build_sketch(entry, size, color, appearance), size)
@@ -320,7 +332,9 @@ def glb_bytes(config: AssetConfiguration, appearance: Appearance = USUAL) -> byt
     """The asset as binary glTF (metres, Y up); the same configuration gives the same bytes."""
     entry = parametric_entry(config)
     if entry is not None:
-        return _drawn_glb(entry, config.dimensions_cm, config.color_rgb, config.rolls, appearance)
+        return _drawn_glb(
+            entry, config.dimensions_cm, config.color_rgb, form_of(config), appearance
+        )
     scene = build_mesh(config, appearance)
     if all("look" in geometry.metadata for geometry in scene.geometry.values()):
         return asset_glb(scene)
@@ -333,9 +347,9 @@ def glb_bytes(config: AssetConfiguration, appearance: Appearance = USUAL) -> byt
 
 @lru_cache(maxsize=_KEPT_FILES)
 def _drawn_glb(
-    entry: Entry, dimensions_cm: Vec3, color: Color, rolls: bool, appearance: Appearance
+    entry: Entry, dimensions_cm: Vec3, color: Color, form: Form, appearance: Appearance
 ) -> bytes:
-    return models_glb(*_models(entry, dimensions_cm, color, rolls, appearance))
+    return models_glb(*_models(entry, dimensions_cm, color, form, appearance))
 
 
 def write_meshes(doc: EsgDocument, folder: Path) -> dict[str, str]:

@@ -17,6 +17,7 @@ from esg.assets.library.retrieve import Decision
 from esg.assets.materials import MATERIALS, find_material
 from esg.graph.models import AssetConfiguration, AssetRequirement, Mount, Proxy, SupportSurface
 from esg.outcomes import UserError
+from esg.units import quat_rotate
 
 if TYPE_CHECKING:
     import trimesh
@@ -103,4 +104,9 @@ def load_imported(config: AssetConfiguration) -> trimesh.Scene:
     factor = np.eye(4)
     factor[:3, :3] *= config.scale[0]
     scene.apply_transform(factor)
+    if config.lying is not None:
+        turn = np.eye(4)
+        turn[:3, :3] = quat_rotate(config.lying.turned_xyzw, np.eye(3)).T
+        turn[:3, 3] = config.lying.moved_cm
+        scene.apply_transform(turn)
     return scene

@@ -83,6 +83,7 @@ def requirement(e: Entity) -> AssetRequirement:
         material=material or None,
         color=e.color or _known_by(e),
         shape=shape,
+        lies=e.lies,
     )
 
 

@@ -25,8 +25,11 @@ from esg.draft.statements.held import (
 )
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
 from esg.draft.statements.looks.gestures import gestures
+from esg.draft.statements.looks.lying import USED as LIES
+from esg.draft.statements.looks.lying import lying
 from esg.draft.statements.looks.postures import postures
 from esg.draft.statements.looks.shown import shown
+from esg.draft.statements.looks.wobbling import wobbling
 from esg.draft.statements.looks.worn import USED, worn
 from esg.draft.statements.manners import flown, gains, paced, rolled, slid
 from esg.draft.statements.order import ALONE, UNKEPT, orders, started_alone
@@ -62,8 +65,10 @@ def state(
 def _clauses(told: Told) -> None:
     """What each clause that was read moves or holds, and what was lost of it."""
     d, book = told.d, told.book
+    shown = (Predicate.WOBBLES, Predicate.AT_REST)
+    said = {(s.start, s.end) for s in book.items if s.predicate in shown}
     for clause in d.scene.clauses:
-        why = missing(d, clause)
+        why = "" if span(clause.frame) in said else missing(d, clause)
         if why:
             _unkept(book, clause.frame, why)
         tow(book, clause)
@@ -127,7 +132,7 @@ def _own_up(t: Told) -> None:
     d, book = t.d, t.book
     owned = [s for s in book.items if s.predicate is Predicate.NOT_REPRESENTED]
     lost = [(s.start, s.end) for s in owned]
-    lost += [at for at, why in d.scene.used.items() if why in (USED, GESTURE)]
+    lost += [at for at, why in d.scene.used.items() if why in (USED, GESTURE, LIES)]
     gone = [(s.start, s.end) for s in owned if s.note not in _CAUSES]
     told = [f for f in t.frames if not f.unreal and not f.verb.negated]
     lost_clauses = [f for f in told if _is_lost(d, f, gone)]
@@ -211,6 +216,8 @@ WRITTEN: tuple[Callable[[Told], None], ...] = (
     worn,
     _sides,
     shown,
+    lying,
+    wobbling,
     postures,
     gestures,
     _clauses,

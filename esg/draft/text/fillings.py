@@ -13,6 +13,7 @@ from functools import cache, partial
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.text.lying import Lain, take_lying
 from esg.draft.text.shining import Shown, take_shown
 from esg.draft.verbphrases import verb_readings
 from esg.graph.models import Predicate
@@ -89,6 +90,8 @@ class Fillings:
     changed: list[tuple[int, int]] = field(default_factory=list[tuple[int, int]])
     """Where the text is another now."""
     shown: list[Shown] = field(default_factory=list[Shown])
+    lain: list[Lain] = field(default_factory=list[Lain])
+    """How things lie and stand."""
     meant: dict[str, str] = field(default_factory=dict[str, str])
     """By what a vessel is filled with, the vessel's noun: "the water" is what is in it."""
 
@@ -104,6 +107,7 @@ def take_out(text: str, nouns: Sequence[int] = ()) -> Fillings:
     if "drop" in text.lower():
         for m in [*_DROP.finditer(text)]:
             _blank(found, *m.span(), "droplets" if m["many"] or m["more"] else "droplet")
+    found.lain = take_lying(found.text, nouns, partial(_blank, found))
     found.shown = take_shown(found.text, partial(_blank, found))
     if not _ANY.search(found.text) or not _vessel_words().search(found.text):
         return found

@@ -30,6 +30,7 @@ def resized(
     proportions, else the factor must say how large.
     """
     from esg.assets.configuration import parametric_entry
+    from esg.assets.geometry import lying
     from esg.assets.geometry.rolling import drawn_size, is_rolling_form
     from esg.assets.stage import configure
 
@@ -38,7 +39,9 @@ def resized(
     size = dimensions or (factor * length, factor * width, factor * height)
     entry = parametric_entry(config)
     rolled = None
-    if entry is not None and is_rolling_form(entry, config.rolls):
+    if config.lying is not None:
+        size = lying.drawn_size(config.lying, size)
+    elif entry is not None and is_rolling_form(entry, config.rolls):
         # Asked for is the size as it is drawn; what rolls goes on rolling.
         size, rolled = drawn_size(entry, size), True
     mass = config.mass_kg if wanted.mass_is_prescribed else factor**3 * config.mass_kg

@@ -126,6 +126,7 @@ def make_body(
         group=node.group or "",
         mentioned=node.mentioned,
         active=active,
+        turned=None if config.lying is None else config.lying.turned_xyzw,
         wheels=tuple(
             Wheel(w.name, _vec((np.array(w.axle_cm) - com) / 100.0), w.radius_cm / 100.0)
             for w in config.wheels or ()

@@ -24,7 +24,7 @@ class Told:
 
     Args:
         movers: Bodies that may set out before anything touches them: whoever acts, and whatever
-            the first events are about (a tree that topples, a ball that falls).
+            the first events are about (a tree that topples, a ball that falls), what wobbles.
         speeds_mps: The largest speed that the prompt states of a body.
         slides: Bodies that are said to slide, or not to roll.
         surface: dry, or a row of the table of grounds.
@@ -52,7 +52,9 @@ def told_of(doc: EsgDocument) -> Told:
         return [n for name in names for n in groups.get(name, [name])]
 
     slides = {n for s in doc.statements or () if s.predicate is Predicate.SLIDES for n in s.object}
-    movers: set[str] = set()
+    # What wobbles of its own is let go from a lean.
+    wobbles = (s for s in doc.statements or () if s.predicate is Predicate.WOBBLES)
+    movers = {n for s in wobbles if s.when == "throughout" for n in s.object}
     speeds: dict[str, float] = {}
     if doc.timeline_system is not None:
         timeline = doc.timeline_system

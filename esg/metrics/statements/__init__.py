@@ -19,12 +19,14 @@ from esg.metrics.statements import (
     filmed,
     gestures,
     liquids,
+    lying,
     manner,
     place,
     plumes,
     postures,
     shown,
     sides,
+    wobbling,
     worn,
 )
 from esg.metrics.statements.query import Kept, StatementQuery, window_of
@@ -67,6 +69,8 @@ OF_BODIES: dict[Predicate, OfBody] = {
     Predicate.FLOATS: liquids.floats,
     Predicate.SINKS: liquids.sinks,
     Predicate.SIZE: facts.size,
+    Predicate.LIES: lying.lies,
+    Predicate.WOBBLES: wobbling.wobbles,
     Predicate.POSTURE: postures.posture,
     Predicate.WEARS: worn.wears,
     Predicate.LOOKS: worn.wears,

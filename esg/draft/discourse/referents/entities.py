@@ -78,6 +78,8 @@ class Entity:
     """front, rear, left, right or an ordinal, once known."""
     wears: list[str] = field(default_factory=list[str])
     """What is said to be worn by it: "red shirt"."""
+    lies: str | None = None
+    """How it lies or stands at first, a row of the table of poses, where that is told."""
     origin: int = -1
     """Offset of the first mention, for coverage."""
 
