@@ -274,7 +274,7 @@ class Mount(Model):
     """Of any length but 0: a hinge turns about it, a slider moves along it."""
 
 
-class Lying(Model):
+class Lying(Model, frozen=True):
     """How an asset is turned that lies or stands otherwise than it is drawn (docs/lying.md)."""
 
     pose: str

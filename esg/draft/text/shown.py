@@ -23,7 +23,6 @@ class Shown:
         about: Where the noun of what it is said of begins; `SCENE` or `BEFORE`.
         light: How the light is called, of those of its owner.
         lacks: Words about it that nothing shows.
-        lacks: Words about it that nothing shows.
         act: Words of an act by which it is brought about; None where it changes by itself.
     """
 
@@ -34,7 +33,6 @@ class Shown:
     about: int = SCENE
     light: str = ""
     act: tuple[int, int] | None = None
-    lacks: tuple[int, int] | None = None
     lacks: tuple[int, int] | None = None
 
 

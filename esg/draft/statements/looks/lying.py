@@ -150,7 +150,7 @@ def _bearers(t: Told, lain: Lain) -> list[str]:
                 return found
         break
     before = sorted((m for m in t.d.mentions if m.end <= lain.start), key=lambda m: -m.start)
-    return next((found for m in before if (found := nodes_of(t.d, m))), [])
+    return next((found for m in before if (found := nodes_of(t.d, m))), list[str]())
 
 
 def _lie_about(t: Told) -> Iterator[tuple[Frame, tuple[str, ...]]]:
