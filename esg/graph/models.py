@@ -274,7 +274,7 @@ class Mount(Model):
     """Of any length but 0: a hinge turns about it, a slider moves along it."""
 
 
-class Lying(Model, frozen=True):
+class Lying(Model):
     """How an asset is turned that lies or stands otherwise than it is drawn (docs/lying.md)."""
 
     pose: str
@@ -287,6 +287,9 @@ class Lying(Model, frozen=True):
     """Its extents as it is drawn."""
     dimensions_cm: Vec3
     """Its extents as it lies."""
+
+    def __hash__(self) -> int:
+        return hash((self.pose, self.turned_xyzw, self.moved_cm, self.drawn_cm, self.dimensions_cm))
 
 
 class AssetConfiguration(Model):
