@@ -294,9 +294,13 @@ def _moved_by_none(d: Discourse, clause: Clause) -> bool:
 
 
 def _acts_on_something(d: Discourse, clause: Clause) -> bool:
-    """Whether a clause is active, and has an object."""
+    """Whether somebody acts on a thing: with an object, or as the agent of a passive."""
     f = clause.frame
-    return not (f.verb.passive or f.reduced or f.object is None)
+    if f.verb.passive:
+        by = f.phrase("by")
+        named = [] if by is None or by.mention is None else by.mention.entities
+        return any(kind_of(d, i) in LIMBED for i in named if i in d.world.entities)
+    return f.object is not None and (f.relative or not f.reduced)
 
 
 def _later_act(d: Discourse, clause: Clause) -> bool:
