@@ -196,7 +196,8 @@ def _rammed(d: Discourse, clause: Clause) -> bool:
 
 def _tied(d: Discourse, f: Frame) -> bool:
     """Whether what a clause acts on, or what that rides in, is joined to what draws it."""
-    acted_on = [] if f.object is None else f.object.entities
+    named = f.subject if f.verb.passive else f.object
+    acted_on = [] if named is None else named.entities
     hosts = (
         places.get(i, "") for i in acted_on for places in (d.scene.supported_by, d.scene.inside_of)
     )
