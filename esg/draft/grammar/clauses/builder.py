@@ -20,6 +20,9 @@ from esg.draft.text.elements import Element, Mention, Verb
 
 _GETTING = lex.word_set("getting (builder)")
 _TURNED = lex.word_set("senses told as actives (builder)")
+_STRUCK = frozenset({"hit", "knock"})
+_STRUCK_INTO = ("against", "along", "into")
+"""What tells where that goes which is struck: "is rammed into a wall by a car"."""
 _OTHERWISE = frozenset({"pull"})
 """Of which the particle tells another sense where something acts: "a shelf is pulled over"."""
 _CARRYING = frozenset({"carry", "transport", "ferry"})
@@ -107,7 +110,8 @@ def _by_who_acts(f: Frame) -> None:
         return
     carried = f.verb.sense == "carry" and f.verb.lemma in _CARRYING
     kind = doer.noun.kind if doer.noun is not None else ""
-    told = f.verb.sense in _TURNED and kind in DOERS and (f.relative or not f.reduced)
+    into = f.verb.sense in _STRUCK and f.phrase(*_STRUCK_INTO) is not None
+    told = (f.verb.sense in _TURNED or into) and kind in DOERS and (f.relative or not f.reduced)
     told = told and f.verb.lemma not in _OTHERWISE
     if not carried and not told:
         return

@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from esg.draft import lexicon as lex
+from esg.draft.grammar.clauses.captions import DOERS, done_by_somebody
 from esg.draft.grammar.clauses.frames import Frame, Phrase, State
 from esg.draft.grammar.clauses.links import (
     UNCHANGED,
@@ -24,7 +25,6 @@ from esg.draft.grammar.clauses.links import (
     serial,
     whose,
 )
-from esg.draft.grammar.clauses.captions import DOERS, done_by_somebody
 from esg.draft.grammar.clauses.nouns import runs_on
 from esg.draft.grammar.clauses.record import Clauses
 from esg.draft.text.elements import PARTING, Mention, Verb, Word, element_at
