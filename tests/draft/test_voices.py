@@ -121,3 +121,15 @@ def test_forms_agree_over_many_verbs() -> None:
     assert len(found) > 250
     assert counts["silent"] <= 2, counts
     assert counts["told otherwise"] <= 20, counts
+
+
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        ("Wheels spinning, a car stuck in the mud is pushed out by two men.", "is pushed"),
+        ("An elderly man in a wheelchair being pushed along a pier by a nurse.", "being pushed"),
+        ("The lowest of three stacked boxes is pulled out by a robot.", "is pulled"),
+    ],
+)
+def test_passives_own_up_to_their_verb(text: str, words: str) -> None:
+    assert words in owned(draft(text))
