@@ -3,9 +3,10 @@
     python -m benchmarks.voices                  # every clause in every form
     python -m benchmarks.voices --every 10 --show
 
-`data/prompts/clauses.tsv` holds clauses: who acts, a verb by its lemma, on what, and the rest ("off a
-table"). Each is drafted as an active sentence and in the forms below, which tell the same; a form agrees if its
-facts are those of the active, or if both own up to something. No labels are needed.
+`data/prompts/clauses.tsv` holds clauses: who acts, a verb by its lemma, on what, and the rest
+("off a table"). Each is drafted as an active sentence and in the forms below, which tell the same; a
+form agrees if its facts are those of the active, or if both own up to something. No labels are
+needed.
 """
 
 from __future__ import annotations
@@ -80,8 +81,7 @@ def _inflected(lemma: str) -> dict[str, str]:
     """The forms of a verb that the lexicon has; regular ones of others."""
     stem = lemma.removesuffix("e")
     regular = {"s": f"{lemma}s", "ing": f"{stem}ing", "pp": f"{stem}ed"}
-    found = {form: _by_lemma().get((lemma, form), word) for form, word in regular.items()}
-    return found
+    return {form: _by_lemma().get((lemma, form), word) for form, word in regular.items()}
 
 
 def clauses() -> list[Clause]:

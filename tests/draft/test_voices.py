@@ -127,7 +127,10 @@ def test_forms_agree_over_many_verbs() -> None:
     ("text", "words"),
     [
         ("Wheels spinning, a car stuck in the mud is pushed out by two men.", "is pushed"),
-        ("An elderly man in a wheelchair being pushed along a pier by a nurse.", "being pushed"),
+        (
+            "An elderly man in a wheelchair being pushed along a pier by a nurse, seagulls overhead.",
+            "being pushed",
+        ),
         ("The lowest of three stacked boxes is pulled out by a robot.", "is pulled"),
     ],
 )
