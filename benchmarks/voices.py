@@ -4,9 +4,8 @@
     python -m benchmarks.voices --every 10 --show
 
 `data/prompts/clauses.tsv` holds clauses: who acts, a verb by its lemma, on what, and the rest
-("off a table"). Each is drafted as an active sentence and in the forms below, which tell the same; a
-form agrees if its facts are those of the active, or if both own up to something. No labels are
-needed.
+("off a table"). Each is drafted as an active sentence and in the forms below, which tell the same;
+a form agrees if its facts are those of the active, or if both own up to something. No labels.
 """
 
 from __future__ import annotations
