@@ -35,7 +35,6 @@ _CASES = {
     checks.NOT_ALL: (
         ("A snooker ball hits two red balls, and one of them rolls into the side pocket.", "hits"),
         ("The curling stone hits two other stones and comes to a stop.", "hits"),
-        ("Wheels spinning, a car stuck in the mud is pushed out by two men.", "pushed"),
         ("A red bowling ball rolls down the lane and knocks over all ten pins.", "all ten pins"),
         ("A bowling ball hits the head pin, and all the pins fall.", "all the pins"),
         ("The ball knocks down all the pins.", "all the pins"),
@@ -69,10 +68,6 @@ _CASES = {
         ("A jogger with a dog on a leash runs past a bench. The dog sees a squirrel.", "a leash"),
     ),
     checks.STAYS: (
-        (
-            "An elderly man in a wheelchair being pushed along a pier by a nurse, seagulls overhead.",
-            "pushed",
-        ),
         ("A toddler pushes a toy lorry along a wooden bench until it drops off the end.", "pushes"),
         ("A red toy mower is pushed across the grass by a toddler.", "is pushed"),
     ),
@@ -97,7 +92,6 @@ _CASES = {
             " a hanging 100 g mass.",
             "pulled",
         ),
-        ("The lowest of three stacked boxes is pulled out by a robot.", "pulled"),
     ),
     things.TWO_NAMES: (
         (

@@ -8,7 +8,7 @@ from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
 from esg.draft.discourse.jointed import behind_doors, has_a_door, is_flap
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.referents.entities import Entity
+from esg.draft.discourse.referents.entities import Entity, is_toy
 from esg.draft.discourse.referents.record import links
 from esg.draft.discourse.referents.wholes import has_pans, tips
 from esg.draft.discourse.scene import LIMBED, Relation
@@ -91,6 +91,13 @@ def place(
         kind = _holding(d, kind, t, other)
         if _settles(d, t, other, kind):
             d.scene.relations.append(Relation(t, other, kind, stated, text))
+
+
+def at_the_wheel(d: Discourse, who: list[str], vehicle: str) -> None:
+    """Puts who drives or parks a vehicle beside it, and aboard if it is no toy."""
+    place(d, who, [vehicle], "near")
+    if not is_toy(entity_of(d, vehicle)):
+        d.scene.aboard.update((i, vehicle) for i in who)
 
 
 def _seat(d: Discourse, things: list[str], other: str) -> None:

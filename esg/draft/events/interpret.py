@@ -330,10 +330,19 @@ def _who_takes_the_way(frames: list[Frame], m: Mention) -> Mention:
     return m
 
 
+_MOVED_THERE = frozenset({"launch", "roll", "slide", "tow"})
+_OUT_OF_SIGHT = frozenset({"under", "beneath", "underneath", "behind", "between"})
+"""What follows what is pushed: "pushes a box behind a couch" tells where it goes."""
+
+
 def _is_goal(f: Frame, p: Phrase) -> bool:
     """ "Drops a ball in a bowl", "puts a cup on a shelf": it is not there at first."""
     sent = f.verb.sense in ("drop", "launch") and f.object is not None and not f.reduced
-    return _tells_of_hands(f) or (sent and p.prep in ("in", "inside"))
+    if _tells_of_hands(f) or (sent and p.prep in ("in", "inside")):
+        return True
+    moved = f.verb.sense in _MOVED_THERE and f.object is not None and not f.verb.passive
+    named = p.mention is not None and not p.mention.pronoun  # "drags a sledge behind it"
+    return moved and named and p.prep in _OUT_OF_SIGHT
 
 
 def _tells_of_hands(f: Frame) -> bool:

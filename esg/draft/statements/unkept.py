@@ -196,7 +196,8 @@ def _rammed(d: Discourse, clause: Clause) -> bool:
 
 def _tied(d: Discourse, f: Frame) -> bool:
     """Whether what a clause acts on, or what that rides in, is joined to what draws it."""
-    acted_on = [] if f.object is None else f.object.entities
+    named = f.subject if f.verb.passive else f.object
+    acted_on = [] if named is None else named.entities
     hosts = (
         places.get(i, "") for i in acted_on for places in (d.scene.supported_by, d.scene.inside_of)
     )
@@ -294,9 +295,13 @@ def _moved_by_none(d: Discourse, clause: Clause) -> bool:
 
 
 def _acts_on_something(d: Discourse, clause: Clause) -> bool:
-    """Whether a clause is active, and has an object."""
+    """Whether somebody acts on a thing: with an object, or as the agent of a passive."""
     f = clause.frame
-    return not (f.verb.passive or f.reduced or f.object is None)
+    if f.verb.passive:
+        by = f.phrase("by")
+        named = [] if by is None or by.mention is None else by.mention.entities
+        return any(kind_of(d, i) in LIMBED for i in named if i in d.world.entities)
+    return f.object is not None and (f.relative or not f.reduced)
 
 
 def _later_act(d: Discourse, clause: Clause) -> bool:

@@ -15,6 +15,7 @@ from esg.draft.discourse.core import (
     quantity_of,
 )
 from esg.draft.discourse.event_coreference import time_of_told
+from esg.draft.discourse.places import at_the_wheel
 from esg.draft.discourse.record import Discourse, Time
 from esg.draft.discourse.scene import LIMBED, SELF_POWERED
 from esg.draft.discourse.tracks import Motion
@@ -261,7 +262,15 @@ def _stands_there(d: Discourse, f: Frame, actors: list[str]) -> bool:
     brought = f.verb.passive and f.verb.lemma == "bring"
     asked = f.parent  # "Show a motorcycle stopping"
     shown = asked is not None and asked.subject is None and asked.verb.lemma in _SHOWN
-    return (f.reduced and not told and not shown) or (f.verb.passive and not brought and not tracks)
+    reduced = f.reduced and not (told or shown or _there_is(f))
+    return reduced or (f.verb.passive and not brought and not tracks)
+
+
+def _there_is(f: Frame) -> bool:
+    """ "There is a truck that stops near a gate": that it stops is all that is told of it."""
+    told, finite = f.parent, f.verb.form == "s" and not f.verb.passive
+    there = told is not None and told.verb.sense == "be" and "there" in told.adverbs
+    return f.relative and finite and there
 
 
 def _halts(d: Discourse, f: Frame, s: list[str], o: list[str]) -> bool:
@@ -342,11 +351,14 @@ def _captioned(d: Discourse, f: Frame) -> bool:
 
 @sense("park")
 def read_park(d: Discourse, f: Frame, s: list[str], o: list[str]) -> None:
-    stands = f.verb.passive or f.reduced or f.verb.form == "pp" or not s or _captioned(d, f)
+    reduced = f.reduced and not _there_is(f)
+    stands = f.verb.passive or reduced or f.verb.form == "pp" or not s or _captioned(d, f)
     if stands or kind_of(d, s[0]) not in SELF_POWERED:
         read_be(d, f, s, o)
         return
     parked = [i for i in o if movable(d, i)] if kind_of(d, s[0]) == "person" else []
+    if parked and kind_of(d, parked[0]) in SELF_POWERED:
+        at_the_wheel(d, s, parked[0])
     _stop(d, f, (parked or s)[0], time_of(d, f))
     if not parked and not things(f.phrase(*_STOPPING_BY)):
         places(d, f, s)

@@ -14,9 +14,8 @@ from esg.draft.discourse.core import (
     quantity_of,
     structural,
 )
-from esg.draft.discourse.places import holds, place
+from esg.draft.discourse.places import at_the_wheel, holds, place
 from esg.draft.discourse.record import Discourse
-from esg.draft.discourse.referents.entities import is_toy
 from esg.draft.discourse.scene import GROUND, LIMBED, LIVING, SELF_POWERED, STRUCK, Relation
 from esg.draft.events.acts import add_event, add_hit, ensure_mover, go_into, kinematics
 from esg.draft.events.courses import climbs, goes_steeply
@@ -215,9 +214,7 @@ def _driven(d: Discourse, f: Frame, s: list[str], o: list[str]) -> list[str]:
         for rider, mount in zip(s, o, strict=True):
             place(d, [rider], [mount], "on")
         return o
-    place(d, s, o, "near")
-    if not is_toy(entity_of(d, o[0])):
-        d.scene.aboard.update((who, o[0]) for who in s)
+    at_the_wheel(d, s, o[0])
     return o[:1]
 
 

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from esg.draft import lexicon as lex
+from esg.draft.grammar.clauses.captions import DOERS
 from esg.draft.grammar.clauses.frames import Frame, State, background_first, in_order
 from esg.draft.grammar.clauses.idioms import read_idioms
 from esg.draft.grammar.clauses.nouns import mention
@@ -18,6 +19,12 @@ from esg.draft.grammar.clauses.words import flush, read_word
 from esg.draft.text.elements import Element, Mention, Verb
 
 _GETTING = lex.word_set("getting (builder)")
+_TURNED = lex.word_set("senses told as actives (builder)")
+_STRUCK = frozenset({"hit", "knock"})
+_STRUCK_INTO = ("against", "along", "into")
+"""What tells where that goes which is struck: "is rammed into a wall by a car"."""
+_OTHERWISE = frozenset({"pull"})
+"""Of which the particle tells another sense where something acts: "a shelf is pulled over"."""
 _CARRYING = frozenset({"carry", "transport", "ferry"})
 _TAKING = lex.word_set("taking (builder)")
 
@@ -48,7 +55,7 @@ def build_clauses(elements: list[Element]) -> Clauses:
             f.main = next(alike, None)
     c.frames = _same_again(c, in_order(background_first(c.frames)))
     for f in c.frames:
-        _by_who_carries(f)
+        _by_who_acts(f)
     read_idioms(c.frames)
     return c
 
@@ -93,17 +100,25 @@ def _same_again(c: Clauses, frames: list[Frame]) -> list[Frame]:
     return out
 
 
-def _by_who_carries(f: Frame) -> None:
+def _by_who_acts(f: Frame) -> None:
     """ "A tray is carried by a waiter": a waiter carries a tray."""
     by = f.phrase("by")
-    told = f.verb.passive and f.verb.sense == "carry" and f.verb.lemma in _CARRYING
-    if not told or f.subject is None or f.object is not None or by is None:
+    if not f.verb.passive or f.subject is None or f.object is not None or by is None:
         return
-    if by.mention is None or by.mention.attribute:
+    doer = by.mention
+    if doer is None or doer.attribute:
+        return
+    carried = f.verb.sense == "carry" and f.verb.lemma in _CARRYING
+    kind = doer.noun.kind if doer.noun is not None else ""
+    into = f.verb.sense in _STRUCK and f.phrase(*_STRUCK_INTO) is not None
+    told = (f.verb.sense in _TURNED or into) and kind in DOERS and (f.relative or not f.reduced)
+    told = told and f.verb.lemma not in _OTHERWISE
+    if not carried and not told:
         return
     f.phrases.remove(by)
-    f.subject, f.object = by.mention, f.subject
-    f.verb.passive, f.verb.form, f.reduced = False, "s", False
+    f.subject, f.object = doer, f.subject
+    f.verb.passive, f.verb.form, f.verb.auxiliary = False, "s", ""
+    f.reduced = f.reduced and not carried
 
 
 def _last_told(out: list[Frame]) -> list[Frame]:

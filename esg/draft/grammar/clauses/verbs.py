@@ -6,6 +6,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 from esg.draft import lexicon as lex
+from esg.draft.grammar.clauses.captions import DOERS, done_by_somebody
 from esg.draft.grammar.clauses.frames import Frame, Phrase, State
 from esg.draft.grammar.clauses.links import (
     UNCHANGED,
@@ -39,7 +40,6 @@ _BY_ITSELF = frozenset({"posture", "park", "stop", "fall", "topple", "roll", "sl
 _BY_ITSELF_OR_HIT = frozenset({"posture", "park", "stop", "hit", "topple", "fall"})
 _SENDING = frozenset({"drop", "launch", "roll", "slide", "carry", "pick"})
 """Senses of which a command says what hands do: "lift the cube and drop it"."""
-_DOERS = frozenset({"person", "animal", "vehicle", "robot", "flyer", "cart", "watercraft"})
 _DONE_BY_HAND = lex.word_set("done by hand")
 _HANDLING = frozenset({"posture", "pick", "carry", "noop"})
 _STATES = frozenset({"be", "posture", "park", "weigh", "measure", "have", "contain"})
@@ -152,6 +152,8 @@ def _first(c: Clauses, s: State, o: _Opening) -> bool:
         v.passive = v.passive or (v.form != "ing" and v.sense not in _BY_ITSELF)
     elif _headline(c, s.subject, v, i):
         v.passive = True
+    elif done_by_somebody(c, s.subject, v, i):
+        v.passive, v.auxiliary = True, "is"
     elif v.form == "pp" and not v.auxiliary and not v.passive:
         v.passive = v.sense in ("launch", "drop", "pass", "posture")
     return True
@@ -159,7 +161,7 @@ def _first(c: Clauses, s: State, o: _Opening) -> bool:
 
 def _headline(c: Clauses, m: Mention, v: Verb, i: int) -> bool:
     """ "Drawer pulled out, spoon dropped in": what is done to things without an article."""
-    things = m.noun is not None and m.noun.kind not in _DOERS and not m.attribute
+    things = m.noun is not None and m.noun.kind not in DOERS and not m.attribute
     bare = not (m.determiner or m.pronoun or m.coordinated or m.count or m.letters)
     handled = v.sense in _SENDING | {"own", "posture", "tow"} and v.lemma in _DONE_BY_HAND
     return bare and things and handled and v.form in ("past", "pp") and not _acts_on(c, i)
