@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+import copy
 from dataclasses import dataclass, replace
 import itertools
 from typing import TYPE_CHECKING
@@ -115,6 +116,13 @@ class Action:
         """Azimuth [rad] from which left and right are as the prompt says; None if any will do."""
         self._acting: dict[tuple[Beat, int], Floats] = {}
         self.beats = tuple(self._met(b) for b in _beats(scene, rollout, verdict, doc))
+
+    def about(self, beat: Beat) -> Action:
+        """The same motion, of which a film shows one beat only."""
+        out = copy.copy(self)
+        out._acting = {}
+        out.beats = (out._met(beat),)
+        return out
 
     def frame(self, time: float) -> int:
         """Index of the frame nearest to a time [s]."""
