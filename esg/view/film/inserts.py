@@ -24,6 +24,8 @@ MOST = 4
 """Inserts of a film."""
 BEFORE_S, AFTER_S, GOES_ON_S = 0.3, 0.4, 0.9
 """No insert cuts into an event: what is around it is kept, longer of what lasts."""
+GRAZES_S = 0.1
+"""An insert that cuts in by no more takes the place of what it shows; else it is shown besides."""
 SHORTEST_S = 0.4
 """What an insert leaves of a stretch is dropped where it is shorter."""
 
@@ -65,7 +67,7 @@ def with_inserts(
         if insert is None:
             lacking.append(one)
         else:
-            out, left = _spliced(out, insert), left - 1
+            out, left = _spliced(action, out, insert), left - 1
     finder.turn_to(action)
     return out, lacking
 
@@ -107,31 +109,36 @@ def _when(action: Action, told: Told) -> tuple[float, float]:
     """The first stretch within what is told that cuts least into the events [s]."""
     begin, end = told.span
     lasts = min(LASTS_S, end - begin)
-    kept = [
+    starts = np.arange(begin, end - lasts + 1e-6, 0.1)
+    kept = _kept(action)
+    start = float(min(starts, key=lambda s: (round(_over(kept, float(s), float(s) + lasts), 3), s)))
+    return start, start + lasts
+
+
+def _kept(action: Action) -> list[tuple[float, float]]:
+    """What no insert cuts into: the time around the events [s]."""
+    return [
         (b.time_s - BEFORE_S, b.time_s + (GOES_ON_S if b.type in LASTING else AFTER_S))
         for b in action.beats
         if b.event
     ]
-    starts = np.arange(begin, end - lasts + 1e-6, 0.1)
-
-    def lost(start: float) -> float:
-        over = (min(b, start + lasts) - max(a, start) for a, b in kept)
-        return sum(max(0.0, v) for v in over)
-
-    start = float(min(starts, key=lambda s: (round(lost(float(s)), 3), s)))
-    return start, start + lasts
 
 
-def _spliced(shots: Sequence[Shot], insert: Shot) -> list[Shot]:
-    """Shots in order of time, without what the insert shows."""
+def _over(kept: Sequence[tuple[float, float]], start: float, end: float) -> float:
+    """By how much a stretch cuts into others [s]."""
+    return sum(max(0.0, min(b, end) - max(a, start)) for a, b in kept)
+
+
+def _spliced(action: Action, shots: Sequence[Shot], insert: Shot) -> list[Shot]:
+    """Shots in order of time; what the insert shows is shown once, unless it cuts into an event."""
     a, b = float(insert.cut.time_s[0]), float(insert.cut.time_s[-1])
-    out: list[Shot] = []
-    for shot in shots:
-        times = shot.cut.time_s
-        out += [
+    out = list(shots)
+    if _over(_kept(action), a, b) <= GRAZES_S:
+        out = [
             _part(shot, keep)
-            for keep in (times < a, times > b)
-            if keep.all() or _lasts(times[keep]) >= SHORTEST_S
+            for shot in shots
+            for keep in (shot.cut.time_s < a, shot.cut.time_s > b)
+            if keep.all() or _lasts(shot.cut.time_s[keep]) >= SHORTEST_S
         ]
     return sorted((*out, insert), key=lambda s: float(s.cut.time_s[0]))
 
