@@ -11,7 +11,6 @@ import numpy as np
 from esg.metrics.binding import Binding
 from esg.metrics.events.space import inside_volume, volumes
 from esg.metrics.geometry import gets_ahead
-from esg.metrics.plausibility.limits import motion_of
 from esg.metrics.replay import Floats, Replay
 from esg.metrics.statements.query import Kept, StatementQuery
 from esg.metrics.support import bounds, local_position, touching
@@ -200,6 +199,8 @@ _ASHORE = ("legs", "road", "track")
 
 def _out_on_water(replay: Replay, q: StatementQuery, body: int, path: Floats, found: Kept) -> Kept:
     """Who goes toward the sea stops at the shore: water bears nobody who walks or drives."""
+    from esg.metrics.plausibility.limits import motion_of  # the judge is above it
+
     bodies, own = replay.scene.bodies, replay.scene.bodies[body]
     ashore = motion_of(own.label, own.category).moves in _ASHORE
     waters = [i for i in q.target.bodies if bodies[i].category == WATER and not bodies[i].collides]

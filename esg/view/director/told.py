@@ -7,11 +7,13 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 import numpy as np
+from numpy.typing import NDArray
 
 from esg.engines.scene import FRAGMENT, Rollout, SimScene
 from esg.engines.wheels import gesturing
 from esg.graph.models import Predicate
 from esg.lexicon.gestures import EASES
+from esg.units import quat_rotate
 from esg.view.director.lens import extent
 
 if TYPE_CHECKING:
@@ -158,13 +160,26 @@ def legible_in(action: Action, take: Take, told: Told, aspect: float) -> tuple[l
 
 
 _EVERY = 3
+AHEAD = 0.35
+"""A gesture is told from within 70 degrees of straight ahead: from the side a hand that waves is
+before the face, and seen from behind a nod is none."""
 GOAL_INSIDE = 0.4
 """So much of a goal is in the picture: of a tree to which somebody goes not only a twig."""
 
 
+def _faced(action: Action, frame: int, body: int, arm: NDArray[np.float64]) -> float:
+    """Cosine of the angle between where a body faces and a direction, over the ground."""
+    ahead = quat_rotate(action.rollout.quaternion[0, frame, body], np.array([1.0, 0.0, 0.0]))
+    size = float(np.hypot(*ahead[:2]) * np.hypot(*arm[:2]))
+    return float(ahead[:2] @ arm[:2]) / size if size > 1e-6 else 1.0
+
+
 def _large(action: Action, take: Take, k: int, told: Told, aspect: float) -> bool:
     """Whether the longer side of a body is large enough inside of a frame."""
-    corners = action.corners(action.frame(float(take.time_s[k])), (told.body,))[0]
+    frame = action.frame(float(take.time_s[k]))
+    corners = action.corners(frame, (told.body,))[0]
+    if told.facing and _faced(action, frame, told.body, take.eye[k] - corners.mean(axis=0)) < AHEAD:
+        return False
     found = extent(take.camera(k), corners, aspect)
     if not found.ahead or (told.mover is not None and found.inside < GOAL_INSIDE):
         return False
