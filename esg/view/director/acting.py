@@ -42,6 +42,8 @@ SMALL_M, SWEEP_S, SWEEP_M = 0.5, 0.05, 2.0
 """What is smaller is seen with where it is so long before and after, if that is not farther."""
 PASSES = "misses"
 """Type of the event of who passes something: nothing of that is struck and goes away."""
+PASSED_MOST_S = 3.0
+"""It is waited for so long that who passes has left something behind him."""
 SET_OFF = "sets_off"
 """Type of a beat in which somebody throws, kicks or shoots something: no event of a document."""
 
@@ -57,6 +59,7 @@ class Beat:
         leads: Bodies that move into it; their boxes are seen as a whole.
         others: Bodies that it happens to; what of them is near the leads is seen.
         company: What belongs to the others: members of their group, what is entered.
+        until_s: Of who passes something, when he has left it behind him [s]; else 0.
     """
 
     event: str
@@ -65,6 +68,7 @@ class Beat:
     leads: tuple[int, ...]
     others: tuple[int, ...] = ()
     company: tuple[int, ...] = ()
+    until_s: float = 0.0
 
     @property
     def brief(self) -> bool:
@@ -290,9 +294,23 @@ def _beat(scene: SimScene, rollout: Rollout, doc: EsgDocument, event: EventVerdi
     leads = (*leads, *(i for i in fixed_to(scene, leads) if i not in bodies))
     if event.type in INTO:
         company |= set(openings_of(scene, doc, bodies))
-    return Beat(
-        event.id, event.type, time, leads, others, tuple(sorted(company - {*leads, *others}))
-    )
+    mates = tuple(sorted(company - {*leads, *others}))
+    until = _passed(scene, rollout, bodies, time) if event.type == PASSES else 0.0
+    return Beat(event.id, event.type, time, leads, others, mates, until)
+
+
+def _passed(scene: SimScene, rollout: Rollout, bodies: Sequence[int], time: float) -> float:
+    """When the first of two has left the second behind him [s], 0 if he does not soon."""
+    if len(bodies) < 2:
+        return 0.0
+    a, b = bodies[:2]
+    now = (rollout.time >= time) & (rollout.time <= time + PASSED_MOST_S)
+    apart = (rollout.position[0, now, a] - rollout.position[0, now, b])[:, :2].astype(float)
+    pace = rollout.linear_velocity[0, now, a, :2].astype(float)
+    ahead = (apart * pace).sum(axis=1) / np.maximum(np.linalg.norm(pace, axis=1), 1e-6)
+    size = sum(max(scene.bodies[i].half_extents[:2]) for i in (a, b))
+    there = np.flatnonzero(ahead >= size)
+    return float(np.asarray(rollout.time)[now][there[0]]) + 0.3 if len(there) else 0.0
 
 
 def _moving(rollout: Rollout, bodies: Sequence[int], start: float, end: float) -> tuple[int, ...]:

@@ -99,7 +99,7 @@ def _spans(
         ahead = before
         if beat.type == PASSING:
             ahead, lasting = PASSES * before, PASSES * lasting
-        a, b = max(0.0, beat.time_s - ahead), min(end, beat.time_s + lasting)
+        a, b = max(0.0, beat.time_s - ahead), min(end, max(beat.time_s + lasting, beat.until_s))
         if out and a - out[-1][1] <= JOIN_S:
             out[-1] = (out[-1][0], max(b, out[-1][1]))
         else:
