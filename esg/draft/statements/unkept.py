@@ -49,6 +49,7 @@ _WAYS = frozenset({"along", "across", "through", "up", "down", "around", "past"}
 _INTO_WATER = frozenset({"into", "onto", "through", "across"})
 _WORDS = re.compile(r"[a-z]+")
 _NO_DEPTH = lex.word_set("no depth (water)")
+_EDGEWISE = lex.word_set("spins on its edge")
 _TURNED = frozenset({NodeEvent.SPIN, NodeEvent.HEADING_REACHED, NodeEvent.SWING})
 NOTHING_MOVES = "nothing of the kind happens in the scene"
 COMES_DOWN = "nothing holds it any longer: it comes down"
@@ -385,6 +386,7 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "flung": _flung,
     "unbounced": lambda d, c: bool(c.movers) and not any(_met_or_bounced(d, i) for i in c.movers),
     "far": _far,
+    "flat": lambda d, c: any(entity_of(d, i).noun.name in _EDGEWISE for i in c.movers),
     "limbed": lambda d, c: any(
         kind_of(d, i) in LIMBED for i in _doers(c.frame) if i in d.world.entities
     ),
