@@ -121,11 +121,16 @@ class Action:
         self._acting: dict[tuple[Beat, int], Floats] = {}
         self.beats = tuple(self._met(b) for b in _beats(scene, rollout, verdict, doc))
 
-    def about(self, beat: Beat) -> Action:
-        """The same motion, of which a film shows one beat only."""
+    def about(self, beat: Beat, *, alone: bool = False) -> Action:
+        """The same motion, of which a film shows one beat only.
+
+        Args:
+            beat: What it is about.
+            alone: Without what is beside it.
+        """
         out = copy.copy(self)
         out._acting = {}
-        out.beats = (out._met(beat),)
+        out.beats = (beat if alone else out._met(beat),)
         return out
 
     def frame(self, time: float) -> int:

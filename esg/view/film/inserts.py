@@ -18,8 +18,8 @@ from esg.view.moments import LASTING
 
 CLEAR = 0.3
 """Share of a body that nothing hides where it can be told."""
-LASTS_S = 1.1
-"""Of an insert."""
+LASTS_S, SHORTER_S = 1.1, (0.9, 0.7)
+"""Of an insert; where there is only so much time between events, a shorter one."""
 MOST = 4
 """Inserts of a film."""
 BEFORE_S, AFTER_S, GOES_ON_S = 0.3, 0.4, 0.9
@@ -95,7 +95,7 @@ def _insert(finder: Viewfinder, action: Action, told: Told, seed: int) -> Shot |
     cut = Cut(times, np.ones(len(times)))
     casts = [(told.body,)] if told.mover is None else [(told.mover, told.body), (told.body,)]
     for cast in casts:
-        about = action.about(Beat("", "", 0.5 * (start + end), cast))
+        about = action.about(Beat("", "", 0.5 * (start + end), cast), alone=told.facing)
         if told.facing:
             about.side = seen_ahead(action.rollout, cast, action.frame(start)) or about.side
         finder.turn_to(about)
@@ -108,10 +108,16 @@ def _insert(finder: Viewfinder, action: Action, told: Told, seed: int) -> Shot |
 def _when(action: Action, told: Told) -> tuple[float, float]:
     """The first stretch within what is told that cuts least into the events [s]."""
     begin, end = told.span
-    lasts = min(LASTS_S, end - begin)
-    starts = np.arange(begin, end - lasts + 1e-6, 0.1)
     kept = _kept(action)
-    start = float(min(starts, key=lambda s: (round(_over(kept, float(s), float(s) + lasts), 3), s)))
+    options = [
+        (round(_over(kept, float(start), float(start) + lasts), 3), start + LASTS_S - lasts, lasts)
+        for lasts in (LASTS_S, *SHORTER_S)
+        for start in np.arange(begin, end - lasts + 1e-6, 0.1)
+    ]
+    if not options:
+        return begin, end
+    _, late, lasts = min(options)
+    start = float(late - LASTS_S + lasts)
     return start, start + lasts
 
 
