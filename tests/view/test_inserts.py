@@ -10,7 +10,15 @@ from esg.draft import draft
 from esg.dynamics.plan.build import build_scene
 from esg.engines.scene import ContactLog, Rollout, SimScene
 from esg.layout import solve
-from esg.view.director.told import LEGIBLE, LEGIBLE_GESTURE, LEGIBLE_S, Told, legible_in, told_of
+from esg.view.director.told import (
+    GOAL_INSIDE,
+    LEGIBLE,
+    LEGIBLE_GESTURE,
+    LEGIBLE_S,
+    Told,
+    legible_in,
+    told_of,
+)
 from esg.view.film.cutting import MAX_FRAMES
 from esg.view.film.inserts import LASTS_S, Shot, with_inserts
 from esg.view.film.shooting import frames_of, shots_of
@@ -65,7 +73,7 @@ def test_a_film_cuts_to_who_waves_at_a_bus() -> None:
 def test_a_goal_is_shown_with_who_goes_to_it() -> None:
     """Out of the picture while the dog runs; both in the cut."""
     finder = finder_of(DOG)
-    goal = Told(1, (0.0, 3.0), LEGIBLE, mover=0)
+    goal = Told(1, (0.0, 3.0), LEGIBLE, mover=0, inside=GOAL_INSIDE)
     shots, lacking = with_inserts(finder, shots_of(finder), [goal], 0)
     assert not lacking
     (insert,) = (shot for shot in shots if shot.action is not finder.action)

@@ -26,6 +26,9 @@ LEGIBLE = 0.08
 """Share of the picture's height that the longer side of a thing takes where it can be told."""
 LEGIBLE_GESTURE = 0.25
 """The same of who makes a gesture: of an arm that goes a fifth of that a twentieth is seen."""
+GOAL_INSIDE, PLUME_INSIDE = 0.4, 0.7
+"""So much of a goal is in the picture: of a tree to which somebody goes not only a twig; and of
+what smokes, with its smoke."""
 LEGIBLE_S = 0.35
 """It is so large for so long."""
 _OTHERWISE = frozenset(
@@ -52,6 +55,7 @@ class Told:
         least: Share of the picture's height that its longer side must take.
         mover: Who goes to it; None if nobody does.
         facing: Whether it is seen from ahead, as a gesture is.
+        inside: So much of it is in the picture, with what rises from it.
     """
 
     body: int
@@ -59,6 +63,7 @@ class Told:
     least: float
     mover: int | None = None
     facing: bool = False
+    inside: float = 0.0
 
 
 def told_of(
@@ -105,15 +110,15 @@ def _things(
     ways: list[tuple[str, str]] = []
     timeline = doc.timeline_system
     for edge in timeline.sequence_graph.edges if timeline else ():
-        if edge.target and edge.actor:
-            ways.append((edge.actor, edge.target))
+        ways.append((edge.actor, edge.target or ""))
     for s in doc.statements or ():
         if s.predicate in _OTHERWISE:
             continue
         span = _span_of(s, times, end)
+        inside = PLUME_INSIDE if s.predicate is Predicate.GIVES_OFF else 0.0
         for name in s.object:
             if name in scene.names:
-                yield Told(scene.index(name), span, LEGIBLE)
+                yield Told(scene.index(name), span, LEGIBLE, inside=inside)
         if s.predicate is Predicate.MOVES:
             ways += [(one, other) for one in s.object for other in s.target]
             continue
@@ -124,7 +129,8 @@ def _things(
         if actor in scene.names:
             yield Told(scene.index(actor), (0.0, end), LEGIBLE)
             if target in scene.names:
-                yield Told(scene.index(target), (0.0, end), LEGIBLE, scene.index(actor))
+                ends = (scene.index(target), scene.index(actor))
+                yield Told(ends[0], (0.0, end), LEGIBLE, ends[1], inside=GOAL_INSIDE)
 
 
 def _span_of(s: Statement, times: Mapping[str, float | None], end: float) -> Span:
@@ -163,8 +169,6 @@ _EVERY = 3
 AHEAD = 0.35
 """A gesture is told from within 70 degrees of straight ahead: from the side a hand that waves is
 before the face, and seen from behind a nod is none."""
-GOAL_INSIDE = 0.4
-"""So much of a goal is in the picture: of a tree to which somebody goes not only a twig."""
 
 
 def _faced(action: Action, frame: int, body: int, arm: NDArray[np.float64]) -> float:
@@ -181,7 +185,7 @@ def _large(action: Action, take: Take, k: int, told: Told, aspect: float) -> boo
     if told.facing and _faced(action, frame, told.body, take.eye[k] - corners.mean(axis=0)) < AHEAD:
         return False
     found = extent(take.camera(k), corners, aspect)
-    if not found.ahead or (told.mover is not None and found.inside < GOAL_INSIDE):
+    if not found.ahead or found.inside < told.inside:
         return False
     wide, high = (
         max(0.0, min(1.0, b) - max(-1.0, a)) / 2 for a, b in zip(found.low, found.high, strict=True)

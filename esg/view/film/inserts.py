@@ -16,8 +16,8 @@ from esg.view.film.cutting import FPS, Cut
 from esg.view.framing import seen_ahead
 from esg.view.moments import LASTING
 
-CLEAR = 0.3
-"""Share of a body that nothing hides where it can be told."""
+CLEAR, CLEAR_GESTURE = 0.3, 0.75
+"""Share of a body that nothing hides where it can be told; of who makes a gesture."""
 LASTS_S, SHORTER_S = 1.1, (0.9, 0.7)
 """Of an insert; where there is only so much time between events, a shorter one."""
 MOST = 4
@@ -74,10 +74,10 @@ def with_inserts(
 
 def _seen(finder: Viewfinder, shots: Sequence[Shot], told: Told) -> bool:
     need = min(LEGIBLE_S, 0.8 * (told.span[1] - told.span[0]))
-    lasts = 0.0
+    lasts, clear = 0.0, CLEAR_GESTURE if told.facing else CLEAR
     for shot in shots:
         frames, while_s = legible_in(shot.action, shot.take, told, finder.aspect)
-        if frames and _clear(finder, shot, frames[len(frames) // 2], told) >= CLEAR:
+        if frames and _clear(finder, shot, frames[len(frames) // 2], told) >= clear:
             lasts += while_s
     return lasts >= need
 
@@ -93,16 +93,29 @@ def _insert(finder: Viewfinder, action: Action, told: Told, seed: int) -> Shot |
     start, end = _when(action, told)
     times = np.arange(start, end + 1e-9, 1.0 / FPS)
     cut = Cut(times, np.ones(len(times)))
-    casts = [(told.body,)] if told.mover is None else [(told.mover, told.body), (told.body,)]
-    for cast in casts:
-        about = action.about(Beat("", "", 0.5 * (start + end), cast), alone=told.facing)
+    own = (told.body,)
+    casts = [(own, True)] if told.facing else [(own, False), (own, True)]
+    casts = casts if told.mover is None else [((told.mover, told.body), False), *casts]
+    for cast, alone in casts:
+        about = action.about(Beat("", "", 0.5 * (start + end), cast), alone=alone)
         if told.facing:
             about.side = seen_ahead(action.rollout, cast, action.frame(start)) or about.side
         finder.turn_to(about)
         shot = Shot(cut, direct(finder, start, end, seed=seed).at(times), about)
-        if all(_seen(finder, [shot], replace(told, body=i, span=(start, end))) for i in cast):
+        asked = [told if i == told.body else replace(told, body=i, inside=0.0) for i in cast]
+        shows = all(_seen(finder, [shot], replace(one, span=(start, end))) for one in asked)
+        if shows and not _inside(action, shot, cast):
             return shot
     return None
+
+
+def _inside(action: Action, shot: Shot, cast: Sequence[int]) -> bool:
+    """Whether a camera stands within the box of something that it is not about."""
+    k = len(shot.take) // 2
+    others = [i for i in range(len(action.scene.bodies)) if i not in cast]
+    boxes = action.corners(action.frame(float(shot.cut.time_s[k])), others) if others else ()
+    eye = shot.take.eye[k]
+    return any(bool(np.all((b.min(axis=0) < eye) & (eye < b.max(axis=0)))) for b in boxes)
 
 
 def _when(action: Action, told: Told) -> tuple[float, float]:
@@ -146,7 +159,8 @@ def _spliced(action: Action, shots: Sequence[Shot], insert: Shot) -> list[Shot]:
             for keep in (shot.cut.time_s < a, shot.cut.time_s > b)
             if keep.all() or _lasts(shot.cut.time_s[keep]) >= SHORTEST_S
         ]
-    return sorted((*out, insert), key=lambda s: float(s.cut.time_s[0]))
+    # What begins with an event is shown before it.
+    return sorted((insert, *out), key=lambda s: float(s.cut.time_s[0]))
 
 
 def _lasts(times: np.ndarray) -> float:
