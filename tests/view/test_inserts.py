@@ -10,6 +10,7 @@ from esg.draft import draft
 from esg.dynamics.plan.build import build_scene
 from esg.engines.scene import ContactLog, Rollout, SimScene
 from esg.layout import solve
+from esg.view.director.acting import PASSED
 from esg.view.director.told import (
     GOAL_INSIDE,
     LEGIBLE,
@@ -22,7 +23,7 @@ from esg.view.director.told import (
 from esg.view.film.cutting import MAX_FRAMES
 from esg.view.film.inserts import LASTS_S, Shot, with_inserts
 from esg.view.film.shooting import frames_of, shots_of
-from tests.view.plays import Play, Thing, at, finder_of, until
+from tests.view.plays import CAR, Play, Thing, at, finder_of, until
 
 BUS = Play(
     "bus_and_woman",
@@ -114,3 +115,24 @@ def _still(scene: SimScene) -> Rollout:
     zero = np.zeros((*shape, 3), np.float32)
     empty = ContactLog.empty()
     return Rollout("physx", 0.01, time, place, turn, zero, zero, empty, np.ones(1, np.bool_))
+
+
+def test_who_overtakes_is_seen_until_he_has_left_the_other_one_behind() -> None:
+    """Level at 1.5 s, 4.4 m ahead two seconds later: both are in view then, too."""
+    play = Play(
+        "overtakes",
+        (
+            Thing("car", CAR, until(6.0, (-3.3, 0.0, 0.7), (8.2, 0, 0))),
+            Thing("van", CAR, until(6.0, (0.0, 3.0, 0.7), (6.0, 0, 0))),
+        ),
+        (("misses", 1.5, ("car", "van")),),
+        6.0,
+    )
+    finder = finder_of(play)
+    assert [b.type for b in finder.action.beats] == ["misses", PASSED]
+    there = finder.action.beats[-1].time_s
+    assert there == pytest.approx(3.5, abs=0.05)
+    shots = shots_of(finder)
+    seen = {s.beat.type: s for shot in shots for s in finder.review(shot.take)}
+    assert seen[PASSED].inside >= 0.95 and seen[PASSED].unobscured >= 0.6
+    assert max(float(shot.cut.time_s[-1]) for shot in shots) >= there + 0.2

@@ -42,6 +42,8 @@ SMALL_M, SWEEP_S, SWEEP_M = 0.5, 0.05, 2.0
 """What is smaller is seen with where it is so long before and after, if that is not farther."""
 PASSES = "misses"
 """Type of the event of who passes something: nothing of that is struck and goes away."""
+PASSED = "passed"
+"""Type of the beat at which who passes something has left it behind him."""
 PASSED_MOST_S = 3.0
 """It is waited for so long that who passes has left something behind him."""
 SET_OFF = "sets_off"
@@ -59,7 +61,6 @@ class Beat:
         leads: Bodies that move into it; their boxes are seen as a whole.
         others: Bodies that it happens to; what of them is near the leads is seen.
         company: What belongs to the others: members of their group, what is entered.
-        until_s: Of who passes something, when he has left it behind him [s]; else 0.
     """
 
     event: str
@@ -68,7 +69,6 @@ class Beat:
     leads: tuple[int, ...]
     others: tuple[int, ...] = ()
     company: tuple[int, ...] = ()
-    until_s: float = 0.0
 
     @property
     def brief(self) -> bool:
@@ -193,7 +193,7 @@ class Action:
         low, high, reach = _around(points)
         if float((high - low).max()) < SMALL_M:
             points = self._swept(beat.leads, frame, points)
-        struck = beat.others and beat.type != PASSES
+        struck = beat.others and beat.type not in (PASSES, PASSED)
         if struck and self.time[frame] >= beat.time_s:
             reach *= AFTERMATH
         out = [points]
@@ -245,6 +245,7 @@ def _beats(
     found = _together([beat for e in events if (beat := _beat(scene, rollout, doc, e))])
     begun = _set_off(scene, rollout, doc)
     if found:
+        found = sorted([*found, *_passed(scene, rollout, events, found)], key=_time)
         first = found[0].time_s
         return tuple(sorted((*(b for b in begun if b.time_s <= first), *found), key=_time))
     cast = cast_of(scene, rollout, verdict)
@@ -300,22 +301,33 @@ def _beat(scene: SimScene, rollout: Rollout, doc: EsgDocument, event: EventVerdi
     if event.type in INTO:
         company |= set(openings_of(scene, doc, bodies))
     mates = tuple(sorted(company - {*leads, *others}))
-    until = _passed(scene, rollout, bodies, time) if event.type == PASSES else 0.0
-    return Beat(event.id, event.type, time, leads, others, mates, until)
+    return Beat(event.id, event.type, time, leads, others, mates)
 
 
-def _passed(scene: SimScene, rollout: Rollout, bodies: Sequence[int], time: float) -> float:
+def _passed(
+    scene: SimScene, rollout: Rollout, events: Sequence[EventVerdict], beats: Sequence[Beat]
+) -> list[Beat]:
+    """When those who pass something have left it behind them: both must be seen then, too."""
+    pairs = {e.id: [scene.index(n) for n in e.bodies if n in scene.names] for e in events}
+    out: list[Beat] = []
+    for beat in beats:
+        pair = pairs.get(beat.event, [])
+        if beat.type == PASSES and len(pair) == 2:
+            time = _left_behind(scene, rollout, pair, beat.time_s)
+            out += [replace(beat, type=PASSED, time_s=time)] if time > beat.time_s else []
+    return out
+
+
+def _left_behind(scene: SimScene, rollout: Rollout, pair: Sequence[int], time: float) -> float:
     """When the first of two has left the second behind him [s], 0 if he does not soon."""
-    if len(bodies) < 2:
-        return 0.0
-    a, b = bodies[:2]
+    a, b = pair
     now = (rollout.time >= time) & (rollout.time <= time + PASSED_MOST_S)
     apart = (rollout.position[0, now, a] - rollout.position[0, now, b])[:, :2].astype(float)
     pace = rollout.linear_velocity[0, now, a, :2].astype(float)
     ahead = (apart * pace).sum(axis=1) / np.maximum(np.linalg.norm(pace, axis=1), 1e-6)
     size = sum(max(scene.bodies[i].half_extents[:2]) for i in (a, b))
     there = np.flatnonzero(ahead >= size)
-    return float(np.asarray(rollout.time)[now][there[0]]) + 0.3 if len(there) else 0.0
+    return float(np.asarray(rollout.time)[now][there[0]]) if len(there) else 0.0
 
 
 def _moving(rollout: Rollout, bodies: Sequence[int], start: float, end: float) -> tuple[int, ...]:
