@@ -28,6 +28,8 @@ from esg.view.director.acting import Action
 from esg.view.director.lens import FILL_LEAST, FILL_MOST
 from esg.view.director.paths import is_smooth
 from esg.view.director.review import IN_VIEW, UNOBSCURED, Viewfinder
+from esg.view.director.told import told_of
+from esg.view.film.inserts import with_inserts
 from esg.view.film.shooting import SIZE_PX, frames_of, shots_of, viewfinder
 from esg.view.parts import scene_parts
 
@@ -44,13 +46,16 @@ def measure(folder: Path, size: tuple[int, int], seed: int, frames: Path | None)
     parts = scene_parts(replays[0].scene, replays[0].rollout, doc)
     began = time.process_time()
     finder = viewfinder(action, doc, parts)
-    shots = shots_of(finder, seed)
+    told = told_of(replays[0].scene, replays[0].rollout, verdict, doc)
+    shots, lacking = with_inserts(finder, shots_of(finder, seed), told, seed)
     directed = time.process_time()
     images = list(frames_of(finder, shots))
     drawn = time.process_time()
     judge = Viewfinder(action, finder.scan, size, finder.around)
     rows = []
     for number, shot in enumerate(shots):
+        if shot.action is not action:
+            continue  # an insert: no event is about it
         clear, smooth = judge.clear(shot.take, 12), is_smooth(shot.take)
         for seen in judge.review(shot.take):
             row = {k: v for k, v in asdict(seen).items() if k != "beat"}
@@ -75,6 +80,8 @@ def measure(folder: Path, size: tuple[int, int], seed: int, frames: Path | None)
     return rows, {
         "scene": folder.name,
         "frames": len(images),
+        "inserts": sum(shot.action is not action for shot in shots),
+        "too_small": [replays[0].scene.names[one.body] for one in lacking],
         "direct_cpu_s": round(directed - began, 2),
         "draw_cpu_s": round(drawn - directed, 2),
     }

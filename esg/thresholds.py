@@ -111,6 +111,8 @@ AFLOAT_M = 0.002
 SUNK_SHARE = 0.1
 """What has sunk is no further over the bottom than this share of the liquid's depth."""
 AT_REST_MPS = 0.05
+ON_WATER_M = 1.0
+"""Who walks or drives toward water goes no farther out on it."""
 NEAR_END_M = 0.5
 """What ends near something is no farther from it than this, or than its own size."""
 SAME_TIME_S = 0.3

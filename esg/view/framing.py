@@ -177,7 +177,13 @@ def gestures_side(scene: SimScene, rollout: Rollout) -> float | None:
     there = [i for i, b in enumerate(scene.bodies) if not b.static and b.category != FRAGMENT]
     if not making or max((float(moved[i]) for i in there), default=0.0) > 0.3:
         return None
-    ahead = quat_rotate(rollout.quaternion[0, 0, making], np.array([1.0, 0.0, 0.0])).sum(axis=0)
+    return seen_ahead(rollout, making, 0)
+
+
+def seen_ahead(rollout: Rollout, bodies: Sequence[int], frame: int) -> float | None:
+    """Azimuth obliquely ahead of bodies, to their right [rad]; None if they face nowhere."""
+    rows = list(bodies)
+    ahead = quat_rotate(rollout.quaternion[0, frame, rows], np.array([1.0, 0.0, 0.0])).sum(axis=0)
     if float(np.hypot(ahead[0], ahead[1])) < 0.2:
         return None
     return math.atan2(ahead[1], ahead[0]) + math.radians(AHEAD_DEG)

@@ -18,6 +18,7 @@ from esg.graph.models import EsgDocument
 from esg.view.camera import Camera
 from esg.view.director.acting import Action
 from esg.view.director.staging import azimuth_of
+from esg.view.director.told import told_of
 from esg.view.film.encoding import NoFilmError
 from esg.view.film.shooting import write_scene_film
 from esg.view.filmed import said_take
@@ -131,7 +132,7 @@ def film(
     doc: EsgDocument,
     folder: Path,
 ) -> list[str]:
-    """Writes `preview.mp4`; why there is none, in a line, if it cannot be written.
+    """Writes `preview.mp4`; in a line, what it does not show, or why there is none.
 
     Args:
         scene, rollout, verdict, doc, folder: As of `preview`.
@@ -141,10 +142,15 @@ def film(
     bodies = [p for p in scenery_of(scene, rollout, doc).parts if p.strand is None]
     parts = [*bodies, *ground_parts(rollout, around)]
     try:
-        write_scene_film(Action(scene, rollout, verdict, doc), doc, parts, folder / FILM)
+        action = Action(scene, rollout, verdict, doc)
+        told = told_of(scene, rollout, verdict, doc)
+        lacking = write_scene_film(action, doc, parts, folder / FILM, told)
     except NoFilmError as error:
         return [f"no film: {error}"]
-    return []
+    if not lacking:
+        return []
+    names = ", ".join(scene.bodies[one.body].label or scene.names[one.body] for one in lacking)
+    return [f"too small in the film, or hidden: {names}"]
 
 
 def _threads() -> int:

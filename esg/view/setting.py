@@ -63,6 +63,8 @@ def setting_of(
     shows = shown_parts(body_parts(scene, doc), scene, rollout, doc) if shown(scene) else ()
     steps = stepping(scene, rollout, doc)
     limbs = limb_parts(steps, scene, rollout, doc) if steps else ()
+    stepped = {p.body for p in limbs}
+    shows = tuple(p for p in shows if not (p.body in stepped and scene.bodies[p.body].gestures))
     low, high = span(rollout) if scene.bodies else (np.zeros(2), np.zeros(2))
     x, y = (float(v) for v in 0.5 * (low + high))
     away = max((math.dist(camera.eye, camera.target) for camera in cameras), default=0.0)

@@ -99,6 +99,9 @@ def test_two_who_face_each_other(prompt: str) -> None:
         ("A kettle on a stove gives off steam.", "kettle_1", "steam", "throughout"),
         ("A steaming bowl of soup stands on a table.", "bowl_1", "steam", "throughout"),
         ("A smoking car stands on a road.", "car_1", "smoke", "throughout"),
+        ("A firefighter runs to a smoking house.", "house_1", "smoke", "throughout"),
+        ("A car hits a smoldering house.", "house_1", "smoke", "throughout"),
+        ("A ball rolls past a steaming cup.", "cup_1", "steam", "throughout"),
         ("Sparks fly from the wheels of a train.", "train_1", "sparks", "throughout"),
         ("A horse gallops across a field and kicks up dust.", "horse_1", "dust", "throughout"),
         (

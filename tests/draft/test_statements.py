@@ -97,6 +97,26 @@ def test_a_word_of_direction_is_one_word_in_a_row(monkeypatch: pytest.MonkeyPatc
     stated._by_word.cache_clear()
 
 
+@pytest.mark.parametrize(
+    "prompt",
+    [
+        "A boy runs through a puddle.",
+        "A dog runs across a frozen lake.",
+        "A boat crosses a lake.",
+        "A car runs into a tree.",
+        "A deer crosses a stream.",
+        "A robot carries a box to a shelf.",
+        "A top spins on a table.",
+        "A coin rolls off a table.",
+    ],
+)
+def test_ice_shallows_and_tops_are_no_deep_water_nor_coins(prompt: str) -> None:
+    why = {r.missing for r in UNKEPT if {"afloat", "flat"} & {*r.voice.split()}}
+    why |= {r.missing for r in UNKEPT if "no arm holds it" in r.missing}
+    assert len(why) == 3
+    assert not [s.text for s in statements(prompt) if s.note in why]
+
+
 def test_an_unkept_verb_is_one_row(monkeypatch: pytest.MonkeyPatch) -> None:
     prompt = "A plane banks."
     assert told(prompt) == []

@@ -644,6 +644,18 @@ def test_a_turned_scene_keeps_what_is_said_of_other_things(yaw):
         assert found.kept is kept, found.reason
 
 
+@pytest.mark.parametrize(
+    ("kind", "pace", "kept"), [("child", 1.6, True), ("child", 2.5, False), ("boat", 2.5, True)]
+)
+def test_who_goes_toward_the_sea_does_not_go_out_on_it(kind: str, pace: float, kept: bool) -> None:
+    """The shore is 3 m away."""
+    sea = body("sea_1", Shape("box", (5.0, 5.0, 0.005)), static=True, shapes=(), category="pool")
+    world = World(2.0).add(sea, x=8.0).add(body(f"{kind}_1"), x=line(0, pace))
+    found = world.states("moves", object=kind, target="sea", direction="toward")
+    assert found.kept is kept, found.reason
+    assert kept or "goes 2.0 m out on sea" in found.reason
+
+
 def test_what_rests_in_the_air_for_the_log_still_touches():
     world = on_table()
     for k in range(5):

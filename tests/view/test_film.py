@@ -95,8 +95,9 @@ def test_a_film_opens_with_its_rate_duration_and_pictures(tmp_path: Path) -> Non
     finder = finder_of(DROP, PROBE_PX)
     shots = shots_of(finder)
     drawn = list(frames_of(finder, shots))
-    one = write_scene_film(action_of(DROP), document_of(DROP), parts_of(DROP), tmp_path / "one.mp4")
-    two = write_scene_film(action_of(DROP), document_of(DROP), parts_of(DROP), tmp_path / "two.mp4")
+    one, two = (tmp_path / name for name in ("one.mp4", "two.mp4"))
+    for path in (one, two):
+        write_scene_film(action_of(DROP), document_of(DROP), parts_of(DROP), path)
     assert one.read_bytes() == two.read_bytes()
     found = opened(one)
     assert (found["codec"], found["pixels"], found["rate"]) == ("h264", "yuv420p", FPS)

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 
@@ -9,13 +11,14 @@ from esg.assets import resolve
 from esg.compile.visuals.setting import by_track
 from esg.draft import draft
 from esg.engines.breaking.stances import LIFT_M
-from esg.engines.scene import FRAGMENT, Body, ContactLog, Rollout, Shape, SimScene
+from esg.engines.scene import FRAGMENT, Body, ContactLog, Gesture, Rollout, Shape, SimScene
 from esg.graph.models import EsgDocument
 from esg.view.moments import set_off
 from esg.view.parts import body_parts
 from esg.view.pieces import Movers, Part, clocked
 from esg.view.seeing.gaits import going
 from esg.view.seeing.limbs import stepping, with_limbs
+from esg.view.seeing.shows import with_shows
 
 TIME = np.linspace(0.0, 3.0, 181)
 INERTIA = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
@@ -96,6 +99,28 @@ def test_who_goes_steps_on_the_ground(
         assert np.ptp(way[TIME < 0.7]) < 0.01
     apart = ways[0] - ways[1]
     assert np.ptp(apart[going_on]) > 0.1 * height
+
+
+def test_who_waves_while_he_walks_steps_and_waves() -> None:
+    """His hand goes to and fro over his shoulder; nods have poses of their own, without steps."""
+    doc, scene, rollout = walker("A man walks across a lawn and waves.", "man_1", 1.72, 1.3)
+    waves = Gesture("waves", 0.9, 0, 0.3, 0.8)
+    scene = scene.with_bodies((replace(scene.bodies[0], gestures=(waves,)),))
+    assert stepping(scene, rollout, doc) == frozenset({0})
+    parts = with_shows(with_limbs(body_parts(scene, doc), scene, rollout, doc), scene, rollout, doc)
+    low = drawn(parts, scene, rollout, "leg")[..., 2].min(axis=1)
+    assert np.abs(low).max() < 0.03
+    going_on = (TIME > 1.2) & (TIME < 1.8)
+    leg = (
+        drawn(parts, scene, rollout, "leg_left")[..., 0].min(axis=1) - rollout.position[0, :, 0, 0]
+    )
+    assert np.ptp(leg[going_on]) > 0.17
+    hand = drawn(parts, scene, rollout, "arm_right")
+    assert hand[TIME < 0.3, :, 2].max() < 1.5 and hand[going_on][..., 2].max(axis=1).min() > 1.5
+    tip = int(hand[90, :, 2].argmax())
+    assert np.ptp(hand[going_on, tip, 1]) > 0.15
+    nods = replace(scene.bodies[0], gestures=(Gesture("nods", 0.7, 3, 0.1, 0.0),))
+    assert stepping(scene.with_bodies((nods,)), rollout, doc) == frozenset()
 
 
 def test_feet_stay_where_they_stand() -> None:

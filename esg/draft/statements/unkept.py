@@ -9,6 +9,7 @@ from collections.abc import Callable
 import csv
 from dataclasses import dataclass
 from functools import cache
+import re
 
 from esg.draft import lexicon as lex
 from esg.draft.discourse.core import entity_of, kind_of, movable, structural
@@ -45,6 +46,10 @@ _SETS_IN_MOTION = frozenset({"drop", "launch", "roll", "slide", "knock", "scatte
 _GUIDED = frozenset({"picked up", "put"})
 """What became of verbs whose object is guided, by nobody who is there."""
 _WAYS = frozenset({"along", "across", "through", "up", "down", "around", "past"})
+_INTO_WATER = frozenset({"into", "onto", "through", "across"})
+_WORDS = re.compile(r"[a-z]+")
+_NO_DEPTH = lex.word_set("no depth (water)")
+_EDGEWISE = lex.word_set("spins on its edge")
 _TURNED = frozenset({NodeEvent.SPIN, NodeEvent.HEADING_REACHED, NodeEvent.SWING})
 NOTHING_MOVES = "nothing of the kind happens in the scene"
 COMES_DOWN = "nothing holds it any longer: it comes down"
@@ -324,6 +329,18 @@ def _flies(d: Discourse) -> bool:
     return any(kind_of(d, i) not in LIMBED for i in set_off)
 
 
+def _on_water(d: Discourse, clause: Clause) -> bool:
+    """ "Runs into the sea", "crosses a river": deep water, which bears whoever goes there."""
+    f = clause.frame
+    named = [p.mention for p in f.phrases if p.prep in _INTO_WATER]
+    into = _INTO_WATER & {*d.text[f.verb.start : f.verb.end].lower().split()}
+    if f.object is not None and not f.verb.passive and (into or f.verb.lemma == "cross"):
+        named.append(f.object)
+    bodies = [i for m in named if m is not None for i in m.entities if i in d.world.entities]
+    shallow = _NO_DEPTH & {*_WORDS.findall(d.text.lower())}
+    return not shallow and any(entity_of(d, i).noun.name == "pool" for i in bodies)
+
+
 def _unspun(d: Discourse, clause: Clause) -> bool:
     """ "Clips a barrier and spins out": nothing has it turn."""
     f = clause.frame
@@ -374,11 +391,13 @@ _TESTS: dict[str, Callable[[Discourse, Clause], bool]] = {
     "flung": _flung,
     "unbounced": lambda d, c: bool(c.movers) and not any(_met_or_bounced(d, i) for i in c.movers),
     "far": _far,
+    "flat": lambda d, c: any(entity_of(d, i).noun.name in _EDGEWISE for i in c.movers),
     "limbed": lambda d, c: any(
         kind_of(d, i) in LIMBED for i in _doers(c.frame) if i in d.world.entities
     ),
     "alone": _alone,
     "driven": lambda d, c: "driven" in c.frame.verb.extra,
+    "afloat": _on_water,
     "agentless": lambda d, c: c.frame.verb.passive and c.frame.phrase("by") is None,
     "untouched": _moved_by_none,
     "untied": lambda d, c: not _tied(d, c.frame),

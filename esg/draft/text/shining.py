@@ -37,7 +37,7 @@ def take_shown(text: str, blank: Blank) -> list[Shown]:
 
 
 _ANY = re.compile(
-    r"\b(?:smok|steam|vapou?r|fumes|exhaust|dust|sand\b|dirt\b|spark|powder|turn|switch|lit\b|light|head\s?l|tail\s?l|siren|candle|torch|extinguish|ignit|lamp|lantern|led\b|burn|flam|fire\b|flash|flicker|blink|glow|shin"
+    r"\b(?:smok|smou?lder|steam|vapou?r|fumes|exhaust|dust|sand\b|dirt\b|spark|powder|turn|switch|lit\b|light|head\s?l|tail\s?l|siren|candle|torch|extinguish|ignit|lamp|lantern|led\b|burn|flam|fire\b|flash|flicker|blink|glow|shin"
     r"|goes\s+(?:on|out|off)|rain|snow|hail|fog|mist|haz[ey]|storm|drizzl|downpour|blizzard|sway|"
     r"swing|wind\b|breeze|flutter|flap|blaz|ablaze|(?:tv|television|screen|monitor)s?\b)",
     re.IGNORECASE,

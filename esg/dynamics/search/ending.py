@@ -15,6 +15,7 @@ from esg.dynamics.plan import Plan
 from esg.dynamics.search.simulate import Simulator
 from esg.engines.program import AdjustProperties, Moving
 from esg.engines.scene import Rollout
+from esg.graph.models import NodeEvent
 from esg.metrics.plausibility.grounds import ROADS, beyond, flats
 from esg.metrics.plausibility.limits import motion_of
 from esg.thresholds import AT_REST_MPS
@@ -23,6 +24,8 @@ LONGEST_S = 6.0
 """Nothing is recorded for longer after the last event: what rolls on does so for half a minute."""
 STILL_S = 0.3
 """How long the rest is shown; another engine may come to it so much later."""
+PASSED_S = 0.4
+"""How long one still sees who has left something behind him."""
 
 Floats = NDArray[np.float64]
 
@@ -49,6 +52,8 @@ def until_rest(plan: Plan, reference: Simulator, theta: Floats, last: float, lea
     rollout = reference.play_on(theta, longest)
     if not rollout.valid[0]:
         return least
+    leaves = math.floor(10.0 * (_leaves(plan, rollout) - STILL_S)) / 10.0
+    least = max(least, min(_passed(plan, rollout), leaves))
     waits = [
         i
         for i, body in enumerate(plan.scene.bodies)
@@ -60,7 +65,28 @@ def until_rest(plan: Plan, reference: Simulator, theta: Floats, last: float, lea
     moving = np.flatnonzero((speed >= AT_REST_MPS).any(axis=1))
     rest = float(rollout.time[moving[-1]]) if len(moving) else 0.0
     end = math.ceil(10.0 * min(rest + STILL_S, longest)) / 10.0
-    return max(least, min(end, math.floor(10.0 * (_leaves(plan, rollout) - STILL_S)) / 10.0))
+    return max(least, min(end, leaves))
+
+
+def _passed(plan: Plan, rollout: Rollout) -> float:
+    """When all who overtake or pass something have left it behind them [s], 0 if nobody does.
+
+    Their event is over as soon as one is ahead of the other, which is no sight of it.
+    """
+    scene, out = plan.scene, 0.0
+    for node in plan.story.nodes.values():
+        pair = [scene.index(n) for n in node.participants if n in scene.names]
+        if node.event is not NodeEvent.MISS or len(pair) != 2:
+            continue
+        a, b = pair
+        apart = (rollout.position[0, :, a] - rollout.position[0, :, b])[:, :2].astype(float)
+        pace = rollout.linear_velocity[0, :, a, :2].astype(float)
+        ahead = (apart * pace).sum(axis=1) / np.maximum(np.linalg.norm(pace, axis=1), 1e-6)
+        size = sum(max(scene.bodies[i].half_extents[:2]) for i in pair)
+        by = np.flatnonzero((ahead[1:] >= size) & (ahead[:-1] < size))
+        if len(by):
+            out = max(out, math.ceil(10.0 * (float(rollout.time[by[0] + 1]) + PASSED_S)) / 10.0)
+    return out
 
 
 def _leaves(plan: Plan, rollout: Rollout) -> float:

@@ -23,6 +23,7 @@ from esg.thresholds import (
     CUT_SHORT_LENGTHS,
     DIRECTION_DEG,
     MOST,
+    ON_WATER_M,
     PASS_M,
     PASS_SIZES,
     ROUND_DEG,
@@ -186,7 +187,33 @@ def _toward(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:
             continue
         found = _off(shift, off_box(path[0], shift, low, high), f"the way to {q.goal}")
         best = best if best.kept else found
-    return best
+    return _out_on_water(replay, q, body, path, best) if best.kept else best
+
+
+WATER = "pool"
+"""Category of all water that lies in the open."""
+DEEP_M = 4.0
+"""Narrower water is a puddle or a ford."""
+_ASHORE = ("legs", "road", "track")
+
+
+def _out_on_water(replay: Replay, q: StatementQuery, body: int, path: Floats, found: Kept) -> Kept:
+    """Who goes toward the sea stops at the shore: water bears nobody who walks or drives."""
+    from esg.metrics.plausibility.limits import motion_of  # the judge is above it
+
+    bodies, own = replay.scene.bodies, replay.scene.bodies[body]
+    ashore = motion_of(own.label, own.category).moves in _ASHORE
+    waters = [i for i in q.target.bodies if bodies[i].category == WATER and not bodies[i].collides]
+    for low, high in (bounds(replay, i, q.window.first) for i in waters if ashore):
+        if float((high - low)[:2].min()) < DEEP_M:
+            continue
+        over = np.all((low[:2] <= path[:, :2]) & (path[:, :2] <= high[:2]), axis=1)
+        steps = np.linalg.norm(np.diff(path[:, :2], axis=0), axis=1)
+        out = float(steps[over[1:]].sum())
+        if out > ON_WATER_M and not over[0]:
+            reason = f"goes {out:.1f} m out on {q.goal}; limit {ON_WATER_M:g} m"
+            return Kept(False, {"on_water_m": out}, reason)
+    return found
 
 
 def _away_from(replay: Replay, q: StatementQuery, body: int, path: Floats) -> Kept:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+import copy
 from dataclasses import dataclass, replace
 import itertools
 from typing import TYPE_CHECKING
@@ -41,6 +42,10 @@ SMALL_M, SWEEP_S, SWEEP_M = 0.5, 0.05, 2.0
 """What is smaller is seen with where it is so long before and after, if that is not farther."""
 PASSES = "misses"
 """Type of the event of who passes something: nothing of that is struck and goes away."""
+PASSED = "passed"
+"""Type of the beat at which who passes something has left it behind him."""
+PASSED_MOST_S = 3.0
+"""It is waited for so long that who passes has left something behind him."""
 SET_OFF = "sets_off"
 """Type of a beat in which somebody throws, kicks or shoots something: no event of a document."""
 
@@ -116,6 +121,18 @@ class Action:
         self._acting: dict[tuple[Beat, int], Floats] = {}
         self.beats = tuple(self._met(b) for b in _beats(scene, rollout, verdict, doc))
 
+    def about(self, beat: Beat, *, alone: bool = False) -> Action:
+        """The same motion, of which a film shows one beat only.
+
+        Args:
+            beat: What it is about.
+            alone: Without what is beside it.
+        """
+        out = copy.copy(self)
+        out._acting = {}
+        out.beats = (beat if alone else out._met(beat),)
+        return out
+
     def frame(self, time: float) -> int:
         """Index of the frame nearest to a time [s]."""
         right = int(np.clip(np.searchsorted(self.time, time), 1, len(self.time) - 1))
@@ -176,7 +193,7 @@ class Action:
         low, high, reach = _around(points)
         if float((high - low).max()) < SMALL_M:
             points = self._swept(beat.leads, frame, points)
-        struck = beat.others and beat.type != PASSES
+        struck = beat.others and beat.type not in (PASSES, PASSED)
         if struck and self.time[frame] >= beat.time_s:
             reach *= AFTERMATH
         out = [points]
@@ -228,6 +245,7 @@ def _beats(
     found = _together([beat for e in events if (beat := _beat(scene, rollout, doc, e))])
     begun = _set_off(scene, rollout, doc)
     if found:
+        found = sorted([*found, *_passed(scene, rollout, events, found)], key=_time)
         first = found[0].time_s
         return tuple(sorted((*(b for b in begun if b.time_s <= first), *found), key=_time))
     cast = cast_of(scene, rollout, verdict)
@@ -282,9 +300,34 @@ def _beat(scene: SimScene, rollout: Rollout, doc: EsgDocument, event: EventVerdi
     leads = (*leads, *(i for i in fixed_to(scene, leads) if i not in bodies))
     if event.type in INTO:
         company |= set(openings_of(scene, doc, bodies))
-    return Beat(
-        event.id, event.type, time, leads, others, tuple(sorted(company - {*leads, *others}))
-    )
+    mates = tuple(sorted(company - {*leads, *others}))
+    return Beat(event.id, event.type, time, leads, others, mates)
+
+
+def _passed(
+    scene: SimScene, rollout: Rollout, events: Sequence[EventVerdict], beats: Sequence[Beat]
+) -> list[Beat]:
+    """When those who pass something have left it behind them: both must be seen then, too."""
+    pairs = {e.id: [scene.index(n) for n in e.bodies if n in scene.names] for e in events}
+    out: list[Beat] = []
+    for beat in beats:
+        pair = pairs.get(beat.event, [])
+        if beat.type == PASSES and len(pair) == 2:
+            time = _left_behind(scene, rollout, pair, beat.time_s)
+            out += [replace(beat, type=PASSED, time_s=time)] if time > beat.time_s else []
+    return out
+
+
+def _left_behind(scene: SimScene, rollout: Rollout, pair: Sequence[int], time: float) -> float:
+    """When the first of two has left the second behind him [s], 0 if he does not soon."""
+    a, b = pair
+    now = (rollout.time >= time) & (rollout.time <= time + PASSED_MOST_S)
+    apart = (rollout.position[0, now, a] - rollout.position[0, now, b])[:, :2].astype(float)
+    pace = rollout.linear_velocity[0, now, a, :2].astype(float)
+    ahead = (apart * pace).sum(axis=1) / np.maximum(np.linalg.norm(pace, axis=1), 1e-6)
+    size = sum(max(scene.bodies[i].half_extents[:2]) for i in (a, b))
+    there = np.flatnonzero(ahead >= size)
+    return float(np.asarray(rollout.time)[now][there[0]]) if len(there) else 0.0
 
 
 def _moving(rollout: Rollout, bodies: Sequence[int], start: float, end: float) -> tuple[int, ...]:

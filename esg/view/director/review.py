@@ -85,6 +85,20 @@ class Viewfinder:
         self._poses: dict[int, NDArray[np.float32]] = {}
         self.frame = -1
 
+    def turn_to(self, action: Action) -> None:
+        """Looks for another action of the same motion from now on."""
+        if action is not self.action:
+            self.action, self._dressed = action, None
+
+    def unhidden(self, take: Take, frame: int, body: int) -> float:
+        """Share of the pixels of a body that nothing hides in a frame; 1 if it is not drawn."""
+        self.dress(take)
+        self.pose(float(take.time_s[frame]))
+        camera = take.camera(frame)
+        own = np.count_nonzero(self.scan.look(camera, self.size, (body,))[0] == body)
+        seen = np.count_nonzero(self.scan.look(camera, self.size)[0] == body)
+        return seen / own if own else 1.0
+
     def pose(self, time: float) -> None:
         """Puts all bodies where they are at a time [s]."""
         frame = self.action.frame(time)

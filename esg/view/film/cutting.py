@@ -9,7 +9,7 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
-from esg.view.director.acting import Beat
+from esg.view.director.acting import PASSED, Beat
 from esg.view.moments import LASTING
 
 Floats = NDArray[np.float64]
@@ -99,6 +99,8 @@ def _spans(
         ahead = before
         if beat.type == PASSING:
             ahead, lasting = PASSES * before, PASSES * lasting
+        if beat.type == PASSED:
+            ahead, lasting = 0.1, 0.3
         a, b = max(0.0, beat.time_s - ahead), min(end, beat.time_s + lasting)
         if out and a - out[-1][1] <= JOIN_S:
             out[-1] = (out[-1][0], max(b, out[-1][1]))

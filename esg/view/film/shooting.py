@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -15,8 +14,10 @@ from esg.view.director.acting import Action
 from esg.view.director.review import Viewfinder
 from esg.view.director.staging import direct
 from esg.view.director.takes import Take
+from esg.view.director.told import Told
 from esg.view.film.cutting import Cut, cuts_of, told, whole_cut
 from esg.view.film.encoding import check_encoder, write_film
+from esg.view.film.inserts import Shot, with_inserts
 from esg.view.filmed import said_rate, said_take
 from esg.view.lettering import font
 from esg.view.pieces import Part
@@ -34,14 +35,6 @@ SHORTEST_S = 0.2
 """Events closer together than this are not parted by a cut."""
 CORNER_PX = 12
 """Size of the letters in the corner."""
-
-
-@dataclass(frozen=True)
-class Shot:
-    """One stretch of a film and the camera that takes it; both of F frames."""
-
-    cut: Cut
-    take: Take
 
 
 def viewfinder(action: Action, doc: EsgDocument, parts: Sequence[Part]) -> Viewfinder:
@@ -84,7 +77,7 @@ def shots_of(
         cut = whole_cut(finder.action.beats, float(finder.action.time[-1]), rate)
         if said is None:
             return _shots(finder, cut, seed)
-        return [Shot(cut, said.at(cut.time_s))]
+        return [Shot(cut, said.at(cut.time_s), finder.action)]
     cuts = cuts_of(finder.action.beats, float(finder.action.time[-1]))
     return [shot for cut in cuts for shot in _shots(finder, cut, seed)]
 
@@ -93,7 +86,7 @@ def _shots(finder: Viewfinder, cut: Cut, seed: int) -> list[Shot]:
     """One take of a stretch; one before and one after a cut where that shows more events."""
     take = direct(finder, float(cut.time_s[0]), float(cut.time_s[-1]), seed=seed)
     seen = finder.review(take)
-    whole = [Shot(cut, take.at(cut.time_s))]
+    whole = [Shot(cut, take.at(cut.time_s), finder.action)]
     times = [s.beat.time_s for s in seen]
     gaps = np.diff(times)
     if all(s.good for s in seen) or not len(gaps) or float(gaps.max()) < SHORTEST_S:
@@ -108,8 +101,13 @@ def _shots(finder: Viewfinder, cut: Cut, seed: int) -> list[Shot]:
 
 
 def write_scene_film(
-    action: Action, doc: EsgDocument, parts: Sequence[Part], path: Path, seed: int = 0
-) -> Path:
+    action: Action,
+    doc: EsgDocument,
+    parts: Sequence[Part],
+    path: Path,
+    told: Sequence[Told] = (),
+    seed: int = 0,
+) -> list[Told]:
     """Directs, draws and writes the film of a scene.
 
     Args:
@@ -117,7 +115,11 @@ def write_scene_film(
         doc: Its place.
         parts: Meshes of its bodies and of the ground.
         path: Of the file.
+        told: What must be seen beside the events; the film cuts to it.
         seed: Of lenses, sides and angles.
+
+    Returns:
+        What is told and in no frame large enough.
 
     Raises:
         NoFilmError: If it cannot be written.
@@ -125,16 +127,21 @@ def write_scene_film(
     check_encoder()
     finder = viewfinder(action, doc, parts)
     said = said_take(doc, action.scene, action.rollout, SIZE_PX[0] / SIZE_PX[1])
-    shots = shots_of(finder, seed, said, said_rate(doc))
-    return write_film(path, frames_of(finder, shots), SIZE_PX)
+    rate = said_rate(doc)
+    shots, lacking = shots_of(finder, seed, said, rate), list[Told]()
+    if said is None and rate == 1.0:
+        shots, lacking = with_inserts(finder, shots, told, seed)
+    write_film(path, frames_of(finder, shots), SIZE_PX)
+    return lacking
 
 
 def frames_of(finder: Viewfinder, shots: Sequence[Shot]) -> Iterator[NDArray[np.uint8]]:
     """The finished pictures of all shots, one after the other."""
-    scan, action = finder.scan, finder.action
+    scan = finder.scan
     finder.expect([float(t) for shot in shots for t in shot.cut.time_s])
     for shot in shots:
-        take = shot.take
+        take, action = shot.take, shot.action
+        finder.turn_to(action)
         finder.dress(take)
         arms = np.linalg.norm(take.eye - take.target, axis=1)
         middle = 0.5 * (take.target.min(axis=0) + take.target.max(axis=0))

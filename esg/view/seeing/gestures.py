@@ -44,6 +44,8 @@ def with_gestures(
 ) -> list[Part]:
     """Parts of bodies with those that gestures move drawn in each of their states.
 
+    Who steps has his gestures in the tracks of his arms.
+
     Args:
         parts: Of bodies, in their frames.
         scene: The bodies.
@@ -51,7 +53,8 @@ def with_gestures(
         events: Times of the events [s].
         doc: What the bodies are.
     """
-    making = {i: b for i, b in enumerate(scene.bodies) if b.gestures}
+    limbed = {p.body for p in parts if p.act is not None and p.act.track is not None}
+    making = {i: b for i, b in enumerate(scene.bodies) if b.gestures and i not in limbed}
     if not making:
         return list(parts)
     out = [p for p in parts if p.body not in making]

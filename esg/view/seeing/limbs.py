@@ -28,7 +28,9 @@ from esg.lexicon.postures import PLANS
 from esg.units import CM_PER_M, GRAVITY_MPS2, quat_multiply, quat_rotate
 from esg.view.moments import set_off
 from esg.view.pieces import Act, Part, Track
+from esg.view.seeing.arms import Made, arms_alone, gestured, made_by
 from esg.view.seeing.gaits import Going, beast, going, person
+from esg.view.seeing.shows import event_times
 
 if TYPE_CHECKING:
     from esg.assets.geometry.mesh import Member
@@ -110,6 +112,7 @@ class Bearing:
         eased: How much he is in it, 0 to 1, shape [T].
         away: Where he is on the way to his place in it, in his frame [m], shape [T, 3].
         turned: By how much he has turned on the way [rad], shape [T].
+        made: Gestures of his arms meanwhile.
     """
 
     go: Going
@@ -119,6 +122,7 @@ class Bearing:
     eased: Floats
     away: Floats
     turned: Floats
+    made: Made = ()
 
 
 def stepping(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> frozenset[int]:
@@ -133,7 +137,8 @@ def stepping(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> frozenset[i
     plans = {
         i: plan
         for i, b in enumerate(scene.bodies)
-        if not (b.static or b.wheels or b.gestures) and b.collides  # gestures have their own poses
+        if not (b.static or b.wheels) and b.collides
+        if not b.gestures or arms_alone(b)  # other gestures have poses of their own
         if (plan := plan_drawn(doc, b.name))
     }
     if not plans:
@@ -148,7 +153,9 @@ def stepping(scene: SimScene, rollout: Rollout, doc: EsgDocument) -> frozenset[i
             continue
         way = np.nan_to_num(rollout.position[0, :, index, :2]).astype(float)
         goes = float(np.linalg.norm(way - way[0], axis=1).max()) > GOES_M
-        if goes or body.postures or (index in doers and pose in ACTING):
+        acts = (body.postures or (index in doers and pose in ACTING)) and not body.gestures
+        waves = not body.gestures or (plan == "people" and pose in FREE and not body.postures)
+        if (goes and waves) or acts:
             out.add(index)
     held = {j.child for j in scene.joints if j.kind == "fixed"}
     held |= {j.parent for j in scene.joints if j.kind == "fixed"}
@@ -187,6 +194,7 @@ def limb_parts(
     looks = appearances(doc)
     postures = taken(doc)
     begun = [(t, by) for t, _, by in set_off(scene, rollout, doc)]
+    events = event_times(doc, scene, rollout) if any(scene.bodies[i].gestures for i in who) else {}
     out: list[Part] = []
     for index in sorted(who):
         rig = _rig(index, scene, doc, looks)
@@ -195,6 +203,8 @@ def limb_parts(
         acts = [t for t, by in begun if index in by]
         own = postures.get(scene.bodies[index].name, ())
         bearing = _bearing(rig, scene, rollout, own, acts[:1])
+        made = made_by(scene.bodies[index], np.asarray(rollout.time, float), events)
+        bearing = replace(bearing, made=made)
         out += _parts(rig, rollout, bearing, _there(index, scene, rollout))
     return tuple(out)
 
@@ -466,7 +476,7 @@ def _people(rig: Rig, bearing: Bearing) -> dict[tuple[str, int], Piece]:
                 angles[0] = angles[0] + CROUCH_DEG * down
                 angles[2] = angles[2] + 1.6 * CROUCH_DEG * down
                 angles[3] = angles[3] * eased**2
-        swing, out_, bend, turn = angles
+        swing, out_, bend, turn = gestured(name, angles, bearing.made) if arm else angles
         fore = swing + bend if arm else swing - bend
         upper = _hanging(swing, out_, side)
         lower = _hanging(fore, out_ - turn if arm else 0.3 * out_, side)

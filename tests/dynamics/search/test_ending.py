@@ -9,13 +9,15 @@ from typing import Any
 import numpy as np
 import pytest
 
-from esg.dynamics.search.ending import LONGEST_S, STILL_S, until_rest
+from esg.dynamics.search.ending import LONGEST_S, PASSED_S, STILL_S, until_rest
 from esg.engines.program import AdjustProperties, HoldVelocity, Primitive, Program
 from esg.engines.scene import Rollout
+from esg.graph.models import NodeEvent
 from tests.dynamics.recordings import FPS, SCENE, Row, rollout
 
 DRIVE = HoldVelocity("a", 0.0, 20.0, 2.0, 0.0)
 LAST, LEAST = 1.0, 2.2
+STORY = SimpleNamespace(nodes={})
 
 
 def ends(
@@ -31,7 +33,9 @@ def ends(
         made.valid[:] = valid
         return made
 
-    plan: Any = SimpleNamespace(scene=SCENE, compile=lambda theta: Program(primitives, LEAST))
+    plan: Any = SimpleNamespace(
+        scene=SCENE, story=STORY, compile=lambda theta: Program(primitives, LEAST)
+    )
     reference: Any = SimpleNamespace(play_on=play_on)
     return until_rest(plan, reference, np.zeros(0), LAST, LEAST)
 
@@ -56,6 +60,27 @@ def test_what_was_hit_or_brakes_is() -> None:
     assert ends({"a": 4.0}, DRIVE, brake) == pytest.approx(4.0 + STILL_S, abs=0.11)
 
 
+def test_who_overtakes_is_recorded_until_he_has_left_the_other_one_behind() -> None:
+    """Level after 1 s at half a metre a second more; a whole length of both ahead later."""
+    size = sum(max(b.half_extents[:2]) for b in SCENE.bodies[:2])
+
+    def play_on(theta: Any, duration: float) -> Rollout:
+        made = rollout([[]], duration)
+        t = np.arange(made.position.shape[1]) / FPS
+        made.position[0, :, 0, 0], made.position[0, :, 1, 0] = 0.25 * t, 0.1 * (t - 1.0) + 0.25
+        made.linear_velocity[0, :, 0, 0] = 0.25
+        return made
+
+    node = SimpleNamespace(event=NodeEvent.MISS, participants=[b.name for b in SCENE.bodies[:2]])
+    story = SimpleNamespace(nodes={"pass": node})
+    plan: Any = SimpleNamespace(scene=SCENE, story=story, compile=lambda theta: Program((), LEAST))
+    reference: Any = SimpleNamespace(play_on=play_on)
+    drives = replace(DRIVE, body=SCENE.bodies[0].name), replace(DRIVE, body=SCENE.bodies[1].name)
+    plan.compile = lambda theta: Program(drives, LEAST)
+    found = until_rest(plan, reference, np.zeros(0), LAST, LEAST)
+    assert found == pytest.approx(1.0 + size / 0.15 + PASSED_S, abs=0.21)
+
+
 def test_a_recording_ends_before_something_rolls_off_the_drawn_ground() -> None:
     """Body a goes at 2 m/s from the middle of a floor of 8 m: it would leave it after 2 s."""
     floor = replace(SCENE.bodies[2], name="floor", static=True, shapes=(), position=(0.0, 0.0, 0.0),
@@ -69,7 +94,7 @@ def test_a_recording_ends_before_something_rolls_off_the_drawn_ground() -> None:
         made.linear_velocity[0, :, 0, 0] = 2.0
         return made
 
-    plan: Any = SimpleNamespace(scene=scene, compile=lambda theta: Program((), LEAST))
+    plan: Any = SimpleNamespace(scene=scene, story=STORY, compile=lambda theta: Program((), LEAST))
     reference: Any = SimpleNamespace(play_on=play_on)
     found = until_rest(plan, reference, np.zeros(0), LAST, LEAST)
     assert found == pytest.approx(4.0 - STILL_S, abs=0.11)

@@ -119,7 +119,9 @@ def _gives_off(t: Told, s: Shown) -> None:
         t.book.add(Predicate.NOT_REPRESENTED, s.start, s.end, note=NO_SOURCE)
         return
     moving = plumes()[s.noun].moving
-    when = "throughout" if moving else _after_a_hit(t, s)
+    # "A smoking house" smokes already; "and smoke rises from it" tells what comes next.
+    already = s.about >= s.end
+    when = "throughout" if moving or already else _after_a_hit(t, s)
     t.book.add(Predicate.GIVES_OFF, s.start, s.end, object=tuple(who), noun=s.noun, when=when)
     if s.lacks is not None:
         t.book.add(Predicate.NOT_REPRESENTED, *s.lacks, object=tuple(who), note=OTHER_HUE)
