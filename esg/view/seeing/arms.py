@@ -46,8 +46,8 @@ def made_by(body: Body, time: Floats, events: Mapping[str, float | None]) -> Mad
     out: list[tuple[Gesture, Floats, Floats]] = []
     for own in body.gestures:
         states = gesturing(own, time, events).astype(float) / (EASES, SWEEPS)
-        rest, far = gaussian_filter1d(states, wide, axis=0, mode="nearest").T
-        out.append((gestures()[own.name, _PLAN], rest, far))
+        eased: Floats = gaussian_filter1d(states, wide, axis=0, mode="nearest")
+        out.append((gestures()[own.name, _PLAN], eased[:, 0], eased[:, 1]))
     return tuple(out)
 
 
