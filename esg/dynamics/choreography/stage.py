@@ -109,6 +109,7 @@ class Stage:
         met: What each actor met last.
         overtaken: Who was overtaken, by whom, when [s] and where on that one's way [m].
         landed: How many have leapt onto something.
+        let_go: What is let go over something, in the order told.
         lifted: An actor without a place of its own that starts on the anchor beside its target.
         goes_down: Whether the lead is let go at the top of a ramp and meets nothing there.
         edge_run: Distance [m] from the lead's start to the anchor's edge, None if it does not
@@ -151,6 +152,7 @@ class Stage:
         )
         self.lead = actors[0]
         self.landed: dict[str, int] = {}
+        self.let_go: dict[str, list[str]] = {}
         self.lifted: str | None = None
         self.anchor = None if self.story.flies(self.lead) else support_of(doc, self.lead)
         if self.anchor is None and not self.story.flies(self.lead):
