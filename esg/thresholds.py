@@ -111,6 +111,9 @@ AFLOAT_M = 0.002
 SUNK_SHARE = 0.1
 """What has sunk is no further over the bottom than this share of the liquid's depth."""
 AT_REST_MPS = 0.05
+AT_PART_SHARE, AT_PART_M = 0.15, 0.03
+"""From what is at an end, an edge or a corner to that, over the way across the top, and at least: a
+fifth or so of a table is called its end."""
 NEAR_END_M = 0.5
 """What ends near something is no farther from it than this, or than its own size."""
 SAME_TIME_S = 0.3

@@ -604,6 +604,9 @@ class Predicate(str, enum.Enum):
     ENDS_ON = "ends_on"
     ENDS_IN = "ends_in"
     ENDS_NEAR = "ends_near"
+    AT_PART = "at_part"
+    """It is at an end, an edge or a corner of the first target's top (`noun`), or at the other end
+    than the second target."""
     AT_REST = "at_rest"
     SAME_TIME = "same_time"
     BEFORE = "before"
@@ -730,7 +733,7 @@ class Statement(Model):
     """Of `absent` and `count`; of `filled_with`, what it is filled with; of `wears` and `looks`
     what is worn, and how the hair is; of `lit` which light and how ("headlights flashing", "lamp
     turned off"), of `weather` which ("heavy rain"), of `sways` how strong the wind is; of
-    `posture`, which."""
+    `posture`, which; of `at_part` a row of `esg.lexicon.parts`."""
     when: str = "throughout"
     """start, end, throughout, the id of a point event, or two of these as "from..to"."""
     note: str = ""

@@ -6,6 +6,7 @@ from esg.graph.context import Context
 from esg.graph.models import Predicate, Statement
 from esg.graph.violations import listing, pointer
 from esg.lexicon.gestures import gestures
+from esg.lexicon.parts import PARTS
 from esg.lexicon.plumes import plumes
 from esg.lexicon.postures import postures
 
@@ -20,6 +21,7 @@ _NAMING = (
     Predicate.POSTURE,
     Predicate.GESTURES,
     Predicate.GIVES_OFF,
+    Predicate.AT_PART,
 )
 """Said of an object by a word: what it is filled with, what somebody wears, his posture."""
 _OF_NOTHING = (*_OF_NOUNS, Predicate.FILMED, Predicate.NOT_REPRESENTED)
@@ -44,6 +46,7 @@ _WITH_TARGET = frozenset(
         Predicate.ENDS_ON,
         Predicate.ENDS_IN,
         Predicate.ENDS_NEAR,
+        Predicate.AT_PART,
         Predicate.FLOATS,
         Predicate.SINKS,
         Predicate.CLIMBS,
@@ -116,6 +119,7 @@ def _needs(ctx: Context, here: str, statement: Statement) -> None:
         Predicate.POSTURE: [r.posture for r in postures()],
         Predicate.GESTURES: [name for name, _ in gestures()],
         Predicate.GIVES_OFF: [*plumes()],
+        Predicate.AT_PART: [*PARTS],
     }
     known = dict.fromkeys(tables.get(says, ()))
     named = says in tables and statement.noun

@@ -23,6 +23,7 @@ from esg.draft.statements.held import (
     support,
     tow,
 )
+from esg.draft.statements.ends import at_parts
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
 from esg.draft.statements.looks.gestures import gestures
 from esg.draft.statements.looks.postures import postures
@@ -215,6 +216,7 @@ WRITTEN: tuple[Callable[[Told], None], ...] = (
     gestures,
     _clauses,
     _dropped,
+    at_parts,
     kept_on_top,
     short_of_edges,
     *BESIDE_MOTIONS,

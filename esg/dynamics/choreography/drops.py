@@ -13,6 +13,8 @@ SPARE, LEAST_GAP_M = 0.1, 0.01
 """Gap between two that fall side by side, over the larger one's size, and at least."""
 OVERHANG = 0.4
 """Least distance of the middle of what falls onto a top from its edge, over its side."""
+POURED_M = 0.3
+"""Height over a vessel from which several things fall into it: from higher they jump out again."""
 IN_TURN_S = 0.18
 """From one's landing to the next one's, of what lands in turn."""
 
@@ -70,6 +72,12 @@ def room_of(stage: Stage, b: str, region: NamedRegion | None) -> tuple[float, fl
         return (body.half_length, body.half_width)
     x, y = top_surface(stage.doc, stage.member(b)).half_extents_cm
     return (x / 100.0, y / 100.0)
+
+
+def several(stage: Stage, node: TimelineNode) -> bool:
+    """Whether others are let go into the same region, too."""
+    nodes = stage.story.nodes.values()
+    return node.region is not None and sum(n.region == node.region for n in nodes) > 1
 
 
 def due(stage: Stage, node: TimelineNode) -> float | None:

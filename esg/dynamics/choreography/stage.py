@@ -192,11 +192,14 @@ class Stage:
         own = {self.anchor, self.lifted}
         return any(m not in own and support_of(self.doc, m) != self.anchor for m in members)
 
-    def start_at_edge(self) -> bool:
+    def start_at_edge(self, lane: tuple[int, int] = (0, 1)) -> bool:
         """Moves everything so that what leaves the anchor first stands at its edge, facing off it.
 
         That is the lead, or what stands before it on the anchor: a block that is pushed off a
         table waits at the edge, and what pushes it starts behind it on the table.
+
+        Args:
+            lane: Which lane along the edge it takes, of how many.
 
         Returns:
             Whether what starts on the anchor has room behind the edge; nothing moves otherwise.
@@ -212,6 +215,7 @@ class Stage:
             inset = self.inset(first)
         x, y, _ = self.places[self.lead]
         dx, dy = edge.at - inset - self.places[first][0], surface.center_cm[1] / 100.0 - y
+        dy += (2 * lane[0] + 1 - lane[1]) / lane[1] * surface.half_extents_cm[1] / 100.0
         if first != self.lead:
             room = surface.half_extents_cm[0] / 50.0
             if edge.at - (x + dx - self.prop(self.lead).half_length) > room:

@@ -160,7 +160,7 @@ def _play(stage: Stage, lane: tuple[int, int] = (0, 1)) -> Stage:
     for _ in range(ATTEMPTS):
         _tell(stage)
         if stage.anchor is not None and stage.leaves_its_support():
-            if stage.start_at_edge():
+            if stage.start_at_edge(lane):
                 break
         elif stage.anchor is None or fit_to_surface(
             stage.doc, stage.anchor, stage.places, _reached(stage), lane

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 import math
 
-from esg.dynamics.choreography.drops import due, room_of, share_out
+from esg.dynamics.choreography.drops import POURED_M, due, room_of, several, share_out
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.driving import QUICKLY_S
 from esg.dynamics.story.kinematics import Frame
@@ -337,7 +337,8 @@ def drop_height(stage: Stage, node: TimelineNode, a: str, target: Prop) -> float
     if stated is None:
         time = stage.prescribed_time(node) or due(stage, node)
         if time is None:
-            return held_height(stage, a, target)
+            held = held_height(stage, a, target)
+            return min(held, POURED_M) if several(stage, node) else held
         # What enters something does so with its middle.
         deep = 0.5 * stage.prop(a).height if node.event is NodeEvent.ENTER_REGION else 0.0
         return fallen(time - stage.tracks[a].time) - deep

@@ -1,0 +1,57 @@
+"""Whether something is at an end, an edge or a corner of what it stands on."""
+
+from __future__ import annotations
+
+import numpy as np
+
+from esg.lexicon.parts import CORNER, EDGE, OTHER_END
+from esg.metrics.replay import Floats, Replay
+from esg.metrics.statements.place import mostly
+from esg.metrics.statements.query import Kept, StatementQuery
+from esg.metrics.support import local_position
+from esg.thresholds import AT_PART_M, AT_PART_SHARE
+from esg.units import quat_rotate
+
+
+def at_part(replay: Replay, q: StatementQuery, body: int) -> Kept:
+    """It is by the named part of the first target's top; "other end": not by that of the second."""
+    hosts, part = q.target.bodies, q.statement.noun or ""
+    if not hosts or hosts[0] == body:
+        return Kept(False, reason=f"{q.goal} is no body with ends")
+    samples = q.window.samples(replay)
+    at, gap = _by_the_sides(replay, body, hosts[0], samples)
+    half = np.array(replay.scene.bodies[hosts[0]].half_extents[:2])
+    near = gap <= np.maximum(2.0 * AT_PART_SHARE * half, AT_PART_M)
+    long = int(np.argmax(half))
+    held = near[:, long]
+    if part == CORNER:
+        held = near.all(axis=1)
+    elif part == EDGE:
+        held = near.any(axis=1)
+    elif part == OTHER_END:
+        for other in hosts[1:]:
+            there, _ = _by_the_sides(replay, other, hosts[0], samples)
+            held = held & (at[:, long] * there[:, long] < 0.0)
+    shown = gap[:, long] if part not in (EDGE, CORNER) else np.sort(gap, axis=1)[:, part == CORNER]
+    return mostly(held, f"stay at the {part} of {q.goal}", gap_m=float(np.median(shown)))
+
+
+def _by_the_sides(
+    replay: Replay, body: int, host: int, samples: np.ndarray
+) -> tuple[Floats, Floats]:
+    """Where a body is in the axes of another one, and how far its side is from that one's side.
+
+    Returns:
+        Both along x and y [m], shape [n, 2].
+    """
+    below, own = replay.scene.bodies[host], replay.scene.bodies[body]
+    middle = np.array(below.origin_offset) + (0.0, 0.0, below.half_extents[2])
+    at = (local_position(replay, body, host) - middle)[samples, :2]
+    back = replay.quaternion[samples, host] * np.array([-1.0, -1.0, -1.0, 1.0])
+    reach = np.zeros_like(at)
+    for axis in range(3):
+        side = np.zeros(3)
+        side[axis] = own.half_extents[axis]
+        turned = quat_rotate(back, quat_rotate(replay.quaternion[samples, body], side))
+        reach += np.abs(turned[:, :2])
+    return at, np.array(below.half_extents[:2]) - np.abs(at) - reach
