@@ -321,6 +321,8 @@ class SemanticRegion(Model):
     parent_object: str
     bounds_cm: tuple[Vec3, Vec3] | None = None
     """Bounds in the parent's local frame; None takes the parent's whole surface."""
+    part: Literal["end", "other end", "edge", "corner"] | None = None
+    """The part of the parent's surface that is meant, where the bounds follow from its size."""
 
 
 class LayoutPreference(Model):

@@ -10,7 +10,6 @@ from typing import Any
 from esg.draft import lexicon as lex
 from esg.draft.discourse.referents.entities import Entity, slug
 from esg.draft.discourse.scene import Relation, Scene
-from esg.draft.document.parts import bounds_of
 from esg.draft.document.requirements import (
     GROUND,
     GROUND_SIZE_CM,
@@ -209,16 +208,13 @@ def _region(e: Entity, graph: _Graph) -> str:
         if host and host != GROUND:
             parent, name, text = host, f"{host}_surface", f"top of the {entities[host].head}"
     whose, part = scene.at_part.get(e.id, ("", ""))
-    bounds = bounds_of(part, entities[host], e) if part and whose == host == parent else None
-    if bounds is not None:
+    part = part if whose == host == parent else ""
+    if part:
         name, text = f"{host}_{part.replace(' ', '_')}", f"{part} of the {entities[host].head}"
     region = SemanticRegion(
-        region_description=text, region_type=kind, parent_object=parent, bounds_cm=bounds
+        region_description=text, region_type=kind, parent_object=parent, part=part or None
     )
-    n, stem = 1, name
-    while graph.regions.setdefault(name, region) != region:
-        n += 1
-        name = f"{stem}_{n}"
+    graph.regions.setdefault(name, region)
     return name
 
 

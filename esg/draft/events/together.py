@@ -10,7 +10,8 @@ from esg.graph.models import NodeEvent
 
 MOST = 12
 """Most members of a plural that fall together, of which each has an event of its own."""
-_DOWN = frozenset({"drop", "fall"})
+DOWN = frozenset({"drop", "fall"})
+"""Senses of which each of several that are let go does the same."""
 _AS_ONE = frozenset({"row", "pins", "rack", "stack", "column", "queue"})
 _STANDING = frozenset({"row", "pins"})
 """How dominoes and pins stand where nothing is told."""
@@ -20,7 +21,7 @@ IN_TURN = "one by one"
 
 def come_down(d: Discourse, f: Frame, m: Mention) -> bool:
     """ "Six cubes are dropped", "four balls fall": whether it names several that all do."""
-    if f.verb.sense not in _DOWN or not 2 <= len(m.entities) <= MOST or m.single:
+    if f.verb.sense not in DOWN or not 2 <= len(m.entities) <= MOST or m.single:
         return False
     sent = f.object if f.object is not None and not f.verb.passive else f.subject
     if m is not sent or not all(movable(d, i) for i in m.entities):
@@ -44,7 +45,7 @@ def mates_event(
         f: The clause that tells it.
     """
     group = entity_of(d, participants[0]).group
-    if f.verb.sense not in _DOWN:
+    if f.verb.sense not in DOWN:
         return None
     own = [n for g, n in d.times.of_frame if g is f]
     told = [n for n in d.timeline.nodes if n.id in own and n.event is kind]

@@ -17,19 +17,31 @@ from esg.lexicon.parts import CORNER, EDGE, END, OTHER_END
 ENDS_THERE = "nothing sees to it that it ends there"
 _WORDS = {"end": END, "edge": EDGE, "rim": EDGE, "corner": CORNER}
 """What a part is called, where no word says which one of several it is."""
+_WHICH = frozenset({"one", "other", "opposite", "very"})
+"""What may be said of a part so that any of them, or the one that is left, is meant."""
 _PREPS = frozenset({"on", "at", "in", "near", "by", "close to", "upon", "from"})
 _STANDING = frozenset({"be", "posture", "have", "left_so", "park"})
 _OTHER = re.compile(r"\b(?:the )?(?:other|opposite)\b", re.IGNORECASE)
 _ALL = re.compile(r"\b(?:each|both|every|either|all)\b", re.IGNORECASE)
-_TO_THE_OTHER = re.compile(r"\s+to the (?:other|opposite)\b(?: (?:end|edge|corner)\b)?", re.IGNORECASE)
+_END_TO_END = re.compile(
+    r"\bfrom (?:one|the|an) (?:[a-z]+ )?(?:end|edge|corner|side)\b[^.,;]{0,40}? to the "
+    r"(?:(?:other|opposite|far)\b(?: (?:end|edge|corner|side)\b)?|\w+ (?:end|edge|corner)\b)",
+    re.IGNORECASE,
+)
 
 
 def at_parts(t: Told) -> None:
     """ "A cup at one end of a table and a jug at the other": two statements of the start."""
     d = t.d
+    for m in _END_TO_END.finditer(d.text):
+        crosses = any(s.direction == "across" and s.start < m.end() and m.start() < s.end
+                      for s in t.book.items)  # fmt: skip
+        if not crosses:
+            t.book.add(Predicate.NOT_REPRESENTED, *m.span(), note=ENDS_THERE)
     for about, p in _placed(t.frames, d):
         m = p.mention
-        part = _WORDS.get(m.part if m is not None else "")
+        said = m.part.split() if m is not None else []
+        part = _WORDS.get(said[-1]) if said and {*said[:-1]} <= _WHICH else None
         if m is None or part is None or p.prep not in _PREPS:
             continue
         start = start_of(p, d.text)
@@ -39,10 +51,6 @@ def at_parts(t: Told) -> None:
         there = tuple(i for i in about if d.scene.supported_by.get(i) == hosts[0])
         if p.prep == "from":
             there = tuple(i for i in there if _sets_off(d, i))
-        onward = _TO_THE_OTHER.match(d.text, m.end) if p.prep == "from" else None
-        if onward is not None:
-            t.book.add(Predicate.NOT_REPRESENTED, onward.start() + 1, onward.end(),
-                       object=tuple(about), note=ENDS_THERE)  # fmt: skip
         if not there or not {*there}.isdisjoint(d.scene.at_part):
             continue
         before = tuple(i for i, at in d.scene.at_part.items() if at == (hosts[0], END))

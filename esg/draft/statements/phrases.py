@@ -435,7 +435,8 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
 
 def _starts_at_part(a: Account, about: set[str], others: set[str], part: str) -> bool:
     """ "A cup at one end of a table": whether a statement has the end, the edge or the corner."""
-    at = (s for s in a.kept if s.predicate is Predicate.AT_PART and part in (s.noun or ""))
+    word = part.split()[-1]
+    at = (s for s in a.kept if s.predicate is Predicate.AT_PART and word in (s.noun or "").split())
     return any(about & {*s.object} and others & {*s.target} for s in at)
 
 

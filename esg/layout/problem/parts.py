@@ -4,10 +4,9 @@ from __future__ import annotations
 
 import math
 
-from esg.draft.discourse.referents.entities import Entity
 from esg.lexicon.parts import CORNER, EDGE, OTHER_END
 
-SHARE, SPARE = 0.25, 1.3
+SHARE, SPARE = 0.12, 1.3
 """How far a part reaches into a top: over its way across, and over the size of what is there."""
 MIDDLE = 0.4
 """Half of the stretch of an edge that something is put on, over the edge: clear of its corners."""
@@ -16,24 +15,25 @@ _HIGH_CM = 1000.0
 Corner = tuple[float, float, float]
 
 
-def bounds_of(part: str, host: Entity, thing: Entity) -> tuple[Corner, Corner]:
-    """The part of a top as bounds in the host's frame [cm]: lowest and highest corner.
+def bounds_of(
+    part: str, half: tuple[float, float], thing: tuple[float, float]
+) -> tuple[Corner, Corner]:
+    """The part of a top as bounds in its owner's frame [cm]: lowest and highest corner.
 
     An end is one of the longer side, an edge the middle of the longer side towards the front.
 
     Args:
         part: Of `esg.lexicon.parts.PARTS`.
-        host: What has the top.
-        thing: What is put there.
+        half: Half of the owner's extents along x and y [cm].
+        thing: The same of what is put there [cm].
     """
-    sides = (host.dimensions_cm or host.noun.dimensions_cm)[:2]
-    size = SPARE * math.hypot(*(thing.dimensions_cm or thing.noun.dimensions_cm)[:2])
-    long = int(sides[1] > sides[0])
-    low, high = [-0.5 * s for s in sides], [0.5 * s for s in sides]
-    inner = [max(min(0.5 * s - max(SHARE * s, size), 0.5 * s - 1.0), -0.5 * s) for s in sides]
+    size = 2.0 * SPARE * math.hypot(*thing)
+    long = int(half[1] > half[0])
+    low, high = [-h for h in half], [*half]
+    inner = [max(min(h - max(2.0 * SHARE * h, size), h - 1.0), -h) for h in half]
     if part == EDGE:
         low[1 - long] = inner[1 - long]
-        low[long], high[long] = -MIDDLE * sides[long], MIDDLE * sides[long]
+        low[long], high[long] = -2.0 * MIDDLE * half[long], 2.0 * MIDDLE * half[long]
     elif part == CORNER:
         low = inner
     elif part == OTHER_END:
