@@ -15,6 +15,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from esg.lexicon.parts import Part
+
 SCHEMA_VERSION = "1.0.0"
 
 Vec3 = tuple[float, float, float]
@@ -321,7 +323,7 @@ class SemanticRegion(Model):
     parent_object: str
     bounds_cm: tuple[Vec3, Vec3] | None = None
     """Bounds in the parent's local frame; None takes the parent's whole surface."""
-    part: Literal["end", "other end", "edge", "corner"] | None = None
+    part: Part | None = None
     """The part of the parent's surface that is meant, where the bounds follow from its size."""
 
 

@@ -12,13 +12,15 @@ from esg.draft.events.stated import start_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.book import Told, ids
 from esg.graph.models import NodeEvent, Predicate
-from esg.lexicon.parts import CORNER, EDGE, END, OTHER_END
+from esg.lexicon.parts import CORNER, EDGE, END, OTHER_END, PARTS, SIDE, TOWARDS
 
 ENDS_THERE = "nothing sees to it that it ends there"
-_WORDS = {"end": END, "edge": EDGE, "rim": EDGE, "corner": CORNER}
+_WORDS = {"end": END, "edge": EDGE, "rim": EDGE, "corner": CORNER, "side": SIDE}
 """What a part is called, where no word says which one of several it is."""
 _WHICH = frozenset({"one", "other", "opposite", "very"})
 """What may be said of a part so that any of them, or the one that is left, is meant."""
+_ORDER = ("front", "back", "left", "right")
+"""How sides of a corner follow each other in its name."""
 _PREPS = frozenset({"on", "at", "in", "near", "by", "close to", "upon", "from"})
 _STANDING = frozenset({"be", "posture", "have", "left_so", "park"})
 _OTHER = re.compile(r"\b(?:the )?(?:other|opposite)\b", re.IGNORECASE)
@@ -40,8 +42,7 @@ def at_parts(t: Told) -> None:
             t.book.add(Predicate.NOT_REPRESENTED, *m.span(), note=ENDS_THERE)
     for about, p in _placed(t.frames, d):
         m = p.mention
-        said = m.part.split() if m is not None else []
-        part = _WORDS.get(said[-1]) if said and {*said[:-1]} <= _WHICH else None
+        part = _part(m.part.split()) if m is not None else None
         if m is None or part is None or p.prep not in _PREPS:
             continue
         start = start_of(p, d.text)
@@ -58,6 +59,8 @@ def at_parts(t: Told) -> None:
             if part != END or not before:
                 continue
             part = OTHER_END
+        if part == SIDE:
+            continue  # "on the side of a table"
         d.scene.at_part.update(dict.fromkeys(there, (hosts[0], part)))
         others = before if part == OTHER_END else ()
         t.book.add(Predicate.AT_PART, start, m.end, object=there, target=(hosts[0], *others),
@@ -67,10 +70,29 @@ def at_parts(t: Told) -> None:
 def _placed(frames: list[Frame], d: Discourse) -> Iterator[tuple[list[str], Phrase]]:
     """Who is said to be where at the start, in the order of the text."""
     found = [(ids(m), p) for m, p in d.attached]
-    found += [(ids(f.subject), p) for f in frames for p in f.phrases
-              if not f.unreal and (f.verb.sense in _STANDING or p.prep == "from")]  # fmt: skip
+    found += [
+        (ids(f.object if f.object is not None and not f.verb.passive else f.subject), p)
+        for f in frames for p in f.phrases
+        if not f.unreal and (f.verb.sense in _STANDING or p.prep == "from" or _laid(d, f))
+    ]  # fmt: skip
     told = [(about, p) for about, p in found if p.mention is not None]
     return iter(sorted(told, key=lambda x: x[1].mention.start if x[1].mention else 0))
+
+
+def _part(words: list[str]) -> str | None:
+    """The part that words name; None if they name none, or say of it what is not the viewer's."""
+    kind = _WORDS.get(words[-1]) if words else None
+    sides = sorted({*words[:-1]} & {*TOWARDS}, key=[*_ORDER].index)
+    if kind is None or not {*words[:-1]} <= _WHICH | {*TOWARDS}:
+        return None
+    part = " ".join((*sides, kind))
+    return part if part in PARTS or part == SIDE else None
+
+
+def _laid(d: Discourse, f: Frame) -> bool:
+    """ "A plate is placed at the edge of a table": where it is from the start on."""
+    put = f.verb.sense in ("put", "place", "noop", "pick") and f.verb.passive
+    return put and not any(e.actor in ids(f.subject) for e in d.timeline.edges)
 
 
 def _has_ends(d: Discourse, node: str) -> bool:

@@ -12,7 +12,7 @@ from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, half_along
 from esg.dynamics.story.stagecraft import broadest_surface
 from esg.graph.models import Predicate
-from esg.lexicon.parts import CORNER, EDGE
+from esg.lexicon.parts import CORNER, EDGE, sides_of
 
 MARGIN_M = 0.02
 """From what is put at an edge to that edge."""
@@ -70,9 +70,11 @@ def carried_along(
 
 def _goals(part: str, at: Floats, free: Floats, half: Floats) -> Iterator[Floats]:
     """Where it may stand to be at a part, from the middle [m]; the nearest first."""
+    if sides_of(part):
+        return iter(())  # which way the table will be turned is not known here
     long = int(np.argmax(half))
     axes = (0, 1) if part == CORNER else (1 - long,) if part == EDGE else (long,)
-    found = []
+    found: list[Floats] = []
     for signs in product((1.0, -1.0), repeat=len(axes)):
         goal = at.copy()
         goal[list(axes)] = np.array(signs) * free[list(axes)]

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 import numpy as np
+from numpy.typing import NDArray
 
-from esg.lexicon.parts import CORNER, EDGE, OTHER_END
+from esg.lexicon.parts import CORNER, EDGE, OTHER_END, SIDE, TOWARDS, kind_of, sides_of
 from esg.metrics.replay import Floats, Replay
 from esg.metrics.statements.place import mostly
 from esg.metrics.statements.query import Kept, StatementQuery
-from esg.metrics.support import local_position
-from esg.thresholds import AT_PART_M, AT_PART_SHARE
+from esg.metrics.support import bounds, local_position
+from esg.thresholds import AT_PART_M, AT_PART_SHARE, OFF_MIDDLE_SHARE
 from esg.units import quat_rotate
 
 
@@ -21,6 +22,8 @@ def at_part(replay: Replay, q: StatementQuery, body: int) -> Kept:
     samples = q.window.samples(replay)
     at, gap = _by_the_sides(replay, body, hosts[0], samples)
     half = np.array(replay.scene.bodies[hosts[0]].half_extents[:2])
+    if sides_of(part):
+        return _on_its_side(replay, q, body, samples)
     near = gap <= np.maximum(2.0 * AT_PART_SHARE * half, AT_PART_M)
     long = int(np.argmax(half))
     held = near[:, long]
@@ -36,8 +39,29 @@ def at_part(replay: Replay, q: StatementQuery, body: int) -> Kept:
     return mostly(held, f"stay at the {part} of {q.goal}", gap_m=float(np.median(shown)))
 
 
+def _on_its_side(
+    replay: Replay, q: StatementQuery, body: int, samples: NDArray[np.int64]
+) -> Kept:
+    """It is towards the viewer's left, right, front or back of the target, or by that edge."""
+    part, host = q.statement.noun or "", q.target.bodies[0]
+    held, gaps = np.ones(len(samples), bool), [0.0]
+    for n, k in enumerate(samples):
+        (low, high), (mine, end) = bounds(replay, host, int(k)), bounds(replay, body, int(k))
+        for side in sides_of(part):
+            way = np.array(TOWARDS[side])
+            axis, half = int(np.argmax(np.abs(way))), 0.5 * (high - low)
+            sign = way[axis]
+            off = sign * (0.5 * (mine + end) - 0.5 * (low + high))[axis]
+            gap = half[axis] - off - 0.5 * (end - mine)[axis]
+            gaps.append(float(gap))
+            limit = max(2.0 * AT_PART_SHARE * half[axis], AT_PART_M)
+            there = gap <= limit if kind_of(part) != SIDE else off >= OFF_MIDDLE_SHARE * half[axis]
+            held[n] &= bool(there)
+    return mostly(held, f"stay at the {part} of {q.goal}", gap_m=max(gaps))
+
+
 def _by_the_sides(
-    replay: Replay, body: int, host: int, samples: np.ndarray
+    replay: Replay, body: int, host: int, samples: NDArray[np.int64]
 ) -> tuple[Floats, Floats]:
     """Where a body is in the axes of another one, and how far its side is from that one's side.
 
