@@ -14,7 +14,7 @@ from esg.draft.discourse.scene import SELF_POWERED, pocket_name
 from esg.draft.discourse.timeline import START
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.roles import role
-from esg.draft.events.together import DOWN, lands_in_turn, mates_event
+from esg.draft.events.together import lands_in_turn, mates_event
 from esg.draft.events.told import constrain, mates_of, moves, unread
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
@@ -284,8 +284,8 @@ def _land_aim(
         return
     if not moves(d, name):
         return
-    mates = {*mates_of(d, name)} if f.verb.sense not in DOWN else set[str]()
-    for n in d.timeline.nodes:
+    mates, same = {*mates_of(d, name)}, {node for g, node in d.times.of_frame if g is f}
+    for n in (n for n in d.timeline.nodes if n.id not in same):
         there = other in n.participants or str(n.extra.get("region", "")).startswith(f"{other}/")
         if there and n.event in (*_MEETING, NodeEvent.MISS) and mates & {*n.participants}:
             return  # "throws three stones at it; the last one knocks it off"
