@@ -115,7 +115,7 @@ AT_PART_SHARE, AT_PART_M = 0.15, 0.03
 """From what is at an end, an edge or a corner to that, over the way across the top, and at least: a
 fifth or so of a table is called its end."""
 OFF_MIDDLE_SHARE = 0.2
-"""What is on the left side of a top is so far off its middle at least, over half of the way across."""
+"""What is on the left side of a top is so far off its middle, over half of the way across."""
 NEAR_END_M = 0.5
 """What ends near something is no farther from it than this, or than its own size."""
 SAME_TIME_S = 0.3

@@ -14,6 +14,7 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.account import Account
 from esg.draft.statements.book import Book, Told, span
 from esg.draft.statements.climbed import climbed, climbs_told
+from esg.draft.statements.ends import at_parts
 from esg.draft.statements.held import (
     carried,
     driver,
@@ -23,7 +24,6 @@ from esg.draft.statements.held import (
     support,
     tow,
 )
-from esg.draft.statements.ends import at_parts
 from esg.draft.statements.kept import AT_REST, BESIDE_MOTIONS
 from esg.draft.statements.looks.gestures import gestures
 from esg.draft.statements.looks.postures import postures

@@ -58,7 +58,11 @@ def _grid(
     for i in range(-m, m + 1):
         for j in range(-n, n + 1):
             x, y = i * pitch[0], j * pitch[1]
-            if round_ and (i or j) and math.hypot(x / max(free[0], 1e-9), y / max(free[1], 1e-9)) > 1.0:
+            if (
+                round_
+                and (i or j)
+                and math.hypot(x / max(free[0], 1e-9), y / max(free[1], 1e-9)) > 1.0
+            ):
                 continue
             yield x, y
 

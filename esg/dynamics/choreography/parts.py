@@ -1,4 +1,4 @@
-"""Moving what takes place on a table to where something of it is said to stand: an end, a corner."""
+"""Moving what takes place on a table to where something of it is said to stand."""
 
 from __future__ import annotations
 
@@ -31,7 +31,10 @@ def to_its_part(stage: Stage, reached: Sequence[Point]) -> None:
     """
     assert stage.anchor is not None
     surface = broadest_surface(stage.doc, stage.anchor)
-    center, half = np.array(surface.center_cm[:2]) / 100.0, np.array(surface.half_extents_cm) / 100.0
+    center, half = (
+        np.array(surface.center_cm[:2]) / 100.0,
+        np.array(surface.half_extents_cm) / 100.0,
+    )
     for s in stage.doc.statements or ():
         if s.predicate is not Predicate.AT_PART or s.target[:1] != (stage.anchor,):
             continue
@@ -87,9 +90,7 @@ def _reach(stage: Stage, key: str, yaw: float) -> Floats:
     return np.array([half_along(body.length, body.width, yaw), body.half_lateral(yaw)])
 
 
-def _bounds(
-    stage: Stage, reached: Sequence[Point]
-) -> tuple[Floats, Floats]:
+def _bounds(stage: Stage, reached: Sequence[Point]) -> tuple[Floats, Floats]:
     """Lowest and highest corner of all that is and gets somewhere [m]."""
     places = [*((k, x, y, yaw or 0.0) for k, (x, y, yaw) in stage.places.items()), *reached]
     middles = np.array([(x, y) for _, x, y, _ in places])

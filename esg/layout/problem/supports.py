@@ -15,8 +15,8 @@ from esg.graph.models import (
     SupportSurface,
 )
 from esg.layout.problem.joined import joined, posed
-from esg.layout.problem.roles import ground_nodes
 from esg.layout.problem.parts import bounds_of
+from esg.layout.problem.roles import ground_nodes
 from esg.layout.problem.shapes import CIRCLE, Footprint, bounds, footprints
 
 REST_GAP_CM = 0.01

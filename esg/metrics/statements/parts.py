@@ -39,9 +39,7 @@ def at_part(replay: Replay, q: StatementQuery, body: int) -> Kept:
     return mostly(held, f"stay at the {part} of {q.goal}", gap_m=float(np.median(shown)))
 
 
-def _on_its_side(
-    replay: Replay, q: StatementQuery, body: int, samples: NDArray[np.int64]
-) -> Kept:
+def _on_its_side(replay: Replay, q: StatementQuery, body: int, samples: NDArray[np.int64]) -> Kept:
     """It is towards the viewer's left, right, front or back of the target, or by that edge."""
     part, host = q.statement.noun or "", q.target.bodies[0]
     held, gaps = np.ones(len(samples), bool), [0.0]
@@ -69,7 +67,7 @@ def _by_the_sides(
         Both along x and y [m], shape [n, 2].
     """
     below, own = replay.scene.bodies[host], replay.scene.bodies[body]
-    middle = np.array(below.origin_offset) + (0.0, 0.0, below.half_extents[2])
+    middle = np.array(below.origin_offset)
     at = (local_position(replay, body, host) - middle)[samples, :2]
     back = replay.quaternion[samples, host] * np.array([-1.0, -1.0, -1.0, 1.0])
     reach = np.zeros_like(at)
