@@ -45,7 +45,7 @@ def mates_event(
         f: The clause that tells it.
     """
     group = entity_of(d, participants[0]).group
-    if f.verb.sense not in DOWN:
+    if f.verb.sense not in DOWN and kind is not NodeEvent.BOUNCE:
         return None
     own = [n for g, n in d.times.of_frame if g is f]
     told = [n for n in d.timeline.nodes if n.id in own and n.event is kind]

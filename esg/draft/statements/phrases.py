@@ -417,6 +417,8 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
     by = _carrier(d, others, p, part, f)
     if others and all(d.world.entities[i].lever == "fulcrum" for i in others):
         return p.prep in ACROSS and any(d.world.entities[i].lever for i in about)
+    if p.prep == "along" and _stands_along(d, about, others):
+        return True
     if part in _OF_ROOMS and p.prep in _IN_A_ROOM and GROUND in others:
         return False  # "in the corner of a room": no wall is drawn
     if part in _EXTREMES and p.prep == "from" and not _takes_part(a, NodeEvent.FALL, about):
@@ -431,6 +433,15 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
     if p.prep == "with" and _at_rest(f) and _has_a_place(a, about, others):
         return True
     return _stands_for_it(a, about, others, p, f, by)
+
+
+def _stands_along(d: Discourse, about: set[str], others: set[str]) -> bool:
+    """ "Boxes are lined up along a wall": what stays where it is, all of it near the wall."""
+    near = {
+        r.source for r in d.scene.relations if r.kind in ("near", "adjacent") and r.target in others
+    }
+    going = {e.actor for e in d.timeline.edges}
+    return bool(about) and about <= near and not about & going
 
 
 def _starts_at_part(a: Account, about: set[str], others: set[str], part: str) -> bool:

@@ -15,6 +15,8 @@ OVERHANG = 0.4
 """Least distance of the middle of what falls onto a top from its edge, over its side."""
 POURED_M = 0.3
 """Height over a vessel from which several things fall into it: from higher they jump out again."""
+FLOOR_M = 2.0
+"""Half of the floor that several things that bounce on it share, along both ways."""
 IN_TURN_S = 0.18
 """From one's landing to the next one's, of what lands in turn."""
 

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, half_along
 from esg.dynamics.story.stagecraft import broadest_surface
-from esg.graph.models import Predicate
+from esg.graph.models import Predicate, RelationType
 from esg.lexicon.parts import CORNER, EDGE, sides_of
 
 MARGIN_M = 0.02
@@ -35,23 +35,31 @@ def to_its_part(stage: Stage, reached: Sequence[Point]) -> None:
         np.array(surface.center_cm[:2]) / 100.0,
         np.array(surface.half_extents_cm) / 100.0,
     )
-    for s in stage.doc.statements or ():
-        if s.predicate is not Predicate.AT_PART or s.target[:1] != (stage.anchor,):
-            continue
-        key = next((k for k in map(stage.key, s.object) if k in stage.places), None)
-        if key is None:
-            continue
+    for key, part in _told(stage):
         x, y, yaw = stage.places[key]
         at = np.array([x, y]) - center
         free = half - _reach(stage, key, yaw or 0.0) - MARGIN_M
         low, high = _bounds(stage, reached)
-        for goal in _goals(s.noun or "", at, free, half):
+        for goal in _goals(part, at, free, half):
             shift = goal - at
             fits = np.all(low + shift >= center - half) and np.all(high + shift <= center + half)
             if fits and np.all(free > 0.0):
                 dx, dy = (float(v) for v in shift)
                 stage.places = {k: (px + dx, py + dy, a) for k, (px, py, a) in stage.places.items()}
                 return
+
+
+def _told(stage: Stage) -> Iterator[tuple[str, str]]:
+    """What of the stage is said to stand at which part of the anchor; "" for its middle."""
+    for s in stage.doc.statements or ():
+        if s.predicate is Predicate.AT_PART and s.target[:1] == (stage.anchor,):
+            keys = (k for k in map(stage.key, s.object) if k in stage.places)
+            yield from ((k, s.noun or "") for k in keys)
+    for e in stage.doc.spatial_relation_graph.edges.binary_relations:
+        key = stage.key(e.from_)
+        middle = e.relation_type is RelationType.CENTER_OF and e.to == stage.anchor
+        if middle and key in stage.places:
+            yield key, ""
 
 
 def carried_along(
@@ -73,6 +81,8 @@ def carried_along(
 
 def _goals(part: str, at: Floats, free: Floats, half: Floats) -> Iterator[Floats]:
     """Where it may stand to be at a part, from the middle [m]; the nearest first."""
+    if not part:
+        return iter([np.zeros(2)])
     if sides_of(part):
         return iter(())  # which way the table will be turned is not known here
     long = int(np.argmax(half))

@@ -35,7 +35,9 @@ def at_part(replay: Replay, q: StatementQuery, body: int) -> Kept:
         for other in hosts[1:]:
             there, _ = _by_the_sides(replay, other, hosts[0], samples)
             held = held & (at[:, long] * there[:, long] < 0.0)
-    shown = gap[:, long] if part not in (EDGE, CORNER) else np.sort(gap, axis=1)[:, part == CORNER]
+    shown = gap[:, long]
+    if part in (EDGE, CORNER):
+        shown = gap.min(axis=1) if part == EDGE else gap.max(axis=1)
     return mostly(held, f"stay at the {part} of {q.goal}", gap_m=float(np.median(shown)))
 
 
