@@ -113,6 +113,11 @@ SUNK_SHARE = 0.1
 AT_REST_MPS = 0.05
 ON_WATER_M = 1.0
 """Who walks or drives toward water goes no farther out on it."""
+AT_PART_SHARE, AT_PART_M = 0.15, 0.03
+"""From what is at an end, an edge or a corner to that, over the way across the top, and at least: a
+fifth or so of a table is called its end."""
+OFF_MIDDLE_SHARE = 0.2
+"""What is on the left side of a top is so far off its middle, over half of the way across."""
 NEAR_END_M = 0.5
 """What ends near something is no farther from it than this, or than its own size."""
 SAME_TIME_S = 0.3

@@ -15,6 +15,8 @@ from typing import Annotated, Any, Literal
 
 from pydantic import BaseModel, ConfigDict, Field
 
+from esg.lexicon.parts import Part
+
 SCHEMA_VERSION = "1.0.0"
 
 Vec3 = tuple[float, float, float]
@@ -344,6 +346,8 @@ class SemanticRegion(Model):
     parent_object: str
     bounds_cm: tuple[Vec3, Vec3] | None = None
     """Bounds in the parent's local frame; None takes the parent's whole surface."""
+    part: Part | None = None
+    """The part of the parent's surface that is meant, where the bounds follow from its size."""
 
 
 class LayoutPreference(Model):
@@ -627,6 +631,9 @@ class Predicate(str, enum.Enum):
     ENDS_ON = "ends_on"
     ENDS_IN = "ends_in"
     ENDS_NEAR = "ends_near"
+    AT_PART = "at_part"
+    """It is at an end, an edge or a corner of the first target's top (`noun`), or at the other end
+    than the second target."""
     AT_REST = "at_rest"
     SAME_TIME = "same_time"
     BEFORE = "before"
@@ -757,7 +764,7 @@ class Statement(Model):
     """Of `absent` and `count`; of `filled_with`, what it is filled with; of `wears` and `looks`
     what is worn, and how the hair is; of `lit` which light and how ("headlights flashing", "lamp
     turned off"), of `weather` which ("heavy rain"), of `sways` how strong the wind is; of
-    `posture`, which."""
+    `posture`, which; of `at_part` a row of `esg.lexicon.parts`."""
     when: str = "throughout"
     """start, end, throughout, the id of a point event, or two of these as "from..to"."""
     note: str = ""

@@ -7,6 +7,7 @@ from esg.graph.models import Predicate, Statement
 from esg.graph.violations import listing, pointer
 from esg.lexicon.gestures import gestures
 from esg.lexicon.lying import poses
+from esg.lexicon.parts import PARTS
 from esg.lexicon.plumes import plumes
 from esg.lexicon.postures import postures
 
@@ -22,6 +23,7 @@ _NAMING = (
     Predicate.POSTURE,
     Predicate.GESTURES,
     Predicate.GIVES_OFF,
+    Predicate.AT_PART,
 )
 """Said of an object by a word: what it is filled with, what somebody wears, his posture."""
 _OF_NOTHING = (*_OF_NOUNS, Predicate.FILMED, Predicate.NOT_REPRESENTED)
@@ -46,6 +48,7 @@ _WITH_TARGET = frozenset(
         Predicate.ENDS_ON,
         Predicate.ENDS_IN,
         Predicate.ENDS_NEAR,
+        Predicate.AT_PART,
         Predicate.FLOATS,
         Predicate.SINKS,
         Predicate.CLIMBS,
@@ -119,6 +122,7 @@ def _needs(ctx: Context, here: str, statement: Statement) -> None:
         Predicate.POSTURE: [r.posture for r in postures()],
         Predicate.GESTURES: [name for name, _ in gestures()],
         Predicate.GIVES_OFF: [*plumes()],
+        Predicate.AT_PART: [*PARTS],
     }
     known = dict.fromkeys(tables.get(says, ()))
     named = says in tables and statement.noun

@@ -73,6 +73,7 @@ _FIELDS: dict[str, _Fields] = {
     ),
     "gestures": _Fields(("object", "noun"), ("target",)),
     "faces": _Fields(("object", "target")),
+    "at_part": _Fields(("object", "target", "noun")),
     "weather": _Fields(("noun",)),
     "sways": _Fields(("object",), ("noun",)),
 }  # fmt: skip

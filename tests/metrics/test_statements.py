@@ -30,6 +30,11 @@ def on_table(x=0.0, z=0.9, **more: object) -> World:
     return World(2.0).add(table()).add(ball("ball_1"), x=x, z=z, **more)
 
 
+def at_both_ends(x=-0.85) -> World:
+    """A ball at an end of a table, and another one."""
+    return on_table(x=x).add(ball("ball_2"), x=0.85, z=0.9)
+
+
 def on_tray(x=0.0) -> World:
     """A ball on something that can be moved."""
     return World(2.0).add(body("tray_1", TABLE)).add(ball("ball_1"), x=x, z=0.9)
@@ -211,6 +216,16 @@ CASES = [
          direction="up", **CLIMBS),
     case("climbs", lambda: climbing(x=across, z=up_and_down), lambda: climbing(z=up_and_down),
          "never is over", direction="across", **CLIMBS),
+    case("at_part", lambda: on_table(x=0.85), on_table, "not stay at the end", noun="end", **ON),
+    case("at_part", at_both_ends, lambda: at_both_ends(0.8), "other end", noun="other end",
+         object="=ball_1", target="=table_1,ball_2"),
+    case("at_part", lambda: on_table(y=0.35), on_table, "at the edge", noun="edge", **ON),
+    case("at_part", lambda: on_table(x=0.85, y=0.35), lambda: on_table(x=0.85), "at the corner",
+         noun="corner", **ON),
+    case("at_part", lambda: on_table(x=0.85), lambda: on_table(x=-0.85), "at the left end",
+         noun="left end", **ON),
+    case("at_part", lambda: on_table(x=-0.3), lambda: on_table(x=0.05), "at the right side",
+         noun="right side", **ON),
     case("supported_by", on_table, lambda: on_table(z=1.2), "not rest on", **ON),
     case("supported_by", on_table, lambda: on_table(x=1.2), "not rest on", when="start", **ON),
     case(

@@ -183,6 +183,9 @@ def _at_part(d: Discourse, kind: str, part: str, other: str) -> str:
     word, side = part.split()[-1], _HANDS.get(part, "")
     if word in TOPS and kind in ("on", "near") and "incline" in entity_of(d, other).noun.traits:
         return "on"  # "at the top of a ramp"
+    sided = part in ("left side", "right side", "front side", "back side")
+    if sided and kind == "on" and "support" in entity_of(d, other).noun.traits:
+        return "on" if not structural(d, other) else kind  # "on the left side of a table"
     if side and "support" not in entity_of(d, other).noun.traits:
         return side if kind in ("on", "near") else kind  # "on the right side of a laptop"
     if word in ("edge", "corner", "rim", "end") and "support" in entity_of(d, other).noun.traits:

@@ -90,6 +90,8 @@ class Scene:
     """What hangs on a spring."""
     at_ends: list[str] = field(default_factory=list[str])
     """What sits on the ends of seesaws, in the order of the text."""
+    at_part: dict[str, tuple[str, str]] = field(default_factory=dict[str, tuple[str, str]])
+    """What starts at an end, an edge or a corner (`esg.lexicon.parts`): of what, at which."""
     loosed: set[str] = field(default_factory=set[str])
     """What hangs on something that gives way."""
     links: set[str] = field(default_factory=set[str])

@@ -207,9 +207,14 @@ def _region(e: Entity, graph: _Graph) -> str:
         host = host if host in entities else _road_under(e, graph)
         if host and host != GROUND:
             parent, name, text = host, f"{host}_surface", f"top of the {entities[host].head}"
-    graph.regions.setdefault(
-        name, SemanticRegion(region_description=text, region_type=kind, parent_object=parent)
+    whose, part = scene.at_part.get(e.id, ("", ""))
+    part = part if whose == host == parent else ""
+    if part:
+        name, text = f"{host}_{part.replace(' ', '_')}", f"{part} of the {entities[host].head}"
+    region = SemanticRegion(
+        region_description=text, region_type=kind, parent_object=parent, part=part or None
     )
+    graph.regions.setdefault(name, region)
     return name
 
 

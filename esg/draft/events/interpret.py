@@ -75,6 +75,7 @@ from esg.draft.events.senses.state import attachment, mass_of_load, stands_there
 from esg.draft.events.stated import CENTRE
 from esg.draft.events.table import read_as
 from esg.draft.events.timing import hand_on, precedes, settle, time_of
+from esg.draft.events.together import come_down
 from esg.draft.events.told import (
     at_rest,
     constrain,
@@ -811,6 +812,8 @@ def _one_by_one(d: Discourse, f: Frame) -> set[str]:
     out: set[str] = set()
     for m in (f.subject, f.object, *[p.mention for p in f.phrases]):
         singly = "one by one" in f.adverbs and f.verb.sense in _SINGLY and m is not None
+        if m is not None and come_down(d, f, m):
+            out |= set(m.entities)
         if m is None or not (2 <= len(m.entities) <= (_MOST_SINGLY if singly else 3)):
             continue
         counted = (m.subset or m.count) == len(m.entities) and not m.vague and not m.single

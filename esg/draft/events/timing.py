@@ -14,6 +14,7 @@ from esg.draft.discourse.scene import SELF_POWERED, pocket_name
 from esg.draft.discourse.timeline import START
 from esg.draft.discourse.windows import Draft
 from esg.draft.events.roles import role
+from esg.draft.events.together import lands_in_turn, mates_event
 from esg.draft.events.told import constrain, mates_of, moves, unread
 from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.text.quantities import Amount
@@ -99,7 +100,8 @@ def record_event(
     if kind is NodeEvent.FALL and time is not None and _lands_before(d, f, mover, time[1]):
         time = None  # "falls from the ceiling onto a table after 2 s": the time of the landing
         d.times.before_fall = (f, d.timeline.last_event)
-    partner = partner_of(d, kind, participants, f)
+    mate = mates_event(d, kind, participants, f) if kind is not NodeEvent.TRIGGER else None
+    partner = mate or partner_of(d, kind, participants, f)
     if partner is not None:
         d.timeline.last_event = d.times.before.get(partner[0])
     told_before = d.timeline.last_event
@@ -115,6 +117,8 @@ def record_event(
         mark_used(d, time[1], f"time of {node_id}")
         if not at:
             _time_since(d, draft, time, previous)
+    if mate is not None and lands_in_turn(kind, f):
+        d.moves.outrun.append((mate[0], node_id))
     coincide(d, draft, partner)
     _ends_gap(d, draft, f, previous)
     _lasts_since(d, draft, mover)
@@ -280,8 +284,8 @@ def _land_aim(
         return
     if not moves(d, name):
         return
-    mates = {*mates_of(d, name)}
-    for n in d.timeline.nodes:
+    mates, same = {*mates_of(d, name)}, {node for g, node in d.times.of_frame if g is f}
+    for n in (n for n in d.timeline.nodes if n.id not in same):
         there = other in n.participants or str(n.extra.get("region", "")).startswith(f"{other}/")
         if there and n.event in (*_MEETING, NodeEvent.MISS) and mates & {*n.participants}:
             return  # "throws three stones at it; the last one knocks it off"

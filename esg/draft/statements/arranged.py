@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from itertools import pairwise
 
 from esg.draft.discourse.core import entity_of
 from esg.draft.discourse.record import Discourse
@@ -44,10 +45,18 @@ def _stacked(d: Discourse, about: set[str]) -> bool:
 
 
 def _singly(d: Discourse, about: set[str]) -> bool:
-    """Whether each of several of one plural has an event of its own."""
+    """Whether each of several of one plural has an event of its own, after the one before."""
     members = {i for i in about if entity_of(d, i).group is not None}
-    told = (n for n in d.timeline.nodes if measurable(n.event) and n.event is not NodeEvent.MISS)
-    return bool(members) and members <= {n.participants[0] for n in told}
+    told = [n for n in d.timeline.nodes if measurable(n.event) and n.event is not NodeEvent.MISS]
+    told = [n for n in told if n.participants[0] in members]
+    first: dict[str, str] = {}
+    for n in told:
+        first.setdefault(n.participants[0], n.id)
+    after = {(a, n.id) for n in told for a in n.after} | {*d.moves.outrun}
+    after |= {(c.since or "", n.id) for n in told for c in n.constraints}
+    ids = [*first.values()]
+    ordered = all(pair in after for pair in pairwise(ids))
+    return bool(members) and members <= {*first} and ordered
 
 
 def _abreast(d: Discourse, about: set[str]) -> bool:

@@ -77,6 +77,7 @@ _STOPPING = frozenset({"stop", "brake", "slow", "park"})
 _SIDED = frozenset({"to", "from", "at", "on"})
 _EXTREMES = frozenset({"end", "edge", "corner", "tip"})
 _ON = frozenset({"on", "onto", "upon"})
+_OF_ROOMS, _IN_A_ROOM = frozenset({"end", "corner"}), frozenset({"in", "at", "to", "into", "near"})
 _LEVELLED = frozenset({"same", "different", "various"})
 _LEVELS = frozenset({"height", "level", "altitude"})
 _BY_THE_EDGE = frozenset({"along", "alongside", "at", "near", "by", "close to", "beside"})
@@ -407,6 +408,8 @@ def _below_a_slope(a: Account, about: set[str]) -> bool:
 def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame | None) -> bool:
     """Whether something in the document is about both what a phrase names and who it is said of."""
     d, part = a.d, p.mention.part if p.mention is not None else ""
+    if part and _starts_at_part(a, about, others, part):
+        return True
     if p.prep in _BY_THE_EDGE and {*part.split()} & _EXTREMES and not _marked(part):
         return False  # "rides along the right edge of the road": anywhere on it
     if part in TOPS and any("incline" in traits_of(d, i) for i in others if i in d.world.entities):
@@ -414,6 +417,12 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
     by = _carrier(d, others, p, part, f)
     if others and all(d.world.entities[i].lever == "fulcrum" for i in others):
         return p.prep in ACROSS and any(d.world.entities[i].lever for i in about)
+    if p.prep == "along" and _stands_along(d, about, others):
+        return True
+    if part in _OF_ROOMS and p.prep in _IN_A_ROOM and GROUND in others:
+        return False  # "in the corner of a room": no wall is drawn
+    if part in _EXTREMES and p.prep == "from" and not _takes_part(a, NodeEvent.FALL, about):
+        return False  # "rolls from one end of a bench"
     if any(structural(d, i) for i in others):
         hangs = any(_tells(s, about, others, p.prep, by) for s in a.kept)  # "from the ceiling"
         return hangs or _answered_by_ground(a, about, others, p)
@@ -424,6 +433,22 @@ def _answered(a: Account, about: set[str], others: set[str], p: Phrase, f: Frame
     if p.prep == "with" and _at_rest(f) and _has_a_place(a, about, others):
         return True
     return _stands_for_it(a, about, others, p, f, by)
+
+
+def _stands_along(d: Discourse, about: set[str], others: set[str]) -> bool:
+    """ "Boxes are lined up along a wall": what stays where it is, all of it near the wall."""
+    near = {
+        r.source for r in d.scene.relations if r.kind in ("near", "adjacent") and r.target in others
+    }
+    going = {e.actor for e in d.timeline.edges}
+    return bool(about) and about <= near and not about & going
+
+
+def _starts_at_part(a: Account, about: set[str], others: set[str], part: str) -> bool:
+    """ "A cup at one end of a table": whether a statement has the end, the edge or the corner."""
+    word = part.split()[-1]
+    at = (s for s in a.kept if s.predicate is Predicate.AT_PART and word in (s.noun or "").split())
+    return any(about & {*s.object} and others & {*s.target} for s in at)
 
 
 def _on_an_end(p: Phrase, part: str) -> bool:

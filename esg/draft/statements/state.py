@@ -14,6 +14,7 @@ from esg.draft.grammar.clauses.frames import Frame
 from esg.draft.statements.account import Account
 from esg.draft.statements.book import Book, Told, span
 from esg.draft.statements.climbed import climbed, climbs_told
+from esg.draft.statements.ends import at_parts
 from esg.draft.statements.held import (
     carried,
     driver,
@@ -222,6 +223,7 @@ WRITTEN: tuple[Callable[[Told], None], ...] = (
     gestures,
     _clauses,
     _dropped,
+    at_parts,
     kept_on_top,
     short_of_edges,
     *BESIDE_MOTIONS,

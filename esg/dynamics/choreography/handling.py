@@ -5,6 +5,7 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.choreography.courses.rounds import goes_somewhere, way_needed
+from esg.dynamics.choreography.drops import FLOOR_M, room_of, share_out
 from esg.dynamics.choreography.leaps import crouch, landing, leap_to
 from esg.dynamics.choreography.meetings import collision
 from esg.dynamics.choreography.moves import plain
@@ -207,6 +208,9 @@ def bounced(stage: Stage, node: TimelineNode) -> None:
     if not on_ground:
         stage.places.setdefault(b, (0.0, 0.0, 0.0))
         x, y, _ = stage.places[b]
+    room = (FLOOR_M, FLOOR_M) if on_ground else room_of(stage, b, None)
+    dx, dy, higher = share_out(stage, a, b, room, round_=False)
+    x, y, height = x + dx, y + dy, height + higher
     stage.frames[a], stage.places[a] = Frame(x, y, 0.0), (x, y, 0.0)
     stage.heights[a] = (0.0 if on_ground else target.height) + height
     landing = math.sqrt(up * up + 2.0 * GRAVITY_MPS2 * height)

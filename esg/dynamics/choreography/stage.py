@@ -109,6 +109,7 @@ class Stage:
         met: What each actor met last.
         overtaken: Who was overtaken, by whom, when [s] and where on that one's way [m].
         landed: How many have leapt onto something.
+        let_go: What is let go over something, in the order told.
         lifted: An actor without a place of its own that starts on the anchor beside its target.
         goes_down: Whether the lead is let go at the top of a ramp and meets nothing there.
         edge_run: Distance [m] from the lead's start to the anchor's edge, None if it does not
@@ -151,6 +152,7 @@ class Stage:
         )
         self.lead = actors[0]
         self.landed: dict[str, int] = {}
+        self.let_go: dict[str, list[str]] = {}
         self.lifted: str | None = None
         self.anchor = None if self.story.flies(self.lead) else support_of(doc, self.lead)
         if self.anchor is None and not self.story.flies(self.lead):
@@ -190,11 +192,14 @@ class Stage:
         own = {self.anchor, self.lifted}
         return any(m not in own and support_of(self.doc, m) != self.anchor for m in members)
 
-    def start_at_edge(self) -> bool:
+    def start_at_edge(self, lane: tuple[int, int] = (0, 1)) -> bool:
         """Moves everything so that what leaves the anchor first stands at its edge, facing off it.
 
         That is the lead, or what stands before it on the anchor: a block that is pushed off a
         table waits at the edge, and what pushes it starts behind it on the table.
+
+        Args:
+            lane: Which lane along the edge it takes, of how many.
 
         Returns:
             Whether what starts on the anchor has room behind the edge; nothing moves otherwise.
@@ -210,6 +215,7 @@ class Stage:
             inset = self.inset(first)
         x, y, _ = self.places[self.lead]
         dx, dy = edge.at - inset - self.places[first][0], surface.center_cm[1] / 100.0 - y
+        dy += (2 * lane[0] + 1 - lane[1]) / lane[1] * surface.half_extents_cm[1] / 100.0
         if first != self.lead:
             room = surface.half_extents_cm[0] / 50.0
             if edge.at - (x + dx - self.prop(self.lead).half_length) > room:

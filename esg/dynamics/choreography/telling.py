@@ -19,6 +19,7 @@ from esg.dynamics.choreography.courses.tops import reaches
 from esg.dynamics.choreography.handling import bounced, jumped, spun, taken, tell_guided
 from esg.dynamics.choreography.meetings import collision, enters
 from esg.dynamics.choreography.moves import controlled, plain, shattered, turned
+from esg.dynamics.choreography.parts import carried_along, to_its_part
 from esg.dynamics.choreography.placing import enter_beside
 from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage
@@ -160,12 +161,16 @@ def _play(stage: Stage, lane: tuple[int, int] = (0, 1)) -> Stage:
     for _ in range(ATTEMPTS):
         _tell(stage)
         if stage.anchor is not None and stage.leaves_its_support():
-            if stage.start_at_edge():
+            if stage.start_at_edge(lane):
                 break
-        elif stage.anchor is None or fit_to_surface(
-            stage.doc, stage.anchor, stage.places, _reached(stage), lane
-        ):
+        elif stage.anchor is None:
             break
+        else:
+            reached, before = _reached(stage), dict(stage.places)
+            if fit_to_surface(stage.doc, stage.anchor, stage.places, reached, lane):
+                if lane == (0, 1):
+                    to_its_part(stage, carried_along(reached, before, stage.places))
+                break
         stage = stage.tighter()
     if stage.anchor is None:
         stand_behind(stage)

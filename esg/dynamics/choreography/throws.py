@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 import math
 
+from esg.dynamics.choreography.drops import POURED_M, due, room_of, several, share_out
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.driving import QUICKLY_S
 from esg.dynamics.story.kinematics import Frame
@@ -288,6 +289,9 @@ def drop(stage: Stage, e: Encounter) -> None:
     along, top = landing_place(stage.doc, stage.member(b)) or (0.0, pb.height)
     x, y = Frame(x, y, yaw or 0.0).apply(along, 0.0) if along else (x, y)
     height = max(drop_height(stage, node, a, pb), _past_the_lid(stage, node, a))
+    dx, dy, up = share_out(stage, a, b, room_of(stage, b, region), round_=region is not None)
+    x, y = Frame(x, y, yaw or 0.0).apply(dx, dy)
+    height += up
     stage.places[a] = (x, y, 0.0)
     stage.frames[a] = Frame(x, y, 0.0)
     stage.heights[a] = top + height
@@ -331,9 +335,10 @@ def drop_height(stage: Stage, node: TimelineNode, a: str, target: Prop) -> float
     """
     stated = asked_height(stage, node, a)
     if stated is None:
-        time = stage.prescribed_time(node)
+        time = stage.prescribed_time(node) or due(stage, node)
         if time is None:
-            return held_height(stage, a, target)
+            held = held_height(stage, a, target)
+            return min(held, POURED_M) if several(stage, node) else held
         # What enters something does so with its middle.
         deep = 0.5 * stage.prop(a).height if node.event is NodeEvent.ENTER_REGION else 0.0
         return fallen(time - stage.tracks[a].time) - deep

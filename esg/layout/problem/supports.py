@@ -15,6 +15,7 @@ from esg.graph.models import (
     SupportSurface,
 )
 from esg.layout.problem.joined import joined, posed
+from esg.layout.problem.parts import bounds_of
 from esg.layout.problem.roles import ground_nodes
 from esg.layout.problem.shapes import CIRCLE, Footprint, bounds, footprints
 
@@ -368,12 +369,16 @@ def _wishes(doc: EsgDocument, shape: dict[str, Shape]) -> dict[str, list[_Wish]]
         if region is None or region.parent_object not in shape or region.parent_object == name:
             continue
         mine, parent = wishes[name], region.parent_object
+        limits = region.bounds_cm
+        if region.part is not None:
+            own, below = shape[name], shape[parent]
+            limits = bounds_of(region.part, (below.hx, below.hy), (own.hx, own.hy))
         at = next((k for k, w in enumerate(mine) if w[1] == parent), None)
         if at is not None:  # the region refines the edge
-            mine[at] = (mine[at][0], parent, region.bounds_cm)
+            mine[at] = (mine[at][0], parent, limits)
         else:
             above = [k for k, w in enumerate(mine) if w[0] == "above"]
-            wish = (_REGIONS[region.region_type], parent, region.bounds_cm)
+            wish = (_REGIONS[region.region_type], parent, limits)
             mine.insert(above[0] if above else len(mine), wish)
     return wishes
 

@@ -147,3 +147,38 @@ def test_what_drops_into_a_chest_comes_after_its_lid_is_open() -> None:
     assert fall > lid
     alone = cast("A loaf of bread drops into an open chest.")
     assert (places(alone)["loaf_of_bread_1"].z_cm or 0.0) - top < 150.0
+
+
+@pytest.mark.parametrize(
+    ("prompt", "number"),
+    [
+        ("Drop six cubes onto a table.", 6),
+        ("Four tennis balls fall into a laundry basket.", 4),
+        ("Several books fall off a shelf.", 4),
+        ("A boy drops three stones into a bucket, one after another.", 3),
+    ],
+)
+def test_several_that_fall_do_not_start_in_each_other(prompt: str, number: int) -> None:
+    doc = cast(prompt)
+    fallen = {e.actor for e in doc.timeline_system.sequence_graph.edges}
+    spots = {n: p for n, p in places(doc).items() if n in fallen}
+    assert len(spots) == number
+    for a, b in itertools.combinations(spots, 2):
+        one, other = spots[a], spots[b]
+        size = 100.0 * max(min(prop(doc, n).width, prop(doc, n).height) for n in (a, b))
+        apart = math.dist((one.x_cm, one.y_cm), (other.x_cm, other.y_cm))
+        assert max(apart, abs((one.z_cm or 0.0) - (other.z_cm or 0.0))) >= size
+
+
+def test_what_lands_in_turn_falls_from_ever_higher() -> None:
+    spots = places(cast("A boy drops three stones into a bucket, one after another."))
+    heights = [spots[f"stone_{k}"].z_cm or 0.0 for k in (1, 2, 3)]
+    assert heights == sorted(heights)
+    assert heights[0] < heights[1] - 10.0 < heights[2] - 20.0
+
+
+def test_what_is_hit_at_the_end_of_a_shelf_stands_there() -> None:
+    doc = cast("A mug stands at the end of a shelf and a toy car drives into it.")
+    half = max(doc.asset_configurations["shelf_01"].support_surfaces[0].half_extents_cm)
+    spot = places(doc)["mug_1"]
+    assert max(abs(spot.x_cm), abs(spot.y_cm)) > 0.7 * half

@@ -229,10 +229,11 @@ def _open_before(d: Discourse, moved: list[str]) -> str:
 def _below(d: Discourse, f: Frame, moved: list[str]) -> str | None:
     """ "Is released above a table": what it comes down on, unless it is told where it lands."""
     above, lands = f.phrase("above"), f.phrase("on", "onto", "into", "in", "beside", "next to")
-    if above is None or lands is not None:
+    if lands is not None:
         return None
-    others = (i for i in things(above) if aimable(d, i) and i not in moved)
-    return next(others, None)
+    over = [r for r in d.scene.relations if r.kind == "above" and r.source in moved]
+    told = things(above) or [r.target for r in over]  # "it is held above a tray, then let go"
+    return next((i for i in told if aimable(d, i) and i not in moved), None)
 
 
 @dataclass
