@@ -16,7 +16,7 @@ Part = Literal[
     "left side", "right side", "front side", "back side",
     "front left corner", "front right corner", "back left corner", "back right corner",
 ]  # fmt: skip
-PARTS: tuple[str, ...] = get_args(Part)
+PARTS: tuple[Part, ...] = get_args(Part)
 """What a statement that something is at a part of a top may say (`Predicate.AT_PART`)."""
 TOWARDS = {"left": (1.0, 0.0), "right": (-1.0, 0.0), "front": (0.0, 1.0), "back": (0.0, -1.0)}
 """The way to each side in the world (left = +X, front = +Y)."""
@@ -30,3 +30,8 @@ def sides_of(part: str) -> tuple[str, ...]:
 def kind_of(part: str) -> str:
     """What it is: "corner" of "back left corner"."""
     return part.split()[-1]
+
+
+def known(part: str) -> Part | None:
+    """The part that words name, None if nothing has such a one."""
+    return next((p for p in PARTS if p == part), None)

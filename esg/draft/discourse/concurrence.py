@@ -95,9 +95,9 @@ def on_its_own(d: Discourse, f: Frame, participants: tuple[str, ...], time: Time
 def coincide(d: Discourse, draft: Draft, partner: tuple[str, Quantity | None] | None) -> None:
     """Adds the time between an event and its partner."""
     timed = any(c.quantity in ("time_since", "time_to_stop") for c in draft.constraints)
-    if partner is None or partner[1] is None or timed or draft.time is not None:
+    since, value = partner or ("", None)
+    if value is None or timed or draft.time is not None:
         return
-    since, value = partner
     actor = draft.participants[0]
     draft.constraints.append(
         EventConstraint(quantity="time_since", object=actor, value=value, since=since)

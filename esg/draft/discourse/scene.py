@@ -13,6 +13,7 @@ from esg.draft.text.fillings import Fillings
 from esg.draft.text.quantities import Amount
 from esg.graph.models import Contents, Joint, Quantity
 from esg.lexicon.breakables import Breakable
+from esg.lexicon.parts import Part
 
 
 @dataclass
@@ -90,7 +91,7 @@ class Scene:
     """What hangs on a spring."""
     at_ends: list[str] = field(default_factory=list[str])
     """What sits on the ends of seesaws, in the order of the text."""
-    at_part: dict[str, tuple[str, str]] = field(default_factory=dict[str, tuple[str, str]])
+    at_part: dict[str, tuple[str, Part]] = field(default_factory=dict[str, tuple[str, Part]])
     """What starts at an end, an edge or a corner (`esg.lexicon.parts`): of what, at which."""
     loosed: set[str] = field(default_factory=set[str])
     """What hangs on something that gives way."""

@@ -207,12 +207,12 @@ def _region(e: Entity, graph: _Graph) -> str:
         host = host if host in entities else _road_under(e, graph)
         if host and host != GROUND:
             parent, name, text = host, f"{host}_surface", f"top of the {entities[host].head}"
-    whose, part = scene.at_part.get(e.id, ("", ""))
-    part = part if whose == host == parent else ""
-    if part:
+    at = scene.at_part.get(e.id)
+    part = at[1] if at is not None and at[0] == host == parent else None
+    if part is not None:
         name, text = f"{host}_{part.replace(' ', '_')}", f"{part} of the {entities[host].head}"
     region = SemanticRegion(
-        region_description=text, region_type=kind, parent_object=parent, part=part or None
+        region_description=text, region_type=kind, parent_object=parent, part=part
     )
     graph.regions.setdefault(name, region)
     return name

@@ -12,7 +12,7 @@ from esg.draft.events.stated import start_of
 from esg.draft.grammar.clauses.frames import Frame, Phrase
 from esg.draft.statements.book import Told, ids
 from esg.graph.models import NodeEvent, Predicate
-from esg.lexicon.parts import CORNER, EDGE, END, OTHER_END, PARTS, SIDE, TOWARDS
+from esg.lexicon.parts import CORNER, EDGE, END, OTHER_END, SIDE, TOWARDS, known
 
 ENDS_THERE = "nothing sees to it that it ends there"
 _WORDS = {"end": END, "edge": EDGE, "rim": EDGE, "corner": CORNER, "side": SIDE}
@@ -59,9 +59,10 @@ def at_parts(t: Told) -> None:
             if part != END or not before:
                 continue
             part = OTHER_END
-        if part == SIDE:
+        named = known(part)
+        if named is None:
             continue  # "on the side of a table"
-        d.scene.at_part.update(dict.fromkeys(there, (hosts[0], part)))
+        d.scene.at_part.update((i, (hosts[0], named)) for i in there)
         others = before if part == OTHER_END else ()
         t.book.add(Predicate.AT_PART, start, m.end, object=there, target=(hosts[0], *others),
                    noun=part, when="start")  # fmt: skip
@@ -86,7 +87,7 @@ def _part(words: list[str]) -> str | None:
     if kind is None or not {*words[:-1]} <= _WHICH | {*TOWARDS}:
         return None
     part = " ".join((*sides, kind))
-    return part if part in PARTS or part == SIDE else None
+    return part if known(part) is not None or part == SIDE else None
 
 
 def _laid(d: Discourse, f: Frame) -> bool:

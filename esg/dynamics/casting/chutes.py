@@ -12,8 +12,8 @@ from esg.dynamics.casting.changes import Configs, resized
 from esg.dynamics.casting.containers import down_a_slope, entries
 from esg.dynamics.casting.motion import LETS_GO
 from esg.dynamics.choreography.courses.chutes import drop_needed
+from esg.dynamics.choreography.falling.throws import opens_upwards
 from esg.dynamics.choreography.slopes import ride_of
-from esg.dynamics.choreography.throws import opens_upwards
 from esg.dynamics.story.stagecraft import Prop, prop, support_of
 from esg.dynamics.story.story import Story
 from esg.graph.models import EsgDocument

@@ -11,8 +11,8 @@ import math
 
 from esg.dynamics.casting.changes import resized
 from esg.dynamics.choreography.bounces import apex_after
+from esg.dynamics.choreography.falling.throws import fallen, is_dropped, stated_height
 from esg.dynamics.choreography.slopes import slope_of
-from esg.dynamics.choreography.throws import fallen, is_dropped, stated_height
 from esg.dynamics.story.stagecraft import prop, support_of, top_surface
 from esg.dynamics.story.story import Story, bounds
 from esg.graph.floating import liquid_of

@@ -8,6 +8,17 @@ import math
 from esg.dynamics.choreography.braking import brake_into
 from esg.dynamics.choreography.courses.rounds import way_needed
 from esg.dynamics.choreography.encounters import covers
+from esg.dynamics.choreography.falling.throws import (
+    asked_height,
+    comes_to_lie,
+    hand_height,
+    is_lobbed,
+    level_height,
+    putts,
+    sends_on,
+    slowest_passage,
+    within_reach,
+)
 from esg.dynamics.choreography.flights import took_off
 from esg.dynamics.choreography.hits.caroms import is_carom
 from esg.dynamics.choreography.hits.demands import (
@@ -33,17 +44,6 @@ from esg.dynamics.choreography.placing import (
 from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.slopes import descend, goes_down
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
-from esg.dynamics.choreography.throws import (
-    asked_height,
-    comes_to_lie,
-    hand_height,
-    is_lobbed,
-    level_height,
-    putts,
-    sends_on,
-    slowest_passage,
-    within_reach,
-)
 from esg.dynamics.story.kinematics import Ride, lob_time
 from esg.dynamics.story.stagecraft import (
     approach_distance,

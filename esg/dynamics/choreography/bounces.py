@@ -9,14 +9,14 @@ from __future__ import annotations
 from dataclasses import dataclass
 import math
 
-from esg.dynamics.choreography.flights import CLEAR_M, LOW_M, mouth_height
-from esg.dynamics.choreography.stage import Encounter, Stage
-from esg.dynamics.choreography.throws import (
+from esg.dynamics.choreography.falling.throws import (
     asked_height,
     is_dropped,
     region_of,
     stated_height,
 )
+from esg.dynamics.choreography.flights import CLEAR_M, LOW_M, mouth_height
+from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.kinematics import Frame, half_along, rubbed
 from esg.dynamics.story.stagecraft import Prop, prop, top_surface
 from esg.dynamics.story.story import Phase, Story, read_story

@@ -6,10 +6,10 @@ import math
 
 from esg.dynamics.choreography import overtaking
 from esg.dynamics.choreography.braking import brake_into, shortest
+from esg.dynamics.choreography.falling.throws import asked_height, drop_height, fallen, is_dropped
 from esg.dynamics.choreography.placing import gap_at_start
 from esg.dynamics.choreography.setting_off import ride_of
 from esg.dynamics.choreography.stage import FASTEST_MPS, Encounter, Stage, speed_is_fixed
-from esg.dynamics.choreography.throws import asked_height, drop_height, fallen, is_dropped
 from esg.dynamics.story.kinematics import (
     Frame,
     braking_distance,

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 import math
 
+from esg.dynamics.choreography.falling.throws import is_lobbed, region_of
 from esg.dynamics.choreography.stage import Encounter, Stage, speed_is_fixed
-from esg.dynamics.choreography.throws import is_lobbed, region_of
 from esg.dynamics.story.kinematics import Frame, half_along, rubbed
 from esg.dynamics.story.story import Phase, Story
 from esg.graph.models import NamedRegion, NodeEvent, ProxyKind, TimelineNode

@@ -5,13 +5,13 @@ from __future__ import annotations
 import math
 
 from esg.dynamics.choreography.courses.rounds import goes_somewhere, way_needed
-from esg.dynamics.choreography.drops import FLOOR_M, room_of, share_out
+from esg.dynamics.choreography.falling.drops import FLOOR_M, room_of, share_out
+from esg.dynamics.choreography.falling.throws import asked_height, is_dropped
 from esg.dynamics.choreography.leaps import crouch, landing, leap_to
 from esg.dynamics.choreography.meetings import collision
 from esg.dynamics.choreography.moves import plain
 from esg.dynamics.choreography.placing import join
 from esg.dynamics.choreography.stage import Stage
-from esg.dynamics.choreography.throws import asked_height, is_dropped
 from esg.dynamics.story.driving import SURELY
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.riding import carried_rate, standing_on

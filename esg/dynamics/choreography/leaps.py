@@ -5,7 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 import math
 
-from esg.dynamics.choreography.falls import CLEAR_OF_EDGE_M, Flight, landing_speed, surface_height
+from esg.dynamics.choreography.falling.falls import (
+    CLEAR_OF_EDGE_M,
+    Flight,
+    landing_speed,
+    surface_height,
+)
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.story.kinematics import Frame, frame_mapping
 from esg.dynamics.story.stagecraft import Prop, support_of, top_surface

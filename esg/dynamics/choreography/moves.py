@@ -8,7 +8,7 @@ from esg.dynamics.choreography.braking import brake
 from esg.dynamics.choreography.courses.climbs import climbed
 from esg.dynamics.choreography.courses.rounds import way_needed, widest_turn
 from esg.dynamics.choreography.courses.tops import hold_to, length_of_top
-from esg.dynamics.choreography.falls import goes_over_edge, over_edge, tip_over
+from esg.dynamics.choreography.falling.falls import goes_over_edge, over_edge, tip_over
 from esg.dynamics.choreography.placing import comes_to_rest, gap_left, join
 from esg.dynamics.choreography.setting_off import gain_of, ride_of
 from esg.dynamics.choreography.stage import Stage

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import math
 
+from esg.dynamics.choreography.falling.throws import is_swung
 from esg.dynamics.choreography.hovering import cruise
 from esg.dynamics.choreography.kerbs import Kerb, kerb_passed, street_crossed
 from esg.dynamics.choreography.stage import Stage
-from esg.dynamics.choreography.throws import is_swung
 from esg.dynamics.story.driving import leaf_of
 from esg.dynamics.story.kinematics import (
     Frame,

@@ -34,7 +34,7 @@ from esg.graph.models import EdgeEvent, EsgDocument, NodeEvent, Predicate, Timel
 from esg.layout.problem.hints import Constellation, Corridor, Placement
 
 if TYPE_CHECKING:
-    from esg.dynamics.choreography.falls import Flight
+    from esg.dynamics.choreography.falling.falls import Flight
     from esg.dynamics.choreography.flights import Arc
 
 CLEARANCE_M = 0.35

@@ -16,6 +16,7 @@ import numpy as np
 from esg.dynamics.choreography.courses.from_sides import go_from_side_to_side
 from esg.dynamics.choreography.courses.passages import lead_through, let_go_down, ways_through
 from esg.dynamics.choreography.courses.tops import reaches
+from esg.dynamics.choreography.falling.throws import stand_behind
 from esg.dynamics.choreography.handling import bounced, jumped, spun, taken, tell_guided
 from esg.dynamics.choreography.meetings import collision, enters
 from esg.dynamics.choreography.moves import controlled, plain, shattered, turned
@@ -24,7 +25,6 @@ from esg.dynamics.choreography.placing import enter_beside
 from esg.dynamics.choreography.pockets import play_pocket, pocket_event
 from esg.dynamics.choreography.stage import Stage
 from esg.dynamics.choreography.swings import moved_by_joint, swung
-from esg.dynamics.choreography.throws import stand_behind
 from esg.dynamics.choreography.ways import (
     crossing_together,
     pairs_passed,

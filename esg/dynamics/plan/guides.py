@@ -8,8 +8,8 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.dynamics.choreography.falling.throws import opens_upwards
 from esg.dynamics.choreography.handling import SETTLES_S
-from esg.dynamics.choreography.throws import opens_upwards
 from esg.dynamics.plan.aim import body_bounds, shape_bounds
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.plan.liquids import waterline

@@ -13,9 +13,9 @@ import math
 import numpy as np
 from numpy.typing import NDArray
 
+from esg.dynamics.choreography.falling.throws import opens_upwards
 from esg.dynamics.choreography.flights import flown_to
 from esg.dynamics.choreography.handling import TURN_RATE_DEG_S
-from esg.dynamics.choreography.throws import opens_upwards
 from esg.dynamics.plan.aim import aim_point
 from esg.dynamics.plan.cast import Cast
 from esg.dynamics.story.paces import (

@@ -26,15 +26,15 @@ def at_part(replay: Replay, q: StatementQuery, body: int) -> Kept:
         return _on_its_side(replay, q, body, samples)
     near = gap <= np.maximum(2.0 * AT_PART_SHARE * half, AT_PART_M)
     long = int(np.argmax(half))
-    held = near[:, long]
+    held: NDArray[np.bool_] = near[:, long]
     if part == CORNER:
-        held = near.all(axis=1)
+        held = np.asarray(near.all(axis=1))
     elif part == EDGE:
-        held = near.any(axis=1)
+        held = np.asarray(near.any(axis=1))
     elif part == OTHER_END:
         for other in hosts[1:]:
             there, _ = _by_the_sides(replay, other, hosts[0], samples)
-            held = held & (at[:, long] * there[:, long] < 0.0)
+            held = np.asarray(held & (at[:, long] * there[:, long] < 0.0))
     shown = gap[:, long]
     if part in (EDGE, CORNER):
         shown = gap.min(axis=1) if part == EDGE else gap.max(axis=1)

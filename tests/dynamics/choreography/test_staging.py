@@ -11,7 +11,7 @@ from esg.assets import resolve
 from esg.draft import draft
 from esg.dynamics import start_hints
 from esg.dynamics.casting import fitted
-from esg.dynamics.choreography.falls import tipping_speed
+from esg.dynamics.choreography.falling.falls import tipping_speed
 from esg.dynamics.choreography.telling import choreograph
 from esg.dynamics.story.edges import edge_of
 from esg.dynamics.story.proxies import coarse, faceted

@@ -5,6 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 import math
 
+from esg.dynamics.choreography.falling.throws import is_lobbed, region_of
 from esg.dynamics.choreography.slopes import (
     OVER_CREST_MPS,
     SAMPLE_M,
@@ -15,7 +16,6 @@ from esg.dynamics.choreography.slopes import (
     ride_of,
 )
 from esg.dynamics.choreography.stage import Encounter, Stage, speed_is_fixed
-from esg.dynamics.choreography.throws import is_lobbed, region_of
 from esg.dynamics.story.kinematics import Frame
 from esg.dynamics.story.stagecraft import support_of
 from esg.dynamics.story.story import bounds

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 import math
 
-from esg.dynamics.choreography.drops import POURED_M, due, room_of, several, share_out
+from esg.dynamics.choreography.falling.drops import POURED_M, due, room_of, several, share_out
 from esg.dynamics.choreography.stage import Encounter, Stage
 from esg.dynamics.story.driving import QUICKLY_S
 from esg.dynamics.story.kinematics import Frame
