@@ -14,15 +14,14 @@ from esg.dynamics.choreography import (
     approaches,
     bounces,
     encounters,
-    falls,
     flights,
     overtaking,
     sweeps,
     swings,
-    throws,
 )
 from esg.dynamics.choreography.courses import chutes
 from esg.dynamics.choreography.courses.tops import go_past
+from esg.dynamics.choreography.falling import falls, throws
 from esg.dynamics.choreography.hits import impacts
 from esg.dynamics.choreography.hits.caroms import carom, is_carom
 from esg.dynamics.choreography.moves import plain
