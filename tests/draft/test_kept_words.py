@@ -52,7 +52,7 @@ def test_a_part_that_is_missing_is_owned_up_to() -> None:
     [
         ("A block slides down a frictionless incline.", "frictionless"),
         ("A boy throws a deflated football against a door.", "deflated"),
-        ("A phone falls face down onto a table.", "face down"),
+        ("A phone falls at an angle onto a table.", "at an angle"),
     ],
 )
 def test_qualities_and_sides_that_nothing_shows_are_owned_up_to(prompt: str, word: str) -> None:

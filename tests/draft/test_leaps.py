@@ -42,7 +42,7 @@ def stands_on(prompt: str, thing: str) -> str:
             ["Jump frog_1", "Collision frog_1 second_stone_1"],
         ),
         (
-            "A boy jumps off a high wall into a lake.",
+            "A boy jumps off a high wall into a pit.",
             ["Jump boy_1", "Fall boy_1", "EnterRegion boy_1"],
         ),
         ("A dog is standing on a bench, then it jumps down.", ["Jump dog_1", "Fall dog_1"]),

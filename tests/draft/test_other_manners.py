@@ -211,7 +211,7 @@ def test_what_rolls_along_the_top_of_a_wall_is_on_it() -> None:
 
 
 def test_one_end_of_what_nothing_tips_is_owned_up_to() -> None:
-    assert "one end" in _lost(_drafted("A boy sits on one end of a plank."))
+    assert "one end" in _lost(_drafted("A boy sits on one end of a rope."))
     assert not _lost(_drafted("A mug stands on the edge of the table and falls off."))
 
 

@@ -319,7 +319,7 @@ def test_the_left_one_is_on_the_left_of_the_right_one(prompt: str, kind: str) ->
     [
         "Two toy cars collide in the middle of a table.",
         "A ball rolls in the middle of the table.",
-        "A coin spins in the middle of a desk.",
+        "A toy car drives in the middle of a desk.",
     ],
 )
 def test_what_acts_in_the_middle_of_a_table_is_on_it(prompt: str) -> None:

@@ -96,8 +96,8 @@ def test_who_bounces_a_ball_does_not_bounce(prompt: str, told: tuple[str, ...]) 
     ("prompt", "told"),
     [
         ("Pour 30 beads into a bowl.", [("EnterRegion", "bead_1")]),
-        ("Ten coins are poured onto a table.", [("Collision", "coin_1", "table_1")]),
-        ("He pours the marbles out of a jar.", [("Fall", "marble_1")]),
+        ("Forty coins are poured onto a table.", [("Collision", "coin_1", "table_1")]),
+        ("He pours the marbles out of a jar.", [("Fall", f"marble_{k}") for k in (1, 2, 3)]),
         ("The crowd pours out of the gate.", []),
         ("She pours milk into a glass.", []),
     ],
