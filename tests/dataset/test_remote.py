@@ -165,6 +165,7 @@ def cameras(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> RenderOptions:
     return RenderOptions(",".join(stand_ins.SPEC.channels), 2, "32x24", 4.0, camera="around")
 
 
+@pytest.mark.slow
 def test_clips_at_a_url_equal_those_in_a_folder(
     bucket: str, tmp_path: Path, cameras: RenderOptions
 ) -> None:
@@ -200,6 +201,7 @@ def test_clips_are_read_from_their_url(bucket: str, tmp_path: Path, cameras: Ren
     assert seen <= set(np.unique(ids).tolist()) <= seen | {0, 1}
 
 
+@pytest.mark.slow
 def test_a_dataset_at_a_url_gets_clips_and_new_layouts(
     bucket: str, tmp_path: Path, cameras: RenderOptions, monkeypatch: pytest.MonkeyPatch
 ) -> None:

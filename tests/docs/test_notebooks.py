@@ -18,10 +18,14 @@ def test_there_are_three() -> None:
     assert len(NOTEBOOKS) == 3
 
 
+LONG = ("sql_over_runs", "dataset_to_training")
+"""Run by the nightly job."""
+
+
 @pytest.mark.parametrize(
     "path",
     [
-        pytest.param(p, id=p.stem, marks=[pytest.mark.slow] if p.stem == "sql_over_runs" else [])
+        pytest.param(p, id=p.stem, marks=[pytest.mark.slow] if p.stem in LONG else [])
         for p in NOTEBOOKS
     ],
 )

@@ -85,6 +85,7 @@ def test_every_content_word_of_recombined_clauses_is_accounted_for(seed: int) ->
         assert dropped(prompt, doc) == [], prompt
 
 
+@pytest.mark.slow
 def test_recombined_clauses_hold_the_rules() -> None:
     """Draft almost all random stories without a violation; contradictory times may remain."""
     codes: list[str] = []

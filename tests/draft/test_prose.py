@@ -213,5 +213,6 @@ def test_an_event_that_a_sheet_leaves_open_is_no_line_of_it() -> None:
     ]
 
 
+@pytest.mark.slow
 def test_a_noun_phrase_may_be_thousands_of_words_long() -> None:
     assert story("A " + "very " * 2500 + "red ball hits a box.") == ["Collision red_ball_1 box_1"]

@@ -129,6 +129,7 @@ def smoke(run: Run, place: Path) -> None:
     run("-m", "esg", "judge", "--help")
 
 
+@pytest.mark.slow
 def test_the_wheel_works_without_the_checkout(borrowing: Run, tmp_path: Path) -> None:
     place = Path(borrowing("-c", "import os; print(os.getcwd())").strip())
     smoke(borrowing, place)

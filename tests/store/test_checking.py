@@ -126,6 +126,7 @@ def test_verification_names_what_is_damaged_and_clears_what_killed_writers_left(
         verify(None, [runs / "nowhere"])
 
 
+@pytest.mark.slow
 def test_a_damaged_block_of_the_database_is_found(runs: Path) -> None:
     db = runs / "esg.duckdb"
     ingest(db, write_tables(runs / "more", [record(run_info("r2"), "S9", 0)], name="m").values())

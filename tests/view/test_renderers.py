@@ -129,6 +129,7 @@ def test_a_texture_is_as_large_as_its_tile(kind: str, checker: str) -> None:
     assert above < 60 < 120 < below
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", TRACERS)
 @pytest.mark.parametrize("sky", ["clear", "cloudy"])
 def test_shadows_are_as_soft_as_the_sun_is_wide(kind: str, sky: Any) -> None:
@@ -244,6 +245,7 @@ def test_one_sees_through_clear_things(kind: str) -> None:
     assert views.body[0, 28, 48] == 0
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("kind", TRACERS)
 def test_motion_blur_smears_what_moves_and_nothing_else(kind: str) -> None:
     """A box that moves 1 m while the shutter is open leaves a ramp of light so wide."""

@@ -15,6 +15,7 @@ from esg.graph.models import Node, Pose
 from tests.assets.worlds import EMPTY, faults, requirement, settle, solid_entries
 
 
+@pytest.mark.slow
 def test_library_settles_in_physx() -> None:
     entries = solid_entries()
     assert faults(settle("physx", entries), entries) == []

@@ -252,6 +252,7 @@ def add(out: Path, options: RenderOptions = OPTIONS, **more: object) -> int:
     return render_dataset(str(out), options, batches, "cpu", {}, as_json=False)
 
 
+@pytest.mark.slow
 def test_a_finished_dataset_gets_the_clips_it_would_have_had(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, capsys: pytest.CaptureFixture[str]
 ) -> None:
@@ -295,6 +296,7 @@ def test_layouts_are_of_the_clips_that_a_dataset_has_now(
     }
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize("moment", ["render", "putting in"])
 def test_adding_clips_goes_on_after_a_kill(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch, moment: str

@@ -66,6 +66,7 @@ def test_who_is_overtaken_drives_all_the_while() -> None:
     assert places["car_1"].x_cm < places["truck_1"].x_cm, "it starts behind"
 
 
+@pytest.mark.slow
 def test_who_is_slower_overtakes_nobody() -> None:
     """Both speeds are stated: the events are told as not reached, and nothing breaks."""
     prompt = "A car driving at 5 m/s overtakes a truck driving at 12 m/s and then turns right."

@@ -47,6 +47,7 @@ def alone(documents: list[EsgDocument]) -> list[EsgDocument]:
     return [optimize(d, seed=k, max_rounds=3) for k, d in enumerate(documents)]
 
 
+@pytest.mark.slow
 @pytest.mark.parametrize(("processes", "shift"), [(1, 250), (3, 250), (1, 2), (3, 2)])
 def test_together_is_as_alone(
     documents: list[EsgDocument],

@@ -93,6 +93,7 @@ def test_balls_alone_need_no_refinement() -> None:
     assert refine(doc, found, _never, strategy="batched", device="cpu") is found
 
 
+@pytest.mark.slow
 def test_refinement_finds_a_hit_off_the_centre() -> None:
     """From a hit that sends the bin past a table off its line to one that does not."""
     doc = _table_aside(33.0)

@@ -51,23 +51,22 @@ def some_of_them(tokens: list[Token]) -> list[Token]:
     out: list[Token] = []
     i = 0
     while i < len(tokens):
-        if not _told_before(tokens, i):
+        share_first = _how_many(tokens, i) and _of_which(tokens, i + 1)
+        share_last = bool(i) and _of_which(tokens, i) and _how_many(tokens, i + 2)
+        if not (share_first or share_last) or not _told_before(tokens, i):
             out.append(tokens[i])
             i += 1
-        elif _how_many(tokens, i) and _of_which(tokens, i + 1):
+        elif share_first:
             of, which = tokens[i + 1], tokens[i + 2]
             out += _apart(out, tokens[i].start)
             out += [tokens[i], of, Token("them", which.start, which.end, "word", tag="PRON")]
             i += 3
-        elif i and _of_which(tokens, i) and _how_many(tokens, i + 2):
+        else:
             some = tokens[i + 2]
             out += [*_apart(out, tokens[i].start), some]
             out.append(Token("of", some.end, some.end, "word", tag="ADP"))
             out.append(Token("them", some.end, some.end, "word", tag="PRON"))
             i += 3
-        else:
-            out.append(tokens[i])
-            i += 1
     return out
 
 

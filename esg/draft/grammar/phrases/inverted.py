@@ -30,7 +30,7 @@ def straight_verbs(tokens: list[Token]) -> list[Token]:
         if token.low in _STOPS:
             begin = len(out) + 1
         verb = _verb(tokens, i) if token.low in _DOES else -1
-        opening = " ".join(t.low for t in out[begin:])
+        opening = " ".join(t.low for t in out[begin:]) if verb >= 0 else ""
         if verb < 0 or not _OPENS.fullmatch(opening):
             changed = replace(token, text=_third(token.low), tag="VERB") if i in verbs else token
             out.append(changed)
