@@ -51,8 +51,7 @@ def mates_event(
     told = [n for n in d.timeline.nodes if n.id in own and n.event is kind]
     mates = [n for n in told if n.participants[0] != participants[0]]
     several = group is not None or any(entity_of(d, n.participants[0]).group for n in mates)
-    mates = mates if several else []
-    return (mates[-1].id, None) if mates else None
+    return (mates[-1].id, None) if mates and several else None
 
 
 def lands_in_turn(kind: NodeEvent, f: Frame) -> bool:

@@ -13,6 +13,7 @@ from functools import cache, partial
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.text.alternatives import any_of
 from esg.draft.text.lying import Lain, take_lying
 from esg.draft.text.shining import Shown, take_shown
 from esg.draft.verbphrases import verb_readings
@@ -296,10 +297,6 @@ def _word(text: str, at: int) -> str:
     return lex.singular(found[0].lower())[0] if found else ""
 
 
-def _any(words: Sequence[str]) -> str:
-    return "|".join(re.escape(w) for w in sorted(words, key=lambda w: (-len(w), w)))
-
-
 _ANY = re.compile(
     r"\b(?:full|of|with|containing|contains?|holding|holds?|filled|float\w*|sink\w*|sank|water)\b",
     re.I,
@@ -309,7 +306,7 @@ _ANY = re.compile(
 @cache
 def _vessels() -> str:
     words = lex.word_set("filled vessels")
-    return rf"(?P<vessel>(?:{_any([*words, *(w + 's' for w in words), 'glasses'])}))\b"
+    return rf"(?P<vessel>(?:{any_of([*words, *(w + 's' for w in words), 'glasses'])}))\b"
 
 
 @cache
@@ -319,10 +316,10 @@ def _vessel_words() -> re.Pattern[str]:
 
 @cache
 def _content() -> str:
-    adjectives = f"{_SHOWN}|{_OTHER}|{_any([c for c in lex.COLORS if c.isalpha()])}"
+    adjectives = f"{_SHOWN}|{_OTHER}|{any_of([c for c in lex.COLORS if c.isalpha()])}"
     return (
         rf"(?P<adjectives>(?:(?:{adjectives})\s+){{0,2}})"
-        rf"(?P<content>{_any([*contents_said()])})\b"
+        rf"(?P<content>{any_of([*contents_said()])})\b"
     )
 
 
@@ -343,7 +340,7 @@ def _where() -> str:
     """A vessel, or what one is filled with."""
     return (
         rf"(?:{_counted()}"
-        rf"|the\s+(?P<content>{_any([*contents_said()])})\b)"
+        rf"|the\s+(?P<content>{any_of([*contents_said()])})\b)"
     )
 
 
@@ -423,7 +420,7 @@ def _sinks_words() -> re.Pattern[str]:
 
 @cache
 def _last_words() -> re.Pattern[str]:
-    named = _any([*contents_said(), *lex.word_set("filled vessels")])
+    named = any_of([*contents_said(), *lex.word_set("filled vessels")])
     of = rf"(?:\s+of\s+(?:it|the\s+(?:{named})))?"
     where = rf"(?:\s+(?:up\s+)?(?:to|on|at)\s+(?:the|its)\s+(?:surface|top){of})?"
     down = rf"(?:\s+(?:down\s+)?to\s+the\s+bottom{of})?"

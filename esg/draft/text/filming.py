@@ -15,6 +15,7 @@ from functools import cache, lru_cache
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.text.alternatives import any_of
 from esg.graph.models import Filming
 
 _PICTURES = r"(?:shots?|views?|footage|angles?|perspectives?|videos?|clips?|point of view)"
@@ -116,8 +117,7 @@ _UNDOUBLED = frozenset({"orbit", "pedestal", "travel", "follow"})
 
 
 def _listed(words: str) -> str:
-    told = sorted(words.split("/"), key=lambda w: (-len(w), w))
-    return "|".join(re.escape(w).replace("_", r"\s+") for w in told)
+    return any_of(words.split("/")).replace("_", r"\s+")
 
 
 @cache

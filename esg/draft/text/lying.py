@@ -13,7 +13,8 @@ from functools import cache
 import re
 
 from esg.draft import lexicon as lex
-from esg.draft.text.shown import BEFORE, Blank
+from esg.draft.text.alternatives import Blank, Places, any_of, taken
+from esg.draft.text.shown import BEFORE
 from esg.lexicon.lying import pose_said
 
 
@@ -34,9 +35,6 @@ class Lain:
     about: int = BEFORE
     at_last: bool = False
 
-
-Places = list[tuple[int, int, str]]
-"""What takes the place of words: start, end, other words."""
 
 _BE = {"is": "stands", "was": "stands", "are": "stand", "were": "stand"}
 _IS_SO = (
@@ -84,22 +82,9 @@ def take_lying(text: str, nouns: Sequence[int], blank: Blank) -> list[Lain]:
         nouns: Where words begin that are nouns.
         blank: Puts other words, no longer than they are, in the place of some.
     """
-    found: list[Lain] = []
     if not _any_words().search(text):
-        return found
-    for read in _READERS:
-        for lain, places in read(text, nouns):
-            if any(o.start < lain.end and lain.start < o.end for o in found):
-                continue
-            found.append(lain)
-            for start, end, instead in places:
-                blank(start, end, instead)
-    return sorted(found, key=lambda o: o.start)
-
-
-def _any(words: Sequence[str]) -> str:
-    listed = sorted({*words}, key=lambda w: (-len(w), w))
-    return "|".join(re.escape(w).replace(r"\ ", r"\s+") for w in listed)
+        return []
+    return taken((found for read in _READERS for found in read(text, nouns)), blank)
 
 
 def _compiled(pattern: str) -> re.Pattern[str]:
@@ -109,7 +94,8 @@ def _compiled(pattern: str) -> re.Pattern[str]:
 @cache
 def _words() -> str:
     onto = [w.replace("on ", "onto ", 1) for w in pose_said() if w.startswith("on ")]
-    return rf"(?P<words>(?:lying\s+)?(?:{_any([*pose_said(), *onto])}))\b"
+    listed = any_of([*pose_said(), *onto]).replace(r"\ ", r"\s+")
+    return rf"(?P<words>(?:lying\s+)?(?:{listed}))\b"
 
 
 @cache

@@ -10,8 +10,9 @@ from functools import cache
 import re
 
 from esg.draft import lexicon as lex
+from esg.draft.text.alternatives import Blank, any_of, taken
 from esg.draft.text.plumes import given_off
-from esg.draft.text.shown import BEFORE, Blank, Read, Shown
+from esg.draft.text.shown import BEFORE, Read, Shown
 from esg.graph.models import Predicate
 from esg.lexicon.shown import LIVELY, lights, swaying, weathers
 
@@ -23,17 +24,10 @@ def take_shown(text: str, blank: Blank) -> list[Shown]:
         text: A prompt as it was screened.
         blank: Puts other words, no longer than they are, in the place of some.
     """
-    found: list[Shown] = []
     if not _ANY.search(text):
-        return found
-    for read in (given_off, _weather, _sways, _switched, _changes, _with_lights, _alight):
-        for shown, places in read(text):
-            if any(s.start < shown.end and shown.start < s.end for s in found):
-                continue
-            found.append(shown)
-            for start, end, instead in places:
-                blank(start, end, instead)
-    return sorted(found, key=lambda s: s.start)
+        return []
+    readers = (given_off, _weather, _sways, _switched, _changes, _with_lights, _alight)
+    return taken((found for read in readers for found in read(text)), blank)
 
 
 _ANY = re.compile(
@@ -46,28 +40,23 @@ _WORDS = r"(?:[\w-]+\s+){0,2}?"
 _BY = r"(?:suddenly\s+|slowly\s+|then\s+|all\s+|both\s+|brightly\s+|steadily\s+)?"
 
 
-def _any(words: list[str] | tuple[str, ...]) -> str:
-    listed = sorted({*words}, key=lambda w: (-len(w), w))
-    return "|".join(re.escape(w) for w in listed)
-
-
 @cache
 def _owners(*, flame: bool) -> str:
     """Nouns of what can be lit, or burns; vehicles only by their lights."""
     kinds = {k for row in lights().values() if row.flame is flame for k in row.of}
     words = [w for w, noun in lex.nouns().items() if noun.name in kinds or w in kinds]
     words += [*kinds - {"@vehicle"}, *(() if flame else ("led", "light"))]
-    return _any([*words, *(w + "s" for w in words)])
+    return any_of([*words, *(w + "s" for w in words)])
 
 
 @cache
 def _parts() -> str:
-    return _any([w for row in lights().values() if not row.flame for w in row.words])
+    return any_of([w for row in lights().values() if not row.flame for w in row.words])
 
 
 @cache
 def _colors() -> str:
-    return _any([c for c in lex.COLORS if c.isalpha()])
+    return any_of([c for c in lex.COLORS if c.isalpha()])
 
 
 @cache
@@ -347,7 +336,7 @@ _MUCH = {"heavily": "heavy", "hard": "heavy", "lightly": "light", "gently": "lig
 def _of_weather() -> tuple[re.Pattern[str], ...]:
     every = [w for w in _said_as()]
     nouns = [w for w in every if not w.endswith(("y", "ing", "s")) or w in ("snow flurries",)]
-    said = rf"(?P<said>{_any(every)}"
+    said = rf"(?P<said>{any_of(every)}"
     adj = (
         r"(?P<adj>(?:(?:heavy|light|thick|dense|pouring|driving|gentle|strong|steady|cold|fierce|"
         r"raging|violent|freezing)\s+){0,2})"
@@ -368,7 +357,7 @@ def _of_weather() -> tuple[re.Pattern[str], ...]:
         ),
         _compiled(
             rf"\b(?:in|through|during|under|amid|amidst|into|despite)\s+(?:(?:the|a|an|some)\s+)?"
-            rf"{adj}(?P<said>{_any(nouns)}|falling\s+snow)\b(?:\s+and\s+(?P<also>{_any(nouns)})\b)?"
+            rf"{adj}(?P<said>{any_of(nouns)}|falling\s+snow)\b(?:\s+and\s+(?P<also>{any_of(nouns)})\b)?"
             r"(?!\s+(?:forest|day|night|street|road|window|coat|boots|jacket|sea|ocean|clouds?)\b)"
         ),
         _compiled(
@@ -409,7 +398,7 @@ def _swayers() -> str:
     kinds = {*swaying()}
     words = [w for w, noun in lex.nouns().items() if noun.name in kinds or w in kinds]
     several = (*(w + "s" for w in words), *(w + "es" for w in kinds), "leaves")
-    return _any([*words, *kinds, *several])
+    return any_of([*words, *kinds, *several])
 
 
 @cache

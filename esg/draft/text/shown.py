@@ -2,14 +2,14 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
+from collections.abc import Iterator
 from dataclasses import dataclass
 
+from esg.draft.text.alternatives import Places
 from esg.graph.models import Predicate
 
 SCENE, BEFORE = -1, -2
 """What words may be said of: the scene, or what is named last before them."""
-Blank = Callable[[int, int, str], None]
 
 
 @dataclass(frozen=True)
@@ -36,5 +36,5 @@ class Shown:
     lacks: tuple[int, int] | None = None
 
 
-Read = Iterator[tuple[Shown, list[tuple[int, int, str]]]]
+Read = Iterator[tuple[Shown, Places]]
 """What is found, with what takes the place of its words."""

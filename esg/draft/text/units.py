@@ -5,12 +5,13 @@ Each row of `data/units.csv` has a size in document units, what it measures, and
 
 from __future__ import annotations
 
-from collections.abc import Container, Iterable
+from collections.abc import Container
 import csv
 import re
 from typing import Literal, cast
 
 from esg.draft import lexicon as lex
+from esg.draft.text.alternatives import any_of
 
 Dimension = Literal[
     "mass", "length", "time", "speed", "acceleration", "angle", "count", "volume", "other"
@@ -32,12 +33,8 @@ _NOT_PLAIN = frozenset({"in", '"', "”"})
 """Names of the inch that are words or marks, too."""
 
 
-def _any_of(words: Iterable[str]) -> str:
-    return "|".join(re.escape(w) for w in sorted(words, key=len, reverse=True))
-
-
 def _names(dimension: Dimension, *, without: Container[str] = ()) -> str:
-    return _any_of(u for u, (d, _) in _UNITS.items() if d == dimension and u not in without)
+    return any_of(u for u, (d, _) in _UNITS.items() if d == dimension and u not in without)
 
 
 _LENGTH = _names("length", without=('"', "”"))
@@ -52,7 +49,7 @@ _ACCEL_UNIT = (
     r"|(?:m|cm|ft)(?:\s*[.·*]\s*|\s+)s\s*(?:\^\s*\(?-\s*2\)?|[-−]2|⁻²)"
     r"|m/s/s)"
 )
-_PLAIN_UNIT = _any_of(u for u, (d, _) in _UNITS.items() if d != "speed" and u not in _NOT_PLAIN)
+_PLAIN_UNIT = any_of(u for u, (d, _) in _UNITS.items() if d != "speed" and u not in _NOT_PLAIN)
 _INCHES = r"in(?=\s*(?:[.,;)]|$|tall|wide|long|high|deep|thick|in\s+diameter))"
 UNIT = rf"(?:{_ACCEL_UNIT}|{_SPEED_UNIT}|{_PLAIN_UNIT}|{_INCHES}|\"|”)"
 """Any unit, as it may follow a number."""

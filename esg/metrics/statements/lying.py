@@ -14,6 +14,11 @@ from esg.units import quat_inverse, quat_multiply, quat_rotate
 _UNTURNED = (0.0, 0.0, 0.0, 1.0)
 
 
+def turned_by(replay: Replay, body: int) -> Floats:
+    """How the model of a body is turned from how it is drawn, (x, y, z, w)."""
+    return np.asarray(replay.scene.bodies[body].turned or _UNTURNED)
+
+
 def lies(replay: Replay, q: StatementQuery, body: int) -> Kept:
     """An own axis that its pose lets point up does, within the pose's limit, and it rests.
 
@@ -23,7 +28,7 @@ def lies(replay: Replay, q: StatementQuery, body: int) -> Kept:
     if row is None:
         return Kept(None, reason=f"nothing lies {q.statement.noun}")
     frames = q.window.samples(replay)
-    turned = np.asarray(replay.scene.bodies[body].turned or _UNTURNED)
+    turned = turned_by(replay, body)
     size = _extents(replay, body, turned)
     if size is None:
         return Kept(None, reason="it has no body")

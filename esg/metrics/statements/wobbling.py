@@ -5,17 +5,15 @@ from __future__ import annotations
 import numpy as np
 
 from esg.metrics.replay import Floats, Replay
+from esg.metrics.statements.lying import turned_by
 from esg.metrics.statements.query import Kept, StatementQuery
 from esg.thresholds import TOPPLED_DEG, WOBBLES_DEG, WOBBLES_TIMES
 from esg.units import quat_multiply, quat_rotate
 
-_UNTURNED = (0.0, 0.0, 0.0, 1.0)
-
 
 def wobbles(replay: Replay, q: StatementQuery, body: int) -> Kept:
     """Its own upright axis swings through where it ends, `WOBBLES_TIMES` sides on end."""
-    turned = np.asarray(replay.scene.bodies[body].turned or _UNTURNED)
-    quaternion = quat_multiply(replay.quaternion[q.window.frames, body], turned)
+    quaternion = quat_multiply(replay.quaternion[q.window.frames, body], turned_by(replay, body))
     axis = quat_rotate(quaternion, np.array([0.0, 0.0, 1.0]))
     if float(np.degrees(np.arccos(np.clip(axis[-1, 2], -1.0, 1.0)))) > TOPPLED_DEG:
         return Kept(False, reason="falls over")

@@ -9,7 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from esg.draft import lexicon as lex
-from esg.draft.grammar.clauses.captions import DOERS
+from esg.draft.grammar.clauses.captions import DOERS, STRUCK
 from esg.draft.grammar.clauses.frames import Frame, State, background_first, in_order
 from esg.draft.grammar.clauses.idioms import read_idioms
 from esg.draft.grammar.clauses.nouns import mention
@@ -20,7 +20,6 @@ from esg.draft.text.elements import Element, Mention, Verb
 
 _GETTING = lex.word_set("getting (builder)")
 _TURNED = lex.word_set("senses told as actives (builder)")
-_STRUCK = frozenset({"hit", "knock"})
 _STRUCK_INTO = ("against", "along", "into")
 """What tells where that goes which is struck: "is rammed into a wall by a car"."""
 _OTHERWISE = frozenset({"pull"})
@@ -110,7 +109,7 @@ def _by_who_acts(f: Frame) -> None:
         return
     carried = f.verb.sense == "carry" and f.verb.lemma in _CARRYING
     kind = doer.noun.kind if doer.noun is not None else ""
-    into = f.verb.sense in _STRUCK and f.phrase(*_STRUCK_INTO) is not None
+    into = f.verb.sense in STRUCK and f.phrase(*_STRUCK_INTO) is not None
     told = (f.verb.sense in _TURNED or into) and kind in DOERS and (f.relative or not f.reduced)
     told = told and f.verb.lemma not in _OTHERWISE
     if not carried and not told:

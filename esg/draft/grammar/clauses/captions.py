@@ -11,7 +11,8 @@ DOERS = frozenset({"person", "animal", "vehicle", "robot", "flyer", "cart", "wat
 _DONE_TO = lex.word_set("senses done to a thing (captions)")
 _ALSO_BY_ITSELF = lex.word_set("also by itself (captions)")
 """Verbs of those senses that a thing does by itself, too: "a car crashed"."""
-_STRUCK = frozenset({"hit", "knock"})
+STRUCK = frozenset({"hit", "knock"})
+"""Senses of blows."""
 _LIVING = frozenset({"person", "animal"})
 
 
@@ -30,7 +31,7 @@ def done_by_somebody(c: Clauses, subject: Mention, v: Verb, i: int) -> bool:
     if doer is None:
         return False
     kind = doer.noun.kind if doer.noun is not None else ""
-    if v.lemma not in _ALSO_BY_ITSELF and v.sense in _STRUCK:
+    if v.lemma not in _ALSO_BY_ITSELF and v.sense in STRUCK:
         return True  # "a vase hit by a ball"
     if v.form == "pp" or (v.sense in _DONE_TO and v.lemma not in _ALSO_BY_ITSELF):
         return kind in DOERS
